@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "experiments/commands.hpp"
+#include "experiments/files.hpp"
+#include "experiments/progress.hpp"
+#include "renderer/load.hpp"
+#include "renderer/render.hpp"
+
+namespace experiments {
+
+namespace {
+
+struct Options {
+  std::string scene, output, stats, size, area;
+  renderer::Params params;
+  int threads = 1;
+};
+
+// "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
+template <std::size_t N>
+std::array<int, N> parse_numbers(const std::string& option, const std::string& text,
+                                 const char* form) {
+  std::array<int, N> values{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    const char separator = i + 2 == N ? 'x' : ',';
+    const bool more = i + 1 < N;
+    if (error != std::errc{} || (more ? next == end || *next != separator : next != end))
+      throw CLI::ValidationError(option, fmt::format("found \"{}\", expected {}", text, form));
+    at = next + 1;
+  }
+  return values;
+}
+
+void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
+  const auto& rays = image.rays;
+  nlohmann::ordered_json tests;
+  for (std::size_t i = 0; i < renderer::OP_COUNT; ++i)
+    tests[std::string(renderer::op_names()[i])] = image.work.counts[i];
+  const nlohmann::ordered_json stats = {
+      {"scene", o.scene},
+      {"width", o.params.width},
+      {"height", o.params.height},
+      {"rays",
+       {{"primary", rays.primary},
+        {"primary_hit", rays.primary_hit},
+        {"reflected", rays.reflected},
+        {"transmitted", rays.transmitted},
+        {"shadow", rays.shadow},
+        {"total", rays.total()}}},
+      {"work", tests},
+      {"seconds", seconds},
+      {"rays_per_second", static_cast<double>(rays.total()) / seconds}};
+  write_file(o.stats, stats.dump(2) + "\n");
+}
+
+void render_scene(Options& o) {
+  if (!o.size.empty()) {
+    const auto v = parse_numbers<2>("--size", o.size, "WxH, such as 512x512");
+    o.params.width = v[0];
+    o.params.height = v[1];
+  }
+  if (!o.area.empty()) {
+    const auto v = parse_numbers<4>("--area", o.area, "X,Y,WxH, such as 10,20,64x48");
+    o.params.area = {v[0], v[1], v[2], v[3]};
+    if (v[2] <= 0 || v[3] <= 0)
+      throw CLI::ValidationError("--area", fmt::format("found \"{}\", expected a width and a "
+                                                       "height above zero",
+                                                       o.area));
+  }
+  renderer::check(o.params);
+  const auto scene = renderer::load_scene(o.scene);
+  Progress bar("rendering");
+  const auto start = std::chrono::steady_clock::now();
+  const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
+    bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
+  });
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  renderer::save_png(o.output, image.samples);
+  if (!o.stats.empty()) save_stats(o, image, seconds);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
+  auto o = std::make_shared<Options>();
+  o->params.traversal = renderer::Traversal::nearest;
+  using renderer::Feelers, renderer::SamplePosition, renderer::Traversal;
+  const std::map<std::string, Feelers> feelers{{"all", Feelers::all}, {"front", Feelers::front}};
+  const std::map<std::string, SamplePosition> positions{{"center", SamplePosition::center},
+                                                        {"corner", SamplePosition::corner},
+                                                        {"lattice", SamplePosition::lattice}};
+  const std::map<std::string, Traversal> traversals{{"exhaustive", Traversal::exhaustive},
+                                                    {"nearest", Traversal::nearest},
+                                                    {"linear", Traversal::linear}};
+  command->add_option("SCENE", o->scene, "an NFF file, or spheres:N")->required();
+  command->add_option("-o,--output", o->output, "the PNG image to write")->required();
+  command->add_option("--size", o->size, "WxH in pixels [100x100]");
+  command->add_option("--depth", o->params.limits.depth, "levels of the shading tree, 1 to 1000")
+      ->capture_default_str();
+  command
+      ->add_option("--influence", o->params.limits.min_influence,
+                   "no ray is made below this influence factor, 0 to 1")
+      ->capture_default_str();
+  command
+      ->add_option("--feelers", o->params.feelers,
+                   "a shadow feeler to all lights, or to those in front")
+      ->transform(CLI::CheckedTransformer(feelers))
+      ->option_text("all|front [all]");
+  command
+      ->add_option("--sample", o->params.sample, "where in its pixel; lattice spans edge to edge")
+      ->transform(CLI::CheckedTransformer(positions))
+      ->option_text("center|corner|lattice [corner]");
+  command
+      ->add_option("--traversal", o->params.traversal, "of the hierarchy: same image, other work")
+      ->transform(CLI::CheckedTransformer(traversals))
+      ->option_text("nearest|exhaustive|linear [nearest]");
+  command->add_option("--ambient", o->params.ambient, "intensity of ambient light")
+      ->capture_default_str();
+  command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
+  command->add_option("--threads", o->threads, "host threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
+  command->callback([o] { render_scene(*o); });
+}
+
+}  // namespace experiments

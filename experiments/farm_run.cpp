@@ -1,0 +1,155 @@
+#include "experiments/farm_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "renderer/load.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace experiments {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+// FNV-1a over the fixed-point sums.
+std::uint64_t hash_of(const renderer::Samples& samples) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  auto add = [&](std::int64_t value) {
+    for (int byte = 0; byte < 8; ++byte)
+      hash = (hash ^ ((static_cast<std::uint64_t>(value) >> (8 * byte)) & 255)) * 0x100000001b3u;
+  };
+  for (const auto& s : samples.sums) {
+    add(s.r);
+    add(s.g);
+    add(s.b);
+  }
+  return hash;
+}
+
+struct Busy {
+  double mean = 0, max = 0;
+};
+
+Busy busy_workers(const observe::Use& use) {
+  Busy busy;
+  std::size_t n = 0;
+  for (const auto& cpu : use.cpus)
+    if (cpu.name.starts_with("worker")) {
+      busy.mean += cpu.busy_s / use.time_s;
+      busy.max = std::max(busy.max, cpu.busy_s / use.time_s);
+      ++n;
+    }
+  busy.mean /= static_cast<double>(n);
+  return busy;
+}
+
+ordered_json make_row(const farm::Result& r) {
+  const double rays = static_cast<double>(r.rays.total());
+  const auto& use = r.use;
+  auto busy = [&](const char* name) { return find_cpu(use, name).busy_s / use.time_s; };
+  const Busy workers = busy_workers(use);
+  const auto busiest = std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
+  std::uint64_t memory = 0;
+  for (const auto& cpu : use.cpus)
+    if (cpu.name.starts_with("worker")) memory = std::max(memory, cpu.memory_peak_bytes);
+  return {{"time_s", r.time_s},
+          {"time_per_ray_ms", r.time_s / rays * 1e3},
+          {"speedup", nullptr},
+          {"efficiency", nullptr},
+          {"rays", r.rays.total()},
+          {"rays_primary", r.rays.primary},
+          {"rays_reflected", r.rays.reflected},
+          {"rays_transmitted", r.rays.transmitted},
+          {"rays_shadow", r.rays.shadow},
+          {"interactive_s", r.interactive_s},
+          {"setup_s", r.setup_s},
+          {"messages", total_messages(use)},
+          {"message_bytes", total_bytes(use)},
+          {"cpu_busy_worker_mean", workers.mean},
+          {"cpu_busy_worker_max", workers.max},
+          {"cpu_busy_coordinator", busy("coordinator")},
+          {"cpu_busy_database", busy("database")},
+          {"cpu_busy_display", busy("display")},
+          {"link_busy_max", busiest->busy_s / use.time_s},
+          {"link_busiest", busiest->from + ">" + busiest->to},
+          {"rays_in_farm_max", r.peak_rays_in_farm},
+          {"database_feelers_max", r.peaks.feelers},
+          {"database_heap_max", r.peaks.heap},
+          {"database_later_max", r.peaks.later},
+          {"worker_memory_bytes", memory}};
+}
+
+}  // namespace
+
+topologies::Topology make_workers(const Experiment& experiment) {
+  const std::string& name = experiment.topology;
+  const auto n = experiment.workers;
+  if (name.find_first_of(":./") != std::string::npos) return topologies::make_topology(name);
+  if (name == "mesh" || name == "torus") {
+    auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
+    while (n % rows != 0) --rows;
+    return topologies::make_topology(fmt::format("{}:{}x{}", name, rows, n / rows));
+  }
+  if (name == "hypercube") {
+    int dimensions = 0;
+    while ((std::int64_t{1} << dimensions) < n) ++dimensions;
+    if ((std::int64_t{1} << dimensions) != n)
+      throw machine::InvalidInput(
+          fmt::format("network.workers: found {}, expected a power of two for a hypercube", n));
+    return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
+  }
+  // The smallest rings are lines.
+  if (name == "ring" && n < 3) return topologies::make_topology(fmt::format("line:{}", n));
+  return topologies::make_topology(fmt::format("{}:{}", name, n));
+}
+
+std::string scene_source(const Experiment& experiment) {
+  if (experiment.scene != "spheres") return experiment.scene;
+  return fmt::format("spheres:{}", experiment.objects);
+}
+
+// Generated spheres stand on a floor that is not counted.
+std::int64_t scene_objects(const Experiment& experiment, const renderer::Scene& scene) {
+  const auto all = static_cast<std::int64_t>(object_count(scene));
+  return scene_source(experiment).starts_with("spheres:") ? all - 1 : all;
+}
+
+ordered_json run_farm_point(const Experiment& experiment, const std::string& image, bool profile) {
+  using clock = std::chrono::steady_clock;
+  auto seconds_since = [](clock::time_point start) {
+    return std::chrono::duration<double>(clock::now() - start).count();
+  };
+  const auto start = clock::now();
+  const auto model = machine::load_model(experiment.model);
+  const auto topology = make_workers(experiment);
+  const auto scene = renderer::load_scene(scene_source(experiment));
+  farm::Params params = experiment.farm;
+  params.profile = profile;
+
+  const auto run_start = clock::now();
+  const farm::Result result = farm::run_farm(model, topology, scene, params);
+  const double run_s = seconds_since(run_start);
+
+  if (!image.empty()) renderer::save_png(image, result.samples);
+  ordered_json keys = ordered_json::array();
+  for (std::size_t i = 0; i < result.key_images.size() && !image.empty(); ++i) {
+    const auto path = fmt::format("{}-stage{}.png", image.substr(0, image.rfind('.')), i + 1);
+    renderer::save_png(path, result.key_images[i].samples);
+    keys.push_back({{"path", path}, {"at_s", result.key_images[i].at.value - result.setup_s}});
+  }
+  return {{"topology", topology.name},
+          {"workers", topology.processors},
+          {"objects", scene_objects(experiment, scene)},
+          {"row", make_row(result)},
+          {"key_images", keys},
+          {"image_hash", hash_of(result.samples)},
+          {"host",
+           {{"total_s", seconds_since(start)},
+            {"run_s", run_s},
+            {"kernel_s", result.kernel_host_s},
+            {"events", result.events}}}};
+}
+
+}  // namespace experiments

@@ -1,0 +1,24 @@
+#pragma once
+// One point of a farm experiment: run it, and reduce what happened to a row of numbers.
+#include <nlohmann/json.hpp>
+
+#include "experiments/experiment.hpp"
+#include "topologies/topology.hpp"
+
+namespace experiments {
+
+// The workers' topology of an experiment: "tree" and 7 workers is tree:7, "mesh" and 12 is the most
+// square mesh of 12. Throws machine::InvalidInput or topologies::InvalidTopology.
+topologies::Topology make_workers(const Experiment& experiment);
+// "spheres" and 200 objects is spheres:200.
+std::string scene_source(const Experiment& experiment);
+
+// Runs the farm and returns
+//   "row": name -> number or text, the columns of results.csv after the axes, in order;
+//   "image_hash": of the samples, to compare images;
+//   "host": what the run cost the host, in seconds: never part of a result.
+// The image goes to `image`, unless that is empty; key images beside it.
+nlohmann::ordered_json run_farm_point(const Experiment& experiment, const std::string& image,
+                                      bool profile);
+
+}  // namespace experiments

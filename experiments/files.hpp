@@ -1,0 +1,45 @@
+// Files that are whole or absent, and a folder of results that appears at once.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace experiments {
+
+/// Writes beside `path` (".NAME.partial-PID-N"), then renames. When a step fails (a full disk, a
+/// missing folder) nothing is left behind and an older file keeps its bytes; throws
+/// std::system_error with the path. A link is followed; what exists and is not a regular file
+/// (/dev/stdout, a pipe) is written to directly.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// std::system_error with the path.
+std::string read_file(const std::filesystem::path& path);
+
+/// Collects results in a hidden folder beside `path` (".NAME.partial-PID"); `commit` puts them in
+/// its place. Until then, or without it, an older `path` stays as it was. One at a time per
+/// process and `path`.
+class ResultsFolder {
+ public:
+  /// Makes missing parents and removes what dead processes left for the same `path`. Throws
+  /// std::invalid_argument where results would destroy something that is not ours: `path` is no
+  /// folder, holds files but no run.json, or holds the current folder; std::system_error where
+  /// nothing can be written.
+  explicit ResultsFolder(const std::filesystem::path& path);
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+  /// Where to write; gone after `commit`.
+  const std::filesystem::path& working() const { return working_; }
+
+  /// Replaces `path` as a whole, in one step where the file system can. Throws as the constructor,
+  /// which looked some time ago; then the older results are still there. Once only.
+  void commit();
+
+ private:
+  std::filesystem::path path_, working_;
+  bool is_committed_ = false;
+};
+
+}  // namespace experiments

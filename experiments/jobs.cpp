@@ -1,0 +1,171 @@
+#include "experiments/jobs.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <system_error>
+
+#include "renderer/load.hpp"
+#include "renderer/nff.hpp"
+#include "simulator/machine/faults.hpp"
+#include "topologies/topology.hpp"
+
+namespace experiments {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// While it lives, the first SIGINT or SIGTERM is noted instead of ending the program.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    interrupted = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    sigaction(SIGINT, &action, &old_int_);
+    sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~SignalGuard() {
+    sigaction(SIGINT, &old_int_, nullptr);
+    sigaction(SIGTERM, &old_term_, nullptr);
+  }
+
+ private:
+  struct sigaction old_int_ {
+  }, old_term_{};
+};
+
+// A child process and the text it has sent so far: one byte of status, then result or message.
+struct Child {
+  pid_t pid = -1;
+  std::size_t index = 0;
+  std::string text;
+};
+
+void write_all(int fd, const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t n = write(fd, text.data() + at, text.size() - at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) _exit(1);
+    at += static_cast<std::size_t>(n);
+  }
+}
+
+[[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
+  signal(SIGINT, SIG_DFL);
+  signal(SIGTERM, SIG_DFL);
+  std::string reply;
+  try {
+    reply = '\0' + job(index);
+  } catch (const std::exception& error) {
+    reply = static_cast<char>(exit_code_of(error)) + std::string(error.what());
+  }
+  write_all(fd, reply);
+  _exit(0);  // without the parent's destructors
+}
+
+class Pool {
+ public:
+  ~Pool() {
+    for (auto& [fd, child] : children_) {
+      kill(child.pid, SIGKILL);
+      waitpid(child.pid, nullptr, 0);
+      close(fd);
+    }
+  }
+
+  void start(const Job& job, std::size_t index) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    std::fflush(nullptr);
+    const pid_t pid = fork();
+    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid == 0) {
+      close(ends[0]);
+      run_child(ends[1], job, index);
+    }
+    close(ends[1]);
+    children_[ends[0]] = {pid, index, {}};
+  }
+
+  // Waits until a child has ended, and returns its index and result.
+  std::pair<std::size_t, std::string> wait_any() {
+    for (;;) {
+      std::vector<pollfd> fds;
+      for (const auto& [fd, child] : children_) fds.push_back({fd, POLLIN, 0});
+      const int ready = poll(fds.data(), fds.size(), 1000);
+      if (interrupted) throw Interrupted();
+      if (ready <= 0) continue;
+      for (const auto& p : fds)
+        if (p.revents != 0)
+          if (auto ended = read_some(p.fd)) return *ended;
+    }
+  }
+
+  std::size_t size() const { return children_.size(); }
+
+ private:
+  std::optional<std::pair<std::size_t, std::string>> read_some(int fd) {
+    char buffer[65536];
+    const ssize_t n = read(fd, buffer, sizeof buffer);
+    Child& child = children_.at(fd);
+    if (n > 0) {
+      child.text.append(buffer, static_cast<std::size_t>(n));
+      return std::nullopt;
+    }
+    int status = 0;
+    waitpid(child.pid, &status, 0);
+    close(fd);
+    const Child ended = std::move(child);
+    children_.erase(fd);
+    if (WIFSIGNALED(status) || ended.text.empty())
+      throw JobFailed(fmt::format("the process of point {} ended abnormally ({})", ended.index + 1,
+                                  WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "no result"),
+                      1);
+    const std::string body = ended.text.substr(1);
+    if (ended.text[0] != '\0') throw JobFailed(body, ended.text[0]);
+    return std::pair(ended.index, body);
+  }
+
+  std::map<int, Child> children_;  // by the pipe's reading end
+};
+
+}  // namespace
+
+std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job,
+                                  const std::function<void(std::size_t done)>& done) {
+  const SignalGuard guard;
+  std::vector<std::string> results(count);
+  Pool pool;
+  std::size_t started = 0, finished = 0;
+  while (finished < count) {
+    while (started < count && pool.size() < std::max<std::size_t>(parallel, 1))
+      pool.start(job, started++);
+    auto [index, result] = pool.wait_any();
+    results[index] = std::move(result);
+    if (done)
+      done(++finished);
+    else
+      ++finished;
+  }
+  return results;
+}
+
+int exit_code_of(const std::exception& error) {
+  if (const auto* failed = dynamic_cast<const JobFailed*>(&error)) return failed->exit_code;
+  if (dynamic_cast<const machine::Fault*>(&error)) return 3;
+  if (dynamic_cast<const std::logic_error*>(&error) &&
+      !dynamic_cast<const std::invalid_argument*>(&error))
+    return 1;  // a broken invariant
+  if (dynamic_cast<const Interrupted*>(&error)) return 130;
+  return 2;
+}
+
+}  // namespace experiments

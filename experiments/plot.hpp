@@ -1,0 +1,47 @@
+// Curves over a sweep, drawn by gnuplot.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/table.hpp"
+
+namespace experiments {
+
+struct Series {
+  std::string name;
+  std::vector<double> x, y;  ///< as many of one as of the other; points not finite are left out
+  /// Numbers from elsewhere: points without a line, in the colour of the series that its name
+  /// contains ("3200 objects, thesis"), else of the one at the same place among the others.
+  bool is_reference = false;
+};
+
+struct Plot {
+  std::string name;  ///< the files' stem
+  std::string title, x_label, y_label;
+  std::vector<Series> series;
+  bool ideal_line = false;  ///< y = x, dashed, named "ideal"
+  bool log_x = false, log_y = false;
+  std::optional<double> y_min, y_max;  ///< none: as the data ask for
+};
+
+/// The standard plots of a sweep: of time_s, time_per_ray_ms, speedup (with the ideal line) and
+/// efficiency (0 to 1.05), those that have values. x is the axis "workers" if it takes more than
+/// one value, else the first numeric axis that does; without one there are no plots. A series per
+/// combination of the other axes that vary ("tree, 200 objects"); the title names the axes that do
+/// not. Points come in the order of x.
+std::vector<Plot> make_plots(const Table& table);
+
+/// Writes NAME.svg (800 x 500, higher for a long key) and NAME.png (twice that) into an existing
+/// folder; the bytes depend on the plot and on gnuplot's version and fonts only.
+/// std::invalid_argument, naming the plot, for one without points or with a name that is no file
+/// stem; std::runtime_error when gnuplot is not installed or fails; std::system_error when a file
+/// cannot be written.
+void draw_plot(const Plot& plot, const std::filesystem::path& folder);
+
+/// The plot in gnuplot's language, without terminal and output. std::invalid_argument as draw_plot.
+std::string make_gnuplot_script(const Plot& plot);
+
+}  // namespace experiments

@@ -1,0 +1,44 @@
+// The report of an experiment: one HTML page that needs nothing but itself.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/plot.hpp"
+#include "experiments/table.hpp"
+
+namespace experiments {
+
+struct ReportImage {
+  std::string caption;
+  std::filesystem::path png;
+  bool pixelated = true;  ///< enlarged by a whole factor, every pixel a square
+};
+
+struct Report {
+  struct ModelRow {
+    std::string key, value, unit, provenance, source;
+  };
+
+  std::string title, question;
+  Table table;                                             ///< whole, as a download inside the page
+  std::vector<std::string> shown_columns;                  ///< in the page; none: all
+  std::vector<std::pair<std::string, std::string>> facts;  ///< machine, model, topology, rays ...
+  std::vector<Plot> plots;
+  std::filesystem::path plots_folder;  ///< where draw_plot has put them
+  std::vector<ReportImage> images;
+  std::string experiment_toml;  ///< every setting, resolved
+  std::string command;          ///< how to reproduce
+  std::vector<ModelRow> model;
+  std::vector<std::string> notes;
+};
+
+/// The page: question, facts, plots, table, images, notes, how to reproduce, machine model.
+/// Sections without content are left out. Same report, same bytes: no date. Throws
+/// std::system_error for a plot or image that cannot be read, std::invalid_argument for one that is
+/// no SVG or PNG and for shown columns that do not exist.
+std::string make_report(const Report& report);
+
+}  // namespace experiments

@@ -1,0 +1,90 @@
+#include "experiments/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "experiments/farm_run.hpp"
+
+namespace experiments {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+Value to_value(const ordered_json& json) {
+  if (json.is_null()) return {};
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  return json.get<std::string>();
+}
+
+// A coordinate without TOML's quotes; numbers as numbers.
+Value to_value(const Coordinate& at) {
+  const auto json = ordered_json::parse(at.toml, nullptr, false);
+  if (json.is_number()) return to_value(json);
+  const auto& text = at.toml;
+  const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'');
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+bool is_standard(const std::string& axis) {
+  return axis == "topology" || axis == "workers" || axis == "objects";
+}
+
+// Speed-up over the row of one worker with the same other axes.
+void add_speedups(Table& table) {
+  const std::size_t workers = *table.find("workers"), time = *table.find("time_s");
+  const std::size_t speedup = *table.find("speedup"), efficiency = *table.find("efficiency");
+  const Value one = std::int64_t{1};
+  for (auto& row : table.rows) {
+    const auto base = std::ranges::find_if(table.rows, [&](const auto& other) {
+      for (std::size_t c = 0; c < table.axes; ++c)
+        if (other[c] != (c == workers ? one : row[c])) return false;
+      return true;
+    });
+    if (base == table.rows.end()) continue;
+    const double s = *as_number((*base)[time]) / *as_number(row[time]);
+    row[speedup] = s;
+    row[efficiency] = s / *as_number(row[workers]);
+  }
+}
+
+}  // namespace
+
+Table make_table(const ExperimentFile& file, const std::vector<ordered_json>& results) {
+  Table table;
+  table.columns = {"topology", "workers", "objects"};
+  for (const auto& axis : file.axes)
+    if (!is_standard(axis)) table.columns.push_back(axis);
+  table.axes = table.columns.size();
+  for (const auto& [name, value] : results.at(0)["row"].items()) table.columns.push_back(name);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Point& point = file.points[i];
+    std::vector<Value> row{point.experiment.topology, to_value(results[i]["workers"]),
+                           to_value(results[i]["objects"])};
+    for (const auto& at : point.at)
+      if (!is_standard(at.axis)) row.push_back(to_value(at));
+    for (const auto& [name, value] : results[i]["row"].items()) row.push_back(to_value(value));
+    table.rows.push_back(std::move(row));
+  }
+  add_speedups(table);
+  return table;
+}
+
+std::string image_key(const Experiment& experiment) {
+  const auto& p = experiment.farm.image;
+  return fmt::format("{} {}x{} {} {} {} {} {} {},{},{},{}", scene_source(experiment), p.width,
+                     p.height, p.limits.depth, p.limits.min_influence, int(p.feelers),
+                     int(p.sample), p.ambient, p.area.x, p.area.y, p.area.width, p.area.height);
+}
+
+std::string image_name(const Experiment& experiment) {
+  std::string name = std::filesystem::path(scene_source(experiment)).filename().string();
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
+  return "image-" + name;
+}
+
+}  // namespace experiments

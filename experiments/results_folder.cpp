@@ -1,0 +1,134 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "experiments/files.hpp"
+
+namespace experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const char* what, std::error_code error) {
+  throw std::system_error(error, fmt::format("{}: {}", path.string(), what));
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+// Absolute, links resolved, so that what is replaced is the folder and not a link to it.
+fs::path resolve(const fs::path& path) {
+  if (path.empty()) throw std::invalid_argument("the name of a results folder is empty");
+  auto resolved = fs::weakly_canonical(fs::absolute(path));
+  return resolved.has_filename() ? resolved : resolved.parent_path();
+}
+
+void refuse(const fs::path& path, const char* found) {
+  throw std::invalid_argument(fmt::format(
+      "{}: {}; expected a folder that is new, empty, or of earlier results (with a run.json)",
+      path.string(), found));
+}
+
+void check_is_ours(const fs::path& path) {
+  const auto status = fs::symlink_status(path);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) refuse(path, "is not a folder");
+  const auto current = fs::current_path();
+  const auto below = current.lexically_relative(path);
+  if (!below.empty() && *below.begin() != "..") refuse(path, "holds the current folder");
+  if (!fs::is_empty(path) && !fs::exists(path / "run.json"))
+    refuse(path, "holds files that are not results");
+}
+
+std::string partial_prefix(const fs::path& path) {
+  return fmt::format(".{}.partial-", path.filename().string());
+}
+
+// The process that made a working folder for `path`, if `name` is that of one.
+std::optional<pid_t> maker_of(const std::string& name, const fs::path& path) {
+  const auto prefix = partial_prefix(path);
+  if (!name.starts_with(prefix)) return std::nullopt;
+  pid_t process = 0;
+  const auto end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, process);
+  if (error != std::errc() || stop != end || process <= 0) return std::nullopt;
+  return process;
+}
+
+// Ours are stale too: of an earlier process that had our number.
+void remove_stale(const fs::path& path) {
+  std::vector<fs::path> stale;
+  for (const auto& entry : fs::directory_iterator(path.parent_path())) {
+    const auto maker = maker_of(entry.path().filename().string(), path);
+    if (!maker || !entry.is_directory() || entry.is_symlink()) continue;
+    if (*maker == getpid() || (kill(*maker, 0) != 0 && errno == ESRCH))
+      stale.push_back(entry.path());
+  }
+  std::error_code ignored;
+  for (const auto& folder : stale) fs::remove_all(folder, ignored);
+}
+
+// Where two folders cannot be exchanged in one step: old aside, new in its place. A crash between
+// the two leaves the old results under ".NAME.old-PID", which nothing removes.
+void replace_in_two_steps(const fs::path& working, const fs::path& path) {
+  const auto aside =
+      path.parent_path() / fmt::format(".{}.old-{}", path.filename().string(), getpid());
+  std::error_code error, ignored;
+  fs::rename(path, aside, error);
+  if (error) fail(path, "cannot move earlier results aside", error);
+  fs::rename(working, path, error);
+  if (error) {
+    fs::rename(aside, path, ignored);
+    fail(path, "cannot put results in place", error);
+  }
+  fs::remove_all(aside, ignored);
+}
+
+}  // namespace
+
+ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
+  check_is_ours(path_);
+  std::error_code error;
+  fs::create_directories(path_.parent_path(), error);
+  if (error) fail(path_.parent_path(), "cannot make this folder", error);
+  remove_stale(path_);
+  const auto name = partial_prefix(path_) + std::to_string(getpid());
+  const auto working = path_.parent_path() / name;
+  if (!fs::create_directory(working, error)) fail(path_, "cannot write beside it", error);
+  working_ = working;
+}
+
+ResultsFolder::~ResultsFolder() {
+  std::error_code ignored;
+  if (!is_committed_) fs::remove_all(working_, ignored);
+}
+
+void ResultsFolder::commit() {
+  if (is_committed_) throw std::logic_error(path_.string() + ": results committed twice");
+  check_is_ours(path_);
+  if (renameat2(AT_FDCWD, working_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0) {
+    is_committed_ = true;
+    std::error_code ignored;
+    fs::remove_all(working_, ignored);  // the older results; if they resist, a later run tries
+    return;
+  }
+  if (errno == ENOENT) {
+    if (std::rename(working_.c_str(), path_.c_str()) != 0)
+      fail(path_, "cannot put results in place", last_error());
+  } else if (errno == ENOSYS || errno == EINVAL || errno == ENOTSUP) {
+    replace_in_two_steps(working_, path_);
+  } else {
+    fail(path_, "cannot put results in place", last_error());
+  }
+  is_committed_ = true;
+}
+
+}  // namespace experiments

@@ -1,0 +1,123 @@
+#include "experiments/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/files.hpp"
+#include "experiments/plot.hpp"
+#include "experiments/report.hpp"
+#include "experiments/results.hpp"
+#include "experiments/version.hpp"
+#include "simulator/machine/engine.hpp"
+#include "simulator/machine/model.hpp"
+
+namespace experiments {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+std::string command_line(const RunOptions& options) {
+  std::string line = "tlab run " + options.file;
+  for (const auto& set : options.overrides) line += fmt::format(" --set '{}'", set);
+  return line;
+}
+
+ordered_json model_json(const machine::Model& model) {
+  ordered_json entries;
+  for (const auto& e : model.entries)
+    entries[e.key] = {{"value", e.value},
+                      {"unit", e.unit},
+                      {"provenance", machine::to_string(e.provenance)},
+                      {"source", e.source}};
+  return {{"name", model.name}, {"entries", entries}};
+}
+
+std::vector<Report::ModelRow> model_rows(const machine::Model& model) {
+  std::vector<Report::ModelRow> rows;
+  for (const auto& e : model.entries)
+    rows.push_back({e.key, fmt::format("{:g}", e.value), e.unit,
+                    std::string(machine::to_string(e.provenance)), e.source});
+  return rows;
+}
+
+std::vector<std::pair<std::string, std::string>> make_facts(const ExperimentFile& file) {
+  const Experiment& e = file.points[0].experiment;
+  const auto& p = e.farm.image;
+  auto swept = [&](const char* axis, const std::string& value) {
+    return std::ranges::find(file.axes, axis) == file.axes.end() ? value : "swept";
+  };
+  return {
+      {"Machine", fmt::format("{} processors, coordinator, ray database and display on one each",
+                              swept("model", e.model))},
+      {"Workers", fmt::format("{}, {}", swept("workers", fmt::format("{}", e.workers)),
+                              swept("topology", e.topology))},
+      {"Scene", fmt::format("{}, objects: {}", swept("source", e.scene),
+                            swept("objects", fmt::format("{}", e.objects)))},
+      {"Image", fmt::format("{} x {} pixels, tree depth {}, minimum influence {}", p.width,
+                            p.height, p.limits.depth, p.limits.min_influence)},
+      {"Task", "one ray"},
+      {"Points", fmt::format("{}", file.points.size())}};
+}
+
+}  // namespace
+
+std::vector<std::string> shown_columns(const Table& table) {
+  std::vector<std::string> shown(table.columns.begin(),
+                                 table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
+  for (const char* name : {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
+                           "cpu_busy_worker_mean", "cpu_busy_coordinator", "link_busy_max"})
+    if (table.find(name)) shown.push_back(name);
+  return shown;
+}
+
+std::string make_run_json(const RunOptions& options, const ExperimentFile& file, const Table& table,
+                          const std::vector<ordered_json>& results, double wall_s) {
+  const auto model = machine::load_model(file.points[0].experiment.model);
+  ordered_json points = ordered_json::array(), calibrated = ordered_json::array();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    ordered_json at;
+    for (std::size_t c = 0; c < table.axes; ++c) at[table.columns[c]] = to_string(table.rows[i][c]);
+    points.push_back({{"at", at},
+                      {"topology", results[i]["topology"]},
+                      {"key_images", results[i]["key_images"]},
+                      {"host", results[i]["host"]}});
+  }
+  for (const auto& e : model.entries)
+    if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
+  const ordered_json run = {{"tlab", VERSION},
+                            {"simgrid", machine::simgrid_version()},
+                            {"command", command_line(options)},
+                            {"experiment", file.resolved},
+                            {"seed", file.points[0].experiment.farm.seed},
+                            {"model", model_json(model)},
+                            {"calibrated", calibrated},
+                            {"points", points},
+                            {"host_wall_s", wall_s},
+                            {"jobs", options.jobs}};
+  return run.dump(2) + "\n";
+}
+
+void write_report(const fs::path& folder, const RunOptions& options, const ExperimentFile& file,
+                  const Table& table, const std::vector<std::string>& images) {
+  const Experiment& first = file.points[0].experiment;
+  Report report;
+  report.title = first.title.empty() ? fs::path(file.path).stem().string() : first.title;
+  report.question = first.question;
+  report.table = table;
+  report.shown_columns = shown_columns(table);
+  report.facts = make_facts(file);
+  report.plots = make_plots(table);
+  report.plots_folder = folder / "plots";
+  if (!report.plots.empty()) fs::create_directory(report.plots_folder);
+  for (const auto& plot : report.plots) draw_plot(plot, report.plots_folder);
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (!images[i].empty())
+      report.images.push_back({images[i].substr(6, images[i].rfind('.') - 6), folder / images[i]});
+  report.experiment_toml = file.resolved;
+  report.command = command_line(options);
+  report.model = model_rows(machine::load_model(first.model));
+  write_file(folder / "report.html", make_report(report));
+}
+
+}  // namespace experiments

@@ -1,0 +1,82 @@
+#include "experiments/values.hpp"
+
+#include <array>
+#include <filesystem>
+#include <sstream>
+
+#include "simulator/machine/faults.hpp"
+
+namespace experiments {
+
+void Place::refuse(const std::string& expected) const {
+  std::ostringstream found;
+  node.visit([&](const auto& n) { found << n; });
+  throw machine::InvalidInput(fmt::format("{}:{}: {}: found {}, expected {}", origin,
+                                          node.source().begin.line, key, found.str(), expected));
+}
+
+std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high) {
+  const auto value = at.node.value_exact<std::int64_t>();
+  if (!value || *value < low || *value > high)
+    at.refuse(fmt::format("a whole number from {} to {}", low, high));
+  return *value;
+}
+
+double read_double(const Place& at, double low, double high) {
+  const auto value = at.node.is_number() ? at.node.value<double>() : std::nullopt;
+  if (!value || !(*value >= low && *value <= high))
+    at.refuse(fmt::format("a number from {} to {}", low, high));
+  return *value;
+}
+
+bool read_bool(const Place& at) {
+  const auto value = at.node.value_exact<bool>();
+  if (!value) at.refuse("true or false");
+  return *value;
+}
+
+std::string read_text(const Place& at) {
+  const auto value = at.node.value_exact<std::string>();
+  if (!value) at.refuse("a text in quotes");
+  return *value;
+}
+
+std::size_t read_choice(const Place& at, const std::vector<std::string>& names) {
+  const auto value = at.node.value_exact<std::string>();
+  const auto found = value ? std::ranges::find(names, *value) : names.end();
+  if (found == names.end()) at.refuse(fmt::format("one of {}", fmt::join(names, ", ")));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+renderer::Area read_area(const Place& at) {
+  const std::string expected = "[x, y, width, height] in pixels";
+  const auto* list = at.node.as_array();
+  if (!list || list->size() != 4) at.refuse(expected);
+  std::array<int, 4> v{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto number = (*list)[i].value_exact<std::int64_t>();
+    if (!number || *number < 0 || *number > 65536) at.refuse(expected);
+    v[i] = static_cast<int>(*number);
+  }
+  return {v[0], v[1], v[2], v[3]};
+}
+
+std::string read_source(const Place& at) {
+  const std::string text = read_text(at);
+  const std::filesystem::path path(text);
+  if (!path.has_extension() || path.is_absolute()) return text;
+  return (std::filesystem::path(at.folder) / path).string();
+}
+
+std::vector<const toml::table*> read_tables(const Place& at) {
+  const auto* list = at.node.as_array();
+  if (!list || list->empty()) at.refuse(fmt::format("one or more [[{}]]", at.key));
+  std::vector<const toml::table*> tables;
+  for (const auto& node : *list) {
+    if (!node.is_table()) at.refuse(fmt::format("one or more [[{}]]", at.key));
+    tables.push_back(node.as_table());
+  }
+  return tables;
+}
+
+}  // namespace experiments

@@ -1,0 +1,50 @@
+#pragma once
+// What a kernel did, in operations: the machine model turns these counts into cycles.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace renderer {
+
+enum class Op : std::uint8_t {
+  box_test,         ///< a ray against one bounding box
+  sphere_test,      ///< a ray against one sphere
+  polygon_test,     ///< a ray against one polygon
+  patch_test,       ///< a ray against one polygon with normals
+  cone_test,        ///< a ray against one cone or cylinder
+  ray_intersected,  ///< one call of intersect()
+  surface_shaded,   ///< one intersection turned into rays by make_children()
+  feeler_made,      ///< a shadow feeler made, with its influence factor (Eq 4.17)
+  ray_reflected,    ///< a reflected ray made
+  ray_refracted,    ///< a transmitted ray made
+  sample_updated,   ///< a contribution to be added to a sample (Eq 4.26)
+  COUNT
+};
+
+inline constexpr std::size_t OP_COUNT = static_cast<std::size_t>(Op::COUNT);
+
+struct Work {
+  std::array<std::uint64_t, OP_COUNT> counts{};
+
+  std::uint64_t& operator[](Op op) { return counts[static_cast<std::size_t>(op)]; }
+  std::uint64_t operator[](Op op) const { return counts[static_cast<std::size_t>(op)]; }
+  Work& operator+=(const Work& other) {
+    for (std::size_t i = 0; i < OP_COUNT; ++i) counts[i] += other.counts[i];
+    return *this;
+  }
+  bool operator==(const Work&) const = default;
+};
+
+/// Names as model files and reports spell them; the index is the Op's value.
+inline std::span<const std::string_view> op_names() {
+  static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
+      "box_test",      "sphere_test",     "polygon_test",   "patch_test",
+      "cone_test",     "ray_intersected", "surface_shaded", "feeler_made",
+      "ray_reflected", "ray_refracted",   "sample_updated"};
+  return NAMES;
+}
+
+}  // namespace renderer

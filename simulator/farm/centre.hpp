@@ -1,0 +1,72 @@
+#pragma once
+// The central processes of the farm (thesis, 4.3.6.3 to 4.3.6.6): interaction, coordination, ray
+// database and visualisation.
+#include <functional>
+#include <vector>
+
+#include "renderer/image.hpp"
+#include "renderer/render.hpp"
+#include "simulator/farm/messages.hpp"
+#include "simulator/farm/ray_stores.hpp"
+#include "simulator/machine/model.hpp"
+
+namespace farm {
+
+// The user, scripted: orders sent at simulated dates.
+struct Order {
+  machine::Seconds at;
+  Command command;
+};
+void interaction(const std::vector<Order>& script, Channel<Command>& into_coordination);
+
+// Stores rays, and gives them back by priority (figure 4.16).
+struct RayDatabase {
+  RayStores stores;
+  machine::OperationCosts cost;
+  RecordBytes bytes;
+  void run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord);
+};
+
+// Adds what each ray contributes to its sample as it arrives (figure 4.17, Eq 4.26 to 4.28).
+struct KeyImage {
+  machine::Seconds at;
+  renderer::Samples samples;
+};
+struct Visualisation {
+  const renderer::Scene& scene;
+  const renderer::Params& params;
+  machine::OperationCosts cost;
+  renderer::Samples samples;
+  std::vector<KeyImage> key_images;
+  void run(Channel<Intersection>& inp);
+};
+
+// Feeds the workers with rays from the database, makes new rays from the intersections they
+// return, and passes these on to be shown (figure 4.15).
+struct CoordinationSetup {
+  const renderer::Scene& scene;
+  const renderer::Params& params;
+  machine::OperationCosts cost;
+  RecordBytes bytes;
+  Cells cells;
+  std::uint64_t seed;          // of the order of the initial rays
+  std::vector<Limits> stages;  // the interactive phase's parameters, one set after the other
+  std::function<void()> on_begin, on_end;  // before the first task, after the last ray
+};
+struct CoordinationChannels {
+  Channel<Command>& from_interaction;
+  Channel<Signal>& from_sender;
+  Channel<Task>& into_sender;
+  Channel<Intersection>& from_workers;
+  Channel<DatabaseRequest>& into_database;
+  Channel<DatabaseReply>& from_database;
+  Channel<Intersection>& into_visualisation;
+};
+struct CoordinationResult {
+  renderer::RayCounts rays;
+  machine::Seconds begun, interactive_ended, ended;
+  std::size_t peak_rays_in_farm = 0;
+};
+CoordinationResult coordination(const CoordinationSetup& setup, CoordinationChannels channels);
+
+}  // namespace farm

@@ -1,0 +1,132 @@
+#include "simulator/farm/farm.hpp"
+
+#include <bit>
+
+#include "simulator/farm/wiring.hpp"
+#include "simulator/farm/worker.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace farm {
+
+using machine::Machine;
+using machine::Priority;
+using machine::Processor;
+
+void check(const Params& params) {
+  check(params.image);
+  if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
+    throw machine::InvalidInput(
+        fmt::format("max_cell: found {}, expected a power of two", params.max_cell));
+  if (params.stages.empty()) throw machine::InvalidInput("stages: at least one is needed");
+  for (std::size_t i = 1; i < params.script.size(); ++i)
+    if (params.script[i].at < params.script[i - 1].at)
+      throw machine::InvalidInput(fmt::format("order {}: its time, {} s, is before the last one's",
+                                              i + 1, params.script[i].at.value));
+}
+
+namespace {
+
+std::vector<Order> make_script(const Params& params) {
+  std::vector<Order> script = params.script;
+  script.insert(script.begin(), Order{{0}, {Begin{}}});
+  script.push_back({{0}, {Quit{}}});
+  return script;
+}
+
+// The worker's copy of the scene, in its memory.
+void load_scene_into(Processor& worker, const renderer::Scene& scene) {
+  const auto& model = worker.model();
+  auto& memory = worker.memory();
+  memory.allocate(get_bytes(model, "program"), "the program", worker.now());
+  memory.allocate(object_count(scene) * get_bytes(model, "object"), "the scene's objects",
+                  worker.now());
+  memory.allocate(box_count(scene) * get_bytes(model, "box"), "the scene's hierarchy",
+                  worker.now());
+}
+
+}  // namespace
+
+Result run_farm(const machine::Model& model, const topologies::Topology& topology,
+                const renderer::Scene& scene, const Params& params) {
+  check(params);
+  const RecordBytes bytes{static_cast<std::uint32_t>(get_bytes(model, "ray")),
+                          static_cast<std::uint32_t>(get_bytes(model, "hit"))};
+  const std::uint64_t small = params.worker_memory.value_or(get_bytes(model, "worker_memory"));
+  const std::uint64_t large = params.database_memory.value_or(get_bytes(model, "database_memory"));
+
+  Machine machine(model);
+  Wires wires;
+  Processor& coordinator = machine.add_processor("coordinator", small);
+  Processor& database = machine.add_processor("database", large);
+  Processor& display = machine.add_processor("display", large);
+  machine.connect(coordinator, database);
+  machine.connect(coordinator, display);
+
+  // The workers.
+  KernelProfile profile{.enabled = params.profile};
+  const Kernel kernel{scene, params.image.traversal,
+                      machine::OperationCosts(model, "intersection", renderer::op_names()), bytes,
+                      profile};
+  const Workers workers = wire_workers(wires, machine, topology, coordinator, small);
+  for (std::size_t id = 0; id < workers.processors.size(); ++id) {
+    load_scene_into(*workers.processors[id], scene);
+    start_worker(wires, workers, id, kernel);
+  }
+
+  // The central processes.
+  const Cells cells{params.image.width, params.max_cell};
+  const auto script = make_script(params);
+  observe::Use before, after;
+  RayDatabase rays{RayStores(cells, params.stages[0]),
+                   machine::OperationCosts(model, "database", DatabaseWork::NAMES), bytes};
+  const machine::OperationCosts central(model, "central", renderer::op_names());
+  Visualisation visualisation{
+      scene, params.image, central, renderer::Samples(params.image.width, params.image.height), {}};
+  const CoordinationSetup setup{.scene = scene,
+                                .params = params.image,
+                                .cost = central,
+                                .bytes = bytes,
+                                .cells = cells,
+                                .seed = params.seed,
+                                .stages = params.stages,
+                                .on_begin = [&] { before = observe::collect(machine); },
+                                .on_end = [&] { after = observe::collect(machine); }};
+  CoordinationResult coordinated;
+
+  Channel<Command> from_interaction("coordinator.from.interaction");
+  Channel<DatabaseRequest> into_database("database.from.coord",
+                                         machine.link(coordinator, database));
+  Channel<DatabaseReply> from_database("coordinator.from.database",
+                                       machine.link(database, coordinator));
+  Channel<Intersection> into_visualisation("display.inp", machine.link(coordinator, display));
+  const Way first = start_sender(wires, coordinator, *workers.from_left[workers.root]);
+
+  start(coordinator, "interaction", Priority::low, [&] { interaction(script, from_interaction); });
+  start(coordinator, "coordination", Priority::low, [&] {
+    coordinated = coordination(
+        setup, {from_interaction, first.free, first.into, *workers.results[workers.root],
+                into_database, from_database, into_visualisation});
+  });
+  // Alone on their processors: the priority does not matter.
+  start(database, "ray.database", Priority::high, [&] { rays.run(into_database, from_database); });
+  start(display, "visualisation", Priority::high, [&] { visualisation.run(into_visualisation); });
+
+  machine.run();
+  machine::check_equal("rays left in the database", rays.stores.size(), std::size_t{0});
+
+  Result result;
+  result.samples = std::move(visualisation.samples);
+  result.key_images = std::move(visualisation.key_images);
+  result.rays = coordinated.rays;
+  result.time_s = (coordinated.ended - coordinated.begun).value;
+  result.interactive_s = (coordinated.interactive_ended - coordinated.begun).value;
+  result.setup_s = coordinated.begun.value;
+  result.peaks = rays.stores.peaks();
+  result.peak_rays_in_farm = coordinated.peak_rays_in_farm;
+  result.use = between(before, after);
+  result.events = machine.events();
+  result.kernel_host_s = profile.kernel_s;
+  return result;
+}
+
+}  // namespace farm

@@ -1,0 +1,45 @@
+#pragma once
+// The farm of the thesis's chapter 4: a ray tracer with increasing realism on a machine of
+// transputers. The coordinator's processor has links to the ray database's, the display's and the
+// first worker's; the workers form any topology, of which a spanning tree is used (figure 4.10).
+#include <optional>
+
+#include "simulator/farm/centre.hpp"
+#include "simulator/observe/use.hpp"
+#include "topologies/topology.hpp"
+
+namespace farm {
+
+struct Params {
+  renderer::Params image;                   // size, shading and its limits
+  std::vector<Limits> stages = {Limits{}};  // of the interactive phase
+  std::vector<Order> script;                // the user's orders; Begin and Quit are added
+  int max_cell = 16;                        // pixels, the largest image cell; a power of two
+  std::uint64_t seed = 1;                   // of the order of cells
+  std::optional<std::uint64_t> worker_memory, database_memory;  // bytes; else the model's
+  bool profile = false;  // measure the host time spent in kernels
+};
+
+struct Result {
+  renderer::Samples samples;
+  std::vector<KeyImage> key_images;
+  renderer::RayCounts rays;
+  double time_s = 0;         // from the first task to the last ray shown to be complete
+  double interactive_s = 0;  // of it, the interactive phase
+  double setup_s = 0;        // before: the initial rays deposited
+  RayStores::Peaks peaks;    // of the database's stores
+  std::size_t peak_rays_in_farm = 0;
+  observe::Use use;          // of processors and links, over time_s
+  std::uint64_t events = 0;  // simulated
+  double kernel_host_s = 0;  // with Params::profile
+};
+
+// Throws machine::InvalidInput naming the field, what was found and what was expected.
+void check(const Params& params);
+
+// Throws machine::InvalidInput for a topology whose root cannot be joined to the coordinator, and
+// machine::Fault.
+Result run_farm(const machine::Model& model, const topologies::Topology& workers,
+                const renderer::Scene& scene, const Params& params);
+
+}  // namespace farm

@@ -1,0 +1,86 @@
+#pragma once
+// What the processes of the farm say to each other: the protocols of figure 4.9's channels.
+#include <optional>
+#include <variant>
+
+#include "renderer/intersect.hpp"
+#include "renderer/shade.hpp"
+#include "simulator/farm/priority.hpp"
+#include "simulator/occam/channel.hpp"
+
+namespace farm {
+
+using occam::Channel;
+using occam::Signal;
+
+constexpr std::uint32_t TAG_BYTES = 4;      // a message without contents: one word
+constexpr std::uint32_t LIMITS_BYTES = 32;  // the parameters of increasing realism: 8 words
+
+// Ends the process that receives it, after it has passed it on.
+struct Stop {
+  bool operator==(const Stop&) const = default;
+};
+
+// Sizes of the two records that travel, in bytes, from the model file.
+struct RecordBytes {
+  std::uint32_t ray = 0, hit = 0;
+};
+
+// Coordination -> workers: a task is one ray.
+struct Task {
+  std::variant<Stop, renderer::Ray> content;
+  std::uint32_t size = TAG_BYTES;
+  std::uint64_t bytes() const { return size; }
+  bool stop() const { return content.index() == 0; }
+  const renderer::Ray& ray() const { return std::get<renderer::Ray>(content); }
+};
+
+// Workers -> coordination -> visualisation: a ray, and what it hits first.
+struct Intersection {
+  bool stop = true;
+  bool key_image = false;  // to visualisation only: keep the image as it is now
+  renderer::Ray ray;
+  std::optional<renderer::Hit> hit;
+  std::uint32_t size = TAG_BYTES;
+  std::uint64_t bytes() const { return size; }
+};
+
+inline Intersection make_intersection(const renderer::Ray& ray) {
+  Intersection found;
+  found.stop = false;
+  found.ray = ray;
+  return found;
+}
+inline Intersection make_key_image() {
+  Intersection message;
+  message.stop = false;
+  message.key_image = true;
+  return message;
+}
+
+// Coordination -> ray database.
+struct AskInteractive {};  // for an RMI ray (figure 4.16: ask.interact.mode.ray)
+struct AskAny {};          // for any ray (ask.any.ray)
+struct DatabaseRequest {
+  std::variant<Stop, AskInteractive, AskAny, renderer::Ray, Limits> content;
+  std::uint32_t size = TAG_BYTES;
+  std::uint64_t bytes() const { return size; }
+};
+
+// Ray database -> coordination: a ray, or none of the kind asked for.
+struct DatabaseReply {
+  std::optional<renderer::Ray> ray;
+  std::uint32_t size = TAG_BYTES;
+  std::uint64_t bytes() const { return size; }
+};
+
+// Interaction -> coordination: what the user orders.
+struct Begin {};           // deposit the initial rays, start the interactive phase
+struct NonInteractive {};  // leave the interactive phase now
+struct Quit {};            // end when the image is complete
+struct Command {
+  std::variant<Begin, NonInteractive, Quit, Limits> content;
+  std::uint64_t bytes() const { return content.index() == 3 ? LIMITS_BYTES : TAG_BYTES; }
+};
+
+}  // namespace farm

@@ -1,0 +1,110 @@
+#include "simulator/farm/wiring.hpp"
+
+#include <algorithm>
+
+#include "simulator/farm/worker.hpp"
+#include "simulator/machine/faults.hpp"
+#include "topologies/routes.hpp"
+
+namespace farm {
+
+using machine::Machine;
+using machine::Priority;
+using machine::Processor;
+
+namespace {
+
+template <class Message>
+Channel<Message>& soft(std::deque<Channel<Message>>& pool, const Processor& on, const char* name) {
+  return pool.emplace_back(fmt::format("{}.{}", on.name(), name));
+}
+
+// A channel on the link between two processors.
+template <class Message>
+Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Processor& from,
+                       Processor& to, const char* name) {
+  return &pool.emplace_back(fmt::format("{}.{}", to.name(), name), machine.link(from, to));
+}
+
+// Makes room for the coordinator's link at the root.
+topologies::Topology free_root_port(topologies::Topology topology) {
+  const auto around = topologies::neighbours(topology)[topology.root];
+  if (topologies::free_port(topology, topology.root) >= 0) return topology;
+  for (auto n = around.rbegin(); n != around.rend(); ++n) {
+    topologies::Topology opened = topology;
+    opened.links.erase(opened.links.begin() + n->link);
+    try {
+      topologies::check(opened);
+      return opened;
+    } catch (const topologies::InvalidTopology&) {
+    }
+  }
+  throw machine::InvalidInput(fmt::format(
+      "topology {}: the root uses all four ports and needs each of them: found no port for the "
+      "coordinator",
+      topology.name));
+}
+
+}  // namespace
+
+void start(Processor& on, const char* name, Priority priority, machine::Process::Body body) {
+  on.start(fmt::format("{}.{}", on.name(), name), priority, std::move(body));
+}
+
+Way start_sender(Wires& wires, Processor& on, Channel<Task>& destination) {
+  Way way{soft(wires.signals, on, "from.sender"), soft(wires.tasks, on, "into.sender")};
+  start(on, "sender", Priority::high,
+        [way, &destination] { sender(way.free, way.into, destination); });
+  return way;
+}
+
+Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology& asked,
+                     Processor& coordinator, std::uint64_t memory) {
+  const auto topology = free_root_port(asked);
+  const auto tree = topologies::make_spanning_tree(topology, topology.root);
+  Workers workers{static_cast<std::size_t>(topology.root), {}, tree.children, {}, {}};
+  for (int id = 0; id < topology.processors; ++id)
+    workers.processors.push_back(&machine.add_processor(fmt::format("worker{}", id + 1), memory));
+  machine.connect(coordinator, *workers.processors[workers.root]);
+  for (const auto& link : topology.links)
+    machine.connect(*workers.processors[link.a.processor], *workers.processors[link.b.processor]);
+  for (int id = 0; id < topology.processors; ++id) {
+    Processor& self = *workers.processors[id];
+    Processor& parent = tree.parent[id] < 0 ? coordinator : *workers.processors[tree.parent[id]];
+    workers.from_left.push_back(hard(wires.tasks, machine, parent, self, "from.left"));
+    workers.results.push_back(
+        hard(wires.results, machine, self, parent, (self.name() + ".results").c_str()));
+  }
+  return workers;
+}
+
+void start_worker(Wires& wires, const Workers& workers, std::size_t id, const Kernel& kernel) {
+  Processor& self = *workers.processors[id];
+  auto& to_application = soft(wires.tasks, self, "application.in");
+  auto& from_application = soft(wires.results, self, "application.out");
+  std::vector<Channel<Signal>*> from_sender;
+  std::vector<Channel<Task>*> into_sender;
+  std::vector<Channel<Intersection>*> inputs{&from_application};
+  auto add_way = [&](Channel<Task>& destination) {
+    const Way way = start_sender(wires, self, destination);
+    from_sender.push_back(&way.free);
+    into_sender.push_back(&way.into);
+  };
+  add_way(to_application);
+  for (int child : workers.children[id]) {
+    add_way(*workers.from_left[child]);
+    inputs.push_back(workers.results[child]);
+  }
+  auto& from_left = *workers.from_left[id];
+  auto& results = *workers.results[id];
+  start(self, "data.router", Priority::high, [&from_left, from_sender, into_sender] {
+    data_router(from_left, from_sender, into_sender);
+  });
+  start(self, "results.router", Priority::high,
+        [inputs, &results] { results_router(inputs, results); });
+  start(self, "application", Priority::low, [&kernel, &to_application, &from_application] {
+    application(kernel, to_application, from_application);
+  });
+}
+
+}  // namespace farm

@@ -1,0 +1,49 @@
+#pragma once
+// How the farm's processes are placed on processors and joined by channels (figures 4.10, 4.11).
+#include <deque>
+#include <vector>
+
+#include "simulator/farm/messages.hpp"
+#include "topologies/topology.hpp"
+
+namespace farm {
+
+struct Kernel;
+
+// The channels of a farm, by what they carry. Deques: references stay valid.
+struct Wires {
+  std::deque<Channel<Signal>> signals;
+  std::deque<Channel<Task>> tasks;
+  std::deque<Channel<Intersection>> results;
+};
+
+// One way out of a data router: a sender that says when it is free, and takes a message then.
+struct Way {
+  Channel<Signal>& free;
+  Channel<Task>& into;
+};
+
+// Starts a process "processor.name".
+void start(machine::Processor& on, const char* name, machine::Priority priority,
+           machine::Process::Body body);
+// Starts a sender that feeds `destination`.
+Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destination);
+
+// The worker processors, joined as the topology says, and the channels along its spanning tree.
+struct Workers {
+  std::size_t root = 0;
+  std::vector<machine::Processor*> processors;
+  std::vector<std::vector<int>> children;
+  std::vector<Channel<Task>*> from_left;        // tasks, into each worker
+  std::vector<Channel<Intersection>*> results;  // out of each worker
+};
+
+// The coordinator's link goes to the root, which must have a port free: a root with four links
+// (a torus) gives up the link on its highest port that the machine stays connected without.
+Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
+                     machine::Processor& coordinator, std::uint64_t memory);
+
+// Starts the processes of worker `id`.
+void start_worker(Wires& wires, const Workers& workers, std::size_t id, const Kernel& kernel);
+
+}  // namespace farm

@@ -1,0 +1,38 @@
+#pragma once
+// The processes of a worker (thesis, 4.3.6.2): a data router with a sender for each way out, a
+// results router ("gatherer"), both at high priority, and the application at low priority.
+#include <span>
+#include <vector>
+
+#include "simulator/farm/messages.hpp"
+#include "simulator/farm/profile.hpp"
+#include "simulator/machine/model.hpp"
+
+namespace farm {
+
+// A sender keeps its router from blocking on one way out: it says that it is free, takes a message
+// and waits for the way out (figure 4.13).
+void sender(Channel<Signal>& sender_to_main, Channel<Task>& in_, Channel<Task>& out_);
+
+// Pushes tasks ahead to any sender that is free, in fair turns (figure 4.14).
+void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
+                 std::span<Channel<Task>* const> into_sender);
+
+// Multiplexes the results of the application and of the workers behind onto one way back
+// (figure 4.12).
+void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Intersection>& output);
+
+// What a worker needs to find intersections: its copy of the scene, and what that costs.
+struct Kernel {
+  const renderer::Scene& scene;
+  renderer::Traversal traversal;
+  machine::OperationCosts cost;
+  RecordBytes bytes;
+  KernelProfile& profile;
+};
+
+// Finds the first intersection of each ray it is given. The kernel really runs; what it did is
+// charged to the processor.
+void application(const Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results);
+
+}  // namespace farm

@@ -1,0 +1,191 @@
+#include "simulator/machine/engine.hpp"
+
+#include <simgrid/version.h>
+#include <algorithm>
+#include <limits>
+#include <simgrid/kernel/Timer.hpp>
+#include <simgrid/s4u.hpp>
+#include <utility>
+#include <vector>
+
+#include "simulator/machine/faults.hpp"
+
+namespace machine {
+
+namespace s4u = simgrid::s4u;
+using simgrid::kernel::timer::Timer;
+
+std::string simgrid_version() {
+  int major = 0, minor = 0, patch = 0;
+  sg_version_get(&major, &minor, &patch);
+  return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
+namespace {
+
+struct Event {
+  double date;
+  std::uint64_t order;  // events of one date happen in the order they were asked for
+  Engine::Callback callback;
+  bool operator<(const Event& o) const {  // for a heap whose top is the next event
+    return date != o.date ? date > o.date : order > o.order;
+  }
+};
+
+}  // namespace
+
+// Two sorts of events: ours, in a heap, and the ends of SimGrid's communications. A round of
+// SimGrid costs more than most of our events, so we run ahead of its clock as far as no
+// communication can end (conservative look-ahead), and ask it to wake us where we must stop.
+struct Engine::Impl {
+  std::unique_ptr<s4u::Engine> engine;
+  s4u::NetZone* zone = nullptr;
+  std::vector<s4u::Host*> hosts;
+  double one_way = 1;  // bytes/s, of the fastest link: no communication is faster
+
+  double now = 0;                                            // may be ahead of SimGrid's clock
+  double horizon = std::numeric_limits<double>::infinity();  // no communication ends before
+  std::vector<Event> heap;
+  std::vector<Callback> soon, soon_now;
+  std::uint64_t asked = 0, handled = 0;
+  double wake_up = std::numeric_limits<double>::infinity();  // a SimGrid timer is set for then
+  bool stopped = false;
+
+  // Communications, in slots that are used again: SimGrid is given a slot's number.
+  struct Flight {
+    s4u::CommPtr comm;
+    Callback arrived;
+    double earliest_end = std::numeric_limits<double>::infinity();
+  };
+  std::vector<Flight> flights;
+  std::vector<std::size_t> free_slots;
+
+  void handle(const Callback& callback) {
+    ++handled;
+    callback();
+    while (!soon.empty() && !stopped) {
+      soon_now.swap(soon);
+      for (auto& then : soon_now) then();
+      soon_now.clear();
+    }
+  }
+
+  // Our events up to where a communication might end first. What SimGrid's clock has reached is
+  // certain: communications that end there have ended.
+  void run_ahead() {
+    const double clock = s4u::Engine::get_clock();
+    horizon = std::numeric_limits<double>::infinity();
+    for (const Flight& flight : flights) horizon = std::min(horizon, flight.earliest_end);
+    while (!heap.empty() && !stopped &&
+           (heap.front().date < horizon || heap.front().date <= clock)) {
+      std::ranges::pop_heap(heap, std::less<>());
+      const Event event = std::move(heap.back());
+      heap.pop_back();
+      now = event.date;
+      handle(event.callback);
+    }
+    if (!heap.empty() && !stopped && heap.front().date < wake_up) {
+      wake_up = heap.front().date;
+      Timer::set(wake_up, [this, date = wake_up] {
+        if (date == wake_up) wake_up = std::numeric_limits<double>::infinity();
+        now = std::max(now, date);
+        run_ahead();
+      });
+    }
+  }
+
+  void start(std::size_t slot, int from, int to, std::uint64_t bytes) {
+    auto comm = s4u::Comm::sendto_init(hosts[from], hosts[to]);
+    comm->set_payload_size(bytes)->set_data(reinterpret_cast<void*>(slot));
+    comm->start();
+    flights[slot].comm = std::move(comm);
+  }
+
+  void end(std::size_t slot) {
+    const Flight ended = std::exchange(flights[slot], {});
+    free_slots.push_back(slot);
+    if (stopped) return;
+    now = std::max(now, s4u::Engine::get_clock());
+    handle(ended.arrived);
+    run_ahead();
+  }
+};
+
+Engine::Engine() : impl_(std::make_unique<Impl>()) {
+  static int argc = 3;
+  static char name[] = "tlab", to[] = "--log=root.app:file:/dev/null",
+              only[] = "--log=root.thres:critical";
+  static char* argv[] = {name, to, only, nullptr};
+  impl_->engine = std::make_unique<s4u::Engine>(&argc, argv);
+  // Plain fluid links: no TCP corrections, no cross traffic. Time is resolved to a picosecond.
+  for (const char* setting :
+       {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
+        "network/crosstraffic:0", "network/TCP-gamma:0", "surf/precision:1e-12"})
+    s4u::Engine::set_config(setting);
+  impl_->zone = s4u::create_full_zone("machine");
+  s4u::Activity::on_completion_cb([impl = impl_.get()](const s4u::Activity& activity) {
+    impl->end(reinterpret_cast<std::size_t>(activity.get_data<void>()));
+  });
+}
+
+Engine::~Engine() = default;
+
+int Engine::add_processor(const std::string& name) {
+  impl_->hosts.push_back(impl_->zone->create_host(name, "1f")->seal());
+  return static_cast<int>(impl_->hosts.size()) - 1;
+}
+
+void Engine::add_link(int a, int b, LinkRates rates) {
+  auto& zone = *impl_->zone;
+  impl_->one_way = std::max(impl_->one_way, rates.one_way);
+  const auto name = fmt::format("{}-{}", a, b);
+  auto* there = zone.create_link(name + ">", rates.one_way)->seal();
+  auto* back = zone.create_link(name + "<", rates.one_way)->seal();
+  auto* shared = zone.create_link(name + "=", rates.both_ways)->seal();
+  auto route = [&](int from, int to, const s4u::Link* own) {
+    zone.add_route(impl_->hosts[from]->get_netpoint(), impl_->hosts[to]->get_netpoint(), nullptr,
+                   nullptr, {s4u::LinkInRoute(own), s4u::LinkInRoute(shared)}, false);
+  };
+  route(a, b, there);
+  route(b, a, back);
+}
+
+Seconds Engine::now() const { return {impl_->now}; }
+
+void Engine::at(Seconds date, Callback callback) {
+  impl_->heap.push_back({date.value, impl_->asked++, std::move(callback)});
+  std::ranges::push_heap(impl_->heap, std::less<>());
+}
+
+void Engine::soon(Callback callback) { impl_->soon.push_back(std::move(callback)); }
+
+void Engine::transfer(int from, int to, std::uint64_t bytes, Callback arrived) {
+  Impl& impl = *impl_;
+  if (impl.free_slots.empty()) {
+    impl.flights.emplace_back();
+    impl.free_slots.push_back(impl.flights.size() - 1);
+  }
+  const std::size_t slot = impl.free_slots.back();
+  impl.free_slots.pop_back();
+  impl.flights[slot].arrived = std::move(arrived);
+  // A hair early, lest SimGrid round its date down.
+  const double earliest = impl.now + static_cast<double>(bytes) / impl.one_way * (1 - 1e-9);
+  impl.flights[slot].earliest_end = earliest;
+  impl.horizon = std::min(impl.horizon, earliest);
+  if (impl.now > s4u::Engine::get_clock())
+    Timer::set(impl.now, [&impl, slot, from, to, bytes] { impl.start(slot, from, to, bytes); });
+  else
+    impl.start(slot, from, to, bytes);
+}
+
+std::uint64_t Engine::run() {
+  impl_->zone->seal();
+  at({0}, [] {});  // and after it whatever was asked for soon
+  impl_->run_ahead();
+  impl_->engine->run();
+  return impl_->handled;
+}
+
+void Engine::stop() { impl_->stopped = true; }
+
+}  // namespace machine

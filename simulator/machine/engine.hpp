@@ -1,0 +1,57 @@
+#pragma once
+// The simulated clock, its events, and the wires: the one door to SimGrid.
+//
+// Processors are SimGrid hosts; a transputer link is three SimGrid links: one a direction at the
+// unidirectional rate, and one that both directions share at the bidirectional rate. A message on
+// a link is a SimGrid communication. Processor time is arbitrated by our own scheduler (SimGrid
+// has no two-priority processor), which needs only a clock and events at a date.
+//
+// SimGrid's engine is a process-wide singleton: one Engine in the life of a host process.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "simulator/machine/units.hpp"
+
+namespace machine {
+
+// "3.32": of the SimGrid that was linked.
+std::string simgrid_version();
+
+class Engine {
+ public:
+  struct LinkRates {
+    double one_way;    // bytes/s of a direction alone
+    double both_ways;  // bytes/s of both directions together
+  };
+  using Callback = std::function<void()>;
+
+  Engine();
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  // Builds the platform; only before run(). Processors are numbered from 0 in order of creation.
+  int add_processor(const std::string& name);
+  void add_link(int a, int b, LinkRates rates);
+
+  Seconds now() const;
+  // Calls back at simulated time `date` (not before now). Callbacks never nest.
+  void at(Seconds date, Callback callback);
+  // Calls back when the event being handled is over, at the same simulated instant.
+  void soon(Callback callback);
+  // Moves `bytes` (> 0) over the link from one processor to its neighbour, then calls back.
+  void transfer(int from, int to, std::uint64_t bytes, Callback arrived);
+
+  // Runs until no event is left, or until stop(). Returns the number of events handled.
+  std::uint64_t run();
+  // Drops all events still to come.
+  void stop();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace machine

@@ -1,0 +1,215 @@
+#include "simulator/machine/model.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "simulator/machine/builtin_models.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace machine {
+
+namespace {
+
+// One field of Model: where its value goes and the unit its entry must carry.
+struct Field {
+  const char* key;
+  const char* unit;
+  std::function<void(Model&, double)> set;
+};
+
+template <class Section, class Value>
+Field field(const char* key, const char* unit, Section Model::*section, Value Section::*member) {
+  return {key, unit, [=](Model& model, double v) {
+            Value& target = model.*section.*member;
+            if constexpr (std::is_same_v<Value, Cycles>)
+              target = {std::llround(v)};
+            else
+              target = Value{v};
+          }};
+}
+
+const std::vector<Field>& fields() {
+  using M = Model;
+  static const std::vector<Field> all = {
+      field("cpu.clock", "Hz", &M::cpu, &M::Cpu::clock),
+      field("link.one_way_rate", "bytes/s", &M::link, &M::Link::one_way_rate),
+      field("link.both_ways_rate", "bytes/s", &M::link, &M::Link::both_ways_rate),
+      field("scheduler.slice", "cycles", &M::scheduler, &M::Scheduler::slice),
+      field("scheduler.preemption", "cycles", &M::scheduler, &M::Scheduler::preemption),
+      field("scheduler.return_to_low", "cycles", &M::scheduler, &M::Scheduler::return_to_low),
+      field("scheduler.start_process", "cycles", &M::scheduler, &M::Scheduler::start_process),
+      field("scheduler.end_process", "cycles", &M::scheduler, &M::Scheduler::end_process),
+      field("channel.blocked", "cycles", &M::channel, &M::Channel::blocked),
+      field("channel.soft_setup", "cycles", &M::channel, &M::Channel::soft_setup),
+      field("channel.copy_word", "cycles", &M::channel, &M::Channel::copy_word),
+      field("alternative.setup", "cycles", &M::alternative, &M::Alternative::setup),
+      field("alternative.end", "cycles", &M::alternative, &M::Alternative::end),
+      field("alternative.enable_ready", "cycles", &M::alternative, &M::Alternative::enable_ready),
+      field("alternative.enable_not", "cycles", &M::alternative, &M::Alternative::enable_not),
+      field("alternative.wait_ready", "cycles", &M::alternative, &M::Alternative::wait_ready),
+      field("alternative.wait_not", "cycles", &M::alternative, &M::Alternative::wait_not),
+      field("alternative.disable", "cycles", &M::alternative, &M::Alternative::disable),
+      field("timer.read", "cycles", &M::timer, &M::Timer::read),
+      field("timer.wait_past", "cycles", &M::timer, &M::Timer::wait_past),
+      field("timer.wait_future", "cycles", &M::timer, &M::Timer::wait_future),
+      field("timer.high_tick", "s", &M::timer, &M::Timer::high_tick),
+      field("timer.low_tick", "s", &M::timer, &M::Timer::low_tick),
+      field("software.occam_factor", "1", &M::software, &M::Software::occam_factor),
+  };
+  return all;
+}
+
+Provenance parse_provenance(const std::string& text, const std::string& where) {
+  for (auto p :
+       {Provenance::datasheet, Provenance::thesis, Provenance::calibrated, Provenance::assumed})
+    if (text == to_string(p)) return p;
+  throw InvalidInput(
+      fmt::format("{}: provenance: found \"{}\", expected datasheet, thesis, calibrated or assumed",
+                  where, text));
+}
+
+Entry parse_entry(const std::string& key, const toml::node& node, const std::string& where) {
+  const auto* table = node.as_table();
+  if (!table)
+    throw InvalidInput(where +
+                       ": expected { value = ..., unit = ..., provenance = ..., source = ... }");
+  auto text = [&](const char* part) {
+    auto value = (*table)[part].value<std::string>();
+    if (!value) throw InvalidInput(fmt::format("{}: \"{}\" is missing or not a text", where, part));
+    return *value;
+  };
+  for (auto&& [part, ignored] : *table)
+    if (part != "value" && part != "unit" && part != "provenance" && part != "source")
+      throw InvalidInput(fmt::format("{}: unknown part \"{}\"", where, part.str()));
+  const auto value = (*table)["value"].value<double>();
+  if (!value || !std::isfinite(*value) || *value < 0)
+    throw InvalidInput(where + ": \"value\" must be a finite number, zero or more");
+  return {key, *value, text("unit"), parse_provenance(text("provenance"), where), text("source")};
+}
+
+void apply(Model& model, const Entry& entry, const std::string& where) {
+  auto expect_unit = [&](const char* unit) {
+    if (entry.unit != unit)
+      throw InvalidInput(
+          fmt::format("{}: unit: found \"{}\", expected \"{}\"", where, entry.unit, unit));
+  };
+  if (entry.key.starts_with("operation.")) {
+    expect_unit("cycles");
+    model.operation[entry.key.substr(10)] = entry.value;
+  } else if (entry.key.starts_with("scale.")) {
+    expect_unit("1");
+    model.scale[entry.key.substr(6)] = entry.value;
+  } else if (entry.key.starts_with("bytes.")) {
+    expect_unit("bytes");
+    model.bytes[entry.key.substr(6)] = entry.value;
+  } else {
+    const auto known = std::ranges::find(fields(), entry.key, &Field::key);
+    if (known == fields().end())
+      throw InvalidInput(where + ": unknown key (tlab model t805-25 lists the known ones)");
+    expect_unit(known->unit);
+    known->set(model, entry.value);
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Provenance provenance) {
+  constexpr std::string_view names[] = {"datasheet", "thesis", "calibrated", "assumed"};
+  return names[static_cast<int>(provenance)];
+}
+
+Model parse_model(std::string_view text, std::string_view origin) {
+  Model model;
+  toml::table file;
+  try {
+    file = toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    throw InvalidInput(
+        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
+  }
+  if (auto base = file["base"].value<std::string>()) model = load_model(*base);
+  model.name = file["name"].value_or(std::string());
+  for (auto&& [section, content] : file) {
+    if (section == "name" || section == "base") continue;
+    const std::string where = fmt::format("{}:{}", origin, content.source().begin.line);
+    if (!content.is_table())
+      throw InvalidInput(fmt::format("{}: {}: expected a section", where, section.str()));
+    for (auto&& [name, node] : *content.as_table()) {
+      const auto key = fmt::format("{}.{}", section.str(), name.str());
+      const auto place = fmt::format("{}:{}: {}", origin, node.source().begin.line, key);
+      const Entry entry = parse_entry(key, node, place);
+      apply(model, entry, place);
+      const auto same = std::ranges::find(model.entries, key, &Entry::key);
+      same == model.entries.end() ? model.entries.push_back(entry) : void(*same = entry);
+    }
+  }
+  if (model.name.empty()) throw InvalidInput(fmt::format("{}: name is missing", origin));
+  for (const auto& known : fields())
+    if (std::ranges::find(model.entries, known.key, &Entry::key) == model.entries.end())
+      throw InvalidInput(fmt::format("{}: {} is missing (unit {})", origin, known.key, known.unit));
+  if (model.cpu.clock.value <= 0 || model.link.one_way_rate <= 0 || model.link.both_ways_rate <= 0)
+    throw InvalidInput(fmt::format("{}: the clock and the link rates must be above zero", origin));
+  return model;
+}
+
+Model load_model(std::string_view name) {
+  for (const auto& [builtin, text] : BUILTIN_MODELS)
+    if (name == builtin) return parse_model(text, fmt::format("model {}", builtin));
+  if (!name.ends_with(".toml"))
+    throw InvalidInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
+                                   fmt::join(builtin_models(), ", ")));
+  std::ifstream in{std::string(name)};
+  std::stringstream text;
+  if (!in || !(text << in.rdbuf()))
+    throw InvalidInput(fmt::format("{}: the model file cannot be read", name));
+  return parse_model(text.str(), name);
+}
+
+std::uint64_t get_bytes(const Model& model, std::string_view name) {
+  const auto found = model.bytes.find(name);
+  if (found == model.bytes.end())
+    throw InvalidInput(fmt::format("model {}: bytes.{} is missing", model.name, name));
+  return static_cast<std::uint64_t>(found->second);
+}
+
+std::vector<std::string> builtin_models() {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : BUILTIN_MODELS) names.emplace_back(name);
+  return names;
+}
+
+std::string describe(const Model& model) {
+  std::string text = fmt::format("model {}\n", model.name);
+  for (const auto& e : model.entries)
+    text += fmt::format("{:<28} {:>12g} {:<8} {:<11} {}\n", e.key, e.value, e.unit,
+                        to_string(e.provenance), e.source);
+  return text;
+}
+
+OperationCosts::OperationCosts(const Model& model, std::string_view kernel,
+                               std::span<const std::string_view> names) {
+  const auto scale = model.scale.find(kernel);
+  if (scale == model.scale.end())
+    throw InvalidInput(fmt::format("model {}: scale.{} is missing", model.name, kernel));
+  for (auto name : names) {
+    const auto cost = model.operation.find(name);
+    if (cost == model.operation.end())
+      throw InvalidInput(fmt::format("model {}: operation.{} is missing", model.name, name));
+    cycles_.push_back(cost->second * scale->second);
+  }
+}
+
+Cycles OperationCosts::operator()(std::span<const std::uint64_t> counts) const {
+  check_equal("operations counted", counts.size(), cycles_.size());
+  double cycles = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    cycles += static_cast<double>(counts[i]) * cycles_[i];
+  return {std::llround(cycles)};
+}
+
+}  // namespace machine

@@ -1,0 +1,70 @@
+#pragma once
+// A process of a simulated transputer: a body that runs on its own stack and spends cycles.
+#include <boost/context/fiber.hpp>
+#include <functional>
+#include <string>
+
+#include "simulator/machine/units.hpp"
+
+namespace machine {
+
+class Processor;
+
+enum class Priority : std::uint8_t { high, low };
+
+// Cycles are charged into a debt, so that a process's own time (now) may be ahead of the clock. The
+// debt is paid when the process blocks, or asks for it (sync). A high-priority process cannot lose
+// the CPU, so its own time is certain: it meets others by time stamps and seldom needs to sync. A
+// low-priority one can lose it at any instant, so it syncs before anything that others could see.
+class Process {
+ public:
+  enum class State : std::uint8_t { ready, running, blocked, ended };
+  using Body = std::function<void()>;
+
+  Process(Processor& processor, std::string name, Priority priority, Body body);
+
+  // --- called by the process itself ---------------------------------------------------------
+  // Spends cycles; simulated time passes at the next sync or block.
+  void charge(Cycles cycles) { debt_ += cycles; }
+  // Pays the debt: on return the clock has reached this process's own time and it has the CPU.
+  void sync();
+  void sync_if_low() {
+    if (priority_ == Priority::low) sync();
+  }
+  // Gives the CPU up until Processor::make_ready; a low-priority process must have paid. `why` and
+  // `on` are for the deadlock report and must outlive the wait.
+  void block(const char* why, const std::string& on);
+  // The process's own time: the clock plus its debt.
+  Seconds now() const;
+
+  Processor& processor() { return processor_; }
+  const std::string& name() const { return name_; }
+  Priority priority() const { return priority_; }
+  State state() const { return state_; }
+  // Counts the times it has blocked: tells one wait from the next.
+  std::uint64_t waits() const { return waits_; }
+  // "in on worker 3.from.left", for the deadlock report.
+  std::string waiting_for() const { return std::string(why_) + " on " + (on_ ? *on_ : ""); }
+
+ private:
+  friend class Processor;
+  void resume();   // the scheduler enters the body, until it suspends or ends
+  void suspend();  // the body returns to the scheduler
+
+  Processor& processor_;
+  std::string name_;
+  Priority priority_;
+  State state_ = State::ready;
+  Cycles debt_{};
+  Seconds ready_at_{};  // when it joined its ready queue
+  std::uint64_t waits_ = 0;
+  Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
+  const char* why_ = "";
+  const std::string* on_ = nullptr;
+  boost::context::fiber fiber_, scheduler_;
+};
+
+// The process whose body is executing. Throws InvariantBroken outside of any process.
+Process& this_process();
+
+}  // namespace machine

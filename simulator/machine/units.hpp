@@ -1,0 +1,32 @@
+#pragma once
+// Time in its two currencies: simulated seconds and processor cycles. They never mix implicitly.
+#include <compare>
+#include <cstdint>
+
+namespace machine {
+
+struct Seconds {
+  double value = 0;
+  auto operator<=>(const Seconds&) const = default;
+  Seconds& operator+=(Seconds o) { return value += o.value, *this; }
+  Seconds& operator-=(Seconds o) { return value -= o.value, *this; }
+};
+inline Seconds operator+(Seconds a, Seconds b) { return {a.value + b.value}; }
+inline Seconds operator-(Seconds a, Seconds b) { return {a.value - b.value}; }
+inline Seconds operator*(double k, Seconds a) { return {k * a.value}; }
+inline double operator/(Seconds a, Seconds b) { return a.value / b.value; }
+
+struct Cycles {
+  std::int64_t value = 0;
+  auto operator<=>(const Cycles&) const = default;
+  Cycles& operator+=(Cycles o) { return value += o.value, *this; }
+};
+inline Cycles operator+(Cycles a, Cycles b) { return {a.value + b.value}; }
+inline Cycles operator*(std::int64_t k, Cycles a) { return {k * a.value}; }
+
+struct Hertz {
+  double value = 1;
+};
+inline Seconds operator/(Cycles c, Hertz f) { return {static_cast<double>(c.value) / f.value}; }
+
+}  // namespace machine

@@ -1,0 +1,71 @@
+#include "simulator/observe/use.hpp"
+
+#include <algorithm>
+
+#include "simulator/machine/faults.hpp"
+
+namespace observe {
+
+namespace {
+
+void check_busy(const std::string& who, double busy_s, double time_s) {
+  if (busy_s > time_s * (1 + 1e-9) + 1e-9)
+    throw machine::InvariantBroken(
+        fmt::format("{} was busy for {} s of {} s simulated", who, busy_s, time_s));
+}
+
+}  // namespace
+
+Use collect(const machine::Machine& machine) {
+  Use use{.time_s = machine.now().value, .cpus = {}, .links = {}};
+  for (const auto& processor : machine.processors()) {
+    const auto cpu = processor->use();
+    use.cpus.push_back({processor->name(), cpu.busy().value, cpu.busy_high.value, cpu.preemptions,
+                        cpu.dispatches, processor->memory().peak()});
+    check_busy(processor->name(), cpu.busy().value, use.time_s);
+  }
+  for (const auto& link : machine.links()) {
+    const auto u = link->use();
+    use.links.push_back(
+        {link->from().name(), link->to().name(), u.busy.value, u.messages, u.bytes});
+    check_busy(link->name(), u.busy.value, use.time_s);
+  }
+  return use;
+}
+
+Use between(const Use& before, const Use& after) {
+  Use use = after;
+  use.time_s -= before.time_s;
+  for (std::size_t i = 0; i < use.cpus.size(); ++i) {
+    use.cpus[i].busy_s -= before.cpus[i].busy_s;
+    use.cpus[i].busy_high_s -= before.cpus[i].busy_high_s;
+    use.cpus[i].preemptions -= before.cpus[i].preemptions;
+    use.cpus[i].dispatches -= before.cpus[i].dispatches;
+  }
+  for (std::size_t i = 0; i < use.links.size(); ++i) {
+    use.links[i].busy_s -= before.links[i].busy_s;
+    use.links[i].messages -= before.links[i].messages;
+    use.links[i].bytes -= before.links[i].bytes;
+  }
+  return use;
+}
+
+const CpuRow& find_cpu(const Use& use, const std::string& name) {
+  const auto found = std::ranges::find(use.cpus, name, &CpuRow::name);
+  if (found == use.cpus.end()) throw machine::InvariantBroken("no processor is called " + name);
+  return *found;
+}
+
+std::uint64_t total_messages(const Use& use) {
+  std::uint64_t sum = 0;
+  for (const auto& link : use.links) sum += link.messages;
+  return sum;
+}
+
+std::uint64_t total_bytes(const Use& use) {
+  std::uint64_t sum = 0;
+  for (const auto& link : use.links) sum += link.bytes;
+  return sum;
+}
+
+}  // namespace observe

@@ -1,0 +1,39 @@
+#pragma once
+// How busy every processor and link direction has been, between two instants.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "simulator/machine/machine.hpp"
+
+namespace observe {
+
+struct CpuRow {
+  std::string name;
+  double busy_s = 0, busy_high_s = 0;  // high: processes of high priority, and switches
+  std::uint64_t preemptions = 0, dispatches = 0;
+  std::uint64_t memory_peak_bytes = 0;
+};
+
+struct LinkRow {
+  std::string from, to;
+  double busy_s = 0;
+  std::uint64_t messages = 0, bytes = 0;
+};
+
+struct Use {
+  double time_s = 0;
+  std::vector<CpuRow> cpus;
+  std::vector<LinkRow> links;  // two directions each
+};
+
+// Everything up to now. Throws machine::InvariantBroken if a resource was busier than time allows.
+Use collect(const machine::Machine& machine);
+// What happened from `before` to `after`.
+Use between(const Use& before, const Use& after);
+
+const CpuRow& find_cpu(const Use& use, const std::string& name);
+std::uint64_t total_messages(const Use& use);
+std::uint64_t total_bytes(const Use& use);
+
+}  // namespace observe

@@ -1,0 +1,99 @@
+#include "simulator/occam/channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/machine/faults.hpp"
+
+namespace occam {
+
+using machine::Seconds;
+
+void charge(Cycles instructions) {
+  Process& self = this_process();
+  const double factor = self.processor().model().software.occam_factor;
+  self.charge({std::llround(factor * static_cast<double>(instructions.value))});
+}
+
+// Spends what the operation takes up to the rendezvous.
+void ChannelBase::arrive(std::uint64_t bytes, const Process* partner) {
+  Process& self = this_process();
+  const auto& costs = self.processor().model().channel;
+  const auto words = static_cast<std::int64_t>((bytes + 3) / 4);
+  charge(!hard() && partner ? costs.soft_setup + words * costs.copy_word : costs.blocked);
+  self.sync_if_low();
+}
+
+void ChannelBase::output(std::uint64_t bytes) {
+  Process& self = this_process();
+  arrive(bytes, reader_.process);
+  if (writer_.process) throw machine::InvariantBroken("two processes output on channel " + name_);
+  if (reader_.process) return meet(std::exchange(reader_, {}), bytes);
+  writer_ = {&self, self.now()};
+  bytes_ = bytes;
+  if (alternative_.process) wake_alternative(writer_.since);
+  self.block("out", name_);
+}
+
+void ChannelBase::input(bool chosen_by_alt) {
+  Process& self = this_process();
+  if (!chosen_by_alt || !hard()) arrive(bytes_, writer_.process);
+  if (reader_.process) throw machine::InvariantBroken("two processes input on channel " + name_);
+  if (writer_.process) return meet(std::exchange(writer_, {}), bytes_);
+  reader_ = {&self, self.now()};
+  self.block("in", name_);
+}
+
+// Both ends are here; this process came second.
+void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
+  Process& self = this_process();
+  machine::Processor& processor = self.processor();
+  ++use_.messages;
+  use_.bytes += bytes;
+  if (!hard()) {
+    move_message();
+    processor.make_ready(*partner.process, self.now());
+    self.sync_if_low();  // a high-priority partner has taken the CPU
+    return;
+  }
+  bytes_ = bytes;
+  ends_[0] = partner.process;
+  ends_[1] = &self;
+  const Seconds start = std::max(self.now(), partner.since);
+  if (start > processor.now())
+    processor.engine().at(start, [this] { start_transfer(); });
+  else
+    start_transfer();
+  self.block("transfer", name_);
+}
+
+void ChannelBase::start_transfer() {
+  link_->transfer(bytes_, [this] { end_transfer(); });
+}
+
+void ChannelBase::end_transfer() {
+  move_message();
+  for (Process* end : ends_) end->processor().make_ready(*end, end->processor().now());
+}
+
+void ChannelBase::enable(Process& process) {
+  alternative_ = {&process, process.now()};
+  alternative_wait_ = process.waits() + 1;               // the wait about to begin
+  if (writer_.process) wake_alternative(writer_.since);  // an output ahead of the clock
+}
+
+// An output waits from `at` on. Another guard may wake the process before.
+void ChannelBase::wake_alternative(Seconds at) {
+  Process& waiting = *alternative_.process;
+  at = std::max(at, alternative_.since);
+  auto wake = [&waiting, at, wait = alternative_wait_] {
+    if (waiting.state() == Process::State::blocked && waiting.waits() == wait)
+      waiting.processor().make_ready(waiting, at);
+  };
+  if (hard() && at > waiting.processor().now())
+    waiting.processor().engine().at(at, wake);
+  else
+    wake();
+}
+
+}  // namespace occam

@@ -1,0 +1,113 @@
+#pragma once
+// Channels: unbuffered, point to point, synchronised. The transfer happens when both ends are
+// ready. A soft channel joins two processes of one processor and is a memory copy on its CPU; a
+// hard channel is a direction of a link, and its DMA engine moves the bytes.
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "simulator/machine/machine.hpp"
+
+namespace occam {
+
+using machine::Cycles;
+using machine::Process;
+using machine::this_process;
+
+// Bytes a message takes on a channel. A message type says so in a member `bytes()`, which may
+// depend on its contents; a signal is one word.
+template <class Message>
+std::uint64_t bytes_of(const Message& message) {
+  return message.bytes();
+}
+struct Signal {
+  static constexpr std::uint64_t bytes() { return 4; }
+};
+
+struct ChannelUse {
+  std::uint64_t messages = 0, bytes = 0;
+};
+
+// The untyped half: who waits, and what the rendezvous costs.
+class ChannelBase {
+ public:
+  explicit ChannelBase(std::string name) : name_(std::move(name)) {}
+  ChannelBase(std::string name, machine::LinkDirection& link)
+      : name_(std::move(name)), link_(&link) {}
+  ChannelBase(const ChannelBase&) = delete;
+  ChannelBase& operator=(const ChannelBase&) = delete;
+
+  const std::string& name() const { return name_; }
+  const ChannelUse& use() const { return use_; }
+  bool hard() const { return link_ != nullptr; }
+
+  // For ALT. Whether an output is waiting at time `at`.
+  bool output_waits(machine::Seconds at) const { return writer_.process && writer_.since <= at; }
+  // The process waits in an ALT, since its own time: the next output wakes it.
+  void enable(Process& process);
+  void disable() { alternative_ = {}; }
+
+ protected:
+  // Each returns when the message has been moved (by the end that `move_message` runs in).
+  void output(std::uint64_t bytes);
+  void input(bool chosen_by_alt);
+  virtual void move_message() = 0;
+  virtual ~ChannelBase() = default;
+
+ private:
+  struct Party {
+    Process* process = nullptr;
+    machine::Seconds since{};  // its own time of arrival; may be ahead of the clock
+  };
+  void arrive(std::uint64_t bytes, const Process* partner);
+  void meet(const Party& partner, std::uint64_t bytes);
+  void start_transfer();
+  void end_transfer();
+  void wake_alternative(machine::Seconds at);
+
+  std::string name_;
+  machine::LinkDirection* link_ = nullptr;
+  Party writer_, reader_;               // waits in output, in input
+  Party alternative_;                   // waits in an ALT with a guard on this channel
+  std::uint64_t alternative_wait_ = 0;  // which of the process's waits that is
+  std::uint64_t bytes_ = 0;             // of the output that waits or is under way
+  Process* ends_[2] = {};               // of a transfer under way
+  ChannelUse use_;
+};
+
+template <class Message>
+class Channel : public ChannelBase {
+ public:
+  using ChannelBase::ChannelBase;
+
+  // `channel ! message`: blocks until the partner has it.
+  void out(Message message) {
+    outgoing_ = std::move(message);
+    output(bytes_of(outgoing_));
+  }
+  // `channel ? message`. After an ALT has chosen it the input's own instruction is already paid.
+  Message in(bool chosen_by_alt = false) {
+    input(chosen_by_alt);
+    return std::move(incoming_);
+  }
+
+ private:
+  void move_message() override { incoming_ = std::move(outgoing_); }
+  Message outgoing_, incoming_;
+};
+
+// The words processes are written in.
+template <class Message>
+void out(Channel<Message>& channel, Message message) {
+  channel.out(std::move(message));
+}
+template <class Message>
+void in(Channel<Message>& channel, Message& message) {
+  message = channel.in();
+}
+inline void in(Channel<Signal>& channel) { channel.in(); }
+
+// Spends the cycles of compiled occam: instruction times, times the model's occam factor.
+void charge(Cycles instructions);
+
+}  // namespace occam

@@ -1,0 +1,97 @@
+// What the tests of topologies share: a list of machines, random machines, a plain search.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "topologies/topology.hpp"
+
+namespace topologies {
+
+inline const std::vector<std::string> SPECS{
+    "line:1",      "line:2",      "line:3",    "line:9",      "line:40",     "ring:3",
+    "ring:4",      "ring:9",      "ring:32",   "tree:1",      "tree:2",      "tree:5",
+    "tree:7",      "tree:13",     "tree:40",   "tree:100",    "tree:6:1",    "tree:2:2",
+    "tree:31:2",   "tree:50:2",   "mesh:1x1",  "mesh:1x6",    "mesh:6x1",    "mesh:2x2",
+    "mesh:2x3",    "mesh:3x3",    "mesh:5x4",  "mesh:8x8",    "torus:3x3",   "torus:3x4",
+    "torus:5x3",   "torus:4x4",   "torus:7x8", "hypercube:0", "hypercube:1", "hypercube:2",
+    "hypercube:3", "hypercube:4", "star:1",    "star:2",      "star:4",      "star:5"};
+
+// A test per spec, named after it: "mesh:5x4" runs as mesh_5x4.
+struct SpecName {
+  std::string operator()(const testing::TestParamInfo<std::string>& info) const {
+    auto name = info.param;
+    std::ranges::replace_if(
+        name, [](char c) { return !std::isalnum(c); }, '_');
+    return name;
+  }
+};
+
+// Links from `start` to each processor, written without Boost and without `neighbours`.
+inline std::vector<int> plain_distances(const Topology& t, int start) {
+  std::vector<int> distance(t.processors, -1);
+  distance[start] = 0;
+  for (std::deque<int> queue{start}; !queue.empty(); queue.pop_front())
+    for (const auto& [a, b] : t.links)
+      for (const auto& [here, there] :
+           {std::pair(a.processor, b.processor), std::pair(b.processor, a.processor)})
+        if (here == queue.front() && distance[there] < 0) {
+          distance[there] = distance[here] + 1;
+          queue.push_back(there);
+        }
+  return distance;
+}
+
+// Connected, at most four links each, on random ports: a random tree and some links more.
+inline Topology random_topology(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
+  Topology t{"random", 2 + below(30), 0, {}, {}, {}};
+  t.root = below(t.processors);
+  std::vector<std::vector<int>> ports(t.processors, {0, 1, 2, 3});
+  for (auto& p : ports) std::ranges::shuffle(p, random);
+  const auto link = [&](int a, int b) {
+    const bool linked = std::ranges::any_of(
+        t.links, [&](auto& l) { return l.a.processor == a && l.b.processor == b; });
+    if (a >= b || linked || ports[a].empty() || ports[b].empty()) return false;
+    t.links.push_back({{a, ports[a].back()}, {b, ports[b].back()}});
+    ports[a].pop_back(), ports[b].pop_back();
+    return true;
+  };
+  for (int p = 1; p < t.processors; ++p)
+    while (!link(below(p), p)) continue;
+  for (int extra = below(40); extra > 0; --extra) link(below(t.processors), below(t.processors));
+  std::ranges::sort(t.links, {}, [](auto& l) { return std::pair(l.a.processor, l.b.processor); });
+  return t;
+}
+
+// Runs `act`; the message of the InvalidTopology it throws, or "" if it throws none.
+template <typename Act>
+std::string rejection(Act act) {
+  try {
+    act();
+  } catch (const InvalidTopology& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A file of this test alone, gone at its end.
+struct TemporaryFile {
+  TemporaryFile(const std::string& name, const std::string& text)
+      : path(testing::TempDir() + "tlab-" + std::to_string(getpid()) + "-" + name) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path); }
+  std::string path;
+};
+
+}  // namespace topologies
