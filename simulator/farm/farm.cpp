@@ -78,7 +78,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   const auto script = make_script(params);
   observe::Use before, after;
   RayDatabase rays{RayStores(cells, params.stages[0]),
-                   machine::OperationCosts(model, "database", DatabaseWork::NAMES), bytes};
+                   machine::OperationCosts(model, "central", DatabaseWork::NAMES), bytes};
   const machine::OperationCosts central(model, "central", renderer::op_names());
   Visualisation visualisation{
       scene, params.image, central, renderer::Samples(params.image.width, params.image.height), {}};

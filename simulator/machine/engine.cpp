@@ -1,10 +1,13 @@
 #include "simulator/machine/engine.hpp"
 
+#include <xbt/base.h>  // before version.h, which needs it
+
 #include <simgrid/version.h>
-#include <algorithm>
-#include <limits>
 #include <simgrid/kernel/Timer.hpp>
 #include <simgrid/s4u.hpp>
+
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
