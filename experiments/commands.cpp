@@ -2,10 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/jobs.hpp"
 #include "experiments/version.hpp"
+#include "topologies/spelling.hpp"
 
 namespace experiments {
+
+namespace {
+
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> known;
+  for (const auto* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (std::ranges::find(known, argv[1]) != known.end()) return;
+  throw std::invalid_argument(
+      fmt::format("unknown command \"{}\", expected one of {} (did you mean "
+                  "\"{}\"?)",
+                  argv[1], fmt::join(known, ", "), topologies::nearest_name(argv[1], known)));
+}
+
+}  // namespace
 
 int run_tlab(int argc, char** argv) {
   CLI::App app("tlab, the transputer laboratory: simulates transputer machines that ray trace");
@@ -16,6 +34,7 @@ int run_tlab(int argc, char** argv) {
   add_run_command(app);
   add_model_command(app);
   try {
+    check_command(app, argc, argv);
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {

@@ -93,10 +93,10 @@ std::vector<Axis> read_axes(const toml::table& file, const std::string& origin) 
 
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
   std::ifstream in(path);
-  std::stringstream text;
-  if (!in || std::filesystem::is_directory(path) || !(text << in.rdbuf()))
+  if (!in || std::filesystem::is_directory(path))
     throw InvalidInput(fmt::format("{}: the experiment file cannot be read", path));
-  toml::table file = parse(text.str(), path);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  toml::table file = parse(text, path);
   for (const auto& override : overrides) override_key(file, override);
 
   const std::string folder = std::filesystem::path(path).parent_path().string();
@@ -110,16 +110,16 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
       throw InvalidInput(fmt::format("{}: [sweep] spans more than {} points", path, MAX_POINTS));
   }
   for (std::size_t i = 0; i < points; ++i) {
-    toml::table at_point = file;
     Point point;
+    std::vector<Replacement> replacements;
     std::size_t rest = i;
     for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
       const toml::node& value = *axis->values[rest % axis->values.size()];
       rest /= axis->values.size();
-      assign(at_point, axis->key, value);
+      replacements.push_back({axis->key, &value});
       point.at.insert(point.at.begin(), {axis->name, to_toml(value)});
     }
-    point.experiment = bind_settings(at_point, path, folder);
+    point.experiment = bind_settings(file, replacements, path, folder);
     experiment.points.push_back(std::move(point));
   }
   return experiment;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace experiments {
 
@@ -39,6 +40,7 @@ class ResultsFolder {
 
  private:
   std::filesystem::path path_, working_;
+  std::vector<std::filesystem::path> made_;  // parents that were missing, innermost first
   bool is_committed_ = false;
 };
 

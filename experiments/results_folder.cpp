@@ -97,6 +97,8 @@ void replace_in_two_steps(const fs::path& working, const fs::path& path) {
 ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
   check_is_ours(path_);
   std::error_code error;
+  for (auto parent = path_.parent_path(); !fs::exists(parent); parent = parent.parent_path())
+    made_.push_back(parent);
   fs::create_directories(path_.parent_path(), error);
   if (error) fail(path_.parent_path(), "cannot make this folder", error);
   remove_stale(path_);
@@ -108,7 +110,9 @@ ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
 
 ResultsFolder::~ResultsFolder() {
   std::error_code ignored;
-  if (!is_committed_) fs::remove_all(working_, ignored);
+  if (is_committed_) return;
+  fs::remove_all(working_, ignored);
+  for (const auto& parent : made_) fs::remove(parent, ignored);  // stays if it is not empty
 }
 
 void ResultsFolder::commit() {

@@ -25,9 +25,8 @@ void bind_one(Target& target, const std::vector<Binding<Target>>& bindings, cons
   if (found != bindings.end()) return found->set(target, at);
   std::vector<std::string> known;
   for (const auto& b : bindings) known.push_back(b.key);
-  throw InvalidInput(fmt::format("{}:{}: unknown key \"{}\", the nearest valid key is \"{}\"",
-                                 at.origin, at.node.source().begin.line, at.key,
-                                 topologies::nearest_name(at.key, known)));
+  throw InvalidInput(fmt::format("{}: unknown key \"{}\", the nearest valid key is \"{}\"",
+                                 at.where(), at.key, topologies::nearest_name(at.key, known)));
 }
 
 constexpr std::int64_t MANY = 1'000'000'000;
@@ -178,14 +177,13 @@ std::string key_of_axis(std::string_view axis, const std::string& origin) {
                   axis, topologies::nearest_name(axis, known)));
 }
 
-Experiment bind_settings(const toml::table& file, const std::string& origin,
-                         const std::string& folder) {
+Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,
+                         const std::string& origin, const std::string& folder) {
   Experiment experiment;
   for (auto&& [section, content] : file) {
-    if (section == "sweep") continue;
     const std::string name(section.str());
-    const bool nested = content.is_table();
-    if (!nested) {
+    if (name == "sweep") continue;
+    if (!content.is_table()) {
       bind_one(experiment, bindings(), {origin, name, folder, content});
       continue;
     }
@@ -193,6 +191,8 @@ Experiment bind_settings(const toml::table& file, const std::string& origin,
       bind_one(experiment, bindings(),
                {origin, fmt::format("{}.{}", name, key.str()), folder, node});
   }
+  for (const auto& [key, value] : replacements)
+    bind_one(experiment, bindings(), {origin, key, folder, *value});
   return experiment;
 }
 

@@ -8,11 +8,16 @@
 
 namespace experiments {
 
+std::string Place::where() const {
+  const auto line = node.source().begin.line;  // 0 for a value from --set
+  return line > 0 ? fmt::format("{}:{}", origin, line) : fmt::format("{}, with --set", origin);
+}
+
 void Place::refuse(const std::string& expected) const {
   std::ostringstream found;
   node.visit([&](const auto& n) { found << n; });
-  throw machine::InvalidInput(fmt::format("{}:{}: {}: found {}, expected {}", origin,
-                                          node.source().begin.line, key, found.str(), expected));
+  throw machine::InvalidInput(
+      fmt::format("{}: {}: found {}, expected {}", where(), key, found.str(), expected));
 }
 
 std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high) {

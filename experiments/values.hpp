@@ -18,6 +18,8 @@ struct Place {
   std::string folder;  // what paths are relative to
   const toml::node& node;
 
+  // "farm.toml:12"
+  std::string where() const;
   // Throws machine::InvalidInput.
   [[noreturn]] void refuse(const std::string& expected) const;
 };

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "simulator/machine/builtin_models.hpp"
 #include "simulator/machine/faults.hpp"
@@ -164,10 +163,9 @@ Model load_model(std::string_view name) {
     throw InvalidInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
                                    fmt::join(builtin_models(), ", ")));
   std::ifstream in{std::string(name)};
-  std::stringstream text;
-  if (!in || !(text << in.rdbuf()))
-    throw InvalidInput(fmt::format("{}: the model file cannot be read", name));
-  return parse_model(text.str(), name);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (text.empty()) throw InvalidInput(fmt::format("{}: the model file cannot be read", name));
+  return parse_model(text, name);
 }
 
 std::uint64_t get_bytes(const Model& model, std::string_view name) {

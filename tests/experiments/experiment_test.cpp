@@ -1,0 +1,139 @@
+// Experiment files: what they say, and what is said about mistakes in them.
+#include "experiments/experiment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "experiments/farm_run.hpp"
+#include "simulator/machine/faults.hpp"
+#include "tests/experiments/support.hpp"
+
+namespace experiments {
+namespace {
+
+ExperimentFile load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const TemporaryFolder folder;
+  const auto path = folder.path / "e.toml";
+  std::ofstream(path) << text;
+  return load_experiment(path.string(), overrides);
+}
+
+TEST(ExperimentsFile, DefaultsAreOnePoint) {
+  const auto file = load("");
+  ASSERT_EQ(file.points.size(), 1u);
+  const Experiment& e = file.points[0].experiment;
+  EXPECT_EQ(e.model, "t805-25");
+  EXPECT_EQ(make_workers(e).name, "tree:7");
+  EXPECT_EQ(scene_source(e), "spheres:200");
+  EXPECT_EQ(e.farm.image.limits.depth, 15);
+}
+
+TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
+  const auto file = load("[sweep]\nobjects = [200, 800]\nworkers = [1, 2, 3]\n");
+  EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers"}));
+  ASSERT_EQ(file.points.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(file.points[i].experiment.objects, i < 3 ? 200 : 800);
+    EXPECT_EQ(file.points[i].experiment.workers, static_cast<std::int64_t>(i % 3 + 1));
+  }
+}
+
+TEST(ExperimentsFile, SetReplacesAnyKey) {
+  const auto file = load("[network]\ntopology = \"tree\"\n[sweep]\nworkers = [1, 2]\n",
+                         {"network.topology=ring", "sweep.workers=[5]", "image.width=64",
+                          "title=\"A = b\"", "sweep.objects=[7, 9]"});
+  ASSERT_EQ(file.points.size(), 2u);
+  EXPECT_EQ(file.points[0].experiment.topology, "ring");
+  EXPECT_EQ(file.points[1].experiment.workers, 5);
+  EXPECT_EQ(file.points[1].experiment.objects, 9);
+  EXPECT_EQ(file.points[0].experiment.title, "A = b");
+  EXPECT_EQ(file.points[0].experiment.farm.image.width, 64);
+}
+
+TEST(ExperimentsFile, StagesAndOrders) {
+  const auto file = load(
+      "[[stage]]\nmin_cell = 4\ndepth_reflected = 1\n[[stage]]\narea = [1, 2, 3, 4]\n"
+      "[[order]]\nat_s = 2\nmin_influence = 0.5\n[[order]]\nat_s = 3.5\nnon_interactive = true\n");
+  const auto& p = file.points[0].experiment.farm;
+  ASSERT_EQ(p.stages.size(), 2u);
+  EXPECT_EQ(p.stages[0].min_cell, 4);
+  EXPECT_EQ(p.stages[1].area, (renderer::Area{1, 2, 3, 4}));
+  ASSERT_EQ(p.script.size(), 2u);
+  EXPECT_EQ(std::get<farm::Limits>(p.script[0].command.content).min_influence, 0.5);
+  EXPECT_TRUE(std::holds_alternative<farm::NonInteractive>(p.script[1].command.content));
+}
+
+TEST(ExperimentsFile, PathsAreRelativeToTheFile) {
+  const auto file = load("[scene]\nsource = \"a/b.nff\"\n[network]\ntopology = \"net.dot\"\n");
+  const Experiment& e = file.points[0].experiment;
+  const auto folder = std::filesystem::path(file.path).parent_path();
+  EXPECT_EQ(e.scene, (folder / "a/b.nff").string());
+  EXPECT_EQ(e.topology, (folder / "net.dot").string());
+}
+
+TEST(ExperimentsFile, TopologiesOfANumberOfWorkers) {
+  for (const auto& [name, workers, spec] :
+       std::vector<std::tuple<std::string, int, std::string>>{{"tree", 5, "tree:5"},
+                                                              {"line", 1, "line:1"},
+                                                              {"ring", 2, "line:2"},
+                                                              {"ring", 3, "ring:3"},
+                                                              {"mesh", 12, "mesh:3x4"},
+                                                              {"mesh", 7, "mesh:1x7"},
+                                                              {"torus", 9, "torus:3x3"},
+                                                              {"hypercube", 8, "hypercube:3"},
+                                                              {"tree:4:2", 9, "tree:4:2"}}) {
+    Experiment e;
+    e.topology = name;
+    e.workers = workers;
+    EXPECT_EQ(make_workers(e).name, spec);
+  }
+  Experiment e;
+  e.topology = "hypercube";
+  e.workers = 6;
+  EXPECT_THROW(make_workers(e), machine::InvalidInput);
+}
+
+TEST(ExperimentsFile, MistakesAreNamed) {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"[scene]\nobject = 3\n",
+            "e.toml:2: unknown key \"scene.object\", the nearest valid "
+            "key is \"scene.objects\""},
+           {"titel = 1\n", "unknown key \"titel\", the nearest valid key is \"title\""},
+           {"[network]\nworkers = 0\n",
+            "e.toml:2: network.workers: found 0, expected a whole number from 1 to 16384"},
+           {"[network]\nworkers = 2.5\n", "found 2.5, expected a whole number"},
+           {"[network]\nworkers = \"two\"\n", "expected a whole number"},
+           {"[image]\nfeelers = \"some\"\n", "expected one of all, front"},
+           {"[image]\nmin_influence = nan\n", "expected a number from 0 to 1"},
+           {"[image]\narea = [1, 2]\n", "expected [x, y, width, height] in pixels"},
+           {"[sweep]\nworker = [1]\n",
+            "unknown axis \"worker\" in [sweep], the nearest valid one "
+            "is \"workers\""},
+           {"[sweep]\nworkers = 3\n", "sweep.workers: found 3, expected an array of values"},
+           {"[sweep]\nworkers = []\n", "expected an array of values"},
+           {"sweep = 3\n", "sweep: expected a section of axes"},
+           {"[scene\nobjects = 3\n", "e.toml:1: "},
+           {"stage = 3\n", "expected one or more [[stage]]"},
+           {"[[stage]]\ncell = 3\n", "unknown key \"cell\", the nearest valid key is \"min_cell\""},
+           {"[run]\ncost = \"guessed\"\n", "expected one of counted"}}) {
+    const auto told = message_of<machine::InvalidInput>([&, text = text] { load(text); });
+    EXPECT_NE(told.find(message), std::string::npos) << text << told;
+  }
+  for (const char* override : {"workers", "=3", "sweep.workers.deep=3"})
+    EXPECT_NE(
+        message_of<machine::InvalidInput>([&] { load("[sweep]\nworkers=[1]\n", {override}); }), "")
+        << override;
+  EXPECT_NE(message_of<machine::InvalidInput>([] { load_experiment("/nowhere/e.toml", {}); }), "");
+}
+
+TEST(ExperimentsFile, TooManyPointsAreRefused) {
+  std::string list = "[1";
+  for (int i = 0; i < 400; ++i) list += ", 1";
+  EXPECT_NE(message_of<machine::InvalidInput>(
+                [&] { load("[sweep]\nworkers = " + list + "]\nobjects = " + list + "]\n"); }),
+            "");
+}
+
+}  // namespace
+}  // namespace experiments
