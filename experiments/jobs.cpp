@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -59,6 +60,7 @@ void write_all(int fd, const std::string& text) {
 }
 
 [[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a parent that was killed
   signal(SIGINT, SIG_DFL);
   signal(SIGTERM, SIG_DFL);
   std::string reply;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/files.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/report.hpp"
@@ -41,16 +43,26 @@ std::vector<Report::ModelRow> model_rows(const machine::Model& model) {
   return rows;
 }
 
+// The values an axis takes, or the one value of a key that is not swept.
+std::string values_of(const ExperimentFile& file, const char* axis, const std::string& value) {
+  std::vector<std::string> values;
+  for (const auto& point : file.points)
+    for (const auto& at : point.at)
+      if (at.axis == axis && std::ranges::find(values, at.toml) == values.end())
+        values.push_back(at.toml);
+  return values.empty() ? value : fmt::format("{}", fmt::join(values, ", "));
+}
+
 std::vector<std::pair<std::string, std::string>> make_facts(const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   const auto& p = e.farm.image;
   auto swept = [&](const char* axis, const std::string& value) {
-    return std::ranges::find(file.axes, axis) == file.axes.end() ? value : "swept";
+    return values_of(file, axis, value);
   };
   return {
       {"Machine", fmt::format("{} processors, coordinator, ray database and display on one each",
                               swept("model", e.model))},
-      {"Workers", fmt::format("{}, {}", swept("workers", fmt::format("{}", e.workers)),
+      {"Workers", fmt::format("{} on topology {}", swept("workers", fmt::format("{}", e.workers)),
                               swept("topology", e.topology))},
       {"Scene", fmt::format("{}, objects: {}", swept("source", e.scene),
                             swept("objects", fmt::format("{}", e.objects)))},

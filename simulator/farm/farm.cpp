@@ -44,6 +44,16 @@ void load_scene_into(Processor& worker, const renderer::Scene& scene) {
                   worker.now());
 }
 
+// The initial rays are all deposited before the first is taken: better to say at once that they do
+// not fit.
+void check_initial_rays(Processor& database, const renderer::Params& image, std::uint64_t ray) {
+  const renderer::Area area = get_area(image);
+  const std::uint64_t bytes =
+      ray * static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+  database.memory().allocate(bytes, "the initial rays", database.now());
+  database.memory().release(bytes);
+}
+
 }  // namespace
 
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,
@@ -61,6 +71,8 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   Processor& display = machine.add_processor("display", large);
   machine.connect(coordinator, database);
   machine.connect(coordinator, display);
+
+  check_initial_rays(database, params.image, bytes.ray);
 
   // The workers.
   KernelProfile profile{.enabled = params.profile};

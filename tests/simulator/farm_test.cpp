@@ -166,11 +166,15 @@ TEST(Farm, FaultsSayWhoAndWhat) {
            Refusal{"tree:2", 100, 3,
                    "the program asked for 131072 bytes, 100 of 100 are available"},
            Refusal{"star:5", 1 << 22, 2, "the root uses all four ports"},
+           Refusal{"tree:1", 0, 3, "the initial rays asked for 2147420880 bytes, 25165824 of"},
        }) {
     try {
       isolated([&, topology = topology, memory = memory] {
         Params params = small_params();
-        params.worker_memory = memory;
+        if (memory > 0)
+          params.worker_memory = memory;
+        else
+          params.image.width = params.image.height = 5181;
         run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
                  renderer::make_spheres(400), params);
         return std::string();
@@ -183,11 +187,12 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
+// The initial rays fit, their descendants do not.
 TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {
       Params params = small_params();
-      params.database_memory = 80 * 100;  // a hundred rays
+      params.database_memory = 80 * 24 * 18;
       run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:1"),
                renderer::make_spheres(60), params);
       return std::string();
@@ -195,7 +200,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
     ADD_FAILURE() << "it ran";
   } catch (const experiments::JobFailed& failed) {
     EXPECT_EQ(failed.exit_code, 3);
-    EXPECT_NE(std::string(failed.what()).find("the ray database asked for 80 bytes, 0 of 8000"),
+    EXPECT_NE(std::string(failed.what()).find("the ray database asked for 80 bytes, 0 of 34560"),
               std::string::npos)
         << failed.what();
   }
