@@ -16,7 +16,7 @@ std::string scene_source(const Experiment& experiment);
 // Runs the farm and returns
 //   "row": name -> number or text, the columns of results.csv after the axes, in order;
 //   "image_hash": of the samples, to compare images;
-//   "host": what the run cost the host, in seconds: never part of a result.
+//   "host": what the run cost the host, in seconds of CPU time: never part of a result.
 // The image goes to `image`, unless that is empty; key images beside it.
 nlohmann::ordered_json run_farm_point(const Experiment& experiment, const std::string& image,
                                       bool profile);

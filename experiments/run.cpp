@@ -62,7 +62,7 @@ void check_images(const ExperimentFile& file, const std::vector<ordered_json>& r
 }
 
 void print_profile(const Table& table, const std::vector<ordered_json>& results) {
-  fmt::print("\nhost time, microseconds per simulated ray beyond the kernel:\n");
+  fmt::print("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto& host = results[i]["host"];
     const double rays = results[i]["row"]["rays"].get<double>();
