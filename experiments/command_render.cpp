@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.hpp"
 #include "experiments/files.hpp"
+#include "experiments/image_names.hpp"
 #include "experiments/progress.hpp"
 #include "renderer/load.hpp"
 #include "renderer/render.hpp"
@@ -37,6 +38,19 @@ std::array<int, N> parse_numbers(const std::string& option, const std::string& t
     at = next + 1;
   }
   return values;
+}
+
+// An option that sets `field` to the choice of a name.
+template <class Enum>
+void add_choice(CLI::App* command, const char* option, Enum& field, const Names<Enum>& names,
+                const char* help) {
+  const auto set = [&field, &names](const std::string& key) {
+    field = std::ranges::find(names, key, &std::pair<std::string, Enum>::first)->second;
+  };
+  const auto standard = std::ranges::find(names, field, &std::pair<std::string, Enum>::second);
+  command->add_option_function<std::string>(option, set, help)
+      ->check(CLI::IsMember(keys_of(names)))
+      ->option_text(fmt::format("{} [{}]", fmt::join(keys_of(names), "|"), standard->first));
 }
 
 void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
@@ -75,6 +89,8 @@ void render_scene(Options& o) {
                                                        "height above zero",
                                                        o.area));
   }
+  if (o.stats == o.output)
+    throw CLI::ValidationError("--stats", "expected another file than the image's");
   renderer::check(o.params);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
@@ -94,14 +110,6 @@ void add_render_command(CLI::App& app) {
   auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
   auto o = std::make_shared<Options>();
   o->params.traversal = renderer::Traversal::nearest;
-  using renderer::Feelers, renderer::SamplePosition, renderer::Traversal;
-  const std::map<std::string, Feelers> feelers{{"all", Feelers::all}, {"front", Feelers::front}};
-  const std::map<std::string, SamplePosition> positions{{"center", SamplePosition::center},
-                                                        {"corner", SamplePosition::corner},
-                                                        {"lattice", SamplePosition::lattice}};
-  const std::map<std::string, Traversal> traversals{{"exhaustive", Traversal::exhaustive},
-                                                    {"nearest", Traversal::nearest},
-                                                    {"linear", Traversal::linear}};
   command->add_option("SCENE", o->scene, "an NFF file, or spheres:N")->required();
   command->add_option("-o,--output", o->output, "the PNG image to write")->required();
   command->add_option("--size", o->size, "WxH in pixels [100x100]");
@@ -111,19 +119,12 @@ void add_render_command(CLI::App& app) {
       ->add_option("--influence", o->params.limits.min_influence,
                    "no ray is made below this influence factor, 0 to 1")
       ->capture_default_str();
-  command
-      ->add_option("--feelers", o->params.feelers,
-                   "a shadow feeler to all lights, or to those in front")
-      ->transform(CLI::CheckedTransformer(feelers))
-      ->option_text("all|front [all]");
-  command
-      ->add_option("--sample", o->params.sample, "where in its pixel; lattice spans edge to edge")
-      ->transform(CLI::CheckedTransformer(positions))
-      ->option_text("center|corner|lattice [corner]");
-  command
-      ->add_option("--traversal", o->params.traversal, "of the hierarchy: same image, other work")
-      ->transform(CLI::CheckedTransformer(traversals))
-      ->option_text("nearest|exhaustive|linear [nearest]");
+  add_choice(command, "--feelers", o->params.feelers, FEELERS,
+             "a shadow feeler to all lights, or to those in front");
+  add_choice(command, "--sample", o->params.sample, SAMPLES,
+             "where in its pixel; lattice spans edge to edge");
+  add_choice(command, "--traversal", o->params.traversal, TRAVERSALS,
+             "of the hierarchy: same image, other work");
   command->add_option("--ambient", o->params.ambient, "intensity of ambient light")
       ->capture_default_str();
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");

@@ -13,7 +13,8 @@ void add_run_command(CLI::App& app) {
   auto o = std::make_shared<RunOptions>();
   o->jobs = std::max(1u, std::thread::hardware_concurrency());
   command->add_option("EXPERIMENT", o->file, "the experiment file (TOML)")->required();
-  command->add_option("-o,--output", o->output, "results folder [results/EXPERIMENT's name]");
+  auto* output =
+      command->add_option("-o,--output", o->output, "results folder [results/EXPERIMENT's name]");
   command->add_option("--set", o->overrides, "key.path=value: replaces a key of the experiment")
       ->allow_extra_args(false);
   command->add_option("--jobs", o->jobs, "points run side by side")
@@ -25,7 +26,11 @@ void add_run_command(CLI::App& app) {
   for (const auto& setting : settings())
     keys += fmt::format("  {:<30} {}\n", setting.key, setting.help);
   command->footer(keys);
-  command->callback([o] { run_experiment(*o); });
+  command->callback([o, output] {
+    if (output->count() > 0 && o->output.empty())
+      throw CLI::ValidationError("--output", "expected the name of a folder");
+    run_experiment(*o);
+  });
 }
 
 }  // namespace experiments

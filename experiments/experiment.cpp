@@ -49,7 +49,7 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InvalidInput(fmt::format("--set {}: found no '=', expected key.path=value", text));
+    throw InvalidInput(fmt::format("--set {}: expected key.path=value", text));
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   toml::table parsed;
   try {
@@ -93,7 +93,7 @@ std::vector<Axis> read_axes(const toml::table& file, const std::string& origin) 
 
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
   std::ifstream in(path);
-  if (!in || std::filesystem::is_directory(path))
+  if (!in || !std::filesystem::is_regular_file(path))
     throw InvalidInput(fmt::format("{}: the experiment file cannot be read", path));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   toml::table file = parse(text, path);

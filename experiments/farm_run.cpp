@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 
 #include "renderer/load.hpp"
 #include "simulator/machine/faults.hpp"
@@ -93,7 +94,7 @@ ordered_json make_row(const farm::Result& r) {
 topologies::Topology make_workers(const Experiment& experiment) {
   const std::string& name = experiment.topology;
   const auto n = experiment.workers;
-  if (name.find_first_of(":./") != std::string::npos) return topologies::make_topology(name);
+  if (has_own_workers(experiment)) return topologies::make_topology(name);
   if (name == "mesh" || name == "torus") {
     auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
     while (n % rows != 0) --rows;
@@ -112,8 +113,14 @@ topologies::Topology make_workers(const Experiment& experiment) {
   return topologies::make_topology(fmt::format("{}:{}", name, n));
 }
 
+bool has_own_workers(const Experiment& experiment) {
+  return experiment.topology.find_first_of(":./") != std::string::npos;
+}
+
+bool has_own_objects(const Experiment& experiment) { return experiment.scene != "spheres"; }
+
 std::string scene_source(const Experiment& experiment) {
-  if (experiment.scene != "spheres") return experiment.scene;
+  if (has_own_objects(experiment)) return experiment.scene;
   return fmt::format("spheres:{}", experiment.objects);
 }
 
@@ -140,7 +147,8 @@ ordered_json run_farm_point(const Experiment& experiment, const std::string& ima
   for (std::size_t i = 0; i < result.key_images.size() && !image.empty(); ++i) {
     const auto path = fmt::format("{}-stage{}.png", image.substr(0, image.rfind('.')), i + 1);
     renderer::save_png(path, result.key_images[i].samples);
-    keys.push_back({{"path", path}, {"at_s", result.key_images[i].at.value - result.setup_s}});
+    keys.push_back({{"path", std::filesystem::path(path).filename().string()},
+                    {"at_s", result.key_images[i].at.value - result.setup_s}});
   }
   return {{"topology", topology.name},
           {"workers", topology.processors},

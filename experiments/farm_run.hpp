@@ -10,6 +10,9 @@ namespace experiments {
 // The workers' topology of an experiment: "tree" and 7 workers is tree:7, "mesh" and 12 is the most
 // square mesh of 12. Throws machine::InvalidInput or topologies::InvalidTopology.
 topologies::Topology make_workers(const Experiment& experiment);
+// Whether the topology or the scene says its size itself, so that `workers` or `objects` is void.
+bool has_own_workers(const Experiment& experiment);
+bool has_own_objects(const Experiment& experiment);
 // "spheres" and 200 objects is spheres:200.
 std::string scene_source(const Experiment& experiment);
 

@@ -163,9 +163,7 @@ std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const
 int exit_code_of(const std::exception& error) {
   if (const auto* failed = dynamic_cast<const JobFailed*>(&error)) return failed->exit_code;
   if (dynamic_cast<const machine::Fault*>(&error)) return 3;
-  if (dynamic_cast<const std::logic_error*>(&error) &&
-      !dynamic_cast<const std::invalid_argument*>(&error))
-    return 1;  // a broken invariant
+  if (dynamic_cast<const machine::InvariantBroken*>(&error)) return 1;
   if (dynamic_cast<const Interrupted*>(&error)) return 130;
   return 2;
 }

@@ -28,7 +28,8 @@ using Job = std::function<std::string(std::size_t index)>;
 std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job,
                                   const std::function<void(std::size_t done)>& done = {});
 
-// The message and exit code for an exception: 2 for bad input, 3 for a simulated fault, else 1.
+// The exit code for an exception: 1 for a broken invariant, 3 for a simulated fault, 130 where the
+// user interrupted, a failed job's own, else 2: bad input, or a host that cannot do it.
 int exit_code_of(const std::exception& error);
 
 }  // namespace experiments

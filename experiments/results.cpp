@@ -80,6 +80,15 @@ std::string image_key(const Experiment& experiment) {
                      int(p.sample), p.ambient, p.area.x, p.area.y, p.area.width, p.area.height);
 }
 
+std::string stages_key(const Experiment& experiment) {
+  std::string key;
+  for (const auto& s : experiment.farm.stages)
+    key += fmt::format(" {} {} {} {} {},{},{},{}", s.min_influence, s.depth_reflected,
+                       s.depth_transmitted, s.min_cell, s.area.x, s.area.y, s.area.width,
+                       s.area.height);
+  return key;
+}
+
 std::string image_name(const Experiment& experiment) {
   std::string name = std::filesystem::path(scene_source(experiment)).filename().string();
   for (char& c : name)

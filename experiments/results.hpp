@@ -14,6 +14,8 @@ Table make_table(const ExperimentFile& file, const std::vector<nlohmann::ordered
 
 // What the image of a run depends on: points of equal keys must have equal images.
 std::string image_key(const Experiment& experiment);
+// What its key images depend on beside that: the stages.
+std::string stages_key(const Experiment& experiment);
 // A file name for it, without extension: "image-spheres-200".
 std::string image_name(const Experiment& experiment);
 

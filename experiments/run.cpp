@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "experiments/farm_run.hpp"
 #include "experiments/files.hpp"
@@ -24,8 +26,20 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+// Axes that another key makes void would give rows that say one thing and are another.
+void check_axes(const ExperimentFile& file) {
+  for (const auto& [axis, key, has_number] :
+       {std::tuple("workers", "network.topology", &has_own_workers),
+        std::tuple("objects", "scene.source", &has_own_objects)})
+    for (const auto& point : file.points)
+      if (std::ranges::find(file.axes, axis) != file.axes.end() && has_number(point.experiment))
+        throw machine::InvalidInput(fmt::format(
+            "{}: [sweep] has an axis {}, but {} says how many itself", file.path, axis, key));
+}
+
 // Rejects what is wrong in any point before the first one runs.
 void check_points(const ExperimentFile& file) {
+  check_axes(file);
   std::set<std::string> models, scenes, topologies;
   for (const auto& point : file.points) {
     const Experiment& e = point.experiment;
@@ -43,7 +57,7 @@ std::vector<std::string> choose_images(const ExperimentFile& file) {
   std::set<std::string> keys, names;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const Experiment& e = file.points[i].experiment;
-    if (!keys.insert(image_key(e)).second) continue;
+    if (!keys.insert(image_key(e) + stages_key(e)).second) continue;
     std::string name = image_name(e);
     for (int n = 2; !names.insert(name).second; ++n) name = fmt::format("{}-{}", image_name(e), n);
     paths[i] = name + ".png";
@@ -104,7 +118,7 @@ void run_experiment(const RunOptions& options) {
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_file(folder.working() / "run.json", make_run_json(options, file, table, results, wall_s));
-  write_report(folder.working(), options, file, table, images);
+  write_report(folder.working(), options, file, table, results, images);
   folder.commit();
 
   fmt::print("{}\n{}\n", file.points[0].experiment.title, to_text(table, shown_columns(table)));

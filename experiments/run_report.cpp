@@ -32,14 +32,31 @@ ordered_json model_json(const machine::Model& model) {
                       {"unit", e.unit},
                       {"provenance", machine::to_string(e.provenance)},
                       {"source", e.source}};
-  return {{"name", model.name}, {"entries", entries}};
+  ordered_json calibrated = ordered_json::array();
+  for (const auto& e : model.entries)
+    if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
+  return {{"name", model.name}, {"calibrated", calibrated}, {"entries", entries}};
 }
 
-std::vector<Report::ModelRow> model_rows(const machine::Model& model) {
+// Every model that some point ran on.
+std::vector<machine::Model> models_of(const ExperimentFile& file) {
+  std::vector<std::string> names;
+  std::vector<machine::Model> models;
+  for (const auto& point : file.points)
+    if (std::ranges::find(names, point.experiment.model) == names.end()) {
+      names.push_back(point.experiment.model);
+      models.push_back(machine::load_model(names.back()));
+    }
+  return models;
+}
+
+std::vector<Report::ModelRow> model_rows(const std::vector<machine::Model>& models) {
   std::vector<Report::ModelRow> rows;
-  for (const auto& e : model.entries)
-    rows.push_back({e.key, fmt::format("{:g}", e.value), e.unit,
-                    std::string(machine::to_string(e.provenance)), e.source});
+  for (const auto& model : models)
+    for (const auto& e : model.entries)
+      rows.push_back({models.size() > 1 ? model.name + ": " + e.key : e.key,
+                      fmt::format("{:g}", e.value), e.unit,
+                      std::string(machine::to_string(e.provenance)), e.source});
   return rows;
 }
 
@@ -85,25 +102,22 @@ std::vector<std::string> shown_columns(const Table& table) {
 
 std::string make_run_json(const RunOptions& options, const ExperimentFile& file, const Table& table,
                           const std::vector<ordered_json>& results, double wall_s) {
-  const auto model = machine::load_model(file.points[0].experiment.model);
-  ordered_json points = ordered_json::array(), calibrated = ordered_json::array();
+  ordered_json points = ordered_json::array(), models = ordered_json::array();
   for (std::size_t i = 0; i < results.size(); ++i) {
     ordered_json at;
     for (std::size_t c = 0; c < table.axes; ++c) at[table.columns[c]] = to_string(table.rows[i][c]);
     points.push_back({{"at", at},
                       {"topology", results[i]["topology"]},
+                      {"seed", file.points[i].experiment.farm.seed},
                       {"key_images", results[i]["key_images"]},
                       {"host", results[i]["host"]}});
   }
-  for (const auto& e : model.entries)
-    if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
+  for (const auto& model : models_of(file)) models.push_back(model_json(model));
   const ordered_json run = {{"tlab", VERSION},
                             {"simgrid", machine::simgrid_version()},
                             {"command", command_line(options)},
                             {"experiment", file.resolved},
-                            {"seed", file.points[0].experiment.farm.seed},
-                            {"model", model_json(model)},
-                            {"calibrated", calibrated},
+                            {"models", models},
                             {"points", points},
                             {"host_wall_s", wall_s},
                             {"jobs", options.jobs}};
@@ -111,7 +125,8 @@ std::string make_run_json(const RunOptions& options, const ExperimentFile& file,
 }
 
 void write_report(const fs::path& folder, const RunOptions& options, const ExperimentFile& file,
-                  const Table& table, const std::vector<std::string>& images) {
+                  const Table& table, const std::vector<ordered_json>& results,
+                  const std::vector<std::string>& images) {
   const Experiment& first = file.points[0].experiment;
   Report report;
   report.title = first.title.empty() ? fs::path(file.path).stem().string() : first.title;
@@ -123,12 +138,19 @@ void write_report(const fs::path& folder, const RunOptions& options, const Exper
   report.plots_folder = folder / "plots";
   if (!report.plots.empty()) fs::create_directory(report.plots_folder);
   for (const auto& plot : report.plots) draw_plot(plot, report.plots_folder);
-  for (std::size_t i = 0; i < images.size(); ++i)
-    if (!images[i].empty())
-      report.images.push_back({images[i].substr(6, images[i].rfind('.') - 6), folder / images[i]});
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (images[i].empty()) continue;
+    for (const auto& key : results[i]["key_images"]) {
+      const auto name = key["path"].get<std::string>();
+      report.images.push_back({fmt::format("{}, after {:.2f} s", name.substr(6, name.size() - 10),
+                                           key["at_s"].get<double>()),
+                               folder / name});
+    }
+    report.images.push_back({images[i].substr(6, images[i].rfind('.') - 6), folder / images[i]});
+  }
   report.experiment_toml = file.resolved;
   report.command = command_line(options);
-  report.model = model_rows(machine::load_model(first.model));
+  report.model = model_rows(models_of(file));
   write_file(folder / "report.html", make_report(report));
 }
 

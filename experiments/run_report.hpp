@@ -16,6 +16,7 @@ std::string make_run_json(const RunOptions& options, const ExperimentFile& file,
 // plots/*.svg, plots/*.png and report.html.
 void write_report(const std::filesystem::path& folder, const RunOptions& options,
                   const ExperimentFile& file, const Table& table,
+                  const std::vector<nlohmann::ordered_json>& results,
                   const std::vector<std::string>& images);
 
 // The columns of the printed table: the axes, and what answers most questions.

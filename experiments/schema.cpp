@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "experiments/image_names.hpp"
 #include "experiments/values.hpp"
 #include "simulator/machine/faults.hpp"
 #include "topologies/spelling.hpp"
@@ -60,14 +61,21 @@ farm::Order bind_order(const toml::table& table, const Place& at) {
       {"non_interactive", "",
        [](OrderRecord& o, const Place& p) { o.non_interactive = read_bool(p); }}};
   OrderRecord order;
+  std::size_t limits = 0;
   for (auto&& [key, node] : table) {
     const Place place{at.origin, std::string(key.str()), at.folder, node};
     if (std::ranges::find(limit_bindings(), place.key, &Binding<farm::Limits>::key) !=
-        limit_bindings().end())
+        limit_bindings().end()) {
       bind_one(order.limits, limit_bindings(), place);
-    else
+      ++limits;
+    } else {
       bind_one(order, own, place);
+    }
   }
+  if (order.non_interactive == (limits > 0))
+    throw InvalidInput(
+        fmt::format("{}: [[order]] at {} s: expected either limits or non_interactive = true",
+                    at.where(), order.at_s));
   farm::Command command;
   if (order.non_interactive)
     command.content = farm::NonInteractive{};
@@ -110,19 +118,11 @@ const std::vector<Binding<Experiment>>& bindings() {
       {"image.min_influence", "no ray is made below this influence factor; 0..1",
        [](E& e, const P& at) { e.farm.image.limits.min_influence = read_double(at, 0, 1); }},
       {"image.feelers", "all: to every light; front: to those in front of the surface",
-       [](E& e, const P& at) {
-         e.farm.image.feelers = read_name<renderer::Feelers>(at, {"all", "front"});
-       }},
+       [](E& e, const P& at) { e.farm.image.feelers = read_name(at, FEELERS); }},
       {"image.sample", "where in its pixel: corner, center, or lattice (edge to edge)",
-       [](E& e, const P& at) {
-         e.farm.image.sample =
-             read_name<renderer::SamplePosition>(at, {"corner", "center", "lattice"});
-       }},
+       [](E& e, const P& at) { e.farm.image.sample = read_name(at, SAMPLES); }},
       {"image.traversal", "of the hierarchy: exhaustive (the thesis's), nearest or linear",
-       [](E& e, const P& at) {
-         e.farm.image.traversal =
-             read_name<renderer::Traversal>(at, {"exhaustive", "nearest", "linear"});
-       }},
+       [](E& e, const P& at) { e.farm.image.traversal = read_name(at, TRAVERSALS); }},
       {"image.ambient", "intensity of ambient light; 0..1000",
        [](E& e, const P& at) { e.farm.image.ambient = read_double(at, 0, 1000); }},
       {"image.area", "area of interest, [x, y, width, height]; pixels",
@@ -133,8 +133,7 @@ const std::vector<Binding<Experiment>>& bindings() {
        [](E& e, const P& at) { e.farm.seed = std::uint64_t(read_int(at, 0, INT64_MAX)); }},
       {"run.cost", "counted: operations times their cycles",
        [](E& e, const P& at) {
-         read_name<int>(at, {"counted"});
-         e.cost = read_text(at);
+         e.cost = read_name(at, Names<std::string>{{"counted", "counted"}});
        }},
       {"stage", "[[stage]]: limits of the interactive phase, one set after the other",
        [](E& e, const P& at) {

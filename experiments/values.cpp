@@ -46,13 +46,6 @@ std::string read_text(const Place& at) {
   return *value;
 }
 
-std::size_t read_choice(const Place& at, const std::vector<std::string>& names) {
-  const auto value = at.node.value_exact<std::string>();
-  const auto found = value ? std::ranges::find(names, *value) : names.end();
-  if (found == names.end()) at.refuse(fmt::format("one of {}", fmt::join(names, ", ")));
-  return static_cast<std::size_t>(found - names.begin());
-}
-
 renderer::Area read_area(const Place& at) {
   const std::string expected = "[x, y, width, height] in pixels";
   const auto* list = at.node.as_array();

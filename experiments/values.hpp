@@ -1,12 +1,14 @@
 #pragma once
 // Reading single values of a TOML file, with errors that say where, what was found and what was
 // expected.
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "experiments/image_names.hpp"
 #include "renderer/shade.hpp"
 
 namespace experiments {
@@ -28,11 +30,13 @@ std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high);
 double read_double(const Place& at, double low, double high);
 bool read_bool(const Place& at);
 std::string read_text(const Place& at);
-// The index of a text in `names`.
-std::size_t read_choice(const Place& at, const std::vector<std::string>& names);
+// What a name stands for.
 template <class Enum>
-Enum read_name(const Place& at, const std::vector<std::string>& names) {
-  return static_cast<Enum>(read_choice(at, names));
+Enum read_name(const Place& at, const Names<Enum>& names) {
+  const auto key = at.node.value_exact<std::string>();
+  for (const auto& [name, value] : names)
+    if (key == name) return value;
+  at.refuse(fmt::format("one of {}", fmt::join(keys_of(names), ", ")));
 }
 // [x, y, width, height]
 renderer::Area read_area(const Place& at);

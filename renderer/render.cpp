@@ -14,24 +14,6 @@ namespace {
 
 constexpr int MAX_THREADS = 1024;
 
-void count(RayCounts& rays, RayKind kind, bool hit) {
-  switch (kind) {
-    case RayKind::primary:
-      ++rays.primary;
-      rays.primary_hit += hit ? 1 : 0;
-      break;
-    case RayKind::reflected:
-      ++rays.reflected;
-      break;
-    case RayKind::transmitted:
-      ++rays.transmitted;
-      break;
-    case RayKind::shadow:
-      ++rays.shadow;
-      break;
-  }
-}
-
 // What one thread keeps for itself.
 struct Tracer {
   const Scene& scene;
@@ -48,7 +30,7 @@ struct Tracer {
       const Ray ray = stack.back();
       stack.pop_back();
       const std::optional<Hit> hit = intersect(scene, ray, params.traversal, work);
-      count(rays, ray.kind, hit.has_value());
+      rays.add(ray.kind, hit.has_value());
       samples.add(ray.sample, eval_contribution(scene, params, ray, hit, work));
       if (hit) make_children(scene, params, ray, *hit, stack, work);
     }
@@ -90,6 +72,14 @@ class Rows {
 };
 
 }  // namespace
+
+void RayCounts::add(RayKind kind, bool hit) {
+  primary += kind == RayKind::primary;
+  primary_hit += kind == RayKind::primary && hit;
+  reflected += kind == RayKind::reflected;
+  transmitted += kind == RayKind::transmitted;
+  shadow += kind == RayKind::shadow;
+}
 
 RayCounts& RayCounts::operator+=(const RayCounts& other) {
   primary += other.primary;

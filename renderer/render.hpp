@@ -14,6 +14,7 @@ struct RayCounts {
   std::uint64_t reflected = 0, transmitted = 0, shadow = 0;
 
   std::uint64_t total() const { return primary + reflected + transmitted + shadow; }
+  void add(RayKind kind, bool hit);
   RayCounts& operator+=(const RayCounts& other);
   bool operator==(const RayCounts&) const = default;
 };

@@ -74,6 +74,10 @@ void Coordinator::serve(Mode phase) {
   rays_db_is_empty_ = false;
   Command user_message;
   Signal dummy;
+  if (!sender_is_ready_) {
+    in(to_.from_sender, dummy);
+    sender_is_ready_ = true;
+  }
   Intersection intersection;
   while (mode_ == phase) {
     pri_alt(when(to_.from_interaction, user_message, [&] { obey(user_message); }),
@@ -111,18 +115,9 @@ void Coordinator::feed_sender() {
   result_.peak_rays_in_farm = std::max(result_.peak_rays_in_farm, rays_in_farm_);
 }
 
-void count(renderer::RayCounts& rays, renderer::RayKind kind, bool hit) {
-  using enum renderer::RayKind;
-  rays.primary += kind == primary;
-  rays.primary_hit += kind == primary && hit;
-  rays.reflected += kind == reflected;
-  rays.transmitted += kind == transmitted;
-  rays.shadow += kind == shadow;
-}
-
 void Coordinator::take(const Intersection& intersection) {
   --rays_in_farm_;
-  count(result_.rays, intersection.ray.kind, intersection.hit.has_value());
+  result_.rays.add(intersection.ray.kind, intersection.hit.has_value());
   out(to_.into_visualisation, intersection);
   if (!intersection.hit) return;
   renderer::Work work;

@@ -12,12 +12,25 @@ using machine::Machine;
 using machine::Priority;
 using machine::Processor;
 
+namespace {
+
+void check_area(renderer::Params image, const renderer::Area& area) {
+  image.area = area;
+  check(image);
+}
+
+}  // namespace
+
 void check(const Params& params) {
   check(params.image);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     throw machine::InvalidInput(
         fmt::format("max_cell: found {}, expected a power of two", params.max_cell));
   if (params.stages.empty()) throw machine::InvalidInput("stages: at least one is needed");
+  for (const Limits& limits : params.stages) check_area(params.image, limits.area);
+  for (const Order& order : params.script)
+    if (const auto* limits = std::get_if<Limits>(&order.command.content))
+      check_area(params.image, limits->area);
   for (std::size_t i = 1; i < params.script.size(); ++i)
     if (params.script[i].at < params.script[i - 1].at)
       throw machine::InvalidInput(fmt::format("order {}: its time, {} s, is before the last one's",
@@ -33,11 +46,15 @@ std::vector<Order> make_script(const Params& params) {
   return script;
 }
 
+void load_program(Processor& processor) {
+  processor.memory().allocate(get_bytes(processor.model(), "program"), "the program",
+                              processor.now());
+}
+
 // The worker's copy of the scene, in its memory.
-void load_scene_into(Processor& worker, const renderer::Scene& scene) {
+void load_scene(Processor& worker, const renderer::Scene& scene) {
   const auto& model = worker.model();
   auto& memory = worker.memory();
-  memory.allocate(get_bytes(model, "program"), "the program", worker.now());
   memory.allocate(object_count(scene) * get_bytes(model, "object"), "the scene's objects",
                   worker.now());
   memory.allocate(box_count(scene) * get_bytes(model, "box"), "the scene's hierarchy",
@@ -72,7 +89,12 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   machine.connect(coordinator, database);
   machine.connect(coordinator, display);
 
+  for (Processor* central : {&coordinator, &database, &display}) load_program(*central);
   check_initial_rays(database, params.image, bytes.ray);
+  display.memory().allocate(get_bytes(model, "pixel") *
+                                static_cast<std::uint64_t>(params.image.width) *
+                                static_cast<std::uint64_t>(params.image.height),
+                            "the image", display.now());
 
   // The workers.
   KernelProfile profile{.enabled = params.profile};
@@ -81,7 +103,8 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
                       profile};
   const Workers workers = wire_workers(wires, machine, topology, coordinator, small);
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
-    load_scene_into(*workers.processors[id], scene);
+    load_program(*workers.processors[id]);
+    load_scene(*workers.processors[id], scene);
     start_worker(wires, workers, id, kernel);
   }
 

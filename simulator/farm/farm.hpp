@@ -11,11 +11,11 @@
 namespace farm {
 
 struct Params {
-  renderer::Params image;                   // size, shading and its limits
+  renderer::Params image;                               // size, shading and its limits
   std::vector<Limits> stages = std::vector<Limits>(1);  // of the interactive phase
-  std::vector<Order> script;                // the user's orders; Begin and Quit are added
-  int max_cell = 16;                        // pixels, the largest image cell; a power of two
-  std::uint64_t seed = 1;                   // of the order of cells
+  std::vector<Order> script;  // the user's orders; Begin and Quit are added
+  int max_cell = 16;          // pixels, the largest image cell; a power of two
+  std::uint64_t seed = 1;     // of the order of cells
   std::optional<std::uint64_t> worker_memory, database_memory;  // bytes; else the model's
   bool profile = false;  // measure the host time spent in kernels
 };

@@ -42,14 +42,17 @@ std::optional<renderer::Ray> RayStores::take(bool any, DatabaseWork& work) {
 
 void RayStores::set_limits(const Limits& limits, DatabaseWork& work) {
   limits_ = limits;
-  std::vector<renderer::Ray> all = std::exchange(heap_, {});
-  all.insert(all.end(), later_.begin(), later_.end());
-  later_.clear();
-  for (const auto& ray : all) {
-    ++work.ray_classified;
-    ++work.record_stored;
-    (is_interactive(ray, limits_, cells_) ? heap_ : later_).push_back(ray);
-  }
+  const auto heap = std::exchange(heap_, {}), later = std::exchange(later_, {});
+  auto classify = [&](const std::vector<renderer::Ray>& rays, bool was_interactive) {
+    for (const auto& ray : rays) {
+      const bool now = is_interactive(ray, limits_, cells_);
+      ++work.ray_classified;
+      if (now != was_interactive) ++work.record_stored;
+      (now ? heap_ : later_).push_back(ray);
+    }
+  };
+  classify(heap, true);
+  classify(later, false);
   for (std::size_t i = heap_.size() / 2; i-- > 0;) sift_down(i, work);
   note_peaks();
 }

@@ -27,7 +27,7 @@ class RayStores {
   // A feeler if there is one, else the first ray of the heap; else, if `any`, one beyond the
   // limits; else none.
   std::optional<renderer::Ray> take(bool any, DatabaseWork& work);
-  // Sorts all rays into the stores again, and rebuilds the heap.
+  // Classifies all rays again, exchanges them between the stores as necessary, rebuilds the heap.
   void set_limits(const Limits& limits, DatabaseWork& work);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }

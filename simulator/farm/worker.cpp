@@ -6,12 +6,12 @@ namespace farm {
 
 using namespace occam;
 
-void sender(Channel<Signal>& sender_to_main, Channel<Task>& in_, Channel<Task>& out_) {
+void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination) {
   Task message;
   for (bool active = true; active; active = !message.stop()) {
     out(sender_to_main, Signal{});
-    in(in_, message);
-    out(out_, message);
+    in(from_main, message);
+    out(destination, message);
   }
 }
 

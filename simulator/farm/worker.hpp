@@ -12,7 +12,7 @@ namespace farm {
 
 // A sender keeps its router from blocking on one way out: it says that it is free, takes a message
 // and waits for the way out (figure 4.13).
-void sender(Channel<Signal>& sender_to_main, Channel<Task>& in_, Channel<Task>& out_);
+void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination);
 
 // Pushes tasks ahead to any sender that is free, in fair turns (figure 4.14).
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,

@@ -39,18 +39,20 @@ struct Event {
 
 // Two sorts of events: ours, in a heap, and the ends of SimGrid's communications. A round of
 // SimGrid costs more than most of our events, so we run ahead of its clock as far as no
-// communication can end (conservative look-ahead), and ask it to wake us where we must stop.
+// communication can end (conservative look-ahead), and ask it to wake us where we must stop,
+// unless a communication surely ends before.
 struct Engine::Impl {
   std::unique_ptr<s4u::Engine> engine;
   s4u::NetZone* zone = nullptr;
   std::vector<s4u::Host*> hosts;
-  double one_way = 1;  // bytes/s, of the fastest link: no communication is faster
+  double fastest = 1;                                        // bytes/s: no communication is faster,
+  double slowest = std::numeric_limits<double>::infinity();  // and none slower
 
   double now = 0;                                            // may be ahead of SimGrid's clock
   double horizon = std::numeric_limits<double>::infinity();  // no communication ends before
   std::vector<Event> heap;
   std::vector<Callback> soon, soon_now;
-  std::uint64_t asked = 0, handled = 0;
+  std::uint64_t asked = 0, sent = 0, handled = 0;
   double wake_up = std::numeric_limits<double>::infinity();  // a SimGrid timer is set for then
   bool stopped = false;
 
@@ -58,12 +60,22 @@ struct Engine::Impl {
   struct Flight {
     s4u::CommPtr comm;
     Callback arrived;
-    double earliest_end = std::numeric_limits<double>::infinity();
+    int from = 0, to = 0;
+    std::uint64_t bytes = 0, id = 0;
   };
+  // When a communication can end. Those that have ended are dropped when they come to the top.
+  struct Bounds {
+    double earliest, latest;
+    std::size_t slot;
+    std::uint64_t id;
+    bool operator<(const Bounds& o) const { return earliest > o.earliest; }
+  };
+  std::vector<Bounds> ends;
   std::vector<Flight> flights;
+  s4u::CommPtr last_ended;
   std::vector<std::size_t> free_slots;
 
-  void handle(const Callback& callback) {
+  void handle(Callback callback) {
     ++handled;
     callback();
     while (!soon.empty() && !stopped) {
@@ -77,17 +89,23 @@ struct Engine::Impl {
   // certain: communications that end there have ended.
   void run_ahead() {
     const double clock = s4u::Engine::get_clock();
-    horizon = std::numeric_limits<double>::infinity();
-    for (const Flight& flight : flights) horizon = std::min(horizon, flight.earliest_end);
+    while (!ends.empty() && flights[ends.front().slot].id != ends.front().id) {
+      std::ranges::pop_heap(ends, std::less<>());
+      ends.pop_back();
+    }
+    horizon = ends.empty() ? std::numeric_limits<double>::infinity() : ends.front().earliest;
     while (!heap.empty() && !stopped &&
            (heap.front().date < horizon || heap.front().date <= clock)) {
       std::ranges::pop_heap(heap, std::less<>());
-      const Event event = std::move(heap.back());
+      const Event event = heap.back();
       heap.pop_back();
       now = event.date;
       handle(event.callback);
     }
-    if (!heap.empty() && !stopped && heap.front().date < wake_up) {
+    // A communication that surely ends before our next event brings us back here in time.
+    if (heap.empty() || stopped || (!ends.empty() && ends.front().latest < heap.front().date))
+      return;
+    if (heap.front().date < wake_up) {
       wake_up = heap.front().date;
       Timer::set(wake_up, [this, date = wake_up] {
         if (date == wake_up) wake_up = std::numeric_limits<double>::infinity();
@@ -97,16 +115,18 @@ struct Engine::Impl {
     }
   }
 
-  void start(std::size_t slot, int from, int to, std::uint64_t bytes) {
-    auto comm = s4u::Comm::sendto_init(hosts[from], hosts[to]);
-    comm->set_payload_size(bytes)->set_data(reinterpret_cast<void*>(slot));
-    comm->start();
-    flights[slot].comm = std::move(comm);
+  void start(std::size_t slot) {
+    Flight& flight = flights[slot];
+    flight.comm = s4u::Comm::sendto_init(hosts[flight.from], hosts[flight.to]);
+    flight.comm->set_payload_size(flight.bytes);
+    flight.comm->set_data(reinterpret_cast<void*>(slot));
+    flight.comm->start();
   }
 
   void end(std::size_t slot) {
-    const Flight ended = std::exchange(flights[slot], {});
+    Flight ended = std::exchange(flights[slot], {});
     free_slots.push_back(slot);
+    last_ended = std::move(ended.comm);  // SimGrid still uses it when we return
     if (stopped) return;
     now = std::max(now, s4u::Engine::get_clock());
     handle(ended.arrived);
@@ -140,7 +160,8 @@ int Engine::add_processor(const std::string& name) {
 
 void Engine::add_link(int a, int b, LinkRates rates) {
   auto& zone = *impl_->zone;
-  impl_->one_way = std::max(impl_->one_way, rates.one_way);
+  impl_->fastest = std::max(impl_->fastest, rates.one_way);
+  impl_->slowest = std::min({impl_->slowest, rates.one_way, rates.both_ways / 2});
   const auto name = fmt::format("{}-{}", a, b);
   auto* there = zone.create_link(name + ">", rates.one_way)->seal();
   auto* back = zone.create_link(name + "<", rates.one_way)->seal();
@@ -170,15 +191,18 @@ void Engine::transfer(int from, int to, std::uint64_t bytes, Callback arrived) {
   }
   const std::size_t slot = impl.free_slots.back();
   impl.free_slots.pop_back();
-  impl.flights[slot].arrived = std::move(arrived);
-  // A hair early, lest SimGrid round its date down.
-  const double earliest = impl.now + static_cast<double>(bytes) / impl.one_way * (1 - 1e-9);
-  impl.flights[slot].earliest_end = earliest;
+  const std::uint64_t id = ++impl.sent;
+  impl.flights[slot] = {{}, std::move(arrived), from, to, bytes, id};
+  // A hair early, or late, lest SimGrid round its date.
+  const double earliest = impl.now + static_cast<double>(bytes) / impl.fastest * (1 - 1e-9);
+  const double latest = impl.now + static_cast<double>(bytes) / impl.slowest * (1 + 1e-9) + 1e-11;
+  impl.ends.push_back({earliest, latest, slot, id});
+  std::ranges::push_heap(impl.ends, std::less<>());
   impl.horizon = std::min(impl.horizon, earliest);
   if (impl.now > s4u::Engine::get_clock())
-    Timer::set(impl.now, [&impl, slot, from, to, bytes] { impl.start(slot, from, to, bytes); });
+    Timer::set(impl.now, [&impl, slot] { impl.start(slot); });
   else
-    impl.start(slot, from, to, bytes);
+    impl.start(slot);
 }
 
 std::uint64_t Engine::run() {

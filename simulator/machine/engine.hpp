@@ -8,9 +8,10 @@
 //
 // SimGrid's engine is a process-wide singleton: one Engine in the life of a host process.
 #include <cstdint>
-#include <functional>
 #include <memory>
+#include <new>
 #include <string>
+#include <type_traits>
 
 #include "simulator/machine/units.hpp"
 
@@ -19,13 +20,31 @@ namespace machine {
 // "3.32": of the SimGrid that was linked.
 std::string simgrid_version();
 
+// What to do at an event: a small function object, copied as plain bytes (std::function costs an
+// allocation or a call to move, millions of times).
+class Callback {
+ public:
+  Callback() = default;
+  template <class Body>
+  requires(!std::is_same_v<Body, Callback>) Callback(Body body)
+      : call_([](void* at) { (*static_cast<Body*>(at))(); }) {
+    static_assert(sizeof(Body) <= sizeof body_ && std::is_trivially_copyable_v<Body>);
+    new (body_) Body(body);
+  }
+  void operator()() { call_(body_); }
+
+ private:
+  void (*call_)(void*) = nullptr;
+  alignas(8) unsigned char body_[24];
+};
+
 class Engine {
  public:
+  using Callback = machine::Callback;
   struct LinkRates {
     double one_way;    // bytes/s of a direction alone
     double both_ways;  // bytes/s of both directions together
   };
-  using Callback = std::function<void()>;
 
   Engine();
   ~Engine();

@@ -10,6 +10,7 @@ void LinkDirection::transfer(std::uint64_t bytes, Engine::Callback arrived) {
   if (std::exchange(busy_, true)) throw InvariantBroken("two messages at once on link " + name());
   since_ = engine_.now();
   bytes_ = bytes;
+  use_.bytes_sent += bytes;
   arrived_ = std::move(arrived);
   engine_.transfer(from_.id(), to_.id(), bytes, [this] {
     use_.busy += engine_.now() - since_;
@@ -51,9 +52,12 @@ LinkDirection& Machine::link(const Processor& from, const Processor& to) {
 
 void Machine::run() {
   events_ = engine_.run();
+  for (const auto& processor : processors_)
+    if (processor->failure()) std::rethrow_exception(processor->failure());
+  for (const auto& link : links_)
+    check_equal("bytes out of a link", link->use().bytes, link->use().bytes_sent);
   std::string waiting;
   for (const auto& processor : processors_) {
-    if (processor->failure()) std::rethrow_exception(processor->failure());
     for (const auto& process : processor->processes())
       if (process->state() != Process::State::ended)
         waiting += fmt::format("\n  {} waits for {}", process->name(), process->waiting_for());

@@ -9,7 +9,8 @@ namespace machine {
 
 struct LinkUse {
   Seconds busy{};
-  std::uint64_t messages = 0, bytes = 0;
+  std::uint64_t messages = 0, bytes = 0;  // that have arrived
+  std::uint64_t bytes_sent = 0;           // that have been put on the link
 };
 
 // One direction of a link: its DMA engine moves one message at a time.

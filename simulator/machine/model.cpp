@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
 #include "simulator/machine/builtin_models.hpp"
 #include "simulator/machine/faults.hpp"
+#include "topologies/spelling.hpp"
 
 namespace machine {
 
@@ -63,6 +65,8 @@ const std::vector<Field>& fields() {
   return all;
 }
 
+constexpr double LARGEST = 1e12;  // no entry is larger, in any unit
+
 Provenance parse_provenance(const std::string& text, const std::string& where) {
   for (auto p :
        {Provenance::datasheet, Provenance::thesis, Provenance::calibrated, Provenance::assumed})
@@ -86,43 +90,59 @@ Entry parse_entry(const std::string& key, const toml::node& node, const std::str
     if (part != "value" && part != "unit" && part != "provenance" && part != "source")
       throw InvalidInput(fmt::format("{}: unknown part \"{}\"", where, part.str()));
   const auto value = (*table)["value"].value<double>();
-  if (!value || !std::isfinite(*value) || *value < 0)
-    throw InvalidInput(where + ": \"value\" must be a finite number, zero or more");
+  if (!value || !(*value >= 0 && *value <= LARGEST))
+    throw InvalidInput(fmt::format("{}: \"value\" must be a number from 0 to {}", where, LARGEST));
   return {key, *value, text("unit"), parse_provenance(text("provenance"), where), text("source")};
 }
 
-void apply(Model& model, const Entry& entry, const std::string& where) {
-  auto expect_unit = [&](const char* unit) {
-    if (entry.unit != unit)
-      throw InvalidInput(
-          fmt::format("{}: unit: found \"{}\", expected \"{}\"", where, entry.unit, unit));
-  };
-  if (entry.key.starts_with("operation.")) {
-    expect_unit("cycles");
-    model.operation[entry.key.substr(10)] = entry.value;
-  } else if (entry.key.starts_with("scale.")) {
-    expect_unit("1");
-    model.scale[entry.key.substr(6)] = entry.value;
-  } else if (entry.key.starts_with("bytes.")) {
-    expect_unit("bytes");
-    model.bytes[entry.key.substr(6)] = entry.value;
-  } else {
-    const auto known = std::ranges::find(fields(), entry.key, &Field::key);
-    if (known == fields().end())
-      throw InvalidInput(where + ": unknown key (tlab model t805-25 lists the known ones)");
-    expect_unit(known->unit);
-    known->set(model, entry.value);
+// The maps of names that programs bring: a model built on another may change theirs, not add any.
+std::map<std::string, double, std::less<>>* find_map(Model& model, std::string_view section) {
+  if (section == "operation") return &model.operation;
+  if (section == "scale") return &model.scale;
+  if (section == "bytes") return &model.bytes;
+  return nullptr;
+}
+
+void apply(Model& model, const Entry& entry, bool has_base, const std::string& where) {
+  const auto dot = entry.key.find('.');
+  const auto section = entry.key.substr(0, dot), name = entry.key.substr(dot + 1);
+  const auto known = std::ranges::find(fields(), entry.key, &Field::key);
+  auto* map = find_map(model, section);
+  if (known == fields().end() && (!map || (has_base && !map->contains(name)))) {
+    std::vector<std::string> keys;
+    for (const auto& f : fields()) keys.push_back(f.key);
+    for (const auto& e : model.entries) keys.push_back(e.key);
+    throw InvalidInput(fmt::format("{}: unknown key, the nearest valid one is \"{}\"", where,
+                                   topologies::nearest_name(entry.key, keys)));
   }
+  const std::string unit = !map                     ? known->unit
+                           : section == "operation" ? "cycles"
+                           : section == "scale"     ? "1"
+                                                    : "bytes";
+  if (entry.unit != unit)
+    throw InvalidInput(
+        fmt::format("{}: unit: found \"{}\", expected \"{}\"", where, entry.unit, unit));
+  if (map)
+    (*map)[name] = entry.value;
+  else
+    known->set(model, entry.value);
 }
 
-}  // namespace
-
-std::string_view to_string(Provenance provenance) {
-  constexpr std::string_view names[] = {"datasheet", "thesis", "calibrated", "assumed"};
-  return names[static_cast<int>(provenance)];
+void check_model(const Model& model, std::string_view origin) {
+  for (const auto& known : fields())
+    if (std::ranges::find(model.entries, known.key, &Entry::key) == model.entries.end())
+      throw InvalidInput(fmt::format("{}: {} is missing (unit {})", origin, known.key, known.unit));
+  for (const char* key : {"cpu.clock", "link.one_way_rate", "link.both_ways_rate",
+                          "scheduler.slice", "timer.high_tick", "timer.low_tick"})
+    if (std::ranges::find(model.entries, key, &Entry::key)->value <= 0)
+      throw InvalidInput(fmt::format("{}: {}: found 0, expected a value above", origin, key));
 }
 
-Model parse_model(std::string_view text, std::string_view origin) {
+// `inside`: how many files of this chain of bases are being read.
+Model load(std::string_view name, const std::filesystem::path& folder, int inside);
+
+Model parse(std::string_view text, std::string_view origin, const std::filesystem::path& folder,
+            int inside) {
   Model model;
   toml::table file;
   try {
@@ -131,7 +151,13 @@ Model parse_model(std::string_view text, std::string_view origin) {
     throw InvalidInput(
         fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
   }
-  if (auto base = file["base"].value<std::string>()) model = load_model(*base);
+  for (const char* key : {"base", "name"})
+    if (const auto* node = file.get(key); node && !node->is_string())
+      throw InvalidInput(fmt::format("{}:{}: {}: expected a text in quotes", origin,
+                                     node->source().begin.line, key));
+  const auto base = file["base"].value<std::string>();
+  if (base && inside > 8) throw InvalidInput(fmt::format("{}: base: a chain without end", origin));
+  if (base) model = load(*base, folder, inside + 1);
   model.name = file["name"].value_or(std::string());
   for (auto&& [section, content] : file) {
     if (section == "name" || section == "base") continue;
@@ -142,31 +168,44 @@ Model parse_model(std::string_view text, std::string_view origin) {
       const auto key = fmt::format("{}.{}", section.str(), name.str());
       const auto place = fmt::format("{}:{}: {}", origin, node.source().begin.line, key);
       const Entry entry = parse_entry(key, node, place);
-      apply(model, entry, place);
+      apply(model, entry, base.has_value(), place);
       const auto same = std::ranges::find(model.entries, key, &Entry::key);
       same == model.entries.end() ? model.entries.push_back(entry) : void(*same = entry);
     }
   }
   if (model.name.empty()) throw InvalidInput(fmt::format("{}: name is missing", origin));
-  for (const auto& known : fields())
-    if (std::ranges::find(model.entries, known.key, &Entry::key) == model.entries.end())
-      throw InvalidInput(fmt::format("{}: {} is missing (unit {})", origin, known.key, known.unit));
-  if (model.cpu.clock.value <= 0 || model.link.one_way_rate <= 0 || model.link.both_ways_rate <= 0)
-    throw InvalidInput(fmt::format("{}: the clock and the link rates must be above zero", origin));
+  check_model(model, origin);
   return model;
 }
 
-Model load_model(std::string_view name) {
+Model load(std::string_view name, const std::filesystem::path& folder, int inside) {
   for (const auto& [builtin, text] : BUILTIN_MODELS)
-    if (name == builtin) return parse_model(text, fmt::format("model {}", builtin));
+    if (name == builtin) return parse(text, fmt::format("model {}", builtin), folder, inside);
   if (!name.ends_with(".toml"))
     throw InvalidInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
                                    fmt::join(builtin_models(), ", ")));
-  std::ifstream in{std::string(name)};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (text.empty()) throw InvalidInput(fmt::format("{}: the model file cannot be read", name));
-  return parse_model(text, name);
+  const auto path = folder / std::filesystem::path(name);
+  std::ifstream in{path};
+  const bool readable = in && std::filesystem::is_regular_file(path);
+  const std::string text{
+      readable ? std::istreambuf_iterator<char>(in) : std::istreambuf_iterator<char>(), {}};
+  if (text.empty())
+    throw InvalidInput(fmt::format("{}: the model file cannot be read", path.string()));
+  return parse(text, path.string(), path.parent_path(), inside);
 }
+
+}  // namespace
+
+std::string_view to_string(Provenance provenance) {
+  constexpr std::string_view names[] = {"datasheet", "thesis", "calibrated", "assumed"};
+  return names[static_cast<int>(provenance)];
+}
+
+Model parse_model(std::string_view text, std::string_view origin) {
+  return parse(text, origin, "", 0);
+}
+
+Model load_model(std::string_view name) { return load(name, "", 0); }
 
 std::uint64_t get_bytes(const Model& model, std::string_view name) {
   const auto found = model.bytes.find(name);

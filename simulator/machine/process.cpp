@@ -23,6 +23,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
     scheduler_ = std::move(scheduler);
     try {
       body();
+      sync();                          // it ends when its own time has come
     } catch (const std::exception&) {  // not (...): unwinding a fiber must pass
       processor_.fail(std::current_exception());
     }
@@ -45,9 +46,8 @@ void Process::sync() {
   if (debt_.value > 0 || processor_.has_lost_cpu(*this)) suspend();
 }
 
-void Process::block(const char* why, const std::string& on) {
-  why_ = why;
-  on_ = &on;
+void Process::block(const Wait& wait) {
+  wait_ = &wait;
   ++waits_;
   state_ = State::blocked;
   suspend();

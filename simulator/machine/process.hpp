@@ -12,6 +12,14 @@ class Processor;
 
 enum class Priority : std::uint8_t { high, low };
 
+// What a blocked process waits for: told only if the machine deadlocks.
+struct Wait {
+  virtual std::string describe() const = 0;  // "in on worker3.from.left"
+
+ protected:
+  ~Wait() = default;
+};
+
 // Cycles are charged into a debt, so that a process's own time (now) may be ahead of the clock. The
 // debt is paid when the process blocks, or asks for it (sync). A high-priority process cannot lose
 // the CPU, so its own time is certain: it meets others by time stamps and seldom needs to sync. A
@@ -31,9 +39,8 @@ class Process {
   void sync_if_low() {
     if (priority_ == Priority::low) sync();
   }
-  // Gives the CPU up until Processor::make_ready; a low-priority process must have paid. `why` and
-  // `on` are for the deadlock report and must outlive the wait.
-  void block(const char* why, const std::string& on);
+  // Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
+  void block(const Wait& wait);
   // The process's own time: the clock plus its debt.
   Seconds now() const;
 
@@ -43,8 +50,7 @@ class Process {
   State state() const { return state_; }
   // Counts the times it has blocked: tells one wait from the next.
   std::uint64_t waits() const { return waits_; }
-  // "in on worker 3.from.left", for the deadlock report.
-  std::string waiting_for() const { return std::string(why_) + " on " + (on_ ? *on_ : ""); }
+  std::string waiting_for() const { return wait_ ? wait_->describe() : "its start"; }
 
  private:
   friend class Processor;
@@ -59,8 +65,7 @@ class Process {
   Seconds ready_at_{};  // when it joined its ready queue
   std::uint64_t waits_ = 0;
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
-  const char* why_ = "";
-  const std::string* on_ = nullptr;
+  const Wait* wait_ = nullptr;
   boost::context::fiber fiber_, scheduler_;
 };
 

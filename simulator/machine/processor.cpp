@@ -99,10 +99,13 @@ void Processor::preempt(Process& high) {
   running_ = &high;
   if (low_computing_) {
     low_left_ = low_end_ - std::max(now(), low_since_);
-    if (low_since_ > now())
-      use_.busy_high -= low_since_ - std::max(now(), free_at_);  // no more on its way back
-    else
+    if (low_since_ > now()) {
+      const Seconds left = std::max(now(), free_at_);
+      use_.busy_high -= low_since_ - left;  // no more on its way back
+      high_until_ = left;
+    } else {
       use_.busy_low += now() - low_since_;
+    }
   }
   if (free_at_ > now()) {  // the last high-priority process is still there: no pre-emption
     engine_.at(free_at_, [this, &high] { execute(high); });
@@ -142,7 +145,8 @@ void Processor::compute(Process& low, Seconds time) {
 }
 
 void Processor::arm_low_timer() {
-  const Seconds at = low_.empty() ? low_end_ : std::min(low_end_, std::max(now(), slice_end_));
+  const Seconds gives_way = std::max({now(), slice_end_, low_since_});
+  const Seconds at = low_.empty() ? low_end_ : std::min(low_end_, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
   if (timer_armed_ && timer_at_ <= at) return;
   timer_armed_ = true;

@@ -21,7 +21,7 @@ struct Guard {
 };
 
 // Waits until a guard is ready, and returns its index; the input is still to be done, with
-// Channel::in(true). At least one condition must hold. Source: the instructions alt, enbc, altwt,
+// Channel::in(). At least one condition must hold. Source: the instructions alt, enbc, altwt,
 // disc, altend.
 std::size_t select(std::span<const Guard> guards);
 
@@ -36,7 +36,7 @@ std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> c
   const std::size_t n = channels.size();
   for (std::size_t i = 0; i < n; ++i) guards.at(i).channel = channels[(favourite + i) % n];
   const std::size_t chosen = (favourite + select({guards.data(), n})) % n;
-  message = channels[chosen]->in(true);
+  message = channels[chosen]->in();
   return chosen;
 }
 
@@ -46,7 +46,7 @@ struct InputGuard : Guard {
   Message& into;
   Then then;
   void take() {
-    into = from.in(true);
+    into = from.in();
     then();
   }
 };

@@ -15,33 +15,47 @@ void charge(Cycles instructions) {
   self.charge({std::llround(factor * static_cast<double>(instructions.value))});
 }
 
-// Spends what the operation takes up to the rendezvous.
-void ChannelBase::arrive(std::uint64_t bytes, const Process* partner) {
-  Process& self = this_process();
-  const auto& costs = self.processor().model().channel;
-  const auto words = static_cast<std::int64_t>((bytes + 3) / 4);
-  charge(!hard() && partner ? costs.soft_setup + words * costs.copy_word : costs.blocked);
-  self.sync_if_low();
+void ChannelBase::pay(Cycles cost) {
+  charge(cost);
+  this_process().sync_if_low();
+}
+
+// Spends what the operation takes up to the rendezvous. The partner may come while a low-priority
+// process does: then the copy is spent too, of as many `bytes` as there are by then.
+void ChannelBase::arrive(const std::uint64_t& bytes, const Party& partner) {
+  const auto& costs = this_process().processor().model().channel;
+  const auto copy = [&] {
+    return costs.soft_setup + static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
+  };
+  const bool came_second = partner.process;
+  pay(!hard() && came_second ? copy() : costs.blocked);
+  if (!hard() && !came_second && partner.process) pay({copy().value - costs.blocked.value});
+}
+
+// `doing` is for the deadlock report. One end of the channel at most is between here and its wake.
+void ChannelBase::wait(const char* doing) {
+  doing_ = doing;
+  this_process().block(*this);
 }
 
 void ChannelBase::output(std::uint64_t bytes) {
   Process& self = this_process();
-  arrive(bytes, reader_.process);
+  arrive(bytes, reader_);
   if (writer_.process) throw machine::InvariantBroken("two processes output on channel " + name_);
   if (reader_.process) return meet(std::exchange(reader_, {}), bytes);
   writer_ = {&self, self.now()};
   bytes_ = bytes;
   if (alternative_.process) wake_alternative(writer_.since);
-  self.block("out", name_);
+  wait("out");
 }
 
-void ChannelBase::input(bool chosen_by_alt) {
+void ChannelBase::input() {
   Process& self = this_process();
-  if (!chosen_by_alt || !hard()) arrive(bytes_, writer_.process);
+  arrive(bytes_, writer_);
   if (reader_.process) throw machine::InvariantBroken("two processes input on channel " + name_);
   if (writer_.process) return meet(std::exchange(writer_, {}), bytes_);
   reader_ = {&self, self.now()};
-  self.block("in", name_);
+  wait("in");
 }
 
 // Both ends are here; this process came second.
@@ -64,7 +78,7 @@ void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
     processor.engine().at(start, [this] { start_transfer(); });
   else
     start_transfer();
-  self.block("transfer", name_);
+  wait("transfer");
 }
 
 void ChannelBase::start_transfer() {

@@ -29,7 +29,7 @@ struct ChannelUse {
 };
 
 // The untyped half: who waits, and what the rendezvous costs.
-class ChannelBase {
+class ChannelBase : machine::Wait {
  public:
   explicit ChannelBase(std::string name) : name_(std::move(name)) {}
   ChannelBase(std::string name, machine::LinkDirection& link)
@@ -50,7 +50,7 @@ class ChannelBase {
  protected:
   // Each returns when the message has been moved (by the end that `move_message` runs in).
   void output(std::uint64_t bytes);
-  void input(bool chosen_by_alt);
+  void input();
   virtual void move_message() = 0;
   virtual ~ChannelBase() = default;
 
@@ -59,7 +59,10 @@ class ChannelBase {
     Process* process = nullptr;
     machine::Seconds since{};  // its own time of arrival; may be ahead of the clock
   };
-  void arrive(std::uint64_t bytes, const Process* partner);
+  void pay(Cycles cost);
+  void arrive(const std::uint64_t& bytes, const Party& partner);
+  void wait(const char* doing);
+  std::string describe() const override { return std::string(doing_) + " on " + name_; }
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();
@@ -72,6 +75,7 @@ class ChannelBase {
   std::uint64_t alternative_wait_ = 0;  // which of the process's waits that is
   std::uint64_t bytes_ = 0;             // of the output that waits or is under way
   Process* ends_[2] = {};               // of a transfer under way
+  const char* doing_ = "";              // "in", "out" or "transfer": what its blocked process does
   ChannelUse use_;
 };
 
@@ -85,9 +89,9 @@ class Channel : public ChannelBase {
     outgoing_ = std::move(message);
     output(bytes_of(outgoing_));
   }
-  // `channel ? message`. After an ALT has chosen it the input's own instruction is already paid.
-  Message in(bool chosen_by_alt = false) {
-    input(chosen_by_alt);
+  // `channel ? message`
+  Message in() {
+    input();
     return std::move(incoming_);
   }
 

@@ -12,10 +12,20 @@ Seconds tick_of(const Process& process, const machine::Model& model) {
   return {process.priority() == Priority::high ? model.timer.high_tick : model.timer.low_tick};
 }
 
+struct Reason : machine::Wait {
+  explicit Reason(const char* text) : text(text) {}
+  std::string describe() const override { return text; }
+  const char* text;
+};
+
+// Whole ticks up to a time; a hair is added lest rounding lose one.
+std::int64_t whole_ticks(double ticks) {
+  return static_cast<std::int64_t>(std::floor(ticks * (1 + 1e-12) + 1e-9));
+}
+
 }  // namespace
 
 void par(std::initializer_list<Branch> branches) {
-  static const std::string join = "the end of its PAR branches";
   Process& self = this_process();
   machine::Processor& processor = self.processor();
   const auto& costs = processor.model().scheduler;
@@ -35,7 +45,7 @@ void par(std::initializer_list<Branch> branches) {
   self.sync();
   if (running == 0) return;
   waits = true;
-  self.block("par", join);
+  self.block(Reason("the end of its PAR branches"));
 }
 
 std::int64_t read_timer() {
@@ -43,11 +53,10 @@ std::int64_t read_timer() {
   const auto& model = self.processor().model();
   charge(model.timer.read);
   self.sync();
-  return static_cast<std::int64_t>(self.now() / tick_of(self, model));
+  return whole_ticks(self.now() / tick_of(self, model));
 }
 
 void wait_until(std::int64_t tick) {
-  static const std::string timer = "the timer";
   Process& self = this_process();
   machine::Processor& processor = self.processor();
   const auto& model = processor.model();
@@ -56,7 +65,7 @@ void wait_until(std::int64_t tick) {
   self.sync();
   if (self.now() >= date) return;
   processor.engine().at(date, [&processor, &self, date] { processor.make_ready(self, date); });
-  self.block("after", timer);
+  self.block(Reason("the timer"));
 }
 
 std::int64_t ticks(Seconds duration) {

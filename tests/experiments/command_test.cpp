@@ -143,7 +143,7 @@ TEST(ExperimentsCommand, MistakesHaveTheirExitCodesAndLeaveNothing) {
            {{"run", "missing.toml"}, 2, "missing.toml"},
            {small({"--set", "image.width=0"}), 2, "image.width: found 0"},
            {small({"--set", "scene.object=3"}), 2, "scene.objects"},
-           {small({"--set", "scene.source=cut.nff"}), 2, "cut.nff"},
+           {small({"--set", "scene.source=cut.nff"}), 2, "axis objects"},
            {small({"--set", "network.topology=star", "--set", "sweep.workers=[6]"}), 2, "5 links"},
            {small({"--set", "machine.worker_memory_bytes=132000"}), 3, "asked for"},
        }) {

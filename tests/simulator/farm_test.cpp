@@ -166,7 +166,7 @@ TEST(Farm, FaultsSayWhoAndWhat) {
            Refusal{"tree:2", 100, 3,
                    "the program asked for 131072 bytes, 100 of 100 are available"},
            Refusal{"star:5", 1 << 22, 2, "the root uses all four ports"},
-           Refusal{"tree:1", 0, 3, "the initial rays asked for 2147420880 bytes, 25165824 of"},
+           Refusal{"tree:1", 0, 3, "the initial rays asked for 2147420880 bytes, 25034752 of"},
        }) {
     try {
       isolated([&, topology = topology, memory = memory] {
@@ -192,7 +192,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {
       Params params = small_params();
-      params.database_memory = 80 * 24 * 18;
+      params.database_memory = 131072 + 80 * 24 * 18;  // the program and the initial rays
       run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:1"),
                renderer::make_spheres(60), params);
       return std::string();
@@ -200,7 +200,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
     ADD_FAILURE() << "it ran";
   } catch (const experiments::JobFailed& failed) {
     EXPECT_EQ(failed.exit_code, 3);
-    EXPECT_NE(std::string(failed.what()).find("the ray database asked for 80 bytes, 0 of 34560"),
+    EXPECT_NE(std::string(failed.what()).find("the ray database asked for 80 bytes, 0 of 165632"),
               std::string::npos)
         << failed.what();
   }

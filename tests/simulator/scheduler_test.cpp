@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "tests/simulator/bursts.hpp"
 
@@ -54,11 +55,12 @@ TEST(Scheduler, LowProcessIsLateByTheTimeStolenAndTheSwitches) {
   const auto found = isolated_numbers([&] {
     Lab lab;
     std::deque<Recorded> recorded(loads.size());
-    for (int seed = 0; seed < SEEDS; ++seed) start_load(lab.cpu(), loads[seed], recorded[seed]);
+    for (int seed = 0; seed < SEEDS; ++seed)
+      start_load(lab, lab.cpu(), loads[seed], recorded[seed]);
     lab.machine.run();
     Numbers all;
     for (int seed = 0; seed < SEEDS; ++seed) {
-      const auto use = lab.machine.processors()[seed]->use();
+      const auto use = lab.machine.processors()[2 * seed]->use();
       const double clock = model.cpu.clock.value;
       all.insert(all.end(), {recorded[seed].low_end, use.busy_high.value * clock,
                              use.busy_low.value * clock, static_cast<double>(use.preemptions)});
@@ -80,6 +82,27 @@ TEST(Scheduler, LowProcessIsLateByTheTimeStolenAndTheSwitches) {
   EXPECT_EQ(at, found.size());
 }
 
+TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    std::mt19937_64 random(seed);
+    std::vector<std::pair<double, double>> asked;  // date, order
+    for (int i = 0; i < 200; ++i) asked.emplace_back(static_cast<double>(random() % 20), i);
+    const auto found = isolated_numbers([&] {
+      Lab lab;
+      auto& engine = lab.cpu().engine();
+      Numbers order;
+      for (auto [date, i] : asked) engine.at({date}, [&order, i] { order.push_back(i); });
+      lab.machine.run();
+      return order;
+    });
+    std::ranges::stable_sort(asked, {}, &std::pair<double, double>::first);
+    Numbers expected;
+    for (auto [date, i] : asked) expected.push_back(i);
+    EXPECT_EQ(found, expected);
+  }
+}
+
 // What an observer sees at any instant: time that has passed was busy or idle, never negative.
 TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   for (int seed = 0; seed < 20; ++seed) {
@@ -89,7 +112,7 @@ TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
                 Lab lab;
                 Recorded recorded;
                 Processor& cpu = lab.cpu();
-                start_load(cpu, load, recorded);
+                start_load(lab, cpu, load, recorded);
                 std::string wrong;
                 double last = 0, since = 0;
                 const auto sample = [&] {
@@ -100,7 +123,7 @@ TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
                   since = now;
                 };
                 for (std::int64_t date = 0; date < 60'000; date += 3)
-                  cpu.engine().at(Cycles{date} / cpu.clock(), sample);
+                  cpu.engine().at(Cycles{date} / cpu.clock(), [&sample] { sample(); });
                 lab.machine.run();
                 return wrong;
               }),
@@ -108,15 +131,18 @@ TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   }
 }
 
-TEST(Scheduler, TimeOfTheLastHighProcessHasPassedWhenTheMachineStops) {
-  const auto found = isolated_numbers([] {
-    Lab lab;
-    Processor& cpu = lab.cpu();
-    cpu.start("last", Priority::high, [] { compute(1000); });
-    lab.machine.run();
-    return Numbers{lab.cycles(), lab.busy_cycles(cpu)};
-  });
-  EXPECT_EQ(found, (Numbers{1000, 1000}));
+// The end of a body is the last thing its process does: what it spent before has passed by then.
+TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
+  for (auto priority : BOTH_PRIORITIES) {
+    const auto found = isolated_numbers([&] {
+      Lab lab;
+      Processor& cpu = lab.cpu();
+      cpu.start("last", priority, [] { compute(1000); });
+      lab.machine.run();
+      return Numbers{lab.cycles(), lab.busy_cycles(cpu)};
+    });
+    EXPECT_EQ(found, (Numbers{1000, 1000}));
+  }
 }
 
 // High processes in the order they became ready, by simulated time: a process that is made ready at
@@ -128,22 +154,28 @@ TEST(Scheduler, ReadyQueuesAreFirstComeFirstServedBySimulatedTime) {
     Processor& b = lab.neighbour(a);
     auto &soft = lab.soft(), &hard = lab.hard(b, a);
     Numbers ends(3);
-    a.start("by soft channel", Priority::high, [&] { soft.in(), ends[0] = own_cycles(); });
-    a.start("by link", Priority::high, [&] { hard.in(), ends[1] = own_cycles(); });
+    const auto finish = [&ends](int i) {
+      compute(100);
+      ends[i] = own_cycles();
+      this_process().sync();
+    };
+    a.start("by soft channel", Priority::high, [&] { soft.in(), finish(0); });
+    a.start("by link", Priority::high, [&] { hard.in(), finish(1); });
     a.start("ahead of the clock", Priority::high, [&] {
       compute(5000);
       out(soft, Words{});
       compute(5000);
-      ends[2] = own_cycles();
+      finish(2);
     });
     b.start("writer", Priority::high, [&] { out(hard, Words{100}); });
     lab.machine.run();
     return ends;
   });
   const Model model = make_exact_model();
-  EXPECT_EQ(found.at(2), 2 * model.channel.blocked.value + 5000 + soft_cost(model, 4) + 5000);
-  EXPECT_EQ(found.at(1), found.at(2));  // both wait until it ends; neither spends more
-  EXPECT_EQ(found.at(0), found.at(2));
+  const auto last = 2 * model.channel.blocked.value + 5000 + soft_cost(model, 4) + 5000 + 100;
+  EXPECT_EQ(found.at(2), last);
+  EXPECT_EQ(found.at(1), last + 100);
+  EXPECT_EQ(found.at(0), last + 200);
 }
 
 }  // namespace
