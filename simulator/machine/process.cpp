@@ -5,9 +5,33 @@
 #include "simulator/machine/faults.hpp"
 #include "simulator/machine/processor.hpp"
 
+// The address sanitizer must be told when the stack changes. (Host tooling only: no effect on any
+// result.)
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/common_interface_defs.h>
+#endif
+
 namespace machine {
 
 namespace {
+
+const void* scheduler_stack = nullptr;  // of the host, as the sanitizer told it
+std::size_t scheduler_stack_size = 0;
+
+void leaving([[maybe_unused]] void** kept, [[maybe_unused]] const void* stack,
+             [[maybe_unused]] std::size_t size) {
+#ifdef __SANITIZE_ADDRESS__
+  __sanitizer_start_switch_fiber(kept, stack, size);
+#endif
+}
+
+void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
+             [[maybe_unused]] std::size_t* size) {
+#ifdef __SANITIZE_ADDRESS__
+  __sanitizer_finish_switch_fiber(kept, from, size);
+#endif
+}
+
 constexpr std::size_t STACK_BYTES = 128 * 1024;  // host memory; pages are touched on use
 Process* executing = nullptr;
 }  // namespace
@@ -20,6 +44,7 @@ Process& this_process() {
 Process::Process(Processor& processor, std::string name, Priority priority, Body body)
     : processor_(processor), name_(std::move(name)), priority_(priority) {
   auto entry = [this, body = std::move(body)](boost::context::fiber&& scheduler) {
+    arrived(nullptr, &scheduler_stack, &scheduler_stack_size);
     scheduler_ = std::move(scheduler);
     try {
       body();
@@ -28,19 +53,32 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
       processor_.fail(std::current_exception());
     }
     state_ = State::ended;
+    leaving(nullptr, scheduler_stack, scheduler_stack_size);
     return std::move(scheduler_);
   };
-  fiber_ = boost::context::fiber(std::allocator_arg, boost::context::fixedsize_stack(STACK_BYTES),
-                                 std::move(entry));
+  boost::context::fixedsize_stack allocator(STACK_BYTES);
+  const auto stack = allocator.allocate();
+  stack_ = static_cast<const char*>(stack.sp) - stack.size;  // it grows downwards
+  fiber_ = boost::context::fiber(std::allocator_arg,
+                                 boost::context::preallocated(stack.sp, stack.size, stack),
+                                 allocator, std::move(entry));
 }
 
 void Process::resume() {
   executing = this;
+  void* kept = nullptr;
+  leaving(&kept, stack_, STACK_BYTES);
   fiber_ = std::move(fiber_).resume();
+  arrived(kept, nullptr, nullptr);
   executing = nullptr;
 }
 
-void Process::suspend() { scheduler_ = std::move(scheduler_).resume(); }
+void Process::suspend() {
+  void* kept = nullptr;
+  leaving(&kept, scheduler_stack, scheduler_stack_size);
+  scheduler_ = std::move(scheduler_).resume();
+  arrived(kept, &scheduler_stack, &scheduler_stack_size);
+}
 
 void Process::sync() {
   if (debt_.value > 0 || processor_.has_lost_cpu(*this)) suspend();

@@ -67,6 +67,7 @@ class Process {
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   const Wait* wait_ = nullptr;
   boost::context::fiber fiber_, scheduler_;
+  const void* stack_ = nullptr;  // lowest address, for the address sanitizer
 };
 
 // The process whose body is executing. Throws InvariantBroken outside of any process.
