@@ -34,6 +34,10 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 
 constexpr std::size_t STACK_BYTES = 128 * 1024;  // host memory; pages are touched on use
 Process* executing = nullptr;
+
+// Unwinds the body of a process that is destroyed before it has ended.
+struct Cancelled {};
+
 }  // namespace
 
 Process& this_process() {
@@ -47,8 +51,9 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
     arrived(nullptr, &scheduler_stack, &scheduler_stack_size);
     scheduler_ = std::move(scheduler);
     try {
-      body();
-      sync();                          // it ends when its own time has come
+      if (!cancelled_) body();
+      if (!cancelled_) sync();  // it ends when its own time has come
+    } catch (const Cancelled&) {
     } catch (const std::exception&) {  // not (...): unwinding a fiber must pass
       processor_.fail(std::current_exception());
     }
@@ -62,6 +67,11 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
   fiber_ = boost::context::fiber(std::allocator_arg,
                                  boost::context::preallocated(stack.sp, stack.size, stack),
                                  allocator, std::move(entry));
+}
+
+Process::~Process() {
+  cancelled_ = true;
+  while (fiber_) resume();
 }
 
 void Process::resume() {
@@ -78,6 +88,7 @@ void Process::suspend() {
   leaving(&kept, scheduler_stack, scheduler_stack_size);
   scheduler_ = std::move(scheduler_).resume();
   arrived(kept, &scheduler_stack, &scheduler_stack_size);
+  if (cancelled_) throw Cancelled{};
 }
 
 void Process::sync() {

@@ -30,6 +30,9 @@ class Process {
   using Body = std::function<void()>;
 
   Process(Processor& processor, std::string name, Priority priority, Body body);
+  ~Process();  // a body that has not ended is unwound
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
 
   // --- called by the process itself ---------------------------------------------------------
   // Spends cycles; simulated time passes at the next sync or block.
@@ -67,6 +70,7 @@ class Process {
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   const Wait* wait_ = nullptr;
   boost::context::fiber fiber_, scheduler_;
+  bool cancelled_ = false;
   const void* stack_ = nullptr;  // lowest address, for the address sanitizer
 };
 
