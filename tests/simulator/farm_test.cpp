@@ -11,6 +11,7 @@
 #include "renderer/generators.hpp"
 #include "renderer/nff.hpp"
 #include "simulator/machine/faults.hpp"
+#include "tests/simulator/farm_support.hpp"
 
 namespace farm {
 namespace {
@@ -60,16 +61,6 @@ TEST(Farm, ImageEqualsTheSequentialRenderersOnEveryTopology) {
     EXPECT_EQ(compare(topology, glass, small_params()), "") << topology;
     EXPECT_EQ(compare(topology, spheres, small_params()), "") << topology;
   }
-}
-
-Limits random_limits(std::mt19937_64& random) {
-  Limits limits;
-  limits.min_influence = static_cast<double>(random() % 3) / 4;
-  limits.depth_reflected = static_cast<int>(random() % 5);
-  limits.depth_transmitted = static_cast<int>(random() % 5);
-  limits.min_cell = 1 << random() % 5;
-  if (random() % 3 == 0) limits.area = {4, 4, 10, 10};
-  return limits;
 }
 
 // What the user asks for changes the order in which rays are processed, never the picture.

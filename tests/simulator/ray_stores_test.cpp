@@ -7,6 +7,7 @@
 #include <random>
 
 #include "renderer/generators.hpp"
+#include "tests/simulator/farm_support.hpp"
 
 namespace farm {
 namespace {
@@ -23,16 +24,6 @@ renderer::Ray random_ray(std::mt19937_64& random) {
   ray.sample = static_cast<std::uint32_t>(any(32 * 32));
   ray.through = any(2) == 0;
   return ray;
-}
-
-Limits random_limits(std::mt19937_64& random) {
-  Limits limits;
-  limits.min_influence = static_cast<double>(random() % 4) / 4;
-  limits.depth_reflected = static_cast<int>(random() % 5);
-  limits.depth_transmitted = static_cast<int>(random() % 5);
-  limits.min_cell = 1 << random() % 4;
-  if (random() % 2) limits.area = {4, 8, 16, 12};
-  return limits;
 }
 
 // A list that is searched: what the stores must do, without their structure.
