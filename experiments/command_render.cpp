@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.hpp"
@@ -89,6 +90,10 @@ void render_scene(Options& o) {
                                                        "height above zero",
                                                        o.area));
   }
+  if (const auto ending = std::filesystem::path(o.output).extension();
+      !ending.empty() && ending != ".png")
+    throw CLI::ValidationError(
+        "--output", fmt::format("found \"{}\", expected a name that ends in .png", o.output));
   if (o.stats == o.output)
     throw CLI::ValidationError("--stats", "expected another file than the image's");
   renderer::check(o.params);

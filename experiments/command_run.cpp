@@ -22,7 +22,8 @@ void add_run_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
-  std::string keys = "Keys of the experiment file (any of them can be an axis of [sweep]):\n";
+  std::string keys =
+      "Keys of the experiment file (any but those of stage and order can be an axis of [sweep]):\n";
   for (const auto& setting : settings())
     keys += fmt::format("  {:<30} {}\n", setting.key, setting.help);
   command->footer(keys);

@@ -46,6 +46,20 @@ Busy busy_workers(const observe::Use& use) {
   return busy;
 }
 
+// Shares of the time that each processor and each link direction was busy.
+ordered_json use_json(const observe::Use& use) {
+  ordered_json cpus, links;
+  for (const auto& cpu : use.cpus)
+    cpus[cpu.name] = {{"busy", cpu.busy_s / use.time_s},
+                      {"busy_high", cpu.busy_high_s / use.time_s},
+                      {"preemptions", cpu.preemptions},
+                      {"memory_peak_bytes", cpu.memory_peak_bytes}};
+  for (const auto& link : use.links)
+    links[link.from + ">" + link.to] = {
+        {"busy", link.busy_s / use.time_s}, {"messages", link.messages}, {"bytes", link.bytes}};
+  return {{"cpus", cpus}, {"links", links}};
+}
+
 // CPU time of this process: other programs on the host do not count.
 double host_cpu_s() {
   timespec time{};
@@ -155,11 +169,12 @@ ordered_json run_farm_point(const Experiment& experiment, const std::string& ima
           {"objects", scene_objects(experiment, scene)},
           {"row", make_row(result)},
           {"key_images", keys},
+          {"use", use_json(result.use)},
           {"image_hash", hash_of(result.samples)},
           {"host",
            {{"total_s", host_cpu_s() - start_s},
             {"run_s", run_s},
-            {"kernel_s", result.kernel_host_s},
+            {"kernel_s", profile ? ordered_json(result.kernel_host_s) : ordered_json()},
             {"events", result.events}}}};
 }
 

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -31,10 +32,26 @@ fs::path resolve(const fs::path& path) {
   return resolved.has_filename() ? resolved : resolved.parent_path();
 }
 
-void refuse(const fs::path& path, const char* found) {
+void refuse(const fs::path& path, const std::string& found) {
   throw std::invalid_argument(fmt::format(
       "{}: {}; expected a folder that is new, empty, or of earlier results (with a run.json)",
       path.string(), found));
+}
+
+// What `tlab run` writes; anything else in a results folder is somebody's.
+bool is_result(const fs::path& entry) {
+  const auto name = entry.filename().string();
+  const auto ending = entry.extension();
+  if (fs::is_symlink(entry)) return false;
+  if (fs::is_directory(entry)) {
+    if (name != "plots") return false;
+    return std::ranges::all_of(fs::directory_iterator(entry), [](const auto& plot) {
+      const auto kind = plot.path().extension();
+      return plot.is_regular_file() && (kind == ".svg" || kind == ".png");
+    });
+  }
+  return name == "results.csv" || name == "run.json" || name == "report.html" ||
+         (name.starts_with("image-") && ending == ".png");
 }
 
 void check_is_ours(const fs::path& path) {
@@ -46,6 +63,9 @@ void check_is_ours(const fs::path& path) {
   if (!below.empty() && *below.begin() != "..") refuse(path, "holds the current folder");
   if (!fs::is_empty(path) && !fs::exists(path / "run.json"))
     refuse(path, "holds files that are not results");
+  for (const auto& entry : fs::directory_iterator(path))
+    if (!is_result(entry.path()))
+      refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
 std::string partial_prefix(const fs::path& path) {

@@ -65,6 +65,14 @@ std::vector<std::string> choose_images(const ExperimentFile& file) {
   return paths;
 }
 
+// "objects = 200, workers = 3"
+std::string name_of(const Point& point) {
+  std::string name;
+  for (const auto& at : point.at)
+    name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", at.axis, at.toml);
+  return name;
+}
+
 // The image does not depend on topology, number of processors or timing.
 void check_images(const ExperimentFile& file, const std::vector<ordered_json>& results) {
   std::map<std::string, std::uint64_t> hashes;
@@ -105,7 +113,13 @@ void run_experiment(const RunOptions& options) {
     Progress bar("simulating");
     auto job = [&](std::size_t i) {
       const std::string image = images[i].empty() ? "" : (folder.working() / images[i]).string();
-      return run_farm_point(file.points[i].experiment, image, options.profile).dump();
+      try {
+        return run_farm_point(file.points[i].experiment, image, options.profile).dump();
+      } catch (const std::exception& error) {
+        if (file.axes.empty()) throw;
+        throw JobFailed(fmt::format("at {}: {}", name_of(file.points[i]), error.what()),
+                        exit_code_of(error));
+      }
     };
     for (const auto& text : run_jobs(file.points.size(), options.jobs, job,
                                      [&](std::size_t done) { bar.show(done, file.points.size()); }))
@@ -123,7 +137,7 @@ void run_experiment(const RunOptions& options) {
 
   fmt::print("{}\n{}\n", file.points[0].experiment.title, to_text(table, shown_columns(table)));
   if (options.profile) print_profile(table, results);
-  fmt::print("\n{} points in {:.1f} s. Results in {}:\n", table.rows.size(), wall_s,
+  fmt::print("\n{} point(s) in {:.1f} s. Results in {}:\n", table.rows.size(), wall_s,
              output.string());
   fmt::print("  report   {}\n", (output / "report.html").string());
   fmt::print("  table    {}\n", (output / "results.csv").string());

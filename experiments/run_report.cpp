@@ -55,7 +55,7 @@ std::vector<Report::ModelRow> model_rows(const std::vector<machine::Model>& mode
   for (const auto& model : models)
     for (const auto& e : model.entries)
       rows.push_back({models.size() > 1 ? model.name + ": " + e.key : e.key,
-                      fmt::format("{:g}", e.value), e.unit,
+                      machine::to_text(e.value), e.unit,
                       std::string(machine::to_string(e.provenance)), e.source});
   return rows;
 }
@@ -94,8 +94,9 @@ std::vector<std::pair<std::string, std::string>> make_facts(const ExperimentFile
 std::vector<std::string> shown_columns(const Table& table) {
   std::vector<std::string> shown(table.columns.begin(),
                                  table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
-  for (const char* name : {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
-                           "cpu_busy_worker_mean", "cpu_busy_coordinator", "link_busy_max"})
+  for (const char* name :
+       {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency", "cpu_busy_worker_mean",
+        "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max"})
     if (table.find(name)) shown.push_back(name);
   return shown;
 }
@@ -110,6 +111,7 @@ std::string make_run_json(const RunOptions& options, const ExperimentFile& file,
                       {"topology", results[i]["topology"]},
                       {"seed", file.points[i].experiment.farm.seed},
                       {"key_images", results[i]["key_images"]},
+                      {"use", results[i]["use"]},
                       {"host", results[i]["host"]}});
   }
   for (const auto& model : models_of(file)) models.push_back(model_json(model));

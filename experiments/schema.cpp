@@ -26,8 +26,11 @@ void bind_one(Target& target, const std::vector<Binding<Target>>& bindings, cons
   if (found != bindings.end()) return found->set(target, at);
   std::vector<std::string> known;
   for (const auto& b : bindings) known.push_back(b.key);
-  throw InvalidInput(fmt::format("{}: unknown key \"{}\", the nearest valid key is \"{}\"",
-                                 at.where(), at.key, topologies::nearest_name(at.key, known)));
+  const auto same_end = std::ranges::find_if(
+      known, [&](const std::string& key) { return key.ends_with("." + at.key); });
+  throw InvalidInput(
+      fmt::format("{}: unknown key \"{}\", the nearest valid key is \"{}\"", at.where(), at.key,
+                  same_end != known.end() ? *same_end : topologies::nearest_name(at.key, known)));
 }
 
 constexpr std::int64_t MANY = 1'000'000'000;
@@ -159,6 +162,10 @@ const std::vector<Setting>& settings() {
   static const std::vector<Setting> all = [] {
     std::vector<Setting> list;
     for (const auto& b : bindings()) list.push_back({b.key, b.help});
+    for (const auto& b : limit_bindings())
+      list.push_back({"stage." + b.key, b.help + " (also in [[order]])"});
+    list.push_back({"order.at_s", "when the user orders it, from the start of the program; s"});
+    list.push_back({"order.non_interactive", "true: the user leaves the interactive phase"});
     return list;
   }();
   return all;
@@ -166,7 +173,7 @@ const std::vector<Setting>& settings() {
 
 std::string key_of_axis(std::string_view axis, const std::string& origin) {
   std::vector<std::string> known;
-  for (const auto& setting : settings()) {
+  for (const auto& setting : bindings()) {
     const auto last = setting.key.substr(setting.key.rfind('.') + 1);
     if (axis == last || axis == setting.key) return setting.key;
     known.push_back(last);

@@ -220,10 +220,15 @@ std::vector<std::string> builtin_models() {
   return names;
 }
 
+std::string to_text(double value) {
+  return value >= 1 && value == std::floor(value) ? fmt::format("{:.0f}", value)
+                                                  : fmt::format("{:g}", value);
+}
+
 std::string describe(const Model& model) {
   std::string text = fmt::format("model {}\n", model.name);
   for (const auto& e : model.entries)
-    text += fmt::format("{:<28} {:>12g} {:<8} {:<11} {}\n", e.key, e.value, e.unit,
+    text += fmt::format("{:<28} {:>12} {:<8} {:<11} {}\n", e.key, to_text(e.value), e.unit,
                         to_string(e.provenance), e.source);
   return text;
 }

@@ -72,6 +72,7 @@ std::uint64_t get_bytes(const Model& model, std::string_view name);
 Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
 std::vector<std::string> builtin_models();
+std::string to_text(double value);         // whole numbers in full
 std::string describe(const Model& model);  // a table of every entry
 std::string_view to_string(Provenance provenance);
 

@@ -110,6 +110,14 @@ TEST(ExperimentsCommand, OlderResultsAreReplacedButNeverSomethingElse) {
   const auto refused = tlab(folder.path, small({"-o", "mine"}));
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "mine/thesis.txt"), "years of work");
+  // Nor beside results.
+  std::ofstream(folder.path / "r/thesis.txt") << "years of work";
+  EXPECT_EQ(tlab(folder.path, run).exit_code, 2);
+  EXPECT_EQ(read_file(folder.path / "r/thesis.txt"), "years of work");
+  fs::remove(folder.path / "r/thesis.txt");
+  std::ofstream(folder.path / "r/plots/notes.md") << "mine";
+  EXPECT_EQ(tlab(folder.path, run).exit_code, 2);
+  EXPECT_EQ(read_file(folder.path / "r/plots/notes.md"), "mine");
 }
 
 struct Mistake {
