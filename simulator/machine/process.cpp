@@ -5,8 +5,7 @@
 #include "simulator/machine/faults.hpp"
 #include "simulator/machine/processor.hpp"
 
-// The address sanitizer must be told when the stack changes. (Host tooling only: no effect on any
-// result.)
+// The address sanitizer must be told when the stack changes; no effect on any result.
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/common_interface_defs.h>
 #endif
@@ -54,7 +53,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
       if (!cancelled_) body();
       if (!cancelled_) sync();  // it ends when its own time has come
     } catch (const Cancelled&) {
-    } catch (const std::exception&) {  // not (...): unwinding a fiber must pass
+    } catch (const std::exception&) {
       processor_.fail(std::current_exception());
     }
     state_ = State::ended;

@@ -32,7 +32,7 @@ void ChannelBase::arrive(const std::uint64_t& bytes, const Party& partner) {
   if (!hard() && !came_second && partner.process) pay({copy().value - costs.blocked.value});
 }
 
-// `doing` is for the deadlock report. One end of the channel at most is between here and its wake.
+// `doing` is for the deadlock report. Where both ends wait, both wait for the transfer.
 void ChannelBase::wait(const char* doing) {
   doing_ = doing;
   this_process().block(*this);
