@@ -5,8 +5,34 @@
 #include "experiments/commands.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/run.hpp"
+#include "simulator/patterns/pattern.hpp"
 
 namespace experiments {
+
+namespace {
+
+std::string describe_keys() {
+  std::string text =
+      "Keys of the experiment file (any but program.name and those of stage, order, let and check\n"
+      "can be an axis of [sweep]):\n";
+  for (const auto& setting : settings())
+    text += fmt::format("  {:<30} {}\n", setting.key, setting.help);
+  return text;
+}
+
+std::string describe_programs() {
+  std::string text = fmt::format("\nPrograms (program.name):\n  {:<30} {}\n", "farm",
+                                 "the ray tracer of the thesis's chapter 4: all keys above");
+  for (const auto& pattern : patterns::all_patterns()) {
+    text += fmt::format("  {:<30} {}\n", pattern.name, pattern.help);
+    for (const auto& p : pattern.parameters)
+      text += fmt::format("    {:<28} {}; {}{}..{} [{}]\n", "program." + p.name, p.help,
+                          p.whole ? "whole, " : "", p.low, p.high, p.value);
+  }
+  return text;
+}
+
+}  // namespace
 
 void add_run_command(CLI::App& app) {
   auto* command = app.add_subcommand("run", "run an experiment: one run, or a sweep");
@@ -22,11 +48,15 @@ void add_run_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
-  std::string keys =
-      "Keys of the experiment file (any but those of stage and order can be an axis of [sweep]):\n";
-  for (const auto& setting : settings())
-    keys += fmt::format("  {:<30} {}\n", setting.key, setting.help);
-  command->footer(keys);
+  command->add_option("--until", o->until_s, "simulated seconds after which a point is cut short")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--from", o->from_s, "simulated seconds at which trace and time line begin")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--trace", o->trace,
+                      "a file for what every processor and link did in the one point: .json for "
+                      "Perfetto and chrome://tracing, .paje for ViTE");
+  command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
+  command->footer(describe_keys() + describe_programs());
   command->callback([o, output] {
     if (output->count() > 0 && o->output.empty())
       throw CLI::ValidationError("--output", "expected the name of a folder");

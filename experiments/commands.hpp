@@ -7,6 +7,7 @@ namespace experiments {
 void add_topology_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_run_command(CLI::App& app);
+void add_verify_command(CLI::App& app);
 void add_model_command(CLI::App& app);
 
 // Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a

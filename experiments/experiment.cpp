@@ -4,8 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <tuple>
 
+#include "experiments/program.hpp"
 #include "experiments/schema.hpp"
 #include "experiments/values.hpp"
 #include "simulator/machine/faults.hpp"
@@ -27,12 +28,6 @@ toml::table parse(std::string_view text, const std::string& origin) {
   }
 }
 
-std::string to_toml(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& n) { text << n; });
-  return text.str();
-}
-
 // Sets a dotted key, making the sections it names.
 void assign(toml::table& file, std::string_view key, const toml::node& value) {
   toml::table* section = &file;
@@ -45,7 +40,7 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   section->insert_or_assign(key, value);
 }
 
-// "scene.objects=800". What is not TOML is taken for a text.
+// "scene.objects=800". What is not TOML is taken for a text. An axis has a name, dots or not.
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
@@ -59,34 +54,84 @@ void override_key(toml::table& file, const std::string& text) {
   }
   if (parsed.size() != 1)
     throw InvalidInput(fmt::format("--set {}: expected one value after '='", text));
-  assign(file, key, *parsed.get("value"));
+  if (!key.starts_with("sweep.")) return assign(file, key, *parsed.get("value"));
+  auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
+  if (!sweep) throw InvalidInput("sweep: not a section");
+  sweep->insert_or_assign(key.substr(6), *parsed.get("value"));
 }
 
-struct Axis {
-  std::string name, key;
-  std::vector<const toml::node*> values;
-};
+// The axes of [sweep] as a flat table: names with dots may stand there with or without quotes.
+void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
+  for (auto&& [name, node] : from) {
+    const auto dotted = prefix + std::string(name.str());
+    if (auto* table = node.as_table())
+      flatten(*table, dotted + ".", into);
+    else
+      node.visit([&](auto& value) { into.insert(dotted, std::move(value)); });  // keeps its line
+  }
+}
 
-std::vector<Axis> read_axes(const toml::table& file, const std::string& origin) {
-  std::vector<Axis> axes;
-  const auto* node = file.get("sweep");
-  if (!node) return axes;
+toml::table* flatten_sweep(toml::table& file, const std::string& origin) {
+  auto* node = file.get("sweep");
+  if (!node) return nullptr;
   if (!node->is_table())
     throw InvalidInput(fmt::format("{}: sweep: expected a section of axes", origin));
-  for (auto&& [name, values] : *node->as_table()) {
-    const Place at{origin, fmt::format("sweep.{}", name.str()), "", values};
-    Axis axis{std::string(name.str()), key_of_axis(name.str(), origin), {}};
+  toml::table flat;
+  flatten(*node->as_table(), "", flat);
+  *node->as_table() = std::move(flat);
+  return node->as_table();
+}
+
+// Adds the names of the axes that are new, in the order of the file. (TOML tables are sorted by
+// name.)
+void add_names(std::vector<std::string>& order, toml::table& file, const std::string& origin) {
+  const auto* sweep = flatten_sweep(file, origin);
+  if (!sweep) return;
+  std::vector<std::tuple<unsigned, unsigned, std::string>> found;
+  for (auto&& [name, values] : *sweep) {
+    const auto& source = values.source().begin;
+    found.emplace_back(source.line, source.column, std::string(name.str()));
+  }
+  std::ranges::sort(found);
+  for (const auto& [line, column, name] : found)
+    if (std::ranges::find(order, name) == order.end()) order.push_back(name);
+}
+
+std::vector<Axis> read_axes(const toml::table& file, const std::vector<std::string>& order,
+                            const std::string& origin) {
+  std::vector<Axis> axes;
+  const auto* sweep = file["sweep"].as_table();
+  if (!sweep) return axes;
+  const auto program = read_program(file, origin);
+  for (const auto& name : order) {
+    if (!sweep->contains(name)) continue;  // --set has replaced the section
+    const toml::node& values = *sweep->get(name);
+    const Place at{origin, "sweep." + name, "", values};
+    Axis axis = name_axis(name, program, origin);
+    if (std::ranges::find(axes, axis.key, &Axis::key) != axes.end())
+      at.refuse("each axis once, " + axis.key + " is there already");
     const auto* list = values.as_array();
     if (!list || list->empty()) at.refuse("an array of values");
     for (const auto& value : *list) axis.values.push_back(&value);
-    axes.push_back(axis);
+    axes.push_back(std::move(axis));
   }
-  // In the order of the file; TOML tables are sorted by name.
-  std::ranges::sort(axes, {}, [](const Axis& a) {
-    const auto& source = a.values.front()->source().begin;
-    return std::pair(source.line, source.column);
-  });
   return axes;
+}
+
+// What the file gives, then what an axis gives in its place.
+std::map<std::string, double, std::less<>> find_numbers(
+    const toml::table& file, const std::vector<Replacement>& replacements) {
+  std::map<std::string, double, std::less<>> numbers;
+  auto add = [&](const std::string& key, const toml::node& node) {
+    if (key.starts_with("model.")) return;  // the machine model has them, by their own names
+    if (node.is_number())
+      numbers[key] = *node.value<double>();
+    else
+      numbers.erase(key);
+  };
+  for_each_key(file, add);
+  for (const auto& [key, value] : replacements) add(key, *value);
+  return numbers;
 }
 
 }  // namespace
@@ -97,11 +142,17 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
     throw InvalidInput(fmt::format("{}: the experiment file cannot be read", path));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   toml::table file = parse(text, path);
-  for (const auto& override : overrides) override_key(file, override);
+  std::vector<std::string> order;
+  add_names(order, file, path);
+  for (const auto& override : overrides) {
+    override_key(file, override);
+    add_names(order, file, path);
+  }
 
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  const auto axes = read_axes(file, path);
-  ExperimentFile experiment{path, to_toml(file), {}, {}};
+  const auto axes = read_axes(file, order, path);
+  ExperimentFile experiment{
+      path, to_toml(file), {}, {}, read_definitions(file, path), read_checks(file, path, folder)};
   std::size_t points = 1;
   for (const auto& axis : axes) {
     experiment.axes.push_back(axis.name);
@@ -120,9 +171,17 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
       point.at.insert(point.at.begin(), {axis->name, to_toml(value)});
     }
     point.experiment = bind_settings(file, replacements, path, folder);
+    point.numbers = find_numbers(file, replacements);
     experiment.points.push_back(std::move(point));
   }
   return experiment;
+}
+
+std::string name_of(const Point& point) {
+  std::string name;
+  for (const auto& at : point.at)
+    name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", at.axis, at.toml);
+  return name;
 }
 
 }  // namespace experiments

@@ -1,9 +1,13 @@
 #pragma once
 // The experiment file: one TOML file that describes a machine, a topology, a scene and a strategy.
+#include <array>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "experiments/checks.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/farm.hpp"
 
@@ -12,9 +16,15 @@ namespace experiments {
 // One run, with every key of the file at its value or default.
 struct Experiment {
   std::string title, question;
-  std::string model = "t805-25";  // [machine]
+  std::string program = "farm";                           // [program]: or the name of a pattern
+  std::map<std::string, double, std::less<>> parameters;  // of the pattern, each with a value
+  std::string model = "t805-25";                          // [machine]
+  // [model]: "link.one_way_rate" and its value in TOML's spelling.
+  std::vector<std::pair<std::string, std::string>> model_overrides;
   std::string topology = "tree";  // [network]: a generator sized by `workers`, a spec, or a file
   std::int64_t workers = 7;
+  int switches = 0;  // C004 link switches on every link between workers, but on those of
+  std::vector<std::array<int, 3>> switches_between;  // these: two workers, from 0, and how many
   std::string scene = "spheres";  // [scene]: "spheres" made of `objects`, or a file
   std::int64_t objects = 200;
   farm::Params farm;             // [image], [farm], [[stage]], [[order]]
@@ -23,7 +33,8 @@ struct Experiment {
 
 // A key of the experiment file.
 struct Setting {
-  std::string key;   // "scene.objects"; an axis of [sweep] is called by its last part, "objects"
+  std::string key;   // "scene.objects"; an axis of [sweep] is called by its last part, "objects",
+                     // but one of the model "model.link.one_way_rate"
   std::string help;  // what it is, with unit and range
 };
 const std::vector<Setting>& settings();
@@ -38,13 +49,21 @@ struct Coordinate {
 struct Point {
   std::vector<Coordinate> at;  // the axes of [sweep], in order
   Experiment experiment;
+  // The numbers that the file gives to keys: "image.width" -> 100. What it leaves to defaults is
+  // not here.
+  std::map<std::string, double, std::less<>> numbers;
 };
+
+// "objects = 200, workers = 3"; "" for the one point of a file without a sweep.
+std::string name_of(const Point& point);
 
 struct ExperimentFile {
   std::string path;
   std::string resolved;           // the file with --set applied, as TOML
   std::vector<std::string> axes;  // of [sweep]
   std::vector<Point> points;      // the last axis runs fastest; one point if there is no sweep
+  std::vector<Definition> definitions;  // [let]
+  std::vector<Check> checks;            // [[check]]
 };
 
 // Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also be

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <set>
 
+#include "experiments/machine_model.hpp"
 #include "renderer/load.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -100,12 +102,15 @@ ordered_json make_row(const farm::Result& r) {
           {"database_feelers_max", r.peaks.feelers},
           {"database_heap_max", r.peaks.heap},
           {"database_later_max", r.peaks.later},
-          {"worker_memory_bytes", memory}};
+          {"worker_memory_bytes", memory},
+          {"ended", machine::to_string(r.end)}};
 }
 
 }  // namespace
 
-topologies::Topology make_workers(const Experiment& experiment) {
+namespace {
+
+topologies::Topology make_network(const Experiment& experiment) {
   const std::string& name = experiment.topology;
   const auto n = experiment.workers;
   if (has_own_workers(experiment)) return topologies::make_topology(name);
@@ -127,6 +132,24 @@ topologies::Topology make_workers(const Experiment& experiment) {
   return topologies::make_topology(fmt::format("{}:{}", name, n));
 }
 
+}  // namespace
+
+topologies::Topology make_workers(const Experiment& experiment) {
+  auto topology = make_network(experiment);
+  std::set<std::pair<int, int>> links;
+  for (const auto& link : topology.links) links.emplace(link.a.processor, link.b.processor);
+  if (experiment.switches > 0)
+    for (const auto& link : links) topology.switches[link] = experiment.switches;
+  for (const auto& [a, b, count] : experiment.switches_between) {
+    if (!links.contains(std::minmax(a, b)))
+      throw machine::InvalidInput(
+          fmt::format("network.switches: found [{}, {}, {}], but no link of {} joins {} and {}", a,
+                      b, count, topology.name, a, b));
+    topology.switches[std::minmax(a, b)] = count;
+  }
+  return topology;
+}
+
 bool has_own_workers(const Experiment& experiment) {
   return experiment.topology.find_first_of(":./") != std::string::npos;
 }
@@ -144,13 +167,15 @@ std::int64_t scene_objects(const Experiment& experiment, const renderer::Scene& 
   return scene_source(experiment).starts_with("spheres:") ? all - 1 : all;
 }
 
-ordered_json run_farm_point(const Experiment& experiment, const std::string& image, bool profile) {
+ordered_json run_farm_point(const Experiment& experiment, const std::string& image, bool profile,
+                            observe::Watch& watch) {
   const double start_s = host_cpu_s();
-  const auto model = machine::load_model(experiment.model);
+  const auto model = make_model(experiment);
   const auto topology = make_workers(experiment);
   const auto scene = renderer::load_scene(scene_source(experiment));
   farm::Params params = experiment.farm;
   params.profile = profile;
+  params.watch = &watch;
 
   const double run_start_s = host_cpu_s();
   const farm::Result result = farm::run_farm(model, topology, scene, params);
@@ -168,6 +193,7 @@ ordered_json run_farm_point(const Experiment& experiment, const std::string& ima
           {"workers", topology.processors},
           {"objects", scene_objects(experiment, scene)},
           {"row", make_row(result)},
+          {"ended", machine::to_string(result.end)},
           {"key_images", keys},
           {"use", use_json(result.use)},
           {"image_hash", hash_of(result.samples)},

@@ -18,10 +18,12 @@ std::string scene_source(const Experiment& experiment);
 
 // Runs the farm and returns
 //   "row": name -> number or text, the columns of results.csv after the axes, in order;
+//   "ended": done, limit or interrupt: then the row is what was measured until then;
 //   "image_hash": of the samples, to compare images;
 //   "host": what the run cost the host, in seconds of CPU time: never part of a result.
 // The image goes to `image`, unless that is empty; key images beside it.
+// `watch`: its limit, and what is traced.
 nlohmann::ordered_json run_farm_point(const Experiment& experiment, const std::string& image,
-                                      bool profile);
+                                      bool profile, observe::Watch& watch);
 
 }  // namespace experiments

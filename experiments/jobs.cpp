@@ -11,9 +11,11 @@
 #include <map>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "renderer/load.hpp"
 #include "renderer/nff.hpp"
+#include "simulator/machine/engine.hpp"
 #include "simulator/machine/faults.hpp"
 #include "topologies/topology.hpp"
 
@@ -29,7 +31,7 @@ class SignalGuard {
   SignalGuard() {
     interrupted = 0;
     struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_handler = [](int) { interrupted = interrupted + 1; };
     sigaction(SIGINT, &action, &old_int_);
     sigaction(SIGTERM, &action, &old_term_);
   }
@@ -61,8 +63,7 @@ void write_all(int fd, const std::string& text) {
 
 [[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a parent that was killed
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
+  for (int asked : {SIGINT, SIGTERM}) signal(asked, [](int) { machine::request_stop(); });
   std::string reply;
   try {
     reply = '\0' + job(index);
@@ -103,7 +104,8 @@ class Pool {
       std::vector<pollfd> fds;
       for (const auto& [fd, child] : children_) fds.push_back({fd, POLLIN, 0});
       const int ready = poll(fds.data(), fds.size(), 1000);
-      if (interrupted) throw Interrupted();
+      if (interrupted > 1) throw Interrupted();
+      if (interrupted == 1 && !std::exchange(stopping_, true)) stop_all();
       if (ready <= 0) continue;
       for (const auto& p : fds)
         if (p.revents != 0)
@@ -114,6 +116,10 @@ class Pool {
   std::size_t size() const { return children_.size(); }
 
  private:
+  void stop_all() {
+    for (const auto& [fd, child] : children_) kill(child.pid, SIGINT);
+  }
+
   std::optional<std::pair<std::size_t, std::string>> read_some(int fd) {
     char buffer[65536];
     const ssize_t n = read(fd, buffer, sizeof buffer);
@@ -137,34 +143,38 @@ class Pool {
   }
 
   std::map<int, Child> children_;  // by the pipe's reading end
+  bool stopping_ = false;
 };
 
 }  // namespace
 
 std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job,
-                                  const std::function<void(std::size_t done)>& done) {
+                                  const Ended& ended) {
   const SignalGuard guard;
   std::vector<std::string> results(count);
   Pool pool;
   std::size_t started = 0, finished = 0;
   while (finished < count) {
-    while (started < count && pool.size() < std::max<std::size_t>(parallel, 1))
+    while (!interrupted && started < count && pool.size() < std::max<std::size_t>(parallel, 1))
       pool.start(job, started++);
+    if (pool.size() == 0) break;
     auto [index, result] = pool.wait_any();
     results[index] = std::move(result);
-    if (done)
-      done(++finished);
-    else
-      ++finished;
+    ++finished;
+    if (ended) ended(finished, index, results[index]);
   }
+  if (interrupted && finished == 0) throw Interrupted();
   return results;
 }
+
+bool was_interrupted() { return interrupted != 0; }
 
 int exit_code_of(const std::exception& error) {
   if (const auto* failed = dynamic_cast<const JobFailed*>(&error)) return failed->exit_code;
   if (dynamic_cast<const machine::Fault*>(&error)) return 3;
   if (dynamic_cast<const machine::InvariantBroken*>(&error)) return 1;
-  if (dynamic_cast<const Interrupted*>(&error)) return 130;
+  if (dynamic_cast<const ChecksFailed*>(&error)) return 1;
+  if (dynamic_cast<const Interrupted*>(&error) || dynamic_cast<const CutShort*>(&error)) return 130;
   return 2;
 }
 

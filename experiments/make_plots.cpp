@@ -85,8 +85,8 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
 bool is_geometric(const Table& table, std::size_t axis) {
   double smallest = INFINITY, largest = 0;
   for (const auto& value : distinct(table, axis)) {
-    smallest = std::min(smallest, *as_number(value));
-    largest = std::max(largest, *as_number(value));
+    smallest = std::min(smallest, as_number(value).value_or(0));
+    largest = std::max(largest, as_number(value).value_or(0));
   }
   return smallest > 0 && largest / smallest >= 16;
 }
@@ -125,6 +125,31 @@ std::vector<Plot> make_plots(const Table& table) {
         plot.y_max = std::max(*plot.y_max, 1.05 * std::ranges::max(series.y));
     }
     plots.push_back(std::move(plot));
+  }
+  return plots;
+}
+
+std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>& columns) {
+  const auto x = choose_x(table);
+  std::vector<Plot> plots;
+  std::vector<std::size_t> others;
+  for (std::size_t axis = 0; axis < table.axes; ++axis)
+    if (x && axis != *x && distinct(table, axis).size() > 1) others.push_back(axis);
+  for (const auto& column : columns) {
+    const auto y = table.find(column);
+    if (!x || !y) continue;
+    const auto label = make_label(column);
+    Plot plot{.name = column,
+              .title = label.substr(0, label.rfind(" [")),
+              .x_label = make_label(table.columns[*x]),
+              .y_label = label,
+              .series = make_series(table, *x, *y, others),
+              .log_x = is_geometric(table, *x),
+              .log_y = is_geometric(table, *x) && is_geometric(table, *y),
+              .y_min = {},
+              .y_max = {}};
+    if (!plot.log_y) plot.y_min = 0;
+    if (!plot.series.empty()) plots.push_back(std::move(plot));
   }
   return plots;
 }

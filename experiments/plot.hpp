@@ -34,6 +34,10 @@ struct Plot {
 /// not. Points come in the order of x.
 std::vector<Plot> make_plots(const Table& table);
 
+/// Of these columns instead. Both scales are logarithmic where the values of both span more than
+/// a decade.
+std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>& columns);
+
 /// Writes NAME.svg (800 x 500, higher for a long key) and NAME.png (twice that) into an existing
 /// folder; the bytes depend on the plot and on gnuplot's version and fonts only.
 /// std::invalid_argument, naming the plot, for one without points or with a name that is no file

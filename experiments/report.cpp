@@ -39,10 +39,8 @@ std::vector<bool> find_groups(const Table& table) {
   return begins;
 }
 
-std::string make_results(const Report& report) {
-  const Table& table = report.table;
-  if (table.rows.empty()) return {};
-  const auto shown = find_all(table, report.shown_columns);
+std::string make_table_html(const Table& table, const std::vector<std::string>& columns) {
+  const auto shown = find_all(table, columns);
   const auto begins = find_groups(table);
   std::string head;
   std::vector<std::string> rows(table.rows.size());
@@ -58,10 +56,27 @@ std::string make_results(const Report& report) {
   std::string html = "<div class=\"wide\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < rows.size(); ++i)
     html += fmt::format("<tr{}>{}</tr>\n", begins[i] ? " class=\"group\"" : "", rows[i]);
-  return html + fmt::format(
-                    "</tbody>\n</table></div>\n<p class=\"download\"><a download=\"results.csv\" "
-                    "href=\"{}\">All {} columns as CSV</a></p>\n",
-                    to_data_uri("text/csv", to_csv(table)), table.columns.size());
+  return html + "</tbody>\n</table></div>\n";
+}
+
+std::string make_results(const Report& report) {
+  const Table& table = report.table;
+  if (table.rows.empty()) return {};
+  return make_table_html(table, report.shown_columns) +
+         fmt::format(
+             "<p class=\"download\"><a download=\"results.csv\" href=\"{}\">All {} columns as "
+             "CSV</a></p>\n",
+             to_data_uri("text/csv", to_csv(table)), table.columns.size());
+}
+
+std::string make_checks(const Report& report) {
+  std::string html;
+  for (const auto& check : report.checks) {
+    html += fmt::format("<p>{}</p>\n", escape_html(check.summary));
+    for (const auto& note : check.notes) html += fmt::format("<p>{}</p>\n", escape_html(note));
+    if (!check.table.rows.empty()) html += make_table_html(check.table, {});
+  }
+  return html;
 }
 
 std::string make_plot_figures(const Report& report) {
@@ -145,6 +160,7 @@ std::string make_report(const Report& report) {
   html += make_facts(report) + "</header>\n";
   html += make_section("Plots", make_plot_figures(report));
   html += make_section("Results", make_results(report));
+  html += make_section("Checks", make_checks(report));
   html += make_section("Images", make_image_figures(report));
   html += make_section("Notes", make_notes(report));
   html += make_section("How to reproduce", make_reproduction(report));

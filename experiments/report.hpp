@@ -22,6 +22,12 @@ struct Report {
     std::string key, value, unit, provenance, source;
   };
 
+  struct CheckRow {
+    std::string summary;  ///< one line: does it hold, how well
+    Table table;          ///< its points
+    std::vector<std::string> notes;
+  };
+
   std::string title, question;
   Table table;                                             ///< whole, as a download inside the page
   std::vector<std::string> shown_columns;                  ///< in the page; none: all
@@ -29,13 +35,14 @@ struct Report {
   std::vector<Plot> plots;
   std::filesystem::path plots_folder;  ///< where draw_plot has put them
   std::vector<ReportImage> images;
+  std::vector<CheckRow> checks;
   std::string experiment_toml;  ///< every setting, resolved
   std::string command;          ///< how to reproduce
   std::vector<ModelRow> model;
   std::vector<std::string> notes;
 };
 
-/// The page: question, facts, plots, table, images, notes, how to reproduce, machine model.
+/// The page: question, facts, plots, table, checks, images, notes, how to reproduce, machine model.
 /// Sections without content are left out. Same report, same bytes: no date. Throws
 /// std::system_error for a plot or image that cannot be read, std::invalid_argument for one that is
 /// no SVG or PNG and for shown columns that do not exist.

@@ -6,12 +6,45 @@
 #include <filesystem>
 
 #include "experiments/farm_run.hpp"
+#include "experiments/pattern_table.hpp"
 
 namespace experiments {
 
 namespace {
 
 using nlohmann::ordered_json;
+
+bool is_standard(const std::string& axis) {
+  return axis == "topology" || axis == "workers" || axis == "objects";
+}
+
+// Speed-up over the row of one worker with the same other axes.
+void add_speedups(Table& table) {
+  const std::size_t workers = *table.find("workers"), time = *table.find("time_s");
+  const std::size_t speedup = *table.find("speedup"), efficiency = *table.find("efficiency");
+  const Value one = std::int64_t{1};
+  for (auto& row : table.rows) {
+    const auto base = std::ranges::find_if(table.rows, [&](const auto& other) {
+      for (std::size_t c = 0; c < table.axes; ++c)
+        if (other[c] != (c == workers ? one : row[c])) return false;
+      return true;
+    });
+    if (base == table.rows.end() || !is_complete_row(table, *base) || !is_complete_row(table, row))
+      continue;
+    const double s = *as_number((*base)[time]) / *as_number(row[time]);
+    row[speedup] = s;
+    row[efficiency] = s / *as_number(row[workers]);
+  }
+}
+
+}  // namespace
+
+bool is_complete_row(const Table& table, const std::vector<Value>& row) {
+  const auto column = table.find("ended");
+  return !column || row[*column] == Value("done") || row[*column] == Value("saturated");
+}
+
+bool is_farm(const ExperimentFile& file) { return file.points[0].experiment.program == "farm"; }
 
 Value to_value(const ordered_json& json) {
   if (json.is_null()) return {};
@@ -29,35 +62,21 @@ Value to_value(const Coordinate& at) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-bool is_standard(const std::string& axis) {
-  return axis == "topology" || axis == "workers" || axis == "objects";
+std::vector<std::string> axis_columns(const ExperimentFile& file) {
+  std::vector<std::string> columns;
+  if (is_farm(file)) columns = {"topology", "workers", "objects"};
+  for (const auto& axis : file.axes)
+    if (!is_farm(file))
+      columns.push_back(axis == "workers" ? "processors" : axis);
+    else if (!is_standard(axis))
+      columns.push_back(axis);
+  return columns;
 }
-
-// Speed-up over the row of one worker with the same other axes.
-void add_speedups(Table& table) {
-  const std::size_t workers = *table.find("workers"), time = *table.find("time_s");
-  const std::size_t speedup = *table.find("speedup"), efficiency = *table.find("efficiency");
-  const Value one = std::int64_t{1};
-  for (auto& row : table.rows) {
-    const auto base = std::ranges::find_if(table.rows, [&](const auto& other) {
-      for (std::size_t c = 0; c < table.axes; ++c)
-        if (other[c] != (c == workers ? one : row[c])) return false;
-      return true;
-    });
-    if (base == table.rows.end()) continue;
-    const double s = *as_number((*base)[time]) / *as_number(row[time]);
-    row[speedup] = s;
-    row[efficiency] = s / *as_number(row[workers]);
-  }
-}
-
-}  // namespace
 
 Table make_table(const ExperimentFile& file, const std::vector<ordered_json>& results) {
+  if (!is_farm(file)) return make_pattern_table(file, results);
   Table table;
-  table.columns = {"topology", "workers", "objects"};
-  for (const auto& axis : file.axes)
-    if (!is_standard(axis)) table.columns.push_back(axis);
+  table.columns = axis_columns(file);
   table.axes = table.columns.size();
   for (const auto& [name, value] : results.at(0)["row"].items()) table.columns.push_back(name);
   for (std::size_t i = 0; i < results.size(); ++i) {

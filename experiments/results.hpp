@@ -7,10 +7,22 @@
 
 namespace experiments {
 
-// One row per point: topology, workers, objects, any other axis, then what `results[i]["row"]` of
-// point i holds. Speed-up and efficiency are relative to the row with one worker and otherwise the
-// same axes; they stay empty where there is none.
+// The columns that say which point a row is. Of the farm: topology, workers, objects, any other
+// axis. Of a pattern: the axes in the order of the file, those of the network as topology and
+// processors.
+std::vector<std::string> axis_columns(const ExperimentFile& file);
+
+// One row per point: the axes, of a pattern its network and all its parameters too, then what
+// `results[i]["row"]` of point i holds. Speed-up and efficiency of the farm are relative to the row
+// with one worker and otherwise the same axes; they stay empty where there is none.
 Table make_table(const ExperimentFile& file, const std::vector<nlohmann::ordered_json>& results);
+
+bool is_farm(const ExperimentFile& file);
+// Whether the row's point came to its end.
+bool is_complete_row(const Table& table, const std::vector<Value>& row);
+// JSON and TOML values as cells.
+Value to_value(const nlohmann::ordered_json& json);
+Value to_value(const Coordinate& at);
 
 // What the image of a run depends on: points of equal keys must have equal images.
 std::string image_key(const Experiment& experiment);

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
+#include "experiments/farm_run.hpp"
 #include "experiments/files.hpp"
+#include "experiments/machine_model.hpp"
+#include "experiments/pattern_table.hpp"
 #include "experiments/plot.hpp"
+#include "experiments/program.hpp"
 #include "experiments/report.hpp"
 #include "experiments/results.hpp"
-#include "experiments/version.hpp"
-#include "simulator/machine/engine.hpp"
-#include "simulator/machine/model.hpp"
+#include "experiments/run_record.hpp"
 
 namespace experiments {
 
@@ -19,44 +21,19 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-std::string command_line(const RunOptions& options) {
-  std::string line = "tlab run " + options.file;
-  for (const auto& set : options.overrides) line += fmt::format(" --set '{}'", set);
-  return line;
-}
-
-ordered_json model_json(const machine::Model& model) {
-  ordered_json entries;
-  for (const auto& e : model.entries)
-    entries[e.key] = {{"value", e.value},
-                      {"unit", e.unit},
-                      {"provenance", machine::to_string(e.provenance)},
-                      {"source", e.source}};
-  ordered_json calibrated = ordered_json::array();
-  for (const auto& e : model.entries)
-    if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
-  return {{"name", model.name}, {"calibrated", calibrated}, {"entries", entries}};
-}
-
-// Every model that some point ran on.
-std::vector<machine::Model> models_of(const ExperimentFile& file) {
-  std::vector<std::string> names;
-  std::vector<machine::Model> models;
-  for (const auto& point : file.points)
-    if (std::ranges::find(names, point.experiment.model) == names.end()) {
-      names.push_back(point.experiment.model);
-      models.push_back(machine::load_model(names.back()));
-    }
-  return models;
-}
-
+// The first model whole; of others what differs from it.
 std::vector<Report::ModelRow> model_rows(const std::vector<machine::Model>& models) {
   std::vector<Report::ModelRow> rows;
   for (const auto& model : models)
-    for (const auto& e : model.entries)
+    for (const auto& e : model.entries) {
+      const auto& first = models[0].entries;
+      const bool is_known = std::ranges::any_of(
+          first, [&](const auto& f) { return f.key == e.key && f.value == e.value; });
+      if (&model != &models[0] && is_known) continue;
       rows.push_back({models.size() > 1 ? model.name + ": " + e.key : e.key,
                       machine::to_text(e.value), e.unit,
                       std::string(machine::to_string(e.provenance)), e.source});
+    }
   return rows;
 }
 
@@ -70,7 +47,30 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   return values.empty() ? value : fmt::format("{}", fmt::join(values, ", "));
 }
 
-std::vector<std::pair<std::string, std::string>> make_facts(const ExperimentFile& file) {
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+Facts make_pattern_facts(const ExperimentFile& file) {
+  const Experiment& e = file.points[0].experiment;
+  const auto& pattern = *find_pattern(e.program);
+  Facts facts{{"Program", fmt::format("{}: {}", pattern.name, pattern.help)},
+              {"Machine", values_of(file, "model", e.model)}};
+  if (pattern.uses_topology)
+    facts.push_back(
+        {"Network", fmt::format("{}, processors: {}", values_of(file, "topology", e.topology),
+                                has_own_workers(e)
+                                    ? "its own number"
+                                    : values_of(file, "workers", fmt::format("{}", e.workers)))});
+  for (const auto& p : pattern.parameters)
+    facts.push_back({p.name, fmt::format("{} ({})",
+                                         values_of(file, p.name.c_str(),
+                                                   fmt::format("{}", e.parameters.at(p.name))),
+                                         p.help)});
+  facts.push_back({"Points", fmt::format("{}", file.points.size())});
+  return facts;
+}
+
+Facts make_facts(const ExperimentFile& file) {
+  if (!is_farm(file)) return make_pattern_facts(file);
   const Experiment& e = file.points[0].experiment;
   const auto& p = e.farm.image;
   auto swept = [&](const char* axis, const std::string& value) {
@@ -89,9 +89,17 @@ std::vector<std::pair<std::string, std::string>> make_facts(const ExperimentFile
       {"Points", fmt::format("{}", file.points.size())}};
 }
 
+constexpr std::size_t EVERY_POINT = std::size_t(-1);
+
 }  // namespace
 
-std::vector<std::string> shown_columns(const Table& table) {
+std::string title_of(const ExperimentFile& file) {
+  const auto& title = file.points[0].experiment.title;
+  return title.empty() ? fs::path(file.path).stem().string() : title;
+}
+
+std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table) {
+  if (!is_farm(file)) return table.columns;
   std::vector<std::string> shown(table.columns.begin(),
                                  table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
   for (const char* name :
@@ -101,42 +109,19 @@ std::vector<std::string> shown_columns(const Table& table) {
   return shown;
 }
 
-std::string make_run_json(const RunOptions& options, const ExperimentFile& file, const Table& table,
-                          const std::vector<ordered_json>& results, double wall_s) {
-  ordered_json points = ordered_json::array(), models = ordered_json::array();
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    ordered_json at;
-    for (std::size_t c = 0; c < table.axes; ++c) at[table.columns[c]] = to_string(table.rows[i][c]);
-    points.push_back({{"at", at},
-                      {"topology", results[i]["topology"]},
-                      {"seed", file.points[i].experiment.farm.seed},
-                      {"key_images", results[i]["key_images"]},
-                      {"use", results[i]["use"]},
-                      {"host", results[i]["host"]}});
-  }
-  for (const auto& model : models_of(file)) models.push_back(model_json(model));
-  const ordered_json run = {{"tlab", VERSION},
-                            {"simgrid", machine::simgrid_version()},
-                            {"command", command_line(options)},
-                            {"experiment", file.resolved},
-                            {"models", models},
-                            {"points", points},
-                            {"host_wall_s", wall_s},
-                            {"jobs", options.jobs}};
-  return run.dump(2) + "\n";
-}
-
-void write_report(const fs::path& folder, const RunOptions& options, const ExperimentFile& file,
-                  const Table& table, const std::vector<ordered_json>& results,
-                  const std::vector<std::string>& images) {
-  const Experiment& first = file.points[0].experiment;
+void write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+  const ExperimentFile& file = s.file;
+  const auto& results = s.results;
+  const auto& images = s.images;
+  const Table& table = s.table;
   Report report;
-  report.title = first.title.empty() ? fs::path(file.path).stem().string() : first.title;
-  report.question = first.question;
+  report.title = title_of(file);
+  report.question = file.points[0].experiment.question;
   report.table = table;
-  report.shown_columns = shown_columns(table);
+  report.shown_columns = shown_columns(file, table);
   report.facts = make_facts(file);
-  report.plots = make_plots(table);
+  report.facts.push_back({"Ended", s.ended});
+  report.plots = is_farm(file) ? make_plots(table) : make_plots(table, first_result(file, table));
   report.plots_folder = folder / "plots";
   if (!report.plots.empty()) fs::create_directory(report.plots_folder);
   for (const auto& plot : report.plots) draw_plot(plot, report.plots_folder);
@@ -150,6 +135,9 @@ void write_report(const fs::path& folder, const RunOptions& options, const Exper
     }
     report.images.push_back({images[i].substr(6, images[i].rfind('.') - 6), folder / images[i]});
   }
+  for (const auto& check : s.checks)
+    report.checks.push_back(
+        {summarize(check, table), make_check_table(check, table, EVERY_POINT), check.notes});
   report.experiment_toml = file.resolved;
   report.command = command_line(options);
   report.model = model_rows(models_of(file));

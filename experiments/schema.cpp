@@ -1,10 +1,10 @@
 #include "experiments/schema.hpp"
 
 #include <algorithm>
-#include <functional>
 
+#include "experiments/binding.hpp"
 #include "experiments/image_names.hpp"
-#include "experiments/values.hpp"
+#include "experiments/program.hpp"
 #include "simulator/machine/faults.hpp"
 #include "topologies/spelling.hpp"
 
@@ -13,25 +13,6 @@ namespace experiments {
 namespace {
 
 using machine::InvalidInput;
-
-template <class Target>
-struct Binding {
-  std::string key, help;
-  std::function<void(Target&, const Place&)> set;
-};
-
-template <class Target>
-void bind_one(Target& target, const std::vector<Binding<Target>>& bindings, const Place& at) {
-  const auto found = std::ranges::find(bindings, at.key, &Binding<Target>::key);
-  if (found != bindings.end()) return found->set(target, at);
-  std::vector<std::string> known;
-  for (const auto& b : bindings) known.push_back(b.key);
-  const auto same_end = std::ranges::find_if(
-      known, [&](const std::string& key) { return key.ends_with("." + at.key); });
-  throw InvalidInput(
-      fmt::format("{}: unknown key \"{}\", the nearest valid key is \"{}\"", at.where(), at.key,
-                  same_end != known.end() ? *same_end : topologies::nearest_name(at.key, known)));
-}
 
 constexpr std::int64_t MANY = 1'000'000'000;
 
@@ -94,6 +75,8 @@ const std::vector<Binding<Experiment>>& bindings() {
       {"title", "what the experiment is called",
        [](E& e, const P& at) { e.title = read_text(at); }},
       {"question", "what it answers", [](E& e, const P& at) { e.question = read_text(at); }},
+      {"program.name", "farm, or one of the programs below; its parameters are keys beside it",
+       [](E& e, const P& at) { e.program = read_text(at); }},
       {"machine.model", "a processor model, or a model file",
        [](E& e, const P& at) { e.model = read_source(at); }},
       {"machine.worker_memory_bytes", "memory of a worker and of the coordinator; bytes",
@@ -108,6 +91,9 @@ const std::vector<Binding<Experiment>>& bindings() {
        [](E& e, const P& at) { e.topology = read_source(at); }},
       {"network.workers", "worker processors",
        [](E& e, const P& at) { e.workers = read_int(at, 1, 16384); }},
+      {"network.switches",
+       "C004 link switches on every link: a number; or on some, [[a, b, n], ...]",
+       [](E& e, const P& at) { read_switches(at, e.switches, e.switches_between); }},
       {"scene.source", "spheres (made of `objects`), a spec, spheres:200; or an NFF file",
        [](E& e, const P& at) { e.scene = read_source(at); }},
       {"scene.objects", "spheres in a generated scene",
@@ -134,9 +120,9 @@ const std::vector<Binding<Experiment>>& bindings() {
        [](E& e, const P& at) { e.farm.max_cell = int(read_int(at, 1, 65536)); }},
       {"farm.seed", "of the order of the cells",
        [](E& e, const P& at) { e.farm.seed = std::uint64_t(read_int(at, 0, INT64_MAX)); }},
-      {"run.cost", "counted: operations times their cycles",
+      {"run.cost", "counted: operations times their cycles; timed: host time, scaled",
        [](E& e, const P& at) {
-         e.cost = read_name(at, Names<std::string>{{"counted", "counted"}});
+         e.cost = read_name(at, Names<std::string>{{"counted", "counted"}, {"timed", "timed"}});
        }},
       {"stage", "[[stage]]: limits of the interactive phase, one set after the other",
        [](E& e, const P& at) {
@@ -152,6 +138,11 @@ const std::vector<Binding<Experiment>>& bindings() {
          e.farm.script.clear();
          for (const auto& table : read_tables(at)) e.farm.script.push_back(bind_order(*table, at));
        }},
+      // Of the file, not of a point: read_checks reads them.
+      {"let", "[let]: names for expressions, to be used in checks",
+       [](E&, const P& at) { at.refuse("no axis of this name"); }},
+      {"check", "[[check]]: what the results are compared with",
+       [](E&, const P& at) { at.refuse("no axis of this name"); }},
   };
   return all;
 }
@@ -166,39 +157,56 @@ const std::vector<Setting>& settings() {
       list.push_back({"stage." + b.key, b.help + " (also in [[order]])"});
     list.push_back({"order.at_s", "when the user orders it, from the start of the program; s"});
     list.push_back({"order.non_interactive", "true: the user leaves the interactive phase"});
+    list.push_back({"model.SECTION.NAME", "takes the place of a number of the machine model"});
+    for (const auto& setting : check_settings()) list.push_back(setting);
     return list;
   }();
   return all;
 }
 
-std::string key_of_axis(std::string_view axis, const std::string& origin) {
+Axis name_axis(const std::string& name, const std::string& program, const std::string& origin) {
+  if (name.starts_with("model.")) return {name.substr(6), name, {}};
   std::vector<std::string> known;
+  if (const auto* pattern = find_pattern(program))
+    for (const auto& p : pattern->parameters) {
+      if (name == p.name || name == "program." + p.name) return {p.name, "program." + p.name, {}};
+      known.push_back(p.name);
+    }
   for (const auto& setting : bindings()) {
     const auto last = setting.key.substr(setting.key.rfind('.') + 1);
-    if (axis == last || axis == setting.key) return setting.key;
+    if (setting.key == "program.name") continue;  // one program, one set of columns
+    if (name == last || name == setting.key) return {last, setting.key, {}};
     known.push_back(last);
   }
   throw InvalidInput(
       fmt::format("{}: unknown axis \"{}\" in [sweep], the nearest valid one is \"{}\"", origin,
-                  axis, topologies::nearest_name(axis, known)));
+                  name, topologies::nearest_name(name, known)));
 }
+
+namespace {
+
+void bind_key(Experiment& experiment, const Place& at) {
+  if (at.key.starts_with("model.")) return bind_model_entry(experiment, at);
+  if (const auto* pattern = find_pattern(experiment.program)) {
+    if (at.key.starts_with("program.") && at.key != "program.name")
+      return bind_parameter(experiment, *pattern, at);
+    check_belongs(*pattern, at);
+  }
+  bind_one(experiment, bindings(), at);
+}
+
+}  // namespace
 
 Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,
                          const std::string& origin, const std::string& folder) {
   Experiment experiment;
-  for (auto&& [section, content] : file) {
-    const std::string name(section.str());
-    if (name == "sweep") continue;
-    if (!content.is_table()) {
-      bind_one(experiment, bindings(), {origin, name, folder, content});
-      continue;
-    }
-    for (auto&& [key, node] : *content.as_table())
-      bind_one(experiment, bindings(),
-               {origin, fmt::format("{}.{}", name, key.str()), folder, node});
-  }
-  for (const auto& [key, value] : replacements)
-    bind_one(experiment, bindings(), {origin, key, folder, *value});
+  experiment.program = read_program(file, origin);
+  if (const auto* pattern = find_pattern(experiment.program))
+    for (const auto& p : pattern->parameters) experiment.parameters[p.name] = p.value;
+  for_each_key(file, [&](const std::string& key, const toml::node& node) {
+    bind_key(experiment, {origin, key, folder, node});
+  });
+  for (const auto& [key, value] : replacements) bind_key(experiment, {origin, key, folder, *value});
   return experiment;
 }
 

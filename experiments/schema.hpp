@@ -18,7 +18,22 @@ struct Replacement {
 Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,
                          const std::string& origin, const std::string& folder);
 
-// The key whose last part is `axis`; throws machine::InvalidInput with the nearest.
-std::string key_of_axis(std::string_view axis, const std::string& origin);
+// An axis of [sweep].
+struct Axis {
+  std::string name;  // of its column
+  std::string key;   // that it replaces
+  std::vector<const toml::node*> values;
+};
+
+// The axis whose key is, or ends with, `name`: "workers", "network.workers", a parameter of
+// `program`, "model.link.one_way_rate". Throws machine::InvalidInput with the nearest.
+Axis name_axis(const std::string& name, const std::string& program, const std::string& origin);
+
+// [[check]], in order, and [let]; `folder` is what the paths of references are relative to. Throw
+// machine::InvalidInput for unknown, missing or contradicting keys; formulas are only texts yet.
+std::vector<Check> read_checks(const toml::table& file, const std::string& origin,
+                               const std::string& folder);
+std::vector<Definition> read_definitions(const toml::table& file, const std::string& origin);
+const std::vector<Setting>& check_settings();
 
 }  // namespace experiments

@@ -14,10 +14,8 @@ std::string Place::where() const {
 }
 
 void Place::refuse(const std::string& expected) const {
-  std::ostringstream found;
-  node.visit([&](const auto& n) { found << n; });
   throw machine::InvalidInput(
-      fmt::format("{}: {}: found {}, expected {}", where(), key, found.str(), expected));
+      fmt::format("{}: {}: found {}, expected {}", where(), key, to_toml(node), expected));
 }
 
 std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high) {
@@ -46,6 +44,18 @@ std::string read_text(const Place& at) {
   return *value;
 }
 
+std::vector<std::string> read_texts(const Place& at) {
+  const auto* list = at.node.as_array();
+  if (!list || list->empty()) at.refuse("a list of texts");
+  std::vector<std::string> texts;
+  for (const auto& node : *list) {
+    const auto text = node.value_exact<std::string>();
+    if (!text) at.refuse("a list of texts");
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
 renderer::Area read_area(const Place& at) {
   const std::string expected = "[x, y, width, height] in pixels";
   const auto* list = at.node.as_array();
@@ -57,6 +67,30 @@ renderer::Area read_area(const Place& at) {
     v[i] = static_cast<int>(*number);
   }
   return {v[0], v[1], v[2], v[3]};
+}
+
+void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between) {
+  constexpr int MOST = 16;
+  const std::string expected =
+      fmt::format("a whole number from 0 to {}, or a list of [worker, worker, number]", MOST);
+  if (at.node.is_integer()) {
+    all = static_cast<int>(read_int(at, 0, MOST));
+    return;
+  }
+  const auto* list = at.node.as_array();
+  if (!list) at.refuse(expected);
+  between.clear();
+  for (const auto& node : *list) {
+    const auto* triple = node.as_array();
+    if (!triple || triple->size() != 3) at.refuse(expected);
+    std::array<int, 3> v{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto number = (*triple)[i].value_exact<std::int64_t>();
+      if (!number || *number < 0 || *number > (i < 2 ? 16384 : MOST)) at.refuse(expected);
+      v[i] = static_cast<int>(*number);
+    }
+    between.push_back(v);
+  }
 }
 
 std::string read_source(const Place& at) {
@@ -75,6 +109,33 @@ std::vector<const toml::table*> read_tables(const Place& at) {
     tables.push_back(node.as_table());
   }
   return tables;
+}
+
+std::string to_toml(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& n) { text << n; });
+  return text.str();
+}
+
+void for_each_key(const toml::table& file,
+                  const std::function<void(const std::string& key, const toml::node&)>& visit) {
+  for (auto&& [section, content] : file) {
+    const std::string name(section.str());
+    if (name == "sweep" || name == "let" || name == "check") continue;
+    if (!content.is_table()) {
+      visit(name, content);
+      continue;
+    }
+    for (auto&& [key, node] : *content.as_table()) {
+      const auto dotted = fmt::format("{}.{}", name, key.str());
+      if (name != "model" || !node.is_table()) {
+        visit(dotted, node);
+        continue;
+      }
+      for (auto&& [entry, value] : *node.as_table())
+        visit(fmt::format("{}.{}", dotted, entry.str()), value);
+    }
+  }
 }
 
 }  // namespace experiments

@@ -5,6 +5,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,11 +40,20 @@ Enum read_name(const Place& at, const Names<Enum>& names) {
     if (key == name) return value;
   at.refuse(fmt::format("one of {}", fmt::join(keys_of(names), ", ")));
 }
+std::vector<std::string> read_texts(const Place& at);
 // [x, y, width, height]
 renderer::Area read_area(const Place& at);
+// A number for every link, or a list of [a, b, number], processors as the topology numbers them.
+void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between);
 // A name, or a path (it has an extension), made relative to the folder.
 std::string read_source(const Place& at);
 // The tables of [[key]].
 std::vector<const toml::table*> read_tables(const Place& at);
+
+// A value as TOML spells it.
+std::string to_toml(const toml::node& node);
+// Every key of a point, dotted, in the order of names: not those of [sweep], [let] and [[check]].
+void for_each_key(const toml::table& file,
+                  const std::function<void(const std::string& key, const toml::node&)>& visit);
 
 }  // namespace experiments

@@ -72,11 +72,14 @@ const Edges& allowed() {
         {"simulator/occam", {"topologies", "simulator/machine"}},
         {"simulator/network", {"topologies", "simulator/machine", "simulator/occam"}},
         {"simulator/observe", {"topologies", "simulator/machine"}},
+        {"simulator/patterns",
+         {"topologies", "simulator/machine", "simulator/occam", "simulator/network",
+          "simulator/observe"}},
         {"simulator/farm", below_systems},
         {"simulator/iirra", below_systems},
         {"experiments", below_systems},
     };
-    all["experiments"].insert({"simulator/farm", "simulator/iirra"});
+    all["experiments"].insert({"simulator/farm", "simulator/iirra", "simulator/patterns"});
     return all;
   }();
   return edges;
@@ -156,15 +159,17 @@ struct Door {
 
 TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
   const Door doors[] = {
-      // (experiments/benchmarks/raw_simgrid.cpp is SimGrid without us, to be measured against.)
+      // (tests/benchmarks/raw_simgrid.cpp is SimGrid without us, to be measured against.)
       {{"simgrid/", "xbt/"},
        std::regex("simulator/machine/engine\\.cpp|"
-                  "experiments/benchmarks/raw_simgrid\\.cpp")},
+                  "tests/benchmarks/raw_simgrid\\.cpp")},
       {{"boost/graph/"}, std::regex("topologies/[^/]*\\.cpp")},
       {{"boost/context/"}, std::regex("simulator/machine/process\\.hpp")},
       {{"CLI/"}, std::regex("experiments/.*")},
-      {{"toml++/"}, std::regex("simulator/machine/model\\.cpp|experiments/.*")},
+      {{"muParser"}, std::regex("simulator/machine/formula\\.cpp")},
+      {{"toml++/"}, std::regex("simulator/machine/model_file\\.cpp|experiments/.*")},
       {{"nlohmann/"}, std::regex("experiments/.*|tests/experiments/.*")},
+      {{"benchmark/", "embree3/"}, std::regex("tests/benchmarks/.*")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
   };
   for (const Source& source : sources())

@@ -20,6 +20,11 @@ std::vector<std::vector<Neighbour>> neighbours(const Topology& topology) {
   return result;
 }
 
+int switches_between(const Topology& topology, int a, int b) {
+  const auto found = topology.switches.find(std::minmax(a, b));
+  return found == topology.switches.end() ? 0 : found->second;
+}
+
 int free_port(const Topology& topology, int processor) {
   std::array<bool, PORTS> used{};
   for (const auto& [a, b] : topology.links) {

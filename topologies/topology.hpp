@@ -1,10 +1,12 @@
 // A machine's wiring: processors, their four link ports, and which port is wired to which.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace topologies {
@@ -30,6 +32,9 @@ struct Topology {
   std::vector<Link> links;             // sorted by (a.processor, b.processor)
   std::optional<int> bisection_width;  // links; the generator's closed form, where one is known
   std::vector<std::string> labels;     // per processor; empty when they are called by number
+  // C004 link switches that a link passes, by its ends in ascending order; none where there is
+  // none.
+  std::map<std::pair<int, int>, int> switches = {};
 };
 
 // Bad input: a malformed spec or file, or a graph that no set of transputers can be wired as.
@@ -56,6 +61,9 @@ struct Neighbour {
 
 // For each processor its neighbours, by ascending port.
 std::vector<std::vector<Neighbour>> neighbours(const Topology& topology);
+
+// C004 link switches between two neighbours, in any order.
+int switches_between(const Topology& topology, int a, int b);
 
 // The lowest port of `processor` that no link uses, or -1 when all four are taken.
 int free_port(const Topology& topology, int processor);

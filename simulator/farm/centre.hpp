@@ -63,10 +63,18 @@ struct CoordinationChannels {
   Channel<Intersection>& into_visualisation;
 };
 struct CoordinationResult {
+  enum class Phase { setup, interactive, non_interactive, ended };
+
+  Phase phase = Phase::setup;
   renderer::RayCounts rays;
   machine::Seconds begun, interactive_ended, ended;
   std::size_t peak_rays_in_farm = 0;
+
+  // Of a run that is cut short: what has not come yet came now.
+  void cut(machine::Seconds now);
 };
-CoordinationResult coordination(const CoordinationSetup& setup, CoordinationChannels channels);
+// `result` is always up to date.
+void coordination(const CoordinationSetup& setup, CoordinationChannels channels,
+                  CoordinationResult& result);
 
 }  // namespace farm

@@ -14,10 +14,11 @@ enum class Mode { null, interactive, non_interactive };
 // The process's variables, named as in figure 4.15, and the handling of its guards.
 class Coordinator {
  public:
-  Coordinator(const CoordinationSetup& setup, CoordinationChannels channels)
-      : setup_(setup), to_(channels) {}
+  Coordinator(const CoordinationSetup& setup, CoordinationChannels channels,
+              CoordinationResult& result)
+      : setup_(setup), to_(channels), result_(result) {}
 
-  CoordinationResult run();
+  void run();
 
  private:
   void deposit_initial_rays();
@@ -39,10 +40,10 @@ class Coordinator {
   bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
   std::size_t rays_in_farm_ = 0, stage_ = 0;
   renderer::Children new_rays_;
-  CoordinationResult result_;
+  CoordinationResult& result_;
 };
 
-CoordinationResult Coordinator::run() {
+void Coordinator::run() {
   Command command;
   do in(to_.from_interaction, command);
   while (!std::holds_alternative<Begin>(command.content));
@@ -50,10 +51,13 @@ CoordinationResult Coordinator::run() {
   deposit_initial_rays();
   result_.begun = now();
   setup_.on_begin();
+  result_.phase = CoordinationResult::Phase::interactive;
   serve(Mode::interactive);
   result_.interactive_ended = now();
+  result_.phase = CoordinationResult::Phase::non_interactive;
   serve(Mode::non_interactive);
   result_.ended = now();
+  result_.phase = CoordinationResult::Phase::ended;
   setup_.on_end();
 
   while (!quitting_) {
@@ -61,7 +65,6 @@ CoordinationResult Coordinator::run() {
     obey(command);
   }
   stop_all();
-  return result_;
 }
 
 void Coordinator::deposit_initial_rays() {
@@ -152,8 +155,15 @@ void Coordinator::stop_all() {
 
 }  // namespace
 
-CoordinationResult coordination(const CoordinationSetup& setup, CoordinationChannels channels) {
-  return Coordinator(setup, channels).run();
+void CoordinationResult::cut(machine::Seconds now) {
+  if (phase == Phase::setup) begun = now;
+  if (phase <= Phase::interactive) interactive_ended = now;
+  if (phase < Phase::ended) ended = now;
+}
+
+void coordination(const CoordinationSetup& setup, CoordinationChannels channels,
+                  CoordinationResult& result) {
+  Coordinator(setup, channels, result).run();
 }
 
 }  // namespace farm

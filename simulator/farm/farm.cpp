@@ -81,7 +81,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   const std::uint64_t small = params.worker_memory.value_or(get_bytes(model, "worker_memory"));
   const std::uint64_t large = params.database_memory.value_or(get_bytes(model, "database_memory"));
 
-  Machine machine(model);
+  Machine machine(model, model.software.occam_factor);
   Wires wires;
   Processor& coordinator = machine.add_processor("coordinator", small);
   Processor& database = machine.add_processor("database", large);
@@ -97,10 +97,10 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
                             "the image", display.now());
 
   // The workers.
-  KernelProfile profile{.enabled = params.profile};
-  const Kernel kernel{scene, params.image.traversal,
-                      machine::OperationCosts(model, "intersection", renderer::op_names()), bytes,
-                      profile};
+  Kernel kernel{scene, params.image.traversal,
+                KernelCost(machine::OperationCosts(model, "intersection", renderer::op_names()),
+                           params.cycles_per_host_s, params.profile),
+                bytes};
   const Workers workers = wire_workers(wires, machine, topology, coordinator, small);
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
     load_program(*workers.processors[id]);
@@ -126,7 +126,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
                                 .stages = params.stages,
                                 .on_begin = [&] { before = observe::collect(machine); },
                                 .on_end = [&] { after = observe::collect(machine); }};
-  CoordinationResult coordinated;
+  CoordinationResult coordinated;  // up to the end, if the run is cut short
 
   Channel<Command> from_interaction("coordinator.from.interaction");
   Channel<DatabaseRequest> into_database("database.from.coord",
@@ -138,18 +138,26 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
 
   start(coordinator, "interaction", Priority::low, [&] { interaction(script, from_interaction); });
   start(coordinator, "coordination", Priority::low, [&] {
-    coordinated = coordination(
-        setup, {from_interaction, first.free, first.into, *workers.results[workers.root],
-                into_database, from_database, into_visualisation});
+    coordination(setup,
+                 {from_interaction, first.free, first.into, *workers.results[workers.root],
+                  into_database, from_database, into_visualisation},
+                 coordinated);
   });
   // Alone on their processors: the priority does not matter.
   start(database, "ray.database", Priority::high, [&] { rays.run(into_database, from_database); });
   start(display, "visualisation", Priority::high, [&] { visualisation.run(into_visualisation); });
 
-  machine.run();
-  machine::check_equal("rays left in the database", rays.stores.size(), std::size_t{0});
-
+  observe::Watch unwatched, &watch = params.watch ? *params.watch : unwatched;
   Result result;
+  result.end = observe::run(machine, watch);
+  if (result.end == machine::End::done)
+    machine::check_equal("rays left in the database", rays.stores.size(), std::size_t{0});
+  else if (coordinated.phase != CoordinationResult::Phase::ended) {
+    after = observe::collect(machine);
+    if (coordinated.phase == CoordinationResult::Phase::setup) before = after;
+    coordinated.cut(machine.now());
+  }
+
   result.samples = std::move(visualisation.samples);
   result.key_images = std::move(visualisation.key_images);
   result.rays = coordinated.rays;
@@ -159,8 +167,9 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   result.peaks = rays.stores.peaks();
   result.peak_rays_in_farm = coordinated.peak_rays_in_farm;
   result.use = between(before, after);
-  result.events = machine.events();
-  result.kernel_host_s = profile.kernel_s;
+  result.events = watch.events;
+  result.kernel_host_s = kernel.cost.host_s();
+  result.kernel_cycles = kernel.cost.charged();
   return result;
 }
 

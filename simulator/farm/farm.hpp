@@ -6,6 +6,7 @@
 
 #include "simulator/farm/centre.hpp"
 #include "simulator/observe/use.hpp"
+#include "simulator/observe/watch.hpp"
 #include "topologies/topology.hpp"
 
 namespace farm {
@@ -17,7 +18,10 @@ struct Params {
   int max_cell = 16;          // pixels, the largest image cell; a power of two
   std::uint64_t seed = 1;     // of the order of cells
   std::optional<std::uint64_t> worker_memory, database_memory;  // bytes; else the model's
-  bool profile = false;  // measure the host time spent in kernels
+  // Intersections are charged the host time they take, times this; else their counts.
+  std::optional<double> cycles_per_host_s;
+  bool profile = false;             // measure the host time spent in kernels
+  observe::Watch* watch = nullptr;  // its limit and trace, if there is one
 };
 
 struct Result {
@@ -29,9 +33,11 @@ struct Result {
   double setup_s = 0;        // before: the initial rays deposited
   RayStores::Peaks peaks;    // of the database's stores
   std::size_t peak_rays_in_farm = 0;
-  observe::Use use;          // of processors and links, over time_s
-  std::uint64_t events = 0;  // simulated
-  double kernel_host_s = 0;  // with Params::profile
+  observe::Use use;                       // of processors and links, over time_s
+  machine::End end = machine::End::done;  // else all this is what was measured until then
+  std::uint64_t events = 0;               // simulated
+  machine::Cycles kernel_cycles{};        // that intersections were charged
+  double kernel_host_s = 0;               // with Params::profile
 };
 
 // Throws machine::InvalidInput naming the field, what was found and what was expected.

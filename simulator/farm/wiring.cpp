@@ -67,7 +67,8 @@ Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology&
     workers.processors.push_back(&machine.add_processor(fmt::format("worker{}", id + 1), memory));
   machine.connect(coordinator, *workers.processors[workers.root]);
   for (const auto& link : topology.links)
-    machine.connect(*workers.processors[link.a.processor], *workers.processors[link.b.processor]);
+    machine.connect(*workers.processors[link.a.processor], *workers.processors[link.b.processor],
+                    switches_between(topology, link.a.processor, link.b.processor));
   for (int id = 0; id < topology.processors; ++id) {
     Processor& self = *workers.processors[id];
     Processor& parent = tree.parent[id] < 0 ? coordinator : *workers.processors[tree.parent[id]];
@@ -78,7 +79,7 @@ Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology&
   return workers;
 }
 
-void start_worker(Wires& wires, const Workers& workers, std::size_t id, const Kernel& kernel) {
+void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& kernel) {
   Processor& self = *workers.processors[id];
   auto& to_application = soft(wires.tasks, self, "application.in");
   auto& from_application = soft(wires.results, self, "application.out");

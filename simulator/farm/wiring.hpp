@@ -44,6 +44,6 @@ Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::
                      machine::Processor& coordinator, std::uint64_t memory);
 
 // Starts the processes of worker `id`.
-void start_worker(Wires& wires, const Workers& workers, std::size_t id, const Kernel& kernel);
+void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& kernel);
 
 }  // namespace farm

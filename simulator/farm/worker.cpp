@@ -46,17 +46,16 @@ void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Inte
   }
 }
 
-void application(const Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results) {
+void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results) {
   Task task;
   for (;;) {
     in(from_router, task);
     if (task.stop()) break;
     renderer::Work work;
     Intersection found = make_intersection(task.ray());
-    found.hit =
-        kernel.profile([&] { return intersect(kernel.scene, found.ray, kernel.traversal, work); });
+    found.hit = kernel.cost(
+        [&] { return intersect(kernel.scene, found.ray, kernel.traversal, work); }, work.counts);
     found.size = kernel.bytes.ray + (found.hit ? kernel.bytes.hit : 0);
-    this_process().charge(kernel.cost(work.counts));
     out(results, found);
   }
   out(results, Intersection{});

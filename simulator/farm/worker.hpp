@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "simulator/farm/kernel_cost.hpp"
 #include "simulator/farm/messages.hpp"
-#include "simulator/farm/profile.hpp"
-#include "simulator/machine/model.hpp"
 
 namespace farm {
 
@@ -26,13 +25,12 @@ void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Inte
 struct Kernel {
   const renderer::Scene& scene;
   renderer::Traversal traversal;
-  machine::OperationCosts cost;
+  KernelCost cost;
   RecordBytes bytes;
-  KernelProfile& profile;
 };
 
 // Finds the first intersection of each ray it is given. The kernel really runs; what it did is
 // charged to the processor.
-void application(const Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results);
+void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results);
 
 }  // namespace farm

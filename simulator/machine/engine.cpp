@@ -7,11 +7,14 @@
 #include <simgrid/s4u.hpp>
 
 #include <algorithm>
+#include <csignal>
+#include <deque>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "simulator/machine/faults.hpp"
+#include "simulator/machine/forecast.hpp"
 
 namespace machine {
 
@@ -25,6 +28,23 @@ std::string simgrid_version() {
 }
 
 namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+// SimGrid takes some signals for itself when it starts: here they stay the program's.
+class KeptSignals {
+ public:
+  KeptSignals() {
+    for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], nullptr, &kept_[i]);
+  }
+  ~KeptSignals() {
+    for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], &kept_[i], nullptr);
+  }
+
+ private:
+  static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
+  struct sigaction kept_[3];
+};
 
 struct Event {
   double date;
@@ -45,39 +65,45 @@ struct Engine::Impl {
   std::unique_ptr<s4u::Engine> engine;
   s4u::NetZone* zone = nullptr;
   std::vector<s4u::Host*> hosts;
-  double fastest = 1;                                        // bytes/s: no communication is faster,
-  double slowest = std::numeric_limits<double>::infinity();  // and none slower
 
-  double now = 0;                                            // may be ahead of SimGrid's clock
-  double horizon = std::numeric_limits<double>::infinity();  // no communication ends before
+  double now = 0;  // may be ahead of SimGrid's clock
   std::vector<Event> heap;
   std::vector<Callback> soon, soon_now;
-  std::uint64_t asked = 0, sent = 0, handled = 0;
+  std::uint64_t asked = 0, handled = 0;
   double wake_up = std::numeric_limits<double>::infinity();  // a SimGrid timer is set for then
-  bool stopped = false;
+  bool stopped = false, ignored = false;
+  double last_useful = 0;  // date
+  double until = std::numeric_limits<double>::infinity();
+  Engine::End end_reason = Engine::End::no_event_left;
 
-  // Communications, in slots that are used again: SimGrid is given a slot's number.
-  struct Flight {
-    s4u::CommPtr comm;
+  // Directions of links, by the numbers of the forecast and of SimGrid's communications.
+  struct Direction {
+    int from, to;
+    s4u::CommPtr comm;  // under way
+    std::uint64_t bytes = 0;
     Callback arrived;
-    int from = 0, to = 0;
-    std::uint64_t bytes = 0, id = 0;
   };
-  // When a communication can end. Those that have ended are dropped when they come to the top.
-  struct Bounds {
-    double earliest, latest;
-    std::size_t slot;
-    std::uint64_t id;
-    bool operator<(const Bounds& o) const { return earliest > o.earliest; }
-  };
-  std::vector<Bounds> ends;
-  std::vector<Flight> flights;
+  std::vector<Direction> directions;
+  std::vector<std::vector<std::size_t>> leaving;  // by processor
+  Forecast forecast;
+  std::deque<std::pair<double, std::size_t>> starts;  // to come: date, direction
   s4u::CommPtr last_ended;
-  std::vector<std::size_t> free_slots;
+
+  void stop(Engine::End why) {
+    if (!stopped) end_reason = why;
+    stopped = true;
+  }
 
   void handle(Callback callback) {
+    if (now > until) {
+      now = until;
+      return stop(Engine::End::until);
+    }
+    if (stop_requested != 0) return stop(Engine::End::requested);
     ++handled;
+    ignored = false;
     callback();
+    if (!ignored) last_useful = now;
     while (!soon.empty() && !stopped) {
       soon_now.swap(soon);
       for (auto& then : soon_now) then();
@@ -89,13 +115,8 @@ struct Engine::Impl {
   // certain: communications that end there have ended.
   void run_ahead() {
     const double clock = s4u::Engine::get_clock();
-    while (!ends.empty() && flights[ends.front().slot].id != ends.front().id) {
-      std::ranges::pop_heap(ends, std::less<>());
-      ends.pop_back();
-    }
-    horizon = ends.empty() ? std::numeric_limits<double>::infinity() : ends.front().earliest;
     while (!heap.empty() && !stopped &&
-           (heap.front().date < horizon || heap.front().date <= clock)) {
+           (heap.front().date < forecast.next().earliest || heap.front().date <= clock)) {
       std::ranges::pop_heap(heap, std::less<>());
       const Event event = heap.back();
       heap.pop_back();
@@ -103,8 +124,7 @@ struct Engine::Impl {
       handle(event.callback);
     }
     // A communication that surely ends before our next event brings us back here in time.
-    if (heap.empty() || stopped || (!ends.empty() && ends.front().latest < heap.front().date))
-      return;
+    if (heap.empty() || stopped || forecast.next().latest < heap.front().date) return;
     if (heap.front().date < wake_up) {
       wake_up = heap.front().date;
       Timer::set(wake_up, [this, date = wake_up] {
@@ -115,21 +135,32 @@ struct Engine::Impl {
     }
   }
 
-  void start(std::size_t slot) {
-    Flight& flight = flights[slot];
-    flight.comm = s4u::Comm::sendto_init(hosts[flight.from], hosts[flight.to]);
-    flight.comm->set_payload_size(flight.bytes);
-    flight.comm->set_data(reinterpret_cast<void*>(slot));
-    flight.comm->start();
+  void start(std::size_t number) {
+    Direction& direction = directions[number];
+    direction.comm = s4u::Comm::sendto_init(hosts[direction.from], hosts[direction.to]);
+    direction.comm->set_payload_size(direction.bytes);
+    direction.comm->set_data(reinterpret_cast<void*>(number));
+    direction.comm->start();
   }
 
-  void end(std::size_t slot) {
-    Flight ended = std::exchange(flights[slot], {});
-    free_slots.push_back(slot);
-    last_ended = std::move(ended.comm);  // SimGrid still uses it when we return
+  // When SimGrid's clock has come so far; those of one date in the order they were asked for.
+  void start_later(std::size_t number) {
+    const bool timer_set = !starts.empty() && starts.back().first == now;
+    starts.emplace_back(now, number);
+    if (timer_set) return;
+    Timer::set(now, [this, date = now] {
+      for (; !starts.empty() && starts.front().first == date; starts.pop_front())
+        start(starts.front().second);
+    });
+  }
+
+  void end(std::size_t number) {
+    Direction& direction = directions[number];
+    last_ended = std::move(direction.comm);  // SimGrid still uses it when we return
     if (stopped) return;
     now = std::max(now, s4u::Engine::get_clock());
-    handle(ended.arrived);
+    forecast.end(number, now);
+    handle(direction.arrived);
     run_ahead();
   }
 };
@@ -139,7 +170,10 @@ Engine::Engine() : impl_(std::make_unique<Impl>()) {
   static char name[] = "tlab", to[] = "--log=root.app:file:/dev/null",
               only[] = "--log=root.thres:critical";
   static char* argv[] = {name, to, only, nullptr};
-  impl_->engine = std::make_unique<s4u::Engine>(&argc, argv);
+  {
+    const KeptSignals kept;
+    impl_->engine = std::make_unique<s4u::Engine>(&argc, argv);
+  }
   // Plain fluid links: no TCP corrections, no cross traffic. Time is resolved to a picosecond.
   for (const char* setting :
        {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
@@ -155,13 +189,17 @@ Engine::~Engine() = default;
 
 int Engine::add_processor(const std::string& name) {
   impl_->hosts.push_back(impl_->zone->create_host(name, "1f")->seal());
+  impl_->leaving.emplace_back();
   return static_cast<int>(impl_->hosts.size()) - 1;
 }
 
 void Engine::add_link(int a, int b, LinkRates rates) {
   auto& zone = *impl_->zone;
-  impl_->fastest = std::max(impl_->fastest, rates.one_way);
-  impl_->slowest = std::min({impl_->slowest, rates.one_way, rates.both_ways / 2});
+  const std::size_t number = impl_->forecast.add_link(rates.one_way, rates.both_ways);
+  impl_->leaving[a].push_back(number);
+  impl_->leaving[b].push_back(number + 1);
+  impl_->directions.push_back({a, b, {}, 0, {}});
+  impl_->directions.push_back({b, a, {}, 0, {}});
   const auto name = fmt::format("{}-{}", a, b);
   auto* there = zone.create_link(name + ">", rates.one_way)->seal();
   auto* back = zone.create_link(name + "<", rates.one_way)->seal();
@@ -185,34 +223,36 @@ void Engine::soon(Callback callback) { impl_->soon.push_back(std::move(callback)
 
 void Engine::transfer(int from, int to, std::uint64_t bytes, Callback arrived) {
   Impl& impl = *impl_;
-  if (impl.free_slots.empty()) {
-    impl.flights.emplace_back();
-    impl.free_slots.push_back(impl.flights.size() - 1);
-  }
-  const std::size_t slot = impl.free_slots.back();
-  impl.free_slots.pop_back();
-  const std::uint64_t id = ++impl.sent;
-  impl.flights[slot] = {{}, std::move(arrived), from, to, bytes, id};
-  // A hair early, or late, lest SimGrid round its date.
-  const double earliest = impl.now + static_cast<double>(bytes) / impl.fastest * (1 - 1e-9);
-  const double latest = impl.now + static_cast<double>(bytes) / impl.slowest * (1 + 1e-9) + 1e-11;
-  impl.ends.push_back({earliest, latest, slot, id});
-  std::ranges::push_heap(impl.ends, std::less<>());
-  impl.horizon = std::min(impl.horizon, earliest);
+  const std::size_t number = *std::ranges::find(
+      impl.leaving[from], to, [&](std::size_t n) { return impl.directions[n].to; });
+  impl.directions[number].bytes = bytes;
+  impl.directions[number].arrived = arrived;
+  impl.forecast.start(number, static_cast<double>(bytes), impl.now);
   if (impl.now > s4u::Engine::get_clock())
-    Timer::set(impl.now, [&impl, slot] { impl.start(slot); });
+    impl.start_later(number);
   else
-    impl.start(slot);
+    impl.start(number);
 }
 
-std::uint64_t Engine::run() {
-  impl_->zone->seal();
+Engine::End Engine::run(Seconds until) {
+  impl_->until = until.value;
+  {
+    const KeptSignals kept;
+    impl_->zone->seal();
+  }
   at({0}, [] {});  // and after it whatever was asked for soon
   impl_->run_ahead();
   impl_->engine->run();
-  return impl_->handled;
+  if (impl_->end_reason == End::no_event_left) impl_->now = impl_->last_useful;
+  return impl_->end_reason;
 }
 
-void Engine::stop() { impl_->stopped = true; }
+void Engine::ignore_event() { impl_->ignored = true; }
+
+void Engine::stop() { impl_->stop(End::stopped); }
+
+std::uint64_t Engine::handled() const { return impl_->handled; }
+
+void request_stop() { stop_requested = 1; }
 
 }  // namespace machine

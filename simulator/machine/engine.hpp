@@ -38,6 +38,9 @@ class Callback {
   alignas(8) unsigned char body_[24];
 };
 
+// Ends the simulation of this host process at its next event. May be called by a signal handler.
+void request_stop();
+
 class Engine {
  public:
   using Callback = machine::Callback;
@@ -60,13 +63,20 @@ class Engine {
   void at(Seconds date, Callback callback);
   // Calls back when the event being handled is over, at the same simulated instant.
   void soon(Callback callback);
-  // Moves `bytes` (> 0) over the link from one processor to its neighbour, then calls back.
+  // Moves `bytes` (> 0) over the link from one processor to its neighbour, then calls back. One
+  // message at a time in each direction.
   void transfer(int from, int to, std::uint64_t bytes, Callback arrived);
 
-  // Runs until no event is left, or until stop(). Returns the number of events handled.
-  std::uint64_t run();
+  // Runs until no event is left, until the clock would pass `until`, or until stop() or
+  // request_stop(). The clock stays at the last event, or at `until`.
+  enum class End { no_event_left, until, stopped, requested };
+  End run(Seconds until);
+  // Called by an event that turns out to be of no use any more: the clock does not stay at it when
+  // the run ends.
+  void ignore_event();
   // Drops all events still to come.
   void stop();
+  std::uint64_t handled() const;  // events
 
  private:
   struct Impl;

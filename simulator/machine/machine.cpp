@@ -1,71 +1,80 @@
 #include "simulator/machine/machine.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "simulator/machine/deadlock.hpp"
 #include "simulator/machine/faults.hpp"
 
 namespace machine {
 
-void LinkDirection::transfer(std::uint64_t bytes, Engine::Callback arrived) {
-  if (std::exchange(busy_, true)) throw InvariantBroken("two messages at once on link " + name());
-  since_ = engine_.now();
-  bytes_ = bytes;
-  use_.bytes_sent += bytes;
-  arrived_ = std::move(arrived);
-  engine_.transfer(from_.id(), to_.id(), bytes, [this] {
-    use_.busy += engine_.now() - since_;
-    ++use_.messages;
-    use_.bytes += bytes_;
-    busy_ = false;
-    arrived_();
-  });
+namespace {
+
+constexpr std::size_t MAX_LINKS = 4, WORD_BYTES = 4;
+
+// With link switches a byte's period is longer, since the next byte waits for the acknowledge of
+// the one before, and both pass every switch.
+Engine::LinkRates rates_through(const Model::Link& link, int switches) {
+  const double period = link.byte_bits + switches * link.switch_byte_bits;
+  const double rate = switches > 0 ? link.bit_rate / period : link.one_way_rate;
+  return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
 }
 
-LinkUse LinkDirection::use() const {
-  LinkUse use = use_;
-  if (busy_) use.busy += engine_.now() - since_;
-  return use;
+}  // namespace
+
+std::string_view to_string(End end) {
+  constexpr std::string_view names[] = {"done", "limit", "interrupt"};
+  return names[static_cast<int>(end)];
 }
 
 Processor& Machine::add_processor(std::string name, std::uint64_t memory) {
   const int id = engine_.add_processor(name);
-  processors_.push_back(std::make_unique<Processor>(engine_, model_, id, std::move(name), memory));
+  processors_.push_back(
+      std::make_unique<Processor>(engine_, model_, id, std::move(name), memory, software_factor_));
+  ports_.push_back(0);
   return *processors_.back();
 }
 
-void Machine::connect(Processor& a, Processor& b) {
-  for (const Processor* p : {&a, &b}) {
-    const auto used =
-        std::ranges::count_if(links_, [&](const auto& link) { return &link->from() == p; });
-    if (used >= 4) throw InvariantBroken(p->name() + " would have more than four links");
+void Machine::connect(Processor& a, Processor& b, int switches) {
+  for (const Processor* p : {&a, &b})
+    if (ports_.at(static_cast<std::size_t>(p->id())) >= MAX_LINKS)
+      throw InvariantBroken(p->name() + " would have more than four links");
+  const auto rates = rates_through(model_.link, switches);
+  const double steal = model_.memory.steal_word / WORD_BYTES / model_.cpu.clock.value;
+  const auto cable = std::make_shared<Cable>(
+      Cable::End{&a, ports_[static_cast<std::size_t>(a.id())]++},
+      Cable::End{&b, ports_[static_cast<std::size_t>(b.id())]++},
+      std::array{steal * rates.one_way, steal * std::min(rates.both_ways, 2 * rates.one_way)});
+  const Seconds delay{switches * model_.link.switch_bits / model_.link.bit_rate};
+  engine_.add_link(a.id(), b.id(), rates);
+  for (auto [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    links_.push_back(std::make_unique<LinkDirection>(engine_, *from, *to, cable, delay));
+    link_of_[{from->id(), to->id()}] = links_.back().get();
   }
-  engine_.add_link(a.id(), b.id(), {model_.link.one_way_rate, model_.link.both_ways_rate});
-  links_.push_back(std::make_unique<LinkDirection>(engine_, a, b));
-  links_.push_back(std::make_unique<LinkDirection>(engine_, b, a));
 }
 
 LinkDirection& Machine::link(const Processor& from, const Processor& to) {
-  for (auto& link : links_)
-    if (&link->from() == &from && &link->to() == &to) return *link;
+  const auto found = link_of_.find({from.id(), to.id()});
+  if (found != link_of_.end()) return *found->second;
   throw InvariantBroken("no link joins " + from.name() + " and " + to.name());
 }
 
-void Machine::run() {
-  events_ = engine_.run();
+void Machine::set_observer(Observer& observer) {
+  for (auto& processor : processors_) processor->set_observer(&observer);
+  for (auto& link : links_) link->set_observer(&observer);
+}
+
+End Machine::run(Seconds until) {
+  const Engine::End why = engine_.run(until);
   for (const auto& processor : processors_)
     if (processor->failure()) std::rethrow_exception(processor->failure());
+  for (const auto& processor : processors_) processor->flush_observer();
+  if (why == Engine::End::until) return End::limit;
+  if (why == Engine::End::requested) return End::interrupt;
   for (const auto& link : links_)
     check_equal("bytes out of a link", link->use().bytes, link->use().bytes_sent);
-  std::string waiting;
-  for (const auto& processor : processors_) {
-    for (const auto& process : processor->processes())
-      if (process->state() != Process::State::ended)
-        waiting += fmt::format("\n  {} waits for {}", process->name(), process->waiting_for());
-  }
-  if (!waiting.empty())
-    throw Deadlock(
-        "machine", now(),
-        fmt::format("deadlock at {:.6f} s, nothing can happen any more:{}", now().value, waiting));
+  throw_if_deadlocked(*this);
+  return End::done;
 }
 
 }  // namespace machine

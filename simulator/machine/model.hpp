@@ -1,10 +1,13 @@
 #pragma once
 // A transputer model: every number of the machine and of the programs' costs, with its unit, its
-// provenance and its source. The numbers live in model files, never in the code.
+// provenance and its source. The numbers live in model files, never in the code. An entry may be a
+// formula over others, so that memory of one more wait state, or a workspace off chip, changes
+// everything that it must.
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "simulator/machine/units.hpp"
@@ -15,12 +18,16 @@ namespace machine {
 enum class Provenance { datasheet, thesis, calibrated, assumed };
 
 struct Entry {
-  std::string key;  // "link.one_way_rate"
-  double value = 0;
-  std::string unit;  // "cycles", "bytes/s", ...
+  std::string key;      // "link.one_way_rate"
+  double value = 0;     // of the formula too, in this model
+  std::string formula;  // over other entries' keys; empty for a plain number
+  std::string unit;     // "cycles", "bytes/s", ...
   Provenance provenance = Provenance::assumed;
   std::string source;
+  std::string where;  // "my.toml:4: link.one_way_rate"
 };
+
+using NamedNumbers = std::map<std::string, double, std::less<>>;
 
 struct Model {
   std::string name;
@@ -29,51 +36,73 @@ struct Model {
   struct Cpu {
     Hertz clock;
   } cpu;
+  struct Memory {
+    double steal_word;  // cycles that a link's DMA takes from the CPU, for each 4-byte word
+  } memory;
   struct Link {
+    double bit_rate, byte_bits;           // bits/s; bits of a byte's packet on the wire
     double one_way_rate, both_ways_rate;  // bytes/s, see Engine::LinkRates
+    double switch_bits;       // delay of a C004 link switch, in bit times, each time it is passed
+    double switch_byte_bits;  // what each switch adds to the period of a byte, in bit times
   } link;
   struct Scheduler {
     Cycles slice;          // a time slice period
     Cycles preemption;     // from a low-priority process to a high one that became ready
     Cycles return_to_low;  // and back
-    Cycles start_process, end_process;
+    Cycles start_process, end_process;  // startp, endp: PAR's branches of one priority
+    Cycles run_process;                 // runp: a branch of another priority
+    Cycles par_setup, par_branch;       // around a PAR, and around each branch it starts
   } scheduler;
   struct Channel {
+    Cycles operands;    // loaded before in or out
     Cycles blocked;     // in/out that has to wait, or that starts a link
     Cycles soft_setup;  // in/out that finds its partner on this processor
     Cycles copy_word;   // and moves one 4-byte word
+    Cycles out_word;    // what outword takes beyond out, for a message of one word
   } channel;
   struct Alternative {
-    Cycles setup, end;                // alt, altend
-    Cycles enable_ready, enable_not;  // enbc, a guard
-    Cycles wait_ready, wait_not;      // altwt
-    Cycles disable;                   // disc, a guard
+    Cycles setup, timer_setup, end;               // alt, talt, altend
+    Cycles enable_ready, enable_not;              // a channel guard: its operands and enbc
+    Cycles enable_skip, enable_timer;             // enbs, enbt
+    Cycles wait_ready, wait_not;                  // altwt
+    Cycles timer_wait_ready, timer_wait_not;      // taltwt
+    Cycles disable, disable_skip, disable_timer;  // disc, diss, dist
   } alternative;
   struct Timer {
     Cycles read, wait_past, wait_future;  // ldtimer, tin
     double high_tick, low_tick;           // s
   } timer;
   struct Software {
-    double occam_factor;  // what compiled occam adds to the instruction times of its channels
+    double occam_factor;  // what the thesis's compiled occam adds to channel instructions
   } software;
 
+  NamedNumbers instruction;  // cycles of an instruction, "instruction.lend"
   // Cycles of a kernel's operation, "operation.box_test", times the scale of its kernel.
-  std::map<std::string, double, std::less<>> operation;
-  std::map<std::string, double, std::less<>> scale;
+  NamedNumbers operation, scale;
   // Sizes of messages, records and memories, "bytes.ray"; get_bytes throws InvalidInput on a name
   // that the model file does not have.
-  std::map<std::string, double, std::less<>> bytes;
+  NamedNumbers bytes;
 };
 
 std::uint64_t get_bytes(const Model& model, std::string_view name);
+// Throws InvalidInput on a name that the model does not have.
+Cycles get_instruction(const Model& model, std::string_view name);
 
 // `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
 // base = "NAME" holds only what differs from that model. Throws InvalidInput.
 Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
+// The model with some entries set: "link.bit_rate" to a number, or to a formula in quotes, as TOML
+// spells it. They keep their unit, and are assumed by `origin`.
+Model override_model(std::string_view name,
+                     const std::vector<std::pair<std::string, std::string>>& entries,
+                     std::string_view origin);
 std::vector<std::string> builtin_models();
+
 std::string to_text(double value);         // whole numbers in full
 std::string describe(const Model& model);  // a table of every entry
+// A table of the entries whose value, formula, provenance or source differ.
+std::string describe_difference(const Model& a, const Model& b);
 std::string_view to_string(Provenance provenance);
 
 // Turns a kernel's counts of operations into cycles.

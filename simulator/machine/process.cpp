@@ -1,6 +1,7 @@
 #include "simulator/machine/process.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "simulator/machine/faults.hpp"
 #include "simulator/machine/processor.hpp"
@@ -32,7 +33,32 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 }
 
 constexpr std::size_t STACK_BYTES = 128 * 1024;  // host memory; pages are touched on use
+
+// Stacks are used again: the branches of a PAR come and go.
+class StackPool {
+ public:
+  boost::context::stack_context allocate() {
+    if (free_.empty()) return boost::context::fixedsize_stack(STACK_BYTES).allocate();
+    const auto stack = free_.back();
+    free_.pop_back();
+    return stack;
+  }
+  void deallocate(boost::context::stack_context& stack) noexcept { free_.push_back(stack); }
+  ~StackPool() {
+    for (auto& stack : free_) boost::context::fixedsize_stack(STACK_BYTES).deallocate(stack);
+  }
+
+ private:
+  std::vector<boost::context::stack_context> free_;
+};
+StackPool stacks;
+
+struct PooledStack {
+  boost::context::stack_context allocate() { return stacks.allocate(); }
+  void deallocate(boost::context::stack_context& stack) noexcept { stacks.deallocate(stack); }
+};
 Process* executing = nullptr;
+ProcessId last_id = 0;
 
 // Unwinds the body of a process that is destroyed before it has ended.
 struct Cancelled {};
@@ -45,13 +71,13 @@ Process& this_process() {
 }
 
 Process::Process(Processor& processor, std::string name, Priority priority, Body body)
-    : processor_(processor), name_(std::move(name)), priority_(priority) {
+    : processor_(processor), id_(++last_id), name_(std::move(name)), priority_(priority) {
   auto entry = [this, body = std::move(body)](boost::context::fiber&& scheduler) {
     arrived(nullptr, &scheduler_stack, &scheduler_stack_size);
     scheduler_ = std::move(scheduler);
     try {
       if (!cancelled_) body();
-      if (!cancelled_) sync();  // it ends when its own time has come
+      if (!cancelled_ && debt_.value > 0) sync();  // it ends when its own time has come
     } catch (const Cancelled&) {
     } catch (const std::exception&) {
       processor_.fail(std::current_exception());
@@ -60,7 +86,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
     leaving(nullptr, scheduler_stack, scheduler_stack_size);
     return std::move(scheduler_);
   };
-  boost::context::fixedsize_stack allocator(STACK_BYTES);
+  PooledStack allocator;
   const auto stack = allocator.allocate();
   stack_ = static_cast<const char*>(stack.sp) - stack.size;  // it grows downwards
   fiber_ = boost::context::fiber(std::allocator_arg,
@@ -101,6 +127,9 @@ void Process::block(const Wait& wait) {
   suspend();
 }
 
-Seconds Process::now() const { return processor_.now() + debt_ / processor_.clock(); }
+Seconds Process::now() const {
+  const Seconds clock = processor_.now();
+  return debt_.value == 0 ? clock : clock + processor_.duration(debt_);
+}
 
 }  // namespace machine

@@ -3,18 +3,26 @@
 #include <boost/context/fiber.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "simulator/machine/units.hpp"
 
 namespace machine {
 
+class Process;
 class Processor;
 
 enum class Priority : std::uint8_t { high, low };
 
+using ProcessId = std::uint64_t;  // never given twice; 0 is nobody's
+
 // What a blocked process waits for: told only if the machine deadlocks.
 struct Wait {
   virtual std::string describe() const = 0;  // "in on worker3.from.left"
+  // The processes any of which could end the wait, as far as they are known; they may have ended.
+  virtual std::vector<ProcessId> waits_for() const { return {}; }
+  // Whether it is a wait for input: how a server may be left when all others have ended.
+  virtual bool is_for_input() const { return false; }
 
  protected:
   ~Wait() = default;
@@ -48,12 +56,19 @@ class Process {
   Seconds now() const;
 
   Processor& processor() { return processor_; }
+  const Processor& processor() const { return processor_; }
+  ProcessId id() const { return id_; }
   const std::string& name() const { return name_; }
   Priority priority() const { return priority_; }
   State state() const { return state_; }
+  // A server runs for ever: when all other processes have ended and it waits for input, the run is
+  // done.
+  void set_server() { is_server_ = true; }
+  bool is_server() const { return is_server_; }
   // Counts the times it has blocked: tells one wait from the next.
   std::uint64_t waits() const { return waits_; }
-  std::string waiting_for() const { return wait_ ? wait_->describe() : "its start"; }
+  const Wait* wait() const { return wait_; }  // of a blocked process; null before its start
+  std::uint32_t trace_id() const { return trace_id_; }  // see Observer
 
  private:
   friend class Processor;
@@ -61,6 +76,7 @@ class Process {
   void suspend();  // the body returns to the scheduler
 
   Processor& processor_;
+  ProcessId id_;
   std::string name_;
   Priority priority_;
   State state_ = State::ready;
@@ -69,8 +85,10 @@ class Process {
   std::uint64_t waits_ = 0;
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   const Wait* wait_ = nullptr;
+  int wake_ups_ = 0;  // Processor::wake_at still to come
   boost::context::fiber fiber_, scheduler_;
-  bool cancelled_ = false;
+  bool cancelled_ = false, is_server_ = false;
+  std::uint32_t trace_id_ = 0;
   const void* stack_ = nullptr;  // lowest address, for the address sanitizer
 };
 

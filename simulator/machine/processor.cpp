@@ -8,17 +8,53 @@
 
 namespace machine {
 
+namespace {
+constexpr double HAIR = 1e-9;  // of a time slice: a date that is a tick may be rounded off it
+}
+
 Processor::Processor(Engine& engine, const Model& model, int id, std::string name,
-                     std::uint64_t memory)
-    : engine_(engine), model_(model), id_(id), name_(std::move(name)), memory_(name_, memory) {}
+                     std::uint64_t memory, double software_factor)
+    : engine_(engine),
+      model_(model),
+      id_(id),
+      name_(std::move(name)),
+      memory_(name_, memory),
+      software_factor_(software_factor) {}
 
 Process& Processor::start(std::string name, Priority priority, Process::Body body) {
   processes_.push_back(
       std::make_unique<Process>(*this, std::move(name), priority, std::move(body)));
   Process& process = *processes_.back();
   process.state_ = Process::State::blocked;
+  name_for_observer(process);
   make_ready(process, now());
   return process;
+}
+
+void Processor::remove(const Process& process) {
+  if (process.state_ != Process::State::ended)
+    throw InvariantBroken(process.name() + " was removed but has not ended");
+  const auto last = std::find_if(processes_.rbegin(), processes_.rend(),
+                                 [&](const auto& p) { return p.get() == &process; });
+  const auto place = std::next(last).base();
+  if (removed_.size() >= sweep_at_) {  // seldom: many may wait for their last wake_at
+    std::erase_if(removed_, [](const auto& p) { return p->wake_ups_ == 0; });
+    sweep_at_ = 2 * removed_.size() + 16;
+  }
+  if (process.wake_ups_ > 0) removed_.push_back(std::move(*place));
+  processes_.erase(place);
+}
+
+void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait) {
+  ++process.wake_ups_;
+  engine_.at(date, [&process, date, wait] {
+    --process.wake_ups_;
+    Processor& self = process.processor();
+    if (process.state() == Process::State::blocked && process.waits() == wait)
+      self.make_ready(process, date);
+    else
+      self.engine_.ignore_event();
+  });
 }
 
 void Processor::make_ready(Process& process, Seconds at) {
@@ -64,16 +100,22 @@ void Processor::execute(Process& process) {
   process.state_ = Process::State::running;
   process.resume();
   if (failure_) return;
-  const Seconds time = process.debt_ / clock();
+  const Seconds time = duration(process.debt_);
   const bool done = process.state_ != Process::State::running;
   process.debt_ = {};
   if (process.priority_ == Priority::high) {
     use_.busy_high += time;
     high_until_ = now() + time;
+    if (observer_) {
+      const Seconds switched = preempting_ ? now() + duration(model_.scheduler.preemption) : now();
+      tell(process, Observer::Doing::switching, now(), switched);
+      tell(process, Observer::Doing::high, switched, high_until_);
+    }
+    preempting_ = false;
     if (done) return release(process, high_until_);
     engine_.at(high_until_, [this, &process] { execute(process); });
   } else {
-    if (!done) return compute(process, time);
+    if (!done) return compute(process, {time.value * speed_});
     if (time.value > 0)
       throw InvariantBroken(process.name() + " left the CPU at low priority with unpaid cycles");
     release(process, now());
@@ -81,8 +123,11 @@ void Processor::execute(Process& process) {
 }
 
 void Processor::release(Process& process, Seconds free_at) {
-  if (interrupted_ == &process) {
-    interrupted_ = nullptr;  // the high process that came meanwhile has the CPU
+  if (interrupted_ == &process) {  // by its last instruction: it gave way, nothing is to be saved
+    interrupted_ = nullptr;
+    preempting_ = false;
+    --use_.preemptions;
+    running_->charge({-model_.scheduler.preemption.value});
     return;
   }
   running_ = nullptr;
@@ -98,13 +143,15 @@ void Processor::preempt(Process& high) {
   interrupted_ = running_;
   running_ = &high;
   if (low_computing_) {
-    low_left_ = low_end_ - std::max(now(), low_since_);
+    low_left_ = speed_ * (low_end_ - std::max(now(), low_since_));
     if (low_since_ > now()) {
       const Seconds left = std::max(now(), free_at_);
       use_.busy_high -= low_since_ - left;  // no more on its way back
       high_until_ = left;
+      tell(*interrupted_, Observer::Doing::switching, way_back_from_, left);
+      way_back_from_ = NEVER;
     } else {
-      use_.busy_low += now() - low_since_;
+      account_low();
     }
   }
   if (free_at_ > now()) {  // the last high-priority process is still there: no pre-emption
@@ -112,6 +159,7 @@ void Processor::preempt(Process& high) {
     return;
   }
   ++use_.preemptions;
+  preempting_ = true;
   high.charge(model_.scheduler.preemption);
   engine_.soon([this, &high] { execute(high); });
 }
@@ -119,16 +167,23 @@ void Processor::preempt(Process& high) {
 // From free_at_ on the CPU goes back to the low-priority process.
 void Processor::resume_interrupted() {
   running_ = std::exchange(interrupted_, nullptr);
-  const Seconds back = model_.scheduler.return_to_low / clock();
+  const Seconds back = duration(model_.scheduler.return_to_low);
+  way_back_from_ = free_at_;
   use_.busy_high += back;
   low_since_ = high_until_ = free_at_ + back;
-  low_end_ = low_since_ + low_left_;
+  low_end_ = low_since_ + Seconds{low_left_.value / speed_};
   arm_low_timer();
 }
 
+// The clock in time slice periods, and the date of one of its ticks.
+double Processor::slices(Seconds date) const { return date / (model_.scheduler.slice / clock()); }
+Seconds Processor::tick_of_slices(double tick) const {
+  return tick * (model_.scheduler.slice / clock());
+}
+
 void Processor::begin_slice(Process& low) {
-  const Seconds period = model_.scheduler.slice / clock();
-  slice_end_ = {(std::floor(now() / period) + 2) * period.value};
+  slice_end_ = tick_of_slices(std::floor(slices(now()) + HAIR) + 2);
+  gives_way_at_ = NEVER;
   if (low.remaining_.value <= 0) return execute(low);
   ++use_.dispatches;
   low.state_ = Process::State::running;
@@ -139,20 +194,23 @@ void Processor::begin_slice(Process& low) {
 void Processor::compute(Process& low, Seconds time) {
   low_computing_ = true;
   low_since_ = now();
-  low_end_ = now() + time;
+  low_end_ = now() + Seconds{time.value / speed_};
   low_left_ = time;
   if (interrupted_ != &low) arm_low_timer();  // else a high process came during its operation
 }
 
 void Processor::arm_low_timer() {
-  const Seconds gives_way = std::max({now(), slice_end_, low_since_});
-  const Seconds at = low_.empty() ? low_end_ : std::min(low_end_, gives_way);
+  if (!low_.empty() && gives_way_at_ == NEVER)
+    gives_way_at_ =
+        std::max(slice_end_, tick_of_slices(std::ceil(slices(low_.front()->ready_at_) - HAIR)));
+  const Seconds gives_way = std::max({now(), gives_way_at_, low_since_});
+  const Seconds at = std::min(low_end_, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
   if (timer_armed_ && timer_at_ <= at) return;
   timer_armed_ = true;
   timer_at_ = at;
   engine_.at(at, [this, id = ++timer_id_] {
-    if (id != timer_id_) return;
+    if (id != timer_id_) return engine_.ignore_event();
     timer_armed_ = false;
     low_timer();
   });
@@ -162,17 +220,39 @@ void Processor::low_timer() {
   if (interrupted_ || !low_computing_) return;  // armed again when the CPU comes back
   Process& low = *running_;
   const Seconds left = low_end_ - now();
-  const bool gives_way = !low_.empty() && now() >= slice_end_ && now() >= low_since_;
+  const bool gives_way = now() >= gives_way_at_ && now() >= low_since_;
   if (left.value > 0 && !gives_way) return arm_low_timer();
-  use_.busy_low += now() - low_since_;
+  account_low();
   low_computing_ = false;
   if (left.value <= 0) return execute(low);
-  low.remaining_ = left;
+  low.remaining_ = speed_ * left;
   low.state_ = Process::State::ready;
   low.ready_at_ = now();
   low_.push_back(&low);
   running_ = nullptr;
   dispatch();
+}
+
+void Processor::account_low() {
+  use_.busy_low += now() - low_since_;
+  if (!observer_) return;
+  const Process& low = interrupted_ ? *interrupted_ : *running_;
+  if (way_back_from_ < NEVER) tell(low, Observer::Doing::switching, way_back_from_, low_since_);
+  way_back_from_ = NEVER;
+  tell(low, Observer::Doing::low, low_since_, now());
+}
+
+void Processor::set_stolen(std::size_t port, double share) {
+  stolen_.at(port) = share;
+  double stolen = 0;
+  for (double s : stolen_) stolen += s;
+  const double speed = std::max(1 - stolen, 0.05);
+  if (speed == speed_) return;
+  const double before = std::exchange(speed_, speed);
+  if (!low_computing_ || interrupted_) return;
+  const Seconds since = std::max(now(), low_since_);
+  low_end_ = since + before / speed * (low_end_ - since);
+  if (speed > before) arm_low_timer();
 }
 
 CpuUse Processor::use() const {

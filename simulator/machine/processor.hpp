@@ -4,14 +4,18 @@
 // High-priority processes run until they block. Low-priority ones run when no high one can, are
 // pre-empted by them, and share the CPU in time slices: a low process gives way after one to two
 // slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
+#include <array>
 #include <deque>
 #include <exception>
+#include <limits>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "simulator/machine/engine.hpp"
 #include "simulator/machine/memory.hpp"
 #include "simulator/machine/model.hpp"
+#include "simulator/machine/observer.hpp"
 #include "simulator/machine/process.hpp"
 
 namespace machine {
@@ -24,18 +28,28 @@ struct CpuUse {
 
 class Processor {
  public:
-  Processor(Engine& engine, const Model& model, int id, std::string name, std::uint64_t memory);
+  // `software_factor` multiplies the cycles of occam's channel instructions, see occam::charge.
+  Processor(Engine& engine, const Model& model, int id, std::string name, std::uint64_t memory,
+            double software_factor);
 
   // A new process, ready at once. The reference stays valid as long as the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
+  // Forgets a process that has ended.
+  void remove(const Process& process);
   // Puts a blocked process on its ready queue at time `at` (now or, from a running process of this
   // processor, that process's own time).
   void make_ready(Process& process, Seconds at);
+
+  // The same at a date to come, if the process is in its wait number `wait` then.
+  void wake_at(Seconds date, Process& process, std::uint64_t wait);
 
   int id() const { return id_; }
   const std::string& name() const { return name_; }
   const Model& model() const { return model_; }
   Hertz clock() const { return model_.cpu.clock; }
+  double software_factor() const { return software_factor_; }
+  // How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
+  Seconds duration(Cycles cycles) const { return {(cycles / clock()).value / speed_}; }
   Seconds now() const { return engine_.now(); }
   Engine& engine() { return engine_; }
   Memory& memory() { return memory_; }
@@ -44,28 +58,45 @@ class Processor {
 
   // Of a low-priority process that is executing: whether a high one has become ready meanwhile.
   bool has_lost_cpu(const Process& process) const { return interrupted_ == &process; }
+  // From now on the DMA of link `port` (0 to 3) takes this share of the CPU's cycles. What a
+  // high-priority process has begun to charge is not slowed any more; a low one's computation is.
+  void set_stolen(std::size_t port, double share);
+  // Tells what the processes do, from now on; a null pointer: nobody.
+  void set_observer(Observer* observer);
+  void flush_observer();  // what is not over, up to now
   // Ends the simulation with this exception (thrown again by Machine::run).
   void fail(std::exception_ptr failure);
   std::exception_ptr failure() const { return failure_; }
 
  private:
+  static constexpr Seconds NEVER{std::numeric_limits<double>::infinity()};
   void dispatch_at(Seconds date);  // the CPU is free from then on: see who runs next
   void dispatch();
   void execute(Process& process);  // let it run until it needs time, blocks or ends
   void release(Process& process, Seconds free_at);  // it blocked or ended
   void preempt(Process& high);
   void resume_interrupted();
+  double slices(Seconds date) const;
+  Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);
   void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
   void arm_low_timer();
   void low_timer();
+  void account_low();  // what the low process has computed since low_since_
+  void tell(const Process& process, Observer::Doing doing, Seconds from, Seconds to);
+  void name_for_observer(Process& process);
 
   Engine& engine_;
   const Model& model_;
   int id_;
   std::string name_;
   Memory memory_;
+  double software_factor_;
+  double speed_ = 1;  // share of the cycles that the links' DMA leaves
+  std::array<double, 4> stolen_{};
   std::vector<std::unique_ptr<Process>> processes_;
+  std::vector<std::unique_ptr<Process>> removed_;  // that a wake_at still refers to
+  std::size_t sweep_at_ = 16;                      // how many of them there may be
   std::deque<Process*> high_, low_;
   Process* running_ = nullptr;      // who has the CPU; null when idle
   Process* interrupted_ = nullptr;  // the low process that lost it to a high one
@@ -73,14 +104,26 @@ class Processor {
   bool dispatching_ = false;        // dispatch() is due
 
   // Of the low process that is computing or interrupted.
-  bool low_computing_ = false;  // else it executes an operation
-  Seconds low_since_{};         // since when it has had the CPU; ahead of the clock on a way back
-  Seconds low_end_{};           // when its computation ends if nobody interferes any more
-  Seconds low_left_{};          // what is left of it while it is interrupted
-  Seconds slice_end_{};         // from when on it gives way to another low process
+  bool low_computing_ = false;    // else it executes an operation
+  Seconds low_since_{};           // since when it has had the CPU; ahead of the clock on a way back
+  Seconds low_end_{};             // when its computation ends if nobody interferes any more
+  Seconds low_left_{};            // what is left of it while it is interrupted, at full speed
+  Seconds slice_end_{};           // from when on it gives way to another low process,
+  Seconds gives_way_at_ = NEVER;  // at this tick, once there is one
   bool timer_armed_ = false;
   Seconds timer_at_{};
   std::uint64_t timer_id_ = 0;  // timers with another id are stale
+
+  Observer* observer_ = nullptr;
+  struct Span {
+    std::uint32_t id;
+    Observer::Doing doing;
+    Seconds from, to;
+  };
+  std::deque<Span> ahead_;  // that may not be over yet: told with the next, or by flush_observer()
+  std::map<std::string, std::uint32_t, std::less<>> trace_ids_;
+  bool preempting_ = false;        // the next charge of the high process begins with a switch
+  Seconds way_back_from_ = NEVER;  // of the low process that is computing, not told yet
 
   CpuUse use_;
   Seconds high_until_{};  // up to when use_ already counts high-priority time

@@ -3,17 +3,34 @@
 #include <algorithm>
 
 #include "simulator/machine/faults.hpp"
+#include "simulator/occam/process.hpp"
 
 namespace occam {
 
 namespace {
 
-bool is_ready(const Guard& guard, machine::Seconds at) {
-  return guard.condition && (!guard.channel || guard.channel->output_waits(at));
+using Kind = Guard::Kind;
+using Costs = machine::Model::Alternative;
+
+bool is_ready(const Process& self, const Guard& guard, Seconds at) {
+  if (!guard.condition) return false;
+  if (guard.kind == Kind::timer) return at >= date_of(self, guard.tick);
+  return guard.kind == Kind::skip || guard.channel->output_waits(at);
 }
 
-auto find_ready(std::span<const Guard> guards, machine::Seconds at) {
-  return std::ranges::find_if(guards, [at](const Guard& g) { return is_ready(g, at); });
+Cycles cost_to_enable(const Costs& costs, const Guard& guard, bool ready) {
+  if (guard.kind == Kind::skip) return costs.enable_skip;
+  if (guard.kind == Kind::timer) return costs.enable_timer;
+  return ready ? costs.enable_ready : costs.enable_not;
+}
+
+Cycles cost_to_disable(const Costs& costs, const Guard& guard) {
+  if (guard.kind == Kind::skip) return costs.disable_skip;
+  return guard.kind == Kind::timer ? costs.disable_timer : costs.disable;
+}
+
+bool has_timer(std::span<const Guard> guards) {
+  return std::ranges::any_of(guards, [](const Guard& g) { return g.kind == Kind::timer; });
 }
 
 // What a deadlock report says of a process that waits for any of these.
@@ -26,21 +43,56 @@ struct Guards : machine::Wait {
         names += (names.empty() ? "alt on " : ", ") + guard.channel->name();
     return names;
   }
+  std::vector<machine::ProcessId> waits_for() const override {
+    std::vector<machine::ProcessId> writers;
+    for (const Guard& guard : guards)
+      if (guard.condition && guard.channel && guard.channel->last_writer() != 0)
+        writers.push_back(guard.channel->last_writer());
+    return writers;
+  }
+  bool is_for_input() const override { return true; }
   std::span<const Guard> guards;
 };
 
 // Blocks until an open guard may be ready.
 void wait_for_any(Process& self, std::span<const Guard> guards) {
   bool some_open = false;
-  for (const Guard& guard : guards)
-    if (guard.condition && guard.channel) {
-      guard.channel->enable(self);
-      some_open = true;
-    }
+  for (const Guard& guard : guards) {
+    if (!guard.condition) continue;
+    some_open = true;
+    if (guard.channel) guard.channel->enable(self);
+    if (guard.kind == Kind::timer)
+      self.processor().wake_at(date_of(self, guard.tick), self, self.waits() + 1);
+  }
   if (!some_open) throw machine::InvariantBroken(self.name() + ": an ALT without an open guard");
   self.block(Guards(guards));
   for (const Guard& guard : guards)
     if (guard.channel) guard.channel->disable();
+}
+
+// The guards are disabled again in order, and the first that is ready when its turn comes is taken.
+std::size_t choose(const Process& self, std::span<const Guard> guards, Seconds from) {
+  const auto& costs = self.processor().model().alternative;
+  const double factor = self.processor().software_factor();
+  Cycles spent{};
+  for (std::size_t i = 0; i < guards.size(); ++i) {
+    spent += cost_to_disable(costs, guards[i]);
+    const Seconds turn = self.processor().duration(spent);
+    if (is_ready(self, guards[i], from + factor * turn)) return i;
+  }
+  throw machine::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
+}
+
+// alt, and each guard enabled at its own turn.
+Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Seconds from) {
+  const auto& costs = self.processor().model().alternative;
+  const double factor = self.processor().software_factor();
+  Cycles spent = has_timer(guards) ? costs.timer_setup : costs.setup;
+  for (const Guard& guard : guards) {
+    const Seconds turn = from + factor * self.processor().duration(spent);
+    spent += cost_to_enable(costs, guard, is_ready(self, guard, turn));
+  }
+  return spent;
 }
 
 }  // namespace
@@ -48,8 +100,6 @@ void wait_for_any(Process& self, std::span<const Guard> guards) {
 std::size_t select(std::span<const Guard> guards) {
   Process& self = this_process();
   const auto& costs = self.processor().model().alternative;
-  // The guards are disabled again in order, and the first ready one is taken.
-  const Cycles choosing = static_cast<std::int64_t>(guards.size()) * costs.disable + costs.end;
   // Whether an output waits is certain only when the clock has reached this process's own time: on
   // a link it can come from a processor that is not so far yet.
   const bool looks_at_links = std::ranges::any_of(
@@ -58,28 +108,40 @@ std::size_t select(std::span<const Guard> guards) {
     if (looks_at_links) self.sync();
     self.sync_if_low();
   };
+  auto some_ready = [&] {
+    return std::ranges::any_of(
+        guards, [&, now = self.now()](const Guard& g) { return is_ready(self, g, now); });
+  };
 
   settle();
-  Cycles enabling = costs.setup;
-  bool some_ready = false;
-  for (const Guard& guard : guards) {
-    const bool ready = is_ready(guard, self.now());
-    enabling += ready ? costs.enable_ready : costs.enable_not;
-    some_ready |= ready;
-  }
-
-  charge(enabling + (some_ready ? costs.wait_ready + choosing : costs.wait_not));
-  settle();
-  auto chosen = find_ready(guards, self.now());
-  if (!some_ready) {
-    if (chosen == guards.end()) wait_for_any(self, guards);
-    charge(choosing);
+  // An output may come while the guards are enabled: what that adds is spent when it is known.
+  const Seconds begin = self.now();
+  Cycles enabled{};
+  const auto spend_enabling = [&] {
+    const Cycles known = cost_to_enable_all(self, guards, begin);
+    charge({known.value - enabled.value});
+    enabled = known;
+  };
+  spend_enabling();
+  bool ready = some_ready();
+  if (!ready) {
     settle();
-    chosen = find_ready(guards, self.now());
+    ready = some_ready();
+    spend_enabling();
   }
-  if (chosen == guards.end())
-    throw machine::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
-  return static_cast<std::size_t>(chosen - guards.begin());
+  if (has_timer(guards))
+    charge(ready ? costs.timer_wait_ready : costs.timer_wait_not);
+  else
+    charge(ready ? costs.wait_ready : costs.wait_not);
+  settle();
+  if (!ready && !some_ready()) wait_for_any(self, guards);
+  spend_enabling();
+  const Seconds from = self.now();
+  Cycles disabling = costs.end;
+  for (const Guard& guard : guards) disabling += cost_to_disable(costs, guard);
+  charge(disabling);
+  settle();
+  return choose(self, guards, from);
 }
 
 }  // namespace occam

@@ -3,6 +3,7 @@
 //
 //   pri_alt(when(from_user, command, [&] { obey(command); }),
 //           when(is_free, from_sender, signal, [&] { ... }),
+//           after(deadline, [&] { ... }),
 //           otherwise(has_work, [&] { ... }));
 //
 // The first ready guard in the order written is taken (PRI ALT); a plain ALT leaves the choice
@@ -14,15 +15,31 @@
 
 namespace occam {
 
-// What a guard waits for: a channel (null for SKIP), if its condition holds.
+// What a guard waits for: an output on a channel, a tick of the timer, or nothing (SKIP), if its
+// condition holds.
 struct Guard {
+  enum class Kind : std::uint8_t { skip, channel, timer };
+
+  Guard() = default;
+  explicit Guard(ChannelBase* channel, bool condition = true)
+      : channel(channel), kind(channel ? Kind::channel : Kind::skip), condition(condition) {}
+  static Guard at(std::int64_t tick, bool condition) {
+    Guard guard;
+    guard.kind = Kind::timer;
+    guard.condition = condition;
+    guard.tick = tick;
+    return guard;
+  }
+
   ChannelBase* channel = nullptr;
+  Kind kind = Kind::skip;
   bool condition = true;
+  std::int64_t tick = 0;  // ready from then on, as wait_until() counts
 };
 
 // Waits until a guard is ready, and returns its index; the input is still to be done, with
 // Channel::in(). At least one condition must hold. Source: the instructions alt, enbc, altwt,
-// disc, altend.
+// disc, altend, with timers talt, enbt, taltwt, dist.
 std::size_t select(std::span<const Guard> guards);
 
 constexpr std::size_t MAX_REPLICAS = 8;
@@ -34,7 +51,7 @@ std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> c
                      Message& message) {
   std::array<Guard, MAX_REPLICAS> guards;
   const std::size_t n = channels.size();
-  for (std::size_t i = 0; i < n; ++i) guards.at(i).channel = channels[(favourite + i) % n];
+  for (std::size_t i = 0; i < n; ++i) guards.at(i) = Guard(channels[(favourite + i) % n]);
   const std::size_t chosen = (favourite + select({guards.data(), n})) % n;
   message = channels[chosen]->in();
   return chosen;
@@ -51,15 +68,16 @@ struct InputGuard : Guard {
   }
 };
 
+// SKIP and timers: nothing to input.
 template <class Then>
-struct SkipGuard : Guard {
+struct PlainGuard : Guard {
   Then then;
   void take() { then(); }
 };
 
 template <class Message, class Then>
 auto when(bool condition, Channel<Message>& from, Message& into, Then then) {
-  return InputGuard<Message, Then>{{&from, condition}, from, into, std::move(then)};
+  return InputGuard<Message, Then>{Guard(&from, condition), from, into, std::move(then)};
 }
 template <class Message, class Then>
 auto when(Channel<Message>& from, Message& into, Then then) {
@@ -68,7 +86,16 @@ auto when(Channel<Message>& from, Message& into, Then then) {
 // condition & SKIP
 template <class Then>
 auto otherwise(bool condition, Then then) {
-  return SkipGuard<Then>{{nullptr, condition}, std::move(then)};
+  return PlainGuard<Then>{Guard(nullptr, condition), std::move(then)};
+}
+// TIMER ? AFTER tick - 1
+template <class Then>
+auto after(std::int64_t tick, Then then) {
+  return PlainGuard<Then>{Guard::at(tick, true), std::move(then)};
+}
+template <class Then>
+auto after(bool condition, std::int64_t tick, Then then) {
+  return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
 template <class... Guards>

@@ -11,8 +11,12 @@ using machine::Seconds;
 
 void charge(Cycles instructions) {
   Process& self = this_process();
-  const double factor = self.processor().model().software.occam_factor;
+  const double factor = self.processor().software_factor();
   self.charge({std::llround(factor * static_cast<double>(instructions.value))});
+}
+
+void charge(std::string_view instruction) {
+  charge(get_instruction(this_process().processor().model(), instruction));
 }
 
 void ChannelBase::pay(Cycles cost) {
@@ -22,40 +26,53 @@ void ChannelBase::pay(Cycles cost) {
 
 // Spends what the operation takes up to the rendezvous. The partner may come while a low-priority
 // process does: then the copy is spent too, of as many `bytes` as there are by then.
-void ChannelBase::arrive(const std::uint64_t& bytes, const Party& partner) {
-  const auto& costs = this_process().processor().model().channel;
+void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& partner) {
+  Process& self = this_process();
+  const auto& costs = self.processor().model().channel;
+  users_[side] = self.id();
   const auto copy = [&] {
     return costs.soft_setup + static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
   };
+  const bool is_outword = side == writer && bytes == 4;
+  const Cycles before = is_outword ? costs.operands + costs.out_word : costs.operands;
   const bool came_second = partner.process;
-  pay(!hard() && came_second ? copy() : costs.blocked);
-  if (!hard() && !came_second && partner.process) pay({copy().value - costs.blocked.value});
+  pay(before + (!hard() && came_second ? copy() : costs.blocked));
+  if (!hard() && !came_second && partner.process)
+    pay({std::max<std::int64_t>(0, copy().value - costs.blocked.value)});
 }
 
 // `doing` is for the deadlock report. Where both ends wait, both wait for the transfer.
-void ChannelBase::wait(const char* doing) {
+void ChannelBase::wait(Process& self, Side side, const char* doing) {
   doing_ = doing;
-  this_process().block(*this);
+  waiting_ = side;
+  self.block(*this);
+}
+
+std::string ChannelBase::describe() const { return fmt::format("{} on {}", doing_, name_); }
+
+std::vector<machine::ProcessId> ChannelBase::waits_for() const {
+  const machine::ProcessId partner = users_[waiting_ == writer ? reader : writer];
+  return partner ? std::vector{partner} : std::vector<machine::ProcessId>{};
 }
 
 void ChannelBase::output(std::uint64_t bytes) {
   Process& self = this_process();
-  arrive(bytes, reader_);
+  arrive(writer, bytes, reader_);
   if (writer_.process) throw machine::InvariantBroken("two processes output on channel " + name_);
   if (reader_.process) return meet(std::exchange(reader_, {}), bytes);
   writer_ = {&self, self.now()};
   bytes_ = bytes;
   if (alternative_.process) wake_alternative(writer_.since);
-  wait("out");
+  wait(self, writer, "out");
 }
 
 void ChannelBase::input() {
   Process& self = this_process();
-  arrive(bytes_, writer_);
+  arrive(reader, bytes_, writer_);
   if (reader_.process) throw machine::InvariantBroken("two processes input on channel " + name_);
   if (writer_.process) return meet(std::exchange(writer_, {}), bytes_);
   reader_ = {&self, self.now()};
-  wait("in");
+  wait(self, reader, "in");
 }
 
 // Both ends are here; this process came second.
@@ -78,11 +95,11 @@ void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
     processor.engine().at(start, [this] { start_transfer(); });
   else
     start_transfer();
-  wait("transfer");
+  wait(self, ends_[0] == &self ? writer : reader, "transfer");
 }
 
 void ChannelBase::start_transfer() {
-  link_->transfer(bytes_, [this] { end_transfer(); });
+  link_->transfer(bytes_, name_, [this] { end_transfer(); });
 }
 
 void ChannelBase::end_transfer() {
@@ -92,6 +109,7 @@ void ChannelBase::end_transfer() {
 
 void ChannelBase::enable(Process& process) {
   alternative_ = {&process, process.now()};
+  users_[reader] = process.id();
   alternative_wait_ = process.waits() + 1;               // the wait about to begin
   if (writer_.process) wake_alternative(writer_.since);  // an output ahead of the clock
 }
@@ -100,14 +118,11 @@ void ChannelBase::enable(Process& process) {
 void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   at = std::max(at, alternative_.since);
-  auto wake = [&waiting, at, wait = alternative_wait_] {
-    if (waiting.state() == Process::State::blocked && waiting.waits() == wait)
-      waiting.processor().make_ready(waiting, at);
-  };
-  if (hard() && at > waiting.processor().now())
-    waiting.processor().engine().at(at, wake);
-  else
-    wake();
+  machine::Processor& processor = waiting.processor();
+  if (hard() && at > processor.now())
+    processor.wake_at(at, waiting, alternative_wait_);
+  else if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
+    processor.make_ready(waiting, at);
 }
 
 }  // namespace occam

@@ -4,6 +4,7 @@
 // hard channel is a direction of a link, and its DMA engine moves the bytes.
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "simulator/machine/machine.hpp"
@@ -41,6 +42,8 @@ class ChannelBase : machine::Wait {
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
 
+  // Who would have to output for an ALT on it to go on; 0 if that is not known.
+  machine::ProcessId last_writer() const { return users_[writer]; }
   // For ALT. Whether an output is waiting at time `at`.
   bool output_waits(machine::Seconds at) const { return writer_.process && writer_.since <= at; }
   // The process waits in an ALT, since its own time: the next output wakes it.
@@ -59,10 +62,13 @@ class ChannelBase : machine::Wait {
     Process* process = nullptr;
     machine::Seconds since{};  // its own time of arrival; may be ahead of the clock
   };
+  enum Side { writer, reader };
   void pay(Cycles cost);
-  void arrive(const std::uint64_t& bytes, const Party& partner);
-  void wait(const char* doing);
-  std::string describe() const override { return std::string(doing_) + " on " + name_; }
+  void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
+  void wait(Process& self, Side side, const char* doing);
+  std::string describe() const override;
+  std::vector<machine::ProcessId> waits_for() const override;
+  bool is_for_input() const override { return waiting_ == reader; }
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();
@@ -76,6 +82,8 @@ class ChannelBase : machine::Wait {
   std::uint64_t bytes_ = 0;             // of the output that waits or is under way
   Process* ends_[2] = {};               // of a transfer under way
   const char* doing_ = "";              // "in", "out" or "transfer": what its blocked process does
+  machine::ProcessId users_[2] = {};    // who has written and read it last, for a deadlock report
+  Side waiting_ = writer;               // which of them is blocked
   ChannelUse use_;
 };
 
@@ -111,7 +119,9 @@ void in(Channel<Message>& channel, Message& message) {
 }
 inline void in(Channel<Signal>& channel) { channel.in(); }
 
-// Spends the cycles of compiled occam: instruction times, times the model's occam factor.
+// Spends the cycles of instructions of compiled occam, times the machine's software factor.
 void charge(Cycles instructions);
+// The same for instructions by name, as the model file's [instruction] has them: charge("lend").
+void charge(std::string_view instruction);
 
 }  // namespace occam

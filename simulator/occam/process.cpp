@@ -12,10 +12,8 @@ Seconds tick_of(const Process& process, const machine::Model& model) {
   return {process.priority() == Priority::high ? model.timer.high_tick : model.timer.low_tick};
 }
 
-struct Reason : machine::Wait {
-  explicit Reason(const char* text) : text(text) {}
-  std::string describe() const override { return text; }
-  const char* text;
+struct TimerWait : machine::Wait {
+  std::string describe() const override { return "the timer"; }
 };
 
 // Whole ticks up to a time; a hair is added lest rounding lose one.
@@ -23,29 +21,63 @@ std::int64_t whole_ticks(double ticks) {
   return static_cast<std::int64_t>(std::floor(ticks * (1 + 1e-12) + 1e-9));
 }
 
+// The process that started the branches of a PAR, and waits for them.
+struct Join : machine::Wait {
+  std::size_t running = 0;
+  bool parent_waits = false;
+  std::vector<const Process*> branches;
+
+  std::string describe() const override { return "the end of its PAR branches"; }
+  std::vector<machine::ProcessId> waits_for() const override {
+    std::vector<machine::ProcessId> alive;
+    for (const auto* branch : branches)
+      if (branch->state() != Process::State::ended) alive.push_back(branch->id());
+    return alive;
+  }
+};
+
 }  // namespace
 
-void par(std::initializer_list<Branch> branches) {
+void par(std::span<const Branch> branches) {
   Process& self = this_process();
   machine::Processor& processor = self.processor();
   const auto& costs = processor.model().scheduler;
-  std::size_t running = branches.size();
-  bool waits = false;
+  Join join;
+  join.running = branches.size();
+  const Branch* own = nullptr;  // runs in this process
+  for (const Branch& branch : branches)
+    if (branch.priority == self.priority()) own = &branch;
+  charge(costs.par_setup);
   for (const Branch& branch : branches) {
-    charge(costs.start_process);
+    if (&branch == own) continue;
+    charge(costs.par_branch +
+           (branch.priority == self.priority() ? costs.start_process : costs.run_process));
     self.sync();
-    processor.start(branch.name, branch.priority, [&, body = branch.body] {
+    const Process& started = processor.start(branch.name, branch.priority, [&, body = branch.body] {
       body();
       charge(costs.end_process);
       this_process().sync();
-      if (--running == 0 && waits) processor.make_ready(self, this_process().now());
+      if (--join.running == 0 && join.parent_waits)
+        processor.make_ready(self, this_process().now());
     });
+    join.branches.push_back(&started);
+    self.sync_if_low();  // a high-priority branch has taken the CPU
+  }
+  if (own) {
+    own->body();
+    --join.running;
   }
   charge(costs.end_process);
   self.sync();
-  if (running == 0) return;
-  waits = true;
-  self.block(Reason("the end of its PAR branches"));
+  if (join.running > 0) {
+    join.parent_waits = true;
+    self.block(join);
+  }
+  for (const Process* branch : join.branches) processor.remove(*branch);
+}
+
+void par(std::initializer_list<Branch> branches) {
+  par(std::span(branches.begin(), branches.size()));
 }
 
 std::int64_t read_timer() {
@@ -56,16 +88,20 @@ std::int64_t read_timer() {
   return whole_ticks(self.now() / tick_of(self, model));
 }
 
+Seconds date_of(const Process& process, std::int64_t tick) {
+  return static_cast<double>(tick) * tick_of(process, process.processor().model());
+}
+
 void wait_until(std::int64_t tick) {
   Process& self = this_process();
   machine::Processor& processor = self.processor();
   const auto& model = processor.model();
-  const Seconds date = static_cast<double>(tick) * tick_of(self, model);
+  const Seconds date = date_of(self, tick);
   charge(self.now() >= date ? model.timer.wait_past : model.timer.wait_future);
   self.sync();
   if (self.now() >= date) return;
-  processor.engine().at(date, [&processor, &self, date] { processor.make_ready(self, date); });
-  self.block(Reason("the timer"));
+  processor.wake_at(date, self, self.waits() + 1);
+  self.block(TimerWait());
 }
 
 std::int64_t ticks(Seconds duration) {

@@ -2,47 +2,17 @@
 #include "experiments/commands.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "experiments/files.hpp"
 #include "experiments/table.hpp"
-#include "tests/experiments/support.hpp"
+#include "tests/experiments/tlab.hpp"
 
 namespace experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
-
-// Runs tlab in a process of its own, with `folder` as its current folder.
-Outcome tlab(const fs::path& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "tlab");
-  const fs::path out = folder / ".out", err = folder / ".err";
-  std::fflush(nullptr);
-  const pid_t pid = fork();
-  if (pid == 0) {
-    std::vector<char*> argv;
-    for (auto& a : arguments) argv.push_back(a.data());
-    if (!freopen(out.c_str(), "w", stdout) || !freopen(err.c_str(), "w", stderr)) _exit(99);
-    fs::current_path(folder);
-    const int code = run_tlab(static_cast<int>(argv.size()), argv.data());
-    std::fflush(nullptr);
-    _exit(code);
-  }
-  int status = 0;
-  waitpid(pid, &status, 0);
-  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
-  fs::remove(out);
-  fs::remove(err);
-  return outcome;
-}
 
 // The main job at reduced size.
 const std::vector<std::string> SMALL = {"run",   TLAB_SOURCE_DIR "/experiments/farm.toml",

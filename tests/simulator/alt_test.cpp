@@ -45,7 +45,8 @@ double expected_cost(const Model& model, const Choice& c, int taken) {
   const auto& alt = model.alternative;
   Cycles cost = alt.setup + alt.wait_ready + alt.end;
   for (int guard : make_order(c))
-    cost += (is_ready(c, guard) ? alt.enable_ready : alt.enable_not) + alt.disable;
+    cost += guard < 0 ? alt.enable_skip + alt.disable_skip
+                      : (is_ready(c, guard) ? alt.enable_ready : alt.enable_not) + alt.disable;
   return static_cast<double>(cost.value + (taken < 0 ? 0 : soft_cost(model, 4)));
 }
 

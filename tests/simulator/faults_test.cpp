@@ -1,94 +1,10 @@
-// What goes wrong says so: deadlock, memory, failing processes, broken invariants.
+// What goes wrong says so: memory, failing processes, broken invariants.
 #include <gtest/gtest.h>
 
-#include "simulator/machine/faults.hpp"
-#include "tests/simulator/support.hpp"
+#include "tests/simulator/failures.hpp"
 
 namespace occam {
 namespace {
-
-// Runs a machine that fails. The first line of the answer: the type of what was thrown, and of
-// whom and at what cycle a fault is; the rest is the message.
-std::string failure_of(const std::function<void(Lab&)>& body) {
-  return isolated([&]() -> std::string {
-    Lab lab;
-    auto fault = [&](const char* type, const machine::Fault& e) {
-      const double cycle = e.when.value * lab.machine.model().cpu.clock.value;
-      return fmt::format("{} of {} at {}\n{}", type, e.who, cycle, e.what());
-    };
-    try {
-      body(lab);
-      lab.machine.run();
-    } catch (const machine::Deadlock& e) {
-      return fault("Deadlock", e);
-    } catch (const machine::OutOfMemory& e) {
-      return fault("OutOfMemory", e);
-    } catch (const machine::InvariantBroken& e) {
-      return fmt::format("InvariantBroken\n{}", e.what());
-    } catch (const std::runtime_error& e) {
-      return fmt::format("runtime_error\n{}", e.what());
-    }
-    return "nothing\n";
-  });
-}
-
-void expect_failure(const std::string& first_line, const std::vector<std::string>& parts,
-                    const std::function<void(Lab&)>& body) {
-  const std::string failure = failure_of(body);
-  const auto end = failure.find('\n');
-  EXPECT_EQ(failure.substr(0, end), first_line);
-  for (const auto& part : parts)
-    EXPECT_NE(failure.find(part, end), std::string::npos)
-        << "no \"" << part << "\" in: " << failure;
-}
-
-std::string deadlock_at(Cycles cycle) {
-  return fmt::format("Deadlock of machine at {}", cycle.value);
-}
-
-TEST(Deadlock, NamesProcessesAndChannels) {
-  const Model costs = make_exact_model();
-  // Two processes each wait for the other to input first.
-  for (auto priority : BOTH_PRIORITIES)
-    expect_failure(deadlock_at(2 * costs.channel.blocked),
-                   {"deadlock at 0.000002 s", "\n  Alice waits for out on soft 0",
-                    "\n  Bob waits for out on soft 1"},
-                   [&](Lab& lab) {
-                     auto &there = lab.soft(), &back = lab.soft();
-                     auto& cpu = lab.cpu();
-                     cpu.start("Alice", priority, [&] { out(there, Words{}), back.in(); });
-                     cpu.start("Bob", priority, [&] { out(back, Words{}), there.in(); });
-                     cpu.start("Carol", priority, [] {});
-                   });
-  EXPECT_EQ(failure_of([](Lab& lab) { lab.cpu().start("Carol", Priority::low, [] {}); }),
-            "nothing\n");
-}
-
-TEST(Deadlock, NamesTheChannelsOfAnAlt) {
-  const auto alt = make_exact_model().alternative;
-  const Cycles waits = alt.setup + alt.wait_not;
-  auto wait = [](Lab& lab, std::size_t guards) {
-    auto &a = lab.soft(), &b = lab.soft();
-    lab.cpu().start("Alice", Priority::low, [&, guards] {
-      const std::array<Guard, 2> all{Guard{&a}, Guard{&b}};
-      select(std::span(all).first(guards));
-    });
-  };
-  expect_failure(deadlock_at(waits + alt.enable_not), {"Alice waits for alt on", "soft 0"},
-                 [&](Lab& lab) { wait(lab, 1); });
-  expect_failure(deadlock_at(waits + 2 * alt.enable_not),
-                 {"Alice waits for alt on", "soft 0", "soft 1"}, [&](Lab& lab) { wait(lab, 2); });
-}
-
-TEST(Deadlock, OfALinkNamesItsEnds) {
-  expect_failure(deadlock_at(make_exact_model().channel.blocked),
-                 {"Alice waits for in on cpu 0 > cpu 1"}, [](Lab& lab) {
-                   auto& a = lab.cpu();
-                   auto& b = lab.neighbour(a);
-                   auto& channel = lab.hard(a, b);
-                   b.start("Alice", Priority::low, [&] { channel.in(); });
-                 });
-}
 
 TEST(Memory, OutOfMemoryNamesBytesAskedForAndAvailable) {
   expect_failure(

@@ -83,7 +83,9 @@ hit = { value = 7, unit = "bytes", provenance = "thesis", source = "9.9" }
     const Entry* mine = find_entry(model, entry.key);
     ASSERT_TRUE(mine) << entry.key;
     if (entry.key != "cpu.clock" && entry.key != "bytes.hit") {
-      EXPECT_EQ(mine->value, entry.value) << entry.key;
+      EXPECT_EQ(mine->formula, entry.formula) << entry.key;
+      EXPECT_EQ(mine->value, entry.key == "scheduler.slice" ? 5120 * 30 / 5 : entry.value)
+          << entry.key;
     }
   }
   EXPECT_EQ(find_entry(model, "cpu.clock")->provenance, Provenance::assumed);
@@ -125,22 +127,35 @@ TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {
       {"missing value",
        R"(clock = {unit="Hz",provenance="assumed",source="x"})",
        {"my.toml:4", "cpu.clock", "\"value\" must be"}},
-      {"value a text",
-       R"(clock = {value="1",unit="Hz",provenance="assumed",source="x"})",
+      {"value neither number nor text",
+       R"(clock = {value=true,unit="Hz",provenance="assumed",source="x"})",
        {"my.toml:4", "cpu.clock", "\"value\" must be"}},
+      {"formula that is none",
+       R"(clock = {value="1 +",unit="Hz",provenance="assumed",source="x"})",
+       {"my.toml:4", "cpu.clock", "expected an expression"}},
+      {"formula of an unknown name",
+       R"(clock = {value="2 * link.bit_rat",unit="Hz",provenance="assumed",source="x"})",
+       {"my.toml:4", "cpu.clock", "unknown name link.bit_rat", "nearest is link.bit_rate"}},
+      {"formula that needs itself",
+       "clock = {value=\"link.bit_rate\",unit=\"Hz\",provenance=\"assumed\",source=\"x\"}\n[link]\n"
+       "bit_rate = {value=\"cpu.clock\",unit=\"bit/s\",provenance=\"assumed\",source=\"x\"}",
+       {"my.toml:", "depends on itself"}},
+      {"formula that has no value",
+       R"(clock = {value="1 / 0",unit="Hz",provenance="assumed",source="x"})",
+       {"my.toml:4", "cpu.clock", "found inf"}},
       {"negative value",
        R"(clock = {value=-1,unit="Hz",provenance="assumed",source="x"})",
-       {"my.toml:4", "cpu.clock", "from 0 to"}},
+       {"my.toml:4", "cpu.clock", "from 1000 to"}},
       {"infinite value",
        R"(clock = {value=inf,unit="Hz",provenance="assumed",source="x"})",
-       {"my.toml:4", "cpu.clock", "from 0 to"}},
+       {"my.toml:4", "cpu.clock", "from 1000 to"}},
       {"clock of zero",
        R"(clock = {value=0,unit="Hz",provenance="assumed",source="x"})",
-       {"my.toml", "cpu.clock: found 0, expected"}},
+       {"my.toml:4", "cpu.clock: found 0, expected"}},
       {"slices of no length",
-       "clock = {value=1,unit=\"Hz\",provenance=\"assumed\",source=\"x\"}\n[scheduler]\n"
+       "clock = {value=1e6,unit=\"Hz\",provenance=\"assumed\",source=\"x\"}\n[scheduler]\n"
        "slice = {value=0,unit=\"cycles\",provenance=\"assumed\",source=\"x\"}",
-       {"my.toml", "scheduler.slice: found 0, expected"}},
+       {"my.toml:6", "scheduler.slice: found 0, expected"}},
       {"operation that no program has",
        "[operation]\nbox_tset = {value=1,unit=\"cycles\",provenance=\"assumed\",source=\"x\"}",
        {"my.toml:5", "operation.box_tset", "\"operation.box_test\""}},
@@ -170,7 +185,8 @@ TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {
 
 TEST(Model, RefusesAnotherBaseNameOrAnIncompleteModel) {
   const std::pair<const char*, const char*> table[] = {
-      {"name = \"mine\"\nbase = \"t9000\"", "unknown model \"t9000\", expected t800-20, t805-25"},
+      {"name = \"mine\"\nbase = \"t9000\"",
+       "unknown model \"t9000\", expected t414-20, t800-20, t805-25, t805-30"},
       {"base = \"t805-25\"", "name is missing"},
       {"name = \"mine\"", "cpu.clock is missing (unit Hz)"},
       {"name = \"mine\"\ncpu = 1", "cpu: expected a section"},

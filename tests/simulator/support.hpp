@@ -52,11 +52,13 @@ inline Numbers isolated_numbers(const std::function<Numbers()>& body) {
   return numbers;
 }
 
-// t805-25 without what compiled occam adds, and with a clock, ticks and links of powers of two, so
-// that every time is a whole number of cycles and has no rounding.
+// t805-25 without operands' loads and DMA's stolen cycles, and with a clock, ticks and links of
+// powers of two, so that every time is a whole number of cycles and has no rounding.
 inline Model make_exact_model() {
   Model model = machine::load_model("t805-25");
-  model.software.occam_factor = 1;
+  model.memory.steal_word = 0;
+  for (machine::Cycles* beside : {&model.channel.operands, &model.channel.out_word})
+    *beside = {0};  // counted in tests of their own
   model.cpu.clock = {0x1p24};
   model.timer.high_tick = 0x1p-20;  // 16 cycles
   model.timer.low_tick = 0x1p-14;   // 1024 cycles
@@ -88,7 +90,8 @@ inline void wait_until_cycle(std::int64_t cycle) {
 
 // A machine and what its processes share. Built and run inside of isolated().
 struct Lab {
-  explicit Lab(const Model& model = make_exact_model()) : machine(model) {}
+  explicit Lab(const Model& model = make_exact_model(), double software_factor = 1)
+      : machine(model, software_factor) {}
 
   Processor& cpu() {
     return machine.add_processor(fmt::format("cpu {}", machine.processors().size()), 1 << 20);

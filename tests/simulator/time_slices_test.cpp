@@ -153,5 +153,91 @@ TEST(TimeSlices, EndDuringAPreemption) {
                                  .value);
 }
 
+// When each turn on the CPU begins, in seconds.
+struct Turns : machine::Observer {
+  void name_process(const Processor&, std::uint32_t, const std::string&) override {}
+  void ran(const Processor&, std::uint32_t, Doing, machine::Seconds from,
+           machine::Seconds) override {
+    begins.push_back(from.value);
+  }
+  void moved(const machine::LinkDirection&, const std::string&, std::uint64_t, machine::Seconds,
+             machine::Seconds) override {}
+  Numbers begins;
+};
+
+// Long computations of the real machine: each turn is exactly two periods, since it begins on a
+// tick. No tick is rounded away, however late.
+TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
+  const Model model = machine::load_model("t805-25");
+  const double period = 5120 / 5e6;
+  const auto found = isolated_numbers([&] {
+    Lab lab(model);
+    Turns turns;
+    Processor& cpu = lab.cpu();
+    for (int i = 0; i < 2; ++i)
+      cpu.start("busy", Priority::low, [] { compute(25'600'000), this_process().sync(); });
+    lab.machine.set_observer(turns);
+    lab.machine.run();
+    return turns.begins;
+  });
+  ASSERT_GE(found.size(), 1000u);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], 2 * period * static_cast<double>(i), 1e-9) << "turn " << i;
+}
+
+// A lone low process goes on; when another is ready after more than two periods, it gives way at
+// the next tick, and not before one period if it has just begun.
+TEST(TimeSlices, LateComerWaitsForTheNextTick) {
+  const Model model = make_exact_model();
+  const auto period = model.scheduler.slice.value;
+  for (std::int64_t comes :
+       {100, 4000, 4096 + 112, 2 * 4096 - 16, 2 * 4096 + 16, 3 * 4096 + 112, 7 * 4096 + 2000}) {
+    const auto found = isolated_numbers([&] {
+      Lab lab;
+      Processor& cpu = lab.cpu();
+      Processor& other = lab.neighbour(cpu);
+      auto& channel = lab.hard(other, cpu);
+      double begins = 0;
+      // It waits for its message first: the busy one begins after its 20 cycles.
+      cpu.start("late", Priority::low, [&] { channel.in(), begins = own_cycles(); });
+      cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
+      other.start("writer", Priority::high, [&] {
+        compute(comes - model.channel.blocked.value);
+        out(channel, {1});  // 16 cycles
+      });
+      lab.machine.run();
+      return Numbers{begins};
+    });
+    const auto ready = comes + 16, next = (ready + period - 1) / period * period;
+    EXPECT_NEAR(found.at(0), static_cast<double>(std::max(2 * period, next)), 1e-3) << comes;
+  }
+}
+
+// The tick passes, and the other becomes ready, while a high process has the CPU: the low one gives
+// way as soon as it is back.
+TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
+  const Model model = make_exact_model();
+  const auto period = model.scheduler.slice.value;
+  const auto& s = model.scheduler;
+  const auto found = isolated_numbers([&] {
+    Lab lab;
+    Processor& cpu = lab.cpu();
+    auto& channel = lab.soft();
+    double begins = 0;
+    cpu.start("late", Priority::low, [&] { channel.in(), begins = own_cycles(); });
+    cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
+    cpu.start("high", Priority::high, [&] {
+      wait_until_cycle(5 * period - 160);
+      out(channel, {4});
+      compute(1000), this_process().sync();  // beyond the tick
+      compute(1000);
+    });
+    lab.machine.run();
+    return Numbers{begins};
+  });
+  EXPECT_EQ(found.at(0), 5 * period - 160 + s.preemption.value + soft_cost(model, 4) + 2000 +
+                             s.return_to_low.value);
+}
+
 }  // namespace
 }  // namespace occam

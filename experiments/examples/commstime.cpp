@@ -1,0 +1,94 @@
+// Commstime: what channels, PAR and a change of process cost. The classical benchmark of occam
+// systems (P. Welch, University of Kent); 15.049 us a loop are published for a T800-20.
+//
+//            +--------+    a    +-------+    d    +---------+
+//        +-->| prefix |-------->| delta |-------->| consume |
+//        |   +--------+         +-------+         +---------+
+//      b |                          | c
+//        |        +------+          |
+//        +--------| succ |<---------+         all at low priority on one T800-20
+//                 +------+
+//
+// A number goes round and grows by 1; consume gets each. A loop is 291 cycles at 20 MHz:
+//   4 channels x (out, in: operands 4 + 4, one waits 20, the other copies 21, outword 4)   212
+//   PAR (two branches laid out 15, startp 12, two endp 26)                                  53
+//   three WHILEs' way back (j 3, prefix 1), SEQ's (ldlp, ldc, prefix, lend 10), adc 1       26
+#include <fmt/format.h>
+
+#include "simulator/occam/channel.hpp"
+#include "simulator/occam/process.hpp"
+
+using namespace occam;
+using machine::Model;
+
+namespace {
+
+constexpr int LOOPS = 1000;
+constexpr double PUBLISHED_US = 15.049;
+
+struct Int {
+  int value = 0;
+  static constexpr std::uint64_t bytes() { return 4; }
+};
+using Ints = Channel<Int>;
+
+// WHILE TRUE goes back by a jump, SEQ i = 0 FOR n by lend.
+void again() {
+  for (auto instruction : {"prefix", "j"}) charge(instruction);
+}
+void next() {
+  for (auto instruction : {"ldlp", "ldc", "prefix", "lend"}) charge(instruction);
+}
+
+void prefix(Ints& b, Ints& a) {
+  out(a, Int{0});
+  for (Int x;; again()) {
+    in(b, x);
+    out(a, x);
+  }
+}
+
+void delta(Ints& a, Ints& c, Ints& d) {
+  for (Int x;; again()) {
+    in(a, x);
+    par({{"delta.c", Priority::low, [&] { out(c, x); }},
+         {"delta.d", Priority::low, [&] { out(d, x); }}});
+  }
+}
+
+void succ(Ints& c, Ints& b) {
+  for (Int x;; again()) {
+    in(c, x);
+    charge("ldc");  // adc takes the same; that x is loaded, and b's address, is out's own
+    out(b, Int{x.value + 1});
+  }
+}
+
+// Leaves the time of a loop in the last thousand. Reading the simulator's clock costs no time.
+void consume(Ints& d, Seconds& loop) {
+  for (Int x;;) {
+    const Seconds start = this_process().now();
+    for (int i = 0; i < LOOPS; ++i, next()) in(d, x);
+    loop = (1.0 / LOOPS) * (this_process().now() - start);
+  }
+}
+
+}  // namespace
+
+int main() {
+  const Model model = machine::override_model(
+      "t800-20", {{"memory.data_word", "\"memory.on_chip_word\""}}, "commstime");
+  machine::Machine machine(model);
+  auto& t800 = machine.add_processor("t800", 4096);
+  Ints a("a"), b("b"), c("c"), d("d");
+  Seconds loop{};
+  t800.start("prefix", Priority::low, [&] { prefix(b, a); });
+  t800.start("delta", Priority::low, [&] { delta(a, c, d); });
+  t800.start("succ", Priority::low, [&] { succ(c, b); });
+  t800.start("consume", Priority::low, [&] { consume(d, loop); });
+  machine.run({0.1});  // seconds: it has no end of its own
+
+  const double us = 1e6 * loop.value;
+  fmt::print("a loop: {:.3f} us, {:.0f} cycles\n", us, loop.value * model.cpu.clock.value);
+  fmt::print("published: {:.3f} us, {:+.1f} %\n", PUBLISHED_US, 100 * (us / PUBLISHED_US - 1));
+}

@@ -1,0 +1,19 @@
+#pragma once
+// One point of an experiment whose program is a pattern.
+#include <nlohmann/json.hpp>
+
+#include "experiments/experiment.hpp"
+#include "simulator/observe/watch.hpp"
+
+namespace experiments {
+
+// Runs the pattern and returns
+//   "topology", "processors": the network, where the pattern uses one;
+//   "row": name -> number, the columns of results.csv after axes and parameters, in order; null
+//          for what is no finite number;
+//   "ended": done, saturated (queues grow without bound), limit or interrupt: then "row" is empty;
+//   "host": what the run cost the host, in seconds of CPU time: never part of a result.
+// `watch`: its limit, and what is traced.
+nlohmann::ordered_json run_pattern_point(const Experiment& experiment, observe::Watch& watch);
+
+}  // namespace experiments

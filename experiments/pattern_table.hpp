@@ -1,0 +1,20 @@
+#pragma once
+// The results of a pattern as a table.
+#include <nlohmann/json.hpp>
+
+#include "experiments/experiment.hpp"
+#include "experiments/table.hpp"
+
+namespace experiments {
+
+// One row per point: the axes of the sweep in the order of the file; where the pattern uses a
+// network, topology and processors unless they are axes; its parameters that are no axes; then
+// `results[i]["row"]`. A result that is an input as well ("processors") has one column; throws
+// machine::InvariantBroken where the two differ.
+Table make_pattern_table(const ExperimentFile& file,
+                         const std::vector<nlohmann::ordered_json>& results);
+
+// The first column of such a table that is a result and not an input as well; none if all are.
+std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
+
+}  // namespace experiments

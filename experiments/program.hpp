@@ -1,0 +1,28 @@
+#pragma once
+// The program of an experiment: the farm, or a pattern with its parameters. What [program] and
+// [model] may say.
+#include <toml++/toml.h>
+
+#include "experiments/experiment.hpp"
+#include "experiments/values.hpp"
+#include "simulator/patterns/pattern.hpp"
+
+namespace experiments {
+
+// The pattern of that name; null for "farm".
+const patterns::Pattern* find_pattern(std::string_view program);
+
+// program.name of a file. Throws machine::InvalidInput for an unknown program, with the nearest.
+std::string read_program(const toml::table& file, const std::string& origin);
+
+// Sets "program.bytes". Throws machine::InvalidInput for a parameter that the pattern does not
+// have, with the nearest, and for a value out of its range.
+void bind_parameter(Experiment& experiment, const patterns::Pattern& pattern, const Place& at);
+
+// Sets "model.link.one_way_rate"; the entry's name is checked when the model is made.
+void bind_model_entry(Experiment& experiment, const Place& at);
+
+// Throws machine::InvalidInput for a key that says nothing to this pattern: those of the farm.
+void check_belongs(const patterns::Pattern& pattern, const Place& at);
+
+}  // namespace experiments

@@ -1,0 +1,25 @@
+#pragma once
+// The files that show what a point's processors and links did: --trace and --timeline.
+#include "experiments/run.hpp"
+#include "simulator/observe/watch.hpp"
+
+namespace experiments {
+
+// Throws machine::InvalidInput for a name whose ending says no format, or more than one point.
+void check_trace_files(const RunOptions& options, std::size_t points);
+
+// Watches one point as the options say: its limit, and its trace if any file is wanted.
+class TraceFiles {
+ public:
+  explicit TraceFiles(const RunOptions& options);
+  observe::Watch& watch() { return watch_; }
+  // Writes the files, each whole or not at all.
+  void save(const std::string& title);
+
+ private:
+  const RunOptions& options_;
+  observe::Trace trace_;
+  observe::Watch watch_;
+};
+
+}  // namespace experiments

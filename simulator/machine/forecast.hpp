@@ -1,0 +1,53 @@
+#pragma once
+// When messages on links can end at the earliest and at the latest: the fluid model of each link by
+// itself. SimGrid, which moves them, decides; the forecast saves asking it too early.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace machine {
+
+class Forecast {
+ public:
+  // Rates in bytes/s, of a direction while the other is idle and of both together. Returns the
+  // number of the link's direction there; that of its direction back is one higher.
+  std::size_t add_link(double one_way, double both_ways);
+
+  // A message of `bytes` on an idle direction; the message there has ended. Dates in seconds,
+  // ascending.
+  void start(std::size_t direction, double bytes, double date);
+  void end(std::size_t direction, double date);
+
+  // Bounds of when a message ends, of the one whose bounds are the lowest; infinity without any.
+  // They hold until the next start on its link, which can only make it later.
+  struct Bounds {
+    double earliest, latest;
+  };
+  Bounds next();
+
+ private:
+  struct Way {
+    double left = 0;          // bytes, at the link's `since`
+    std::uint64_t valid = 0;  // the number of its bounds; 0 while it is idle
+  };
+  struct Link {
+    double alone, shared;  // bytes/s of a direction
+    double since = 0;
+    std::array<Way, 2> ways{};
+  };
+  // Those whose number is not valid any more are dropped when they come to the top.
+  struct Entry {
+    Bounds bounds;
+    std::size_t direction;
+    std::uint64_t number;
+    bool operator<(const Entry& o) const { return bounds.earliest > o.bounds.earliest; }
+  };
+  static void advance(Link& link, double date);
+  void predict(std::size_t direction);
+
+  std::vector<Link> links_;
+  std::vector<Entry> heap_;
+  std::uint64_t numbers_ = 0;
+};
+
+}  // namespace machine

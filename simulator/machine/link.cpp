@@ -1,0 +1,45 @@
+#include "simulator/machine/link.hpp"
+
+#include "simulator/machine/faults.hpp"
+
+namespace machine {
+
+void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
+                             Engine::Callback arrived) {
+  if (std::exchange(busy_, true)) throw InvariantBroken("two messages at once on link " + name());
+  since_ = engine_.now();
+  bytes_ = bytes;
+  channel_ = &channel;
+  use_.bytes_sent += bytes;
+  arrived_ = std::move(arrived);
+  if (delay_.value > 0 && bytes > 0)
+    engine_.at(since_ + delay_, [this] { move(); });
+  else
+    move();
+}
+
+void LinkDirection::move() {
+  cable_->begin_transfer();
+  if (bytes_ == 0)
+    engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
+  else
+    engine_.transfer(from_.id(), to_.id(), bytes_, [this] { end(); });
+}
+
+void LinkDirection::end() {
+  use_.busy += engine_.now() - since_;
+  ++use_.messages;
+  use_.bytes += bytes_;
+  busy_ = false;
+  cable_->end_transfer();
+  if (observer_) observer_->moved(*this, *channel_, bytes_, since_, engine_.now());
+  arrived_();
+}
+
+LinkUse LinkDirection::use() const {
+  LinkUse use = use_;
+  if (busy_) use.busy += engine_.now() - since_;
+  return use;
+}
+
+}  // namespace machine

@@ -1,0 +1,76 @@
+#pragma once
+// Links: two directions, each with a DMA engine that moves one message at a time.
+#include <array>
+#include <memory>
+
+#include "simulator/machine/processor.hpp"
+
+namespace machine {
+
+struct LinkUse {
+  Seconds busy{};
+  std::uint64_t messages = 0, bytes = 0;  // that have arrived
+  std::uint64_t bytes_sent = 0;           // that have been put on the link
+};
+
+// What the two directions share: while messages move, the DMA at both ends takes memory cycles from
+// the CPUs.
+class Cable {
+ public:
+  struct End {
+    Processor* processor;
+    std::size_t port;  // 0 to 3
+  };
+  // `shares`: of the CPU's cycles, while one direction is busy and while both are.
+  Cable(End a, End b, std::array<double, 2> shares) : ends_{a, b}, shares_(shares) {}
+  void begin_transfer() { set(busy_ + 1); }
+  void end_transfer() { set(busy_ - 1); }
+
+ private:
+  void set(int busy) {
+    busy_ = busy;
+    for (const End& end : ends_)
+      end.processor->set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
+  }
+  std::array<End, 2> ends_;
+  std::array<double, 2> shares_;
+  int busy_ = 0;
+};
+
+// One direction.
+class LinkDirection {
+ public:
+  // `delay`: of every message, in the link switches on the way.
+  LinkDirection(Engine& engine, Processor& from, Processor& to, std::shared_ptr<Cable> cable,
+                Seconds delay)
+      : engine_(engine), from_(from), to_(to), cable_(std::move(cable)), delay_(delay) {}
+
+  // Both processes have been descheduled; calls back when the last byte has been acknowledged.
+  // `channel` is whose message it is; it must live until then.
+  void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
+
+  Processor& from() const { return from_; }
+  Processor& to() const { return to_; }
+  LinkUse use() const;  // up to now; a message counts when it has arrived
+  std::string name() const { return from_.name() + " > " + to_.name(); }
+  void set_observer(Observer* observer) { observer_ = observer; }
+
+ private:
+  void move();
+  void end();
+
+  Engine& engine_;
+  Processor& from_;
+  Processor& to_;
+  std::shared_ptr<Cable> cable_;
+  Seconds delay_;
+  LinkUse use_;
+  bool busy_ = false;
+  Seconds since_{};  // of the transfer under way: its start,
+  std::uint64_t bytes_ = 0;
+  const std::string* channel_ = nullptr;
+  Engine::Callback arrived_;
+  Observer* observer_ = nullptr;
+};
+
+}  // namespace machine

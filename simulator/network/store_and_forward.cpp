@@ -1,0 +1,175 @@
+#include "simulator/network/store_and_forward.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "simulator/occam/alt.hpp"
+
+namespace network {
+
+using machine::Priority;
+using occam::Guard;
+
+namespace {
+
+constexpr int WAYS = topologies::PORTS + 1;
+
+std::string name(const machine::Processor& on, const char* what, int way) {
+  return way < topologies::PORTS ? fmt::format("{}.{}{}", on.name(), what, way)
+                                 : fmt::format("{}.{}.client", on.name(), what);
+}
+
+template <class Message>
+Channel<Message>* soft(std::deque<Channel<Message>>& pool, std::string name) {
+  return &pool.emplace_back(std::move(name));
+}
+
+// The ways in or out of a processor that has these neighbours.
+std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
+  std::vector<int> ways;
+  for (const auto& neighbour : around) ways.push_back(neighbour.port);
+  ways.push_back(topologies::PORTS);
+  return ways;
+}
+
+}  // namespace
+
+StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
+                                 int first)
+    : topology_(topology), routes_(make_routes(topology)) {
+  const auto& processors = machine.processors();
+  const auto at = [&](int id) { return processors.at(static_cast<std::size_t>(first + id)).get(); };
+  for (const auto& link : topology.links)
+    machine.connect(*at(link.a.processor), *at(link.b.processor),
+                    switches_between(topology, link.a.processor, link.b.processor));
+  const auto around = topologies::neighbours(topology);
+  for (int id = 0; id < topology.processors; ++id) {
+    const auto& own = at(id)->name();
+    into_.emplace_back(own + ".into");
+    delivered_.emplace_back(own + ".delivered");
+    Node node{at(id), std::vector(WAYS, std::vector<Channel<Pointer>*>(WAYS)),
+              std::vector<Channel<Signal>*>(WAYS), std::vector<Channel<Pointer>*>(WAYS)};
+    const auto ways = ways_of(around[id]);
+    for (int out : ways) {
+      node.sent[out] = soft(signals_, name(*at(id), "sent", out));
+      node.to_sender[out] = soft(pointers_, name(*at(id), "to.sender", out));
+      for (int in : ways)
+        if (in != out || out == CLIENT)
+          node.queue_in[out][in] = soft(pointers_, name(*at(id), "queue", out));
+    }
+    nodes_.push_back(std::move(node));
+  }
+  for (int id = 0; id < topology.processors; ++id) {
+    for (const auto& neighbour : around[id]) {
+      auto& link = machine.link(*at(id), *at(neighbour.processor));
+      Channel<Packet>& channel = links_.emplace_back(link.name(), link);
+      start_way_out(id, neighbour.port, &channel);
+      start_way_in(neighbour.processor, neighbour.its_port, &channel);
+    }
+    start_way_out(id, CLIENT, nullptr);
+    start_way_in(id, CLIENT, nullptr);
+  }
+}
+
+void StoreAndForward::start_way_out(int id, int way, Channel<Packet>* link) {
+  machine::Processor& processor = *nodes_[id].processor;
+  processor
+      .start(name(processor, "queue", way), Priority::high,
+             [this, id, way] { queue(nodes_[id], way); })
+      .set_server();
+  processor
+      .start(name(processor, "sender", way), Priority::high,
+             [this, id, way, link] { send(nodes_[id], way, link, delivered_[id]); })
+      .set_server();
+}
+
+void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
+  machine::Processor& processor = *nodes_[id].processor;
+  processor
+      .start(name(processor, "receiver", way), Priority::high,
+             [this, id, way, link] { receive(id, way, link); })
+      .set_server();
+}
+
+int StoreAndForward::way_to(int from, int to) const {
+  return from == to ? CLIENT : routes_.next_port(from, to);
+}
+
+int StoreAndForward::guards_of(int id, int way) const {
+  const auto& inputs = nodes_[id].queue_in[way];
+  return 1 + static_cast<int>(std::ranges::count_if(inputs, [](auto* c) { return c != nullptr; }));
+}
+
+int StoreAndForward::guards_on_the_way(int from, int to) {
+  const auto around = topologies::neighbours(topology_);
+  int guards = guards_of(to, CLIENT);
+  while (from != to) {
+    const int port = routes_.next_port(from, to);
+    guards += guards_of(from, port);
+    from = std::ranges::find(around[from], port, &topologies::Neighbour::port)->processor;
+  }
+  return guards;
+}
+
+// Of a link, or the entry of the client's packets.
+void StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
+  const auto& model = nodes_[id].processor->model();
+  const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),
+                           get_instruction(model, "load")};
+  Pointer packet;
+  for (;;) {
+    if (link)
+      in(*link, packet.to);
+    else
+      in(into_[id], packet);
+    for (const occam::Cycles instruction : look_up) occam::charge(instruction);
+    out(*nodes_[id].queue_in[way_to(id, packet.to.to)][way], packet);
+  }
+}
+
+// PRI ALT: the sender has sent; or the next packet, from each input in turn.
+void StoreAndForward::queue(const Node& node, int way) {
+  std::vector<Channel<Pointer>*> inputs;
+  for (auto* input : node.queue_in[way])
+    if (input) inputs.push_back(input);
+  const std::size_t n = inputs.size();
+  std::deque<Pointer> waiting;
+  std::array<Guard, WAYS + 1> guards;
+  bool is_free = true;
+  for (std::size_t favourite = 0;;) {
+    guards[0] = Guard(node.sent[way], !is_free);
+    for (std::size_t i = 0; i < n; ++i) guards[i + 1] = Guard(inputs[(favourite + i) % n]);
+    const std::size_t chosen = occam::select({guards.data(), n + 1});
+    if (chosen == 0) {
+      in(*node.sent[way]);
+      is_free = true;
+    } else {
+      const std::size_t input = (favourite + chosen - 1) % n;
+      waiting.push_back(inputs[input]->in());
+      longest_queue_ = std::max(longest_queue_, waiting.size());
+      favourite = (input + 1) % n;
+    }
+    if (is_free && !waiting.empty()) {
+      out(*node.to_sender[way], waiting.front());
+      waiting.pop_front();
+      is_free = false;
+    }
+  }
+}
+
+void StoreAndForward::send(const Node& node, int way, Channel<Packet>* link,
+                           Channel<Pointer>& client) {
+  Pointer packet;
+  for (;;) {
+    in(*node.to_sender[way], packet);
+    if (link)
+      out(*link, packet.to);
+    else
+      out(client, packet);
+    out(*node.sent[way], Signal{});
+  }
+}
+
+}  // namespace network

@@ -1,0 +1,82 @@
+#pragma once
+// Any processor to any, itself too, over a topology: packets stored and forwarded along shortest
+// routes.
+//
+//               links             the processor                        links
+//             ---------> receiver ---.            .--> sender ------------>
+//             ---------> receiver ----+-> queue --'    (of each link
+//   client -- into ----> entry -------'                 and of the client) --> delivered -- client
+//
+// One receiver for each incoming link, so that no link waits for another; a queue without bound for
+// each way out, so that no receiver waits for a link; a sender for each, which tells its queue when
+// it is free. All are at high priority, and pass pointers. The network is free of deadlock, as
+// every receiver always comes back to its link; what a bounded memory would refuse, longest_queue()
+// tells.
+#include <deque>
+#include <vector>
+
+#include "simulator/occam/channel.hpp"
+#include "topologies/routes.hpp"
+
+namespace network {
+
+using occam::Channel;
+using occam::Signal;
+
+struct Packet {
+  int from = 0, to = 0;      // processors, as the topology numbers them
+  std::uint64_t length = 0;  // bytes on a link
+  std::uint64_t id = 0;      // the sender's
+  machine::Seconds sent{};   // when its sender had it
+  std::uint64_t bytes() const { return length; }
+};
+
+// What is passed within a processor.
+struct Pointer {
+  Packet to;
+  static constexpr std::uint64_t bytes() { return 4; }
+};
+
+class StoreAndForward {
+ public:
+  // Joins the machine's processors `first`, `first` + 1, ... as the topology says, which passes
+  // topologies::check, and starts the routers.
+  StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0);
+
+  Channel<Pointer>& into(int processor) { return into_.at(processor); }
+  Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
+  const topologies::RoutingTable& routes() const { return routes_; }
+  std::size_t longest_queue() const { return longest_queue_; }  // packets, up to now
+  // The guards of the queues that a packet passes from one processor to another: what an ALT costs
+  // grows with them.
+  int guards_on_the_way(int from, int to);
+
+ private:
+  static constexpr int CLIENT = topologies::PORTS;  // the way out to the processor's own client
+
+  struct Node {
+    machine::Processor* processor;
+    // Into each way out's queue, from each receiver (by port) and the entry (CLIENT); null where
+    // there is none. No packet goes back where it came from, except to its own client.
+    std::vector<std::vector<Channel<Pointer>*>> queue_in;
+    std::vector<Channel<Signal>*> sent;
+    std::vector<Channel<Pointer>*> to_sender;
+  };
+  void start_way_out(int id, int way, Channel<Packet>* link);
+  void start_way_in(int id, int way, Channel<Packet>* link);
+  int way_to(int from, int to) const;
+  int guards_of(int id, int way) const;
+  void receive(int id, int way, Channel<Packet>* link);
+  void queue(const Node& node, int way);
+  void send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
+
+  topologies::Topology topology_;
+  topologies::RoutingTable routes_;
+  std::deque<Channel<Pointer>> into_, delivered_, pointers_;
+  std::deque<Channel<Signal>> signals_;
+  std::deque<Channel<Packet>> links_;
+  std::vector<Node> nodes_;
+  std::size_t longest_queue_ = 0;
+};
+
+}  // namespace network

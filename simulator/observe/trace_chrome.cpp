@@ -1,0 +1,140 @@
+// Trace Event Format: "X" is a slice, "s" and "f" the ends of an arrow, "M" a name or a place among
+// the others; times are in microseconds.
+#include "simulator/observe/trace_output.hpp"
+
+namespace observe {
+
+namespace {
+
+std::string quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      quoted += {'\\', c};
+    else if (static_cast<unsigned char>(c) < 0x20)
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
+// Numbers of the file. A CPU's track has its process's number, so that it is shown first.
+struct Numbers {
+  std::size_t processors;
+  std::size_t processor(std::size_t i) const { return i + 1; }
+  std::size_t cpu(std::size_t i) const { return i + 1; }
+  std::size_t window() const { return processors + 1; }
+  std::size_t link(std::size_t i) const { return processors + 2 + i; }
+};
+
+class ChromeFile {
+ public:
+  ChromeFile(const Trace& trace, std::ostream& out)
+      : trace_(trace), numbers_{trace.processors.size()}, out_(out) {}
+
+  void write() {
+    out_.print(FMT_COMPILE("{{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n"));
+    write_names();
+    // Arrows end at the next slice that is read: so messages come first.
+    write_transfers();
+    write_spans();
+    out_.print(FMT_COMPILE("\n]}}\n"));
+    out_.flush();
+  }
+
+ private:
+  void name_process(std::size_t pid, std::size_t place, const std::string& name) {
+    out_.print(FMT_COMPILE("{{\"ph\":\"M\",\"pid\":{},\"name\":\"process_name\",\"args\":"
+                           "{{\"name\":{}}}}},\n"
+                           "{{\"ph\":\"M\",\"pid\":{},\"name\":\"process_sort_index\",\"args\":"
+                           "{{\"sort_index\":{}}}}},\n"),
+               pid, quote(name), pid, place);
+  }
+
+  void name_track(std::size_t pid, std::size_t tid, const std::string& name) {
+    out_.print(FMT_COMPILE("{{\"ph\":\"M\",\"pid\":{},\"tid\":{},\"name\":\"thread_name\","
+                           "\"args\":{{\"name\":{}}}}},\n"
+                           "{{\"ph\":\"M\",\"pid\":{},\"tid\":{},\"name\":\"thread_sort_index\","
+                           "\"args\":{{\"sort_index\":{}}}}},\n"),
+               pid, tid, quote(name), pid, tid, tid);
+  }
+
+  // And a slice as long as the window, so that idle ends of it are shown.
+  void write_names() {
+    for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
+      name_process(numbers_.processor(i), i + 1, trace_.processors[i]);
+      name_track(numbers_.processor(i), numbers_.cpu(i), "CPU");
+    }
+    for (std::size_t i = 0; i < trace_.links.size(); ++i)
+      name_track(numbers_.processor(trace_.links[i].from), numbers_.link(i),
+                 "link to " + trace_.processors[trace_.links[i].to]);
+    const auto title = trace_.title.empty() ? "run" : trace_.title;
+    name_process(numbers_.window(), 0, title);
+    name_track(numbers_.window(), numbers_.window(), "window");
+    write_slice(numbers_.window(), numbers_.window(), trace_.begin_s, trace_.end_s);
+    out_.print(FMT_COMPILE(",\"name\":{},\"cat\":\"window\"}}"), quote(title));
+  }
+
+  // Without its end.
+  void write_slice(std::size_t pid, std::size_t tid, double from_s, double to_s) {
+    const auto from = to_nanoseconds(from_s), length = to_nanoseconds(to_s) - from;
+    out_.print(FMT_COMPILE("{{\"ph\":\"X\",\"pid\":{},\"tid\":{},\"ts\":{}.{:03},\"dur\":{}.{:03}"),
+               pid, tid, from / 1000, from % 1000, length / 1000, length % 1000);
+  }
+
+  void write_transfers() {
+    std::vector<std::string> channels;
+    for (const auto& name : trace_.channels) channels.push_back(quote(name));
+    for (std::size_t i = 0; i < trace_.transfers.size(); ++i) {
+      const auto& transfer = trace_.transfers[i];
+      const auto& link = trace_.links[transfer.link];
+      out_.print(FMT_COMPILE(",\n"));
+      write_slice(numbers_.processor(link.from), numbers_.link(transfer.link), transfer.from_s,
+                  transfer.to_s);
+      out_.print(FMT_COMPILE(",\"name\":{},\"cat\":\"link\",\"args\":{{\"bytes\":{}}}}}"),
+                 channels[transfer.channel], transfer.bytes);
+      write_arrow_end('s', i, numbers_.processor(link.from), numbers_.link(transfer.link),
+                      transfer.from_s);
+      write_arrow_end('f', i, numbers_.processor(link.to), numbers_.cpu(link.to), transfer.to_s);
+    }
+  }
+
+  void write_arrow_end(char end, std::size_t id, std::size_t pid, std::size_t tid, double time_s) {
+    const auto time = to_nanoseconds(time_s);
+    out_.print(FMT_COMPILE(",\n{{\"ph\":\"{}\",\"id\":{},\"pid\":{},\"tid\":{},\"ts\":{}.{:03},"
+                           "\"name\":\"message\",\"cat\":\"message\"}}"),
+               end, id, pid, tid, time / 1000, time % 1000);
+  }
+
+  void write_spans() {
+    const std::string switching = "\"switching\",\"cat\":\"switching\",\"cname\":\"grey\"";
+    std::vector<std::string> high, low;  // ends of slices, by process
+    for (const auto& process : trace_.processes) {
+      high.push_back(quote(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
+      low.push_back(quote(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");
+    }
+    for (const auto& span : trace_.spans) {
+      const auto& end = span.doing == Trace::Doing::switching ? switching
+                        : span.doing == Trace::Doing::high    ? high[span.process]
+                                                              : low[span.process];
+      out_.print(FMT_COMPILE(",\n"));
+      write_slice(numbers_.processor(span.processor), numbers_.cpu(span.processor), span.from_s,
+                  span.to_s);
+      out_.print(FMT_COMPILE(",\"name\":{}}}"), end);
+    }
+  }
+
+  const Trace& trace_;
+  Numbers numbers_;
+  TraceOutput out_;
+};
+
+}  // namespace
+
+void save_chrome(const Trace& trace, std::ostream& out) {
+  check(trace);
+  ChromeFile(trace, out).write();
+}
+
+}  // namespace observe

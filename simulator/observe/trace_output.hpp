@@ -1,0 +1,44 @@
+#pragma once
+// What the writers of traces share: a check, whole nanoseconds, and text in large pieces.
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ostream>
+#include <string_view>
+
+#include "simulator/observe/trace.hpp"
+
+namespace observe {
+
+// machine::InvariantBroken for an index out of range, an end before a start, and for what overlaps
+// on one processor or link, or is out of order there, by more than a nanosecond.
+void check(const Trace& trace);
+
+// Rounded, so that what touches or does not overlap in seconds keeps doing so.
+inline std::int64_t to_nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
+
+// Text to a stream, a megabyte at a time; whoever is done calls flush().
+class TraceOutput {
+ public:
+  explicit TraceOutput(std::ostream& out) : out_(out) { buffer_.reserve(PIECE + PIECE / 8); }
+
+  // `format` is an FMT_COMPILE(...).
+  template <class Format, class... Args>
+  void print(const Format& format, const Args&... args) {
+    fmt::format_to(fmt::appender(buffer_), format, args...);
+    if (buffer_.size() >= PIECE) flush();
+  }
+
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+ private:
+  static constexpr std::size_t PIECE = 1 << 20;
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+};
+
+}  // namespace observe

@@ -1,0 +1,273 @@
+// Paje: definitions of events, then events, one a line, by time.
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+
+#include "simulator/observe/trace_output.hpp"
+
+namespace observe {
+
+namespace {
+
+// The fields' names are those that ViTE and PajeNG have in common. What CPUs and links do is
+// PajeSetState with fields more (5, 6), and without where there is nothing to say (4).
+constexpr auto& HEADER = R"(%EventDef PajeDefineContainerType 0
+% Alias string
+% Type string
+% Name string
+%EndEventDef
+%EventDef PajeDefineStateType 1
+% Alias string
+% Type string
+% Name string
+%EndEventDef
+%EventDef PajeDefineLinkType 2
+% Alias string
+% Type string
+% StartContainerType string
+% EndContainerType string
+% Name string
+%EndEventDef
+%EventDef PajeDefineEntityValue 3
+% Alias string
+% Type string
+% Name string
+% Color color
+%EndEventDef
+%EventDef PajeSetState 4
+% Time date
+% Type string
+% Container string
+% Value string
+%EndEventDef
+%EventDef PajeSetState 5
+% Time date
+% Type string
+% Container string
+% Value string
+% Process string
+%EndEventDef
+%EventDef PajeSetState 6
+% Time date
+% Type string
+% Container string
+% Value string
+% Channel string
+% Bytes string
+%EndEventDef
+%EventDef PajeStartLink 7
+% Time date
+% Type string
+% Container string
+% StartContainer string
+% Value string
+% Key string
+%EndEventDef
+%EventDef PajeEndLink 8
+% Time date
+% Type string
+% Container string
+% EndContainer string
+% Value string
+% Key string
+%EndEventDef
+%EventDef PajeCreateContainer 9
+% Time date
+% Alias string
+% Type string
+% Container string
+% Name string
+%EndEventDef
+%EventDef PajeDestroyContainer 10
+% Time date
+% Type string
+% Name string
+%EndEventDef
+0 Machine 0 "machine"
+0 Processor Machine "processor"
+0 Cpu Processor "cpu"
+0 Link Processor "link direction"
+1 Doing Cpu "cpu"
+1 Carrying Link "link"
+2 Message Machine Cpu Cpu "message"
+3 high Doing "high priority" "0.90 0.33 0.05"
+3 low Doing "low priority" "0.62 0.79 0.88"
+3 switching Doing "switching" "0.25 0.25 0.25"
+3 idle Doing "idle" "0.80 0.80 0.80"
+3 busy Carrying "message" "0.25 0.67 0.36"
+3 quiet Carrying "quiet" "0.80 0.80 0.80"
+)";
+
+std::string quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text.empty() ? "-" : text) {  // PajeNG cannot read an empty one
+    const auto code = static_cast<unsigned char>(c);
+    quoted += c == '"' ? '\'' : c == '\\' ? '/' : code < 0x20 || code == 0x7f ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+std::vector<std::string> quote_all(const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const auto& name : names) quoted.push_back(quote(name));
+  return quoted;
+}
+
+class PajeFile {
+ public:
+  PajeFile(const Trace& trace, std::ostream& out)
+      : trace_(trace), channels_(quote_all(trace.channels)), out_(out) {
+    for (const auto& process : trace.processes) processes_.push_back(quote(process.name));
+  }
+
+  void write() {
+    out_.print(FMT_COMPILE("{}"), std::string_view(HEADER));
+    pass_to(to_nanoseconds(trace_.begin_s));
+    create_containers();
+    write_events();
+    pass_to(to_nanoseconds(trace_.end_s));
+    destroy_containers();
+    out_.flush();
+  }
+
+ private:
+  // What one processor or link did: its spans or transfers, and how many of their ends are past.
+  struct Lane {
+    std::vector<std::uint32_t> items;
+    std::size_t past = 0;
+  };
+
+  void pass_to(std::int64_t time) { now_ = std::max(now_, time); }
+
+  // A line up to and with its time.
+  void begin(int event) {
+    constexpr std::int64_t giga = 1'000'000'000;
+    out_.print(FMT_COMPILE("{} {}.{:09} "), event, now_ / giga, now_ % giga);
+  }
+
+  void create_containers() {
+    begin(9);
+    out_.print(FMT_COMPILE("m Machine 0 {}\n"), quote(trace_.title.empty() ? "run" : trace_.title));
+    for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
+      begin(9);
+      out_.print(FMT_COMPILE("p{} Processor m {}\n"), i, quote(trace_.processors[i]));
+      begin(9);
+      out_.print(FMT_COMPILE("c{} Cpu p{} {}\n"), i, i, quote("CPU of " + trace_.processors[i]));
+      rest(i, "idle");
+    }
+    for (std::size_t i = 0; i < trace_.links.size(); ++i) {
+      const auto [from, to] = trace_.links[i];
+      begin(9);
+      out_.print(FMT_COMPILE("l{} Link p{} {}\n"), i, from,
+                 quote("to " + trace_.processors[to] + " from " + trace_.processors[from]));
+      rest(trace_.processors.size() + i, "quiet");
+    }
+  }
+
+  void destroy_containers() {
+    for (std::size_t i = 0; i < trace_.links.size(); ++i) destroy("Link", 'l', i);
+    for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
+      destroy("Cpu", 'c', i);
+      destroy("Processor", 'p', i);
+    }
+    begin(10);
+    out_.print(FMT_COMPILE("Machine m\n"));
+  }
+
+  void destroy(const char* type, char letter, std::size_t i) {
+    begin(10);
+    out_.print(FMT_COMPILE("{} {}{}\n"), type, letter, i);
+  }
+
+  // Merges the lanes by time, each in its own order.
+  void write_events() {
+    lanes_.resize(trace_.processors.size() + trace_.links.size());
+    for (std::uint32_t i = 0; i < trace_.spans.size(); ++i)
+      lanes_[trace_.spans[i].processor].items.push_back(i);
+    for (std::uint32_t i = 0; i < trace_.transfers.size(); ++i)
+      lanes_[trace_.processors.size() + trace_.transfers[i].link].items.push_back(i);
+    using Next = std::pair<std::int64_t, std::size_t>;  // when, which lane
+    std::priority_queue<Next, std::vector<Next>, std::greater<>> next;
+    const auto push = [&](std::size_t lane) {
+      if (lanes_[lane].past < 2 * lanes_[lane].items.size()) next.emplace(time_of(lane), lane);
+    };
+    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) push(lane);
+    while (!next.empty()) {
+      const auto [time, lane] = next.top();
+      next.pop();
+      pass_to(time);
+      write_event(lane);
+      push(lane);
+    }
+  }
+
+  bool is_cpu(std::size_t lane) const { return lane < trace_.processors.size(); }
+
+  // Of the lane's next event, the start or the end of an item.
+  std::int64_t time_of(std::size_t lane) const {
+    const auto& [items, past] = lanes_[lane];
+    const auto time = [&](const auto& item) { return past % 2 ? item.to_s : item.from_s; };
+    const auto item = items[past / 2];
+    return to_nanoseconds(is_cpu(lane) ? time(trace_.spans[item]) : time(trace_.transfers[item]));
+  }
+
+  void write_event(std::size_t lane) {
+    auto& [items, past] = lanes_[lane];
+    const auto item = items[past / 2];
+    const bool is_start = past++ % 2 == 0;
+    if (is_start)
+      is_cpu(lane) ? start_span(trace_.spans[item]) : start_transfer(item);
+    else if (!is_cpu(lane))
+      end_transfer(item);
+    const bool is_last = past == 2 * items.size();
+    if (!is_start && (is_last || time_of(lane) > now_)) rest(lane, is_cpu(lane) ? "idle" : "quiet");
+  }
+
+  void rest(std::size_t lane, const char* value) {
+    begin(4);
+    if (is_cpu(lane))
+      out_.print(FMT_COMPILE("Doing c{} {}\n"), lane, value);
+    else
+      out_.print(FMT_COMPILE("Carrying l{} {}\n"), lane - trace_.processors.size(), value);
+  }
+
+  void start_span(const Trace::Span& span) {
+    if (span.doing == Trace::Doing::switching) return rest(span.processor, "switching");
+    begin(5);
+    out_.print(FMT_COMPILE("Doing c{} {} {}\n"), span.processor,
+               span.doing == Trace::Doing::high ? "high" : "low", processes_[span.process]);
+  }
+
+  void start_transfer(std::uint32_t i) {
+    const auto& transfer = trace_.transfers[i];
+    begin(6);
+    out_.print(FMT_COMPILE("Carrying l{} busy {} {}\n"), transfer.link, channels_[transfer.channel],
+               transfer.bytes);
+    begin(7);
+    out_.print(FMT_COMPILE("Message m c{} {} {}\n"), trace_.links[transfer.link].from,
+               channels_[transfer.channel], i);
+  }
+
+  void end_transfer(std::uint32_t i) {
+    begin(8);
+    const auto& transfer = trace_.transfers[i];
+    out_.print(FMT_COMPILE("Message m c{} {} {}\n"), trace_.links[transfer.link].to,
+               channels_[transfer.channel], i);
+  }
+
+  const Trace& trace_;
+  std::vector<std::string> channels_, processes_;  // quoted
+  TraceOutput out_;
+  std::vector<Lane> lanes_;
+  std::int64_t now_ = 0;  // of the latest line
+};
+
+}  // namespace
+
+void save_paje(const Trace& trace, std::ostream& out) {
+  check(trace);
+  PajeFile(trace, out).write();
+}
+
+}  // namespace observe

@@ -1,0 +1,92 @@
+#include "simulator/observe/watch.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace observe {
+
+namespace {
+
+using machine::LinkDirection;
+using machine::Processor;
+using machine::Seconds;
+
+// Writes a trace down as it happens.
+class Recorder : public machine::Observer {
+ public:
+  Recorder(const machine::Machine& machine, Trace& trace, Seconds from) : trace_(trace) {
+    trace_.begin_s = from.value;
+    for (const auto& processor : machine.processors())
+      trace_.processors.push_back(processor->name());
+    processes_.resize(trace_.processors.size());
+    for (const auto& link : machine.links()) {
+      links_[link.get()] = static_cast<std::uint32_t>(trace_.links.size());
+      trace_.links.push_back({number(link->from()), number(link->to())});
+    }
+  }
+
+  void name_process(const Processor& on, std::uint32_t id, const std::string& name) override {
+    auto& known = processes_.at(number(on));
+    known.resize(std::max<std::size_t>(known.size(), id + 1));
+    known[id] = static_cast<std::uint32_t>(trace_.processes.size());
+    trace_.processes.push_back({name, number(on)});
+  }
+
+  void ran(const Processor& on, std::uint32_t id, Doing doing, Seconds from, Seconds to) override {
+    if (to.value <= trace_.begin_s) return;
+    trace_.spans.push_back({from.value, to.value, number(on), processes_[number(on)][id],
+                            static_cast<Trace::Doing>(doing)});
+  }
+
+  void moved(const LinkDirection& link, const std::string& channel, std::uint64_t bytes,
+             Seconds from, Seconds to) override {
+    if (to.value <= trace_.begin_s) return;
+    const auto [place, added] =
+        channels_.emplace(&channel, static_cast<std::uint32_t>(trace_.channels.size()));
+    if (added) trace_.channels.push_back(channel);
+    trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
+  }
+
+  // What was charged ahead of the end did not happen any more.
+  void close(Seconds end) {
+    trace_.end_s = std::max(end.value, trace_.begin_s);
+    std::erase_if(trace_.spans, [&](const auto& s) { return s.from_s >= trace_.end_s; });
+    for (auto& span : trace_.spans) clip(span);
+    for (auto& transfer : trace_.transfers) clip(transfer);
+  }
+
+ private:
+  void clip(auto& part) const {
+    part.from_s = std::max(part.from_s, trace_.begin_s);
+    part.to_s = std::min(part.to_s, trace_.end_s);
+  }
+  static std::uint32_t number(const Processor& p) { return static_cast<std::uint32_t>(p.id()); }
+
+  Trace& trace_;
+  std::vector<std::vector<std::uint32_t>> processes_;  // by processor and its own number
+  std::map<const LinkDirection*, std::uint32_t> links_;
+  std::map<const std::string*, std::uint32_t> channels_;  // by where their names are
+};
+
+}  // namespace
+
+machine::End run(machine::Machine& machine, Watch& watch) {
+  std::optional<Recorder> recorder;
+  if (watch.trace) machine.set_observer(recorder.emplace(machine, *watch.trace, watch.from));
+  auto close = [&] {
+    watch.ended = machine.now();
+    watch.events = machine.events();
+    if (recorder) recorder->close(machine.now());
+  };
+  try {
+    watch.end = machine.run(watch.until);
+  } catch (...) {
+    close();
+    throw;
+  }
+  close();
+  return watch.end;
+}
+
+}  // namespace observe

@@ -1,0 +1,74 @@
+#include "simulator/farm/farm.hpp"
+
+#include <algorithm>
+
+#include "renderer/generators.hpp"
+#include "tests/benchmarks/machine.hpp"
+#include "tests/benchmarks/raw_simgrid.hpp"
+
+namespace benchmarks {
+
+namespace {
+
+constexpr int WORKERS = 7, OBJECTS = 200, SIZE = 100;
+
+farm::Result run_farm(observe::Watch* watch, bool profile) {
+  static const auto scene = renderer::make_spheres(OBJECTS);
+  static const auto workers = topologies::make_topology(fmt::format("tree:{}", WORKERS));
+  farm::Params params;
+  params.image.width = params.image.height = SIZE;
+  params.image.limits.depth = 15;
+  params.watch = watch;
+  params.profile = profile;
+  return farm::run_farm(model(), workers, scene, params);
+}
+
+// Every stretch of time that a process had a CPU, and every message on a link, by processor in the
+// order of their beginnings.
+std::vector<Activity> record() {
+  observe::Trace trace;
+  observe::Watch watch{.trace = &trace};
+  run_farm(&watch, false);
+  std::vector<std::pair<double, Activity>> begun;
+  for (const auto& span : trace.spans) {
+    if (span.doing == observe::Trace::Doing::switching) continue;
+    const int on = static_cast<int>(span.processor);
+    begun.push_back({span.from_s, {on, on, span.to_s - span.from_s, 0}});
+  }
+  for (const auto& t : trace.transfers) {
+    const auto& link = trace.links[t.link];
+    begun.push_back(
+        {t.from_s, {static_cast<int>(link.from), static_cast<int>(link.to), 0, t.bytes}});
+  }
+  std::ranges::stable_sort(begun, {}, [](const auto& b) { return b.first; });
+  std::vector<Activity> activities;
+  for (const auto& [at_s, activity] : begun) activities.push_back(activity);
+  return activities;
+}
+
+// Without the intersections that the host computes meanwhile.
+Sample simulate(std::uint64_t activities) {
+  farm::Result result;
+  const double cpu_s = time_of([&] { result = run_farm(nullptr, true); });
+  return {activities, cpu_s - result.kernel_host_s, result.time_s + result.setup_s, 0};
+}
+
+// Recorded when they are first wanted.
+const std::vector<Activity>& activities() {
+  static const auto recorded = list_of_child(record);
+  return recorded;
+}
+
+}  // namespace
+
+void add_farm() {
+  const char* name = "activities of the farm, 7 workers";
+  add(name, "tlab", [](benchmark::State&) {
+    return in_child([count = activities().size()] { return simulate(count); });
+  });
+  add(name, "simgrid", [](benchmark::State&) {
+    return in_child([&all = activities()] { return raw_activities(model(), all); });
+  });
+}
+
+}  // namespace benchmarks

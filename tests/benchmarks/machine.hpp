@@ -1,0 +1,27 @@
+#pragma once
+// What the benchmarks of simulated machines share. Each adds its cases for run_all().
+#include "simulator/machine/machine.hpp"
+#include "tests/benchmarks/pairs.hpp"
+
+namespace benchmarks {
+
+inline constexpr std::uint64_t PROCESSOR_MEMORY = 1 << 20;  // bytes
+
+inline const machine::Model& model() {
+  static const machine::Model t805 = machine::load_model("t805-25");
+  return t805;
+}
+
+inline Sample run(machine::Machine& machine, std::uint64_t count) {
+  const double cpu_s = time_of([&] { machine.run(); });
+  return {count, cpu_s, machine.now() / machine::Seconds{1}, 0};
+}
+
+void add_line();        // a line of store-and-forward hops
+void add_mesh();        // routers on an 8 x 8 mesh
+void add_farm();        // the farm of chapter 4
+void add_scheduler();   // rendezvous and pre-emptions on one processor
+void add_neighbours();  // neighbours of a mesh exchange; memory per transputer
+void add_renderers();   // the sequential renderer
+
+}  // namespace benchmarks

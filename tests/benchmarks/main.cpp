@@ -1,0 +1,18 @@
+// How fast tlab simulates and renders, against other programs that do the same.
+//
+//   benchmarks [--benchmark_filter=REGEX] [--benchmark_repetitions=N] ...     as Google Benchmark
+#include "tests/benchmarks/machine.hpp"
+
+int main(int argc, char** argv) try {
+  using namespace benchmarks;
+  add_line();
+  add_mesh();
+  add_farm();
+  add_scheduler();
+  add_neighbours();
+  add_renderers();
+  return run_all(argc, argv);
+} catch (const std::exception& failure) {
+  fmt::print(stderr, "{}\n", failure.what());
+  return 1;
+}

@@ -1,0 +1,85 @@
+#pragma once
+// What the benchmarks measure: host CPU time of one thread, and memory. Speeds are only meaningful
+// as ratios within one run.
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace benchmarks {
+
+struct Sample {
+  std::uint64_t count = 0;  // what was done: rays, hops, ...
+  double cpu_s = 0;         // host CPU time it took
+  double simulated_s = 0;   // of a simulation: when it ended
+  double memory_kb = 0;     // of some: what it added to the resident memory
+};
+
+// Host CPU time used by this process, in seconds: waiting for the CPU does not count.
+inline double cpu_time_s() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+template <class Body>
+double time_of(Body&& body) {
+  const double start = cpu_time_s();
+  body();
+  return cpu_time_s() - start;
+}
+
+// Resident memory of this process.
+inline double memory_kb() {
+  double all = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
+}
+
+// A vector that `run` returns in a process of its own: SimGrid allows one simulation a process.
+template <class Run>
+auto list_of_child(Run&& run) {
+  using List = std::invoke_result_t<Run>;
+  using Item = typename List::value_type;
+  static_assert(std::is_trivially_copyable_v<Item>);
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe for a child process");
+  std::fflush(nullptr);  // or the child would print it again
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no child process");
+  if (child == 0) {
+    int status = 1;
+    try {
+      const List list = run();
+      std::FILE* to = fdopen(ends[1], "w");
+      const bool whole = std::fwrite(list.data(), sizeof(Item), list.size(), to) == list.size();
+      status = whole && std::fclose(to) == 0 ? 0 : 1;
+    } catch (const std::exception& failure) {
+      fmt::print(stderr, "{}\n", failure.what());
+    }
+    _exit(status);
+  }
+  close(ends[1]);
+  std::FILE* from = fdopen(ends[0], "r");
+  List list;
+  for (Item item; std::fread(&item, sizeof item, 1, from) == 1;) list.push_back(item);
+  std::fclose(from);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (status != 0) throw std::runtime_error("a child process failed");
+  return list;
+}
+
+template <class Run>
+Sample in_child(Run&& run) {
+  return list_of_child([&] { return std::vector<Sample>{run()}; }).at(0);
+}
+
+}  // namespace benchmarks

@@ -1,0 +1,47 @@
+#include "simulator/network/store_and_forward.hpp"
+#include "tests/benchmarks/machine.hpp"
+#include "tests/benchmarks/raw_simgrid.hpp"
+#include "topologies/topology.hpp"
+
+namespace benchmarks {
+
+using machine::Machine;
+using machine::Priority;
+
+namespace {
+
+void source(network::StoreAndForward& network, int id, const std::vector<int>& destinations) {
+  for (const int to : destinations)
+    out(network.into(id), network::Pointer{{id, to, MESSAGE_BYTES, 0, {}}});
+}
+
+void sink(network::StoreAndForward& network, int id, int messages) {
+  for (; messages > 0; --messages) network.delivered(id).in();
+}
+
+// The general router; each processor has a source and a sink.
+Sample mesh(const Traffic& traffic) {
+  Machine machine(model());
+  for (int id = 0; id < NODES; ++id)
+    machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
+  network::StoreAndForward network(machine,
+                                   topologies::make_topology(fmt::format("mesh:{0}x{0}", SIDE)));
+  for (int id = 0; id < NODES; ++id) {
+    auto& processor = *machine.processors()[id];
+    processor.start("source", Priority::high,
+                    [&, id] { source(network, id, traffic.destinations[id]); });
+    processor.start("sink", Priority::high, [&, id] { sink(network, id, traffic.arriving[id]); });
+  }
+  return run(machine, traffic.hops);
+}
+
+}  // namespace
+
+void add_mesh() {
+  static const Traffic traffic = make_traffic();
+  add_simulation("hops of 80 bytes, 8 x 8 mesh", "tlab", [] { return mesh(traffic); });
+  add_simulation("hops of 80 bytes, 8 x 8 mesh", "simgrid",
+                 [] { return raw_mesh(model(), traffic); });
+}
+
+}  // namespace benchmarks

@@ -1,0 +1,86 @@
+#include "tests/benchmarks/pairs.hpp"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace benchmarks {
+
+namespace {
+
+// Prints as Google Benchmark does, and keeps the medians.
+class Reporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (!run.error_occurred && (run.aggregate_name == "median" || run.repetitions == 1))
+        keep(run.run_name.function_name, run.counters.at("items_per_second"));
+    ConsoleReporter::ReportRuns(runs);
+  }
+
+  void print_ratios() const {
+    fmt::print("\n{:34} {:>10} {:>22} {:>7}\n", "medians, items a second", "tlab", "against",
+               "ratio");
+    for (const auto& [what, rates] : rates_) {
+      const auto ours = rates.find("tlab");
+      if (ours == rates.end()) continue;
+      if (rates.size() == 1) fmt::print("{:34} {:9.3f}M\n", what, 1e-6 * ours->second);
+      for (const auto& [who, rate] : rates)
+        if (who != "tlab")
+          fmt::print("{:34} {:9.3f}M {:>12} {:8.3f}M {:7.2f}\n", what, 1e-6 * ours->second, who,
+                     1e-6 * rate, ours->second / rate);
+    }
+  }
+
+ private:
+  void keep(const std::string& name, double rate) {
+    const auto slash = name.rfind('/');
+    rates_[name.substr(0, slash)][name.substr(slash + 1)] = rate;
+  }
+
+  std::map<std::string, std::map<std::string, double>> rates_;  // by what, by who
+};
+
+}  // namespace
+
+benchmark::internal::Benchmark* add(const std::string& what, const std::string& who,
+                                    std::function<Sample(benchmark::State&)> run) {
+  const auto body = [run = std::move(run)](benchmark::State& state) {
+    std::uint64_t count = 0;
+    for (auto _ : state) {
+      const Sample sample = run(state);
+      state.SetIterationTime(sample.cpu_s);
+      count += sample.count;
+      if (sample.simulated_s > 0) state.counters["simulated_s"] = sample.simulated_s;
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(count));
+  };
+  return benchmark::RegisterBenchmark((what + "/" + who).c_str(), body)
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+
+benchmark::internal::Benchmark* add_simulation(const std::string& what, const std::string& who,
+                                               std::function<Sample()> run) {
+  return add(what, who, [run = std::move(run)](benchmark::State&) { return in_child(run); });
+}
+
+int run_all(int argc, char** argv) {
+  // What is given on the command line comes later, and wins.
+  std::vector<std::string> words = {argv[0], "--benchmark_repetitions=5",
+                                    "--benchmark_enable_random_interleaving=true",
+                                    "--benchmark_report_aggregates_only=true"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
+  Reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  reporter.print_ratios();
+  return 0;
+}
+
+}  // namespace benchmarks

@@ -1,0 +1,134 @@
+// Rays a second of the sequential renderer, against POV-Ray and Embree on the same scenes.
+#include "tests/benchmarks/renderers.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include "renderer/generators.hpp"
+#include "tests/benchmarks/machine.hpp"
+
+namespace benchmarks {
+
+using namespace renderer;
+
+namespace {
+
+constexpr int SIZE = 512;
+
+Params make_params(int depth) {
+  Params params;
+  params.width = params.height = SIZE;
+  params.limits.depth = depth;
+  params.feelers = Feelers::front;  // as POV-Ray
+  params.sample = SamplePosition::center;
+  params.traversal = Traversal::nearest;
+  return params;
+}
+
+// Every ray of the picture, in the order the renderer traces them.
+std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
+  std::vector<Ray> rays;
+  Children stack;
+  Work work;
+  for (int y = 0; y < params.height; ++y)
+    for (int x = 0; x < params.width; ++x)
+      for (stack = {make_primary(scene, params, x, y)}; !stack.empty();) {
+        const Ray ray = stack.back();
+        stack.pop_back();
+        rays.push_back(ray);
+        if (const auto hit = intersect(scene, ray, params.traversal, work))
+          make_children(scene, params, ray, *hit, stack, work);
+      }
+  return rays;
+}
+
+// A view, its image and its rays; made when the first benchmark wants it.
+struct View {
+  View(int spheres, int depth)
+      : scene(make_spheres(spheres)),
+        params(make_params(depth)),
+        samples(render(scene, params).samples),
+        rays(collect_rays(scene, params)) {}
+  const Scene scene;
+  const Params params;
+  const Samples samples;
+  const std::vector<Ray> rays;
+};
+using GetView = std::function<const View&()>;
+
+Sample run_ours(const View& view, Traversal traversal) {
+  Params params = view.params;
+  params.traversal = traversal;
+  std::uint64_t rays = 0;
+  const double cpu_s = time_of([&] { rays = render(view.scene, params).rays.total(); });
+  return {rays, cpu_s};
+}
+
+// The queries alone, without shading: what Embree is asked.
+HitSample run_queries(const View& view) {
+  HitSample result;
+  Work work;
+  const double cpu_s = time_of([&] {
+    for (const Ray& ray : view.rays)
+      result.hits += intersect(view.scene, ray, Traversal::nearest, work).has_value() ? 1 : 0;
+  });
+  result.sample = {view.rays.size(), cpu_s};
+  return result;
+}
+
+// Scene, image and log of POV-Ray are in a folder that is removed when all is over.
+class Folder {
+ public:
+  Folder() {
+    path_ = (std::filesystem::temp_directory_path() / "tlab-XXXXXX").string();
+    if (!mkdtemp(path_.data())) throw std::runtime_error("cannot make " + path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void add_view(const std::string& name, GetView view) {
+  const std::string rays = "rays, " + name, queries = "queries, " + name;
+  const auto ours = [view](Traversal traversal) {
+    return [view, traversal](benchmark::State&) { return run_ours(view(), traversal); };
+  };
+  add(rays, "tlab", ours(Traversal::nearest));
+  add(rays, "tlab exhaustive", ours(Traversal::exhaustive));
+  add(rays, "povray", [view](benchmark::State& state) {
+    static const Folder folder;
+    const PovrayRun run = run_povray(view().scene, view().params, view().samples, folder.path());
+    state.counters["image_difference"] = run.difference;
+    state.counters["image_differing"] = run.differing;
+    return run.sample;
+  });
+  const auto add_queries = [&](const char* who, std::function<HitSample(const View&)> run) {
+    add(queries, who, [view, run](benchmark::State& state) {
+      const HitSample result = run(view());
+      state.counters["hits"] = static_cast<double>(result.hits);
+      return result.sample;
+    });
+  };
+  add_queries("tlab", run_queries);
+  add_queries("embree", [](const View& v) { return run_embree(v.scene, v.rays); });
+}
+
+}  // namespace
+
+void add_renderers() {
+  add_view("800 spheres", []() -> const View& {
+    static const View view(800, 15);
+    return view;
+  });
+  add_view("7381 spheres", []() -> const View& {
+    static const View view(7381, 5);
+    return view;
+  });
+}
+
+}  // namespace benchmarks

@@ -1,0 +1,66 @@
+// Every experiment of experiments/latency and experiments/validation, in a reduced size: its checks
+// hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/experiments/tlab.hpp"
+
+namespace experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is left out of those that would take long.
+const std::map<std::string, std::vector<std::string>>& reductions() {
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"latency/both-ways", {"program.messages=200", "sweep.bytes=[16, 4096]"}},
+      {"latency/farm-limits", {"sweep.topology=[\"tree\"]", "sweep.workers=[5, 11, 17]"}},
+      {"latency/amdahl", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
+      {"latency/gustafson", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
+      {"latency/message", {"sweep.switches=[0, 3]", "sweep.bytes=[0, 1, 4, 65536]"}},
+      {"latency/pipeline", {"sweep.stages=[3, 8]", "sweep.bytes=[4, 1000]"}},
+      {"latency/broadcast", {"sweep.bytes=[100]"}},
+      {"latency/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
+  };
+  return all;
+}
+
+// "latency/soft", ...: those with checks, not the machine models beside them.
+std::vector<std::string> find_experiments() {
+  const fs::path root = TLAB_SOURCE_DIR "/experiments";
+  std::vector<std::string> found;
+  for (const char* folder : {"latency", "validation"})
+    for (const auto& file : fs::directory_iterator(root / folder)) {
+      if (file.path().extension() != ".toml") continue;
+      if (read_file(file.path()).find("[[check]]") == std::string::npos) continue;
+      found.push_back(std::string(folder) + "/" + file.path().stem().string());
+    }
+  std::ranges::sort(found);
+  return found;
+}
+
+class Experiments : public testing::TestWithParam<std::string> {};
+
+TEST_P(Experiments, ChecksHold) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"verify",
+                                     TLAB_SOURCE_DIR "/experiments/" + GetParam() + ".toml"};
+  if (const auto reduced = reductions().find(GetParam()); reduced != reductions().end())
+    for (const auto& set : reduced->second) arguments.insert(arguments.end(), {"--set", set});
+  const auto done = tlab(folder.path, arguments);
+  EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+  EXPECT_NE(done.out.find(" hold, 0 do not\n"), std::string::npos) << done.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()),
+                         [](const auto& at) {
+                           std::string name = at.param;
+                           for (char& c : name)
+                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace experiments
