@@ -1,9 +1,11 @@
 // Runs that are cut short, and runs that are watched.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -163,6 +165,37 @@ TEST(ExperimentsTimed, TheHostsSpeedIsRecorded) {
   EXPECT_GT(speed["cycles_per_host_s"].get<double>(), 0);
   EXPECT_GE(speed["spread"].get<double>(), 0);
   EXPECT_NE(done.out.find("cycles a second of host CPU"), std::string::npos);
+}
+
+// Whole-image times of both cost modes, printed; the host's speed is only trusted where told so.
+TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
+  const TemporaryFolder folder;
+  const auto time_with = [&](const std::string& cost) {
+    const auto done =
+        tlab(folder.path, {"run", FARM, "-o", "r", "--set", "check=[]", "--set", "image.width=30",
+                           "--set", "image.height=30", "--set", "sweep.objects=[800]", "--set",
+                           "sweep.workers=[1]", "--set", "run.cost=\"" + cost + "\""});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+    return *as_number(table.rows[0][*table.find("time_s")]);
+  };
+  const double ratio = time_with("timed") / time_with("counted");
+  fmt::print("spheres:800, timed over counted: {:.3f}\n", ratio);
+  EXPECT_GT(ratio, 0);
+  if (std::getenv("TLAB_IDLE_HOST")) {
+    EXPECT_NEAR(ratio, 1, 0.25);
+  }
+}
+
+TEST(ExperimentsDeadlock, IsReportedWithItsCycleAndExitCode3) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
+  const auto failed = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+  EXPECT_EQ(failed.exit_code, 3);
+  for (const char* part : {"deadlock at 0.", "p0.station on p0 waits for out on p1.in",
+                           "from p1.station", "the cycle:"})
+    EXPECT_NE(failed.err.find(part), std::string::npos) << part << "\n" << failed.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"e.toml"});
 }
 
 TEST(ExperimentsSwitches, LinkSwitchesMakeLinksSlowerWhereTheyAre) {

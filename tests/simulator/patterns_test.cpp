@@ -36,6 +36,7 @@ TEST(Patterns, HaveUniqueNamesAndDefaultsInRange) {
 TEST(Patterns, RunAtTheirDefaults) {
   const auto model = machine::load_model("t805-25");
   for (const auto& pattern : all_patterns()) {
+    if (pattern.name == "deadlock") continue;  // see ExperimentsDeadlock
     const auto columns = occam::isolated(
         [&] { return std::to_string(pattern.run(make_setup(model, pattern)).size()); });
     EXPECT_NE(columns, "0") << pattern.name;
