@@ -53,14 +53,17 @@ void compare_reference(CheckResult& result, const Table& reference, const Table&
   for (const auto& row : reference.rows) {
     const auto expected = as_number(row[column]);
     if (!expected) continue;
-    const auto before = result.points.size();
+    const auto is_for = [&](const std::vector<Value>& point) {
+      return std::ranges::all_of(check.keys, [&](const auto& key) {
+        return equal(point[*table.find(key)], row[*reference.find(key)]);
+      });
+    };
     for (const std::size_t i : candidates)
-      if (std::ranges::all_of(check.keys, [&](const auto& key) {
-            return equal(table.rows[i][*table.find(key)], row[*reference.find(key)]);
-          }))
+      if (is_for(table.rows[i]))
         result.points.push_back(
             compare(check, i, as_number(table.rows[i][of]).value_or(NO_VALUE), *expected));
-    if (result.points.size() == before) missing.push_back(name_row(reference, row, check.keys));
+    if (std::ranges::none_of(table.rows, is_for))
+      missing.push_back(name_row(reference, row, check.keys));
   }
   if (missing.empty()) return;
   const auto count = missing.size();
@@ -80,6 +83,13 @@ void judge(CheckResult& result) {
   const bool holds = std::ranges::all_of(points, &CheckedPoint::holds) &&
                      result.mean <= result.check.within_mean.value_or(1e300);
   result.verdict = holds ? Verdict::holds : Verdict::fails;
+}
+
+bool is_true(const Check& check, double value) {
+  if (std::isnan(value))
+    throw machine::InvalidInput(
+        fmt::format("check \"{}\": where: found nan at some point, expected a number", check.name));
+  return value != 0;
 }
 
 // No point came to its end.
@@ -119,7 +129,7 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
     result.verdict = Verdict::unmatched;
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      if (is_complete_row(table, table.rows[i]) && (!where || eval(*where, i) != 0))
+      if (is_complete_row(table, table.rows[i]) && (!where || is_true(check, eval(*where, i))))
         candidates.push_back(i);
     const auto of = *table.find(check.of);
     if (reference) compare_reference(result, *reference, table, candidates);

@@ -81,8 +81,8 @@ Table make_check_table(const CheckResult& result, const Table& table, std::size_
                                         axes.begin() + static_cast<std::ptrdiff_t>(table.axes));
     std::string mark = p.holds ? "" : "fails";
     if (i == result.worst && p.error != 0) mark += mark.empty() ? "worst" : ", worst";
-    row.emplace_back(without_sign_of_nan(p.simulated));
-    row.emplace_back(without_sign_of_nan(p.expected));
+    row.emplace_back(fmt::format("{:.5g}", without_sign_of_nan(p.simulated)));
+    row.emplace_back(fmt::format("{:.5g}", without_sign_of_nan(p.expected)));
     row.emplace_back(without_sign_of_nan(check.is_absolute() ? p.error : 100 * p.error));
     row.emplace_back(mark);
   }

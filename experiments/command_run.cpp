@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <thread>
 
 #include "experiments/commands.hpp"
@@ -10,6 +12,17 @@
 namespace experiments {
 
 namespace {
+
+// A time that can come.
+const CLI::Validator SECONDS(
+    [](std::string& text) {
+      char* end = nullptr;
+      const double seconds = std::strtod(text.c_str(), &end);
+      const bool is_time =
+          end == text.c_str() + text.size() && std::isfinite(seconds) && seconds > 0;
+      return is_time ? "" : fmt::format("found {}, expected a number of seconds above 0", text);
+    },
+    "SECONDS");
 
 std::string describe_keys() {
   std::string text =
@@ -49,9 +62,9 @@ void add_run_command(CLI::App& app) {
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
   command->add_option("--until", o->until_s, "simulated seconds after which a point is cut short")
-      ->check(CLI::PositiveNumber);
+      ->check(SECONDS);
   command->add_option("--from", o->from_s, "simulated seconds at which trace and time line begin")
-      ->check(CLI::NonNegativeNumber);
+      ->check(SECONDS);
   command->add_option("--trace", o->trace,
                       "a file for what every processor and link did in the one point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");

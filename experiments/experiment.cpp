@@ -134,6 +134,17 @@ std::map<std::string, double, std::less<>> find_numbers(
   return numbers;
 }
 
+// An axis takes the place of its key: what is set there would change nothing.
+void check_not_shadowed(const std::string& override, const std::vector<Axis>& axes) {
+  const auto key = override.substr(0, override.find('='));
+  for (const auto& axis : axes)
+    if (axis.key == key)
+      throw InvalidInput(
+          fmt::format("--set {}: {} is an axis of [sweep], expected "
+                      "--set 'sweep.{}=[...]'",
+                      override, key, axis.name));
+}
+
 }  // namespace
 
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
@@ -151,6 +162,7 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
 
   const std::string folder = std::filesystem::path(path).parent_path().string();
   const auto axes = read_axes(file, order, path);
+  for (const auto& override : overrides) check_not_shadowed(override, axes);
   ExperimentFile experiment{
       path, to_toml(file), {}, {}, read_definitions(file, path), read_checks(file, path, folder)};
   std::size_t points = 1;

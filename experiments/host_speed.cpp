@@ -32,6 +32,7 @@ HostSpeed measure(const machine::Model& model) {
   std::vector<double> speeds;
   for (const auto& text : run_jobs(REPEATS, 1, [&](std::size_t) { return measure_once(model); }))
     speeds.push_back(std::strtod(text.c_str(), nullptr));
+  if (was_interrupted()) throw Interrupted();
   std::ranges::sort(speeds);
   const double median = speeds[REPEATS / 2];
   return {median, (speeds.back() - speeds.front()) / median, REPEATS};

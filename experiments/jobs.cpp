@@ -61,9 +61,18 @@ void write_all(int fd, const std::string& text) {
   }
 }
 
+void hold_signals(int how) {
+  sigset_t asked;
+  sigemptyset(&asked);
+  sigaddset(&asked, SIGINT);
+  sigaddset(&asked, SIGTERM);
+  sigprocmask(how, &asked, nullptr);
+}
+
 [[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a parent that was killed
   for (int asked : {SIGINT, SIGTERM}) signal(asked, [](int) { machine::request_stop(); });
+  hold_signals(SIG_UNBLOCK);
   std::string reply;
   try {
     reply = '\0' + job(index);
@@ -88,7 +97,9 @@ class Pool {
     int ends[2];
     if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
     std::fflush(nullptr);
+    hold_signals(SIG_BLOCK);  // until the child has handlers of its own
     const pid_t pid = fork();
+    if (pid != 0) hold_signals(SIG_UNBLOCK);
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (pid == 0) {
       close(ends[0]);

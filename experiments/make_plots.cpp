@@ -41,7 +41,8 @@ std::string name_value(const std::string& axis, const Value& value) {
     return fmt::format("{} {} {}", label.substr(0, unit), text,
                        label.substr(unit + 2, label.size() - unit - 3));
   if (!label.ends_with('s')) return fmt::format("{} {}", label, text);
-  return fmt::format("{} {}", text, text == "1" ? label.substr(0, label.size() - 1) : label);
+  const std::size_t plural = label.ends_with("ches") ? 2 : 1;
+  return fmt::format("{} {}", text, text == "1" ? label.substr(0, label.size() - plural) : label);
 }
 
 std::string name_row(const Table& table, const std::vector<Value>& row,

@@ -13,6 +13,7 @@
 #include "experiments/pattern_run.hpp"
 #include "experiments/progress.hpp"
 #include "experiments/results.hpp"
+#include "experiments/simulate.hpp"
 #include "experiments/trace_files.hpp"
 #include "renderer/load.hpp"
 #include "simulator/machine/faults.hpp"
@@ -56,16 +57,22 @@ ordered_json run_program(const RunOptions& options, const Experiment& experiment
                         watch);
 }
 
-ordered_json run_point(const RunOptions& options, const Experiment& experiment,
-                       const fs::path& folder, const std::string& image) {
+ordered_json run_point(const RunOptions& options, const Point& point, const fs::path& folder,
+                       const std::string& image) {
+  const Experiment& experiment = point.experiment;
+  const std::string title =
+      point.at.empty() ? experiment.title : fmt::format("{}: {}", experiment.title, name_of(point));
   TraceFiles files(options);
-  const auto save = [&] { files.save(experiment.title); };
+  const auto save = [&] { files.save(title); };
   try {
     auto result = run_program(options, experiment, folder, image, files.watch());
     save();
     return result;
   } catch (const machine::Fault&) {
-    save();
+    try {
+      save();
+    } catch (const std::exception&) {  // the fault is what matters
+    }
     throw;
   }
 }
@@ -73,7 +80,7 @@ ordered_json run_point(const RunOptions& options, const Experiment& experiment,
 }  // namespace
 
 void check_points(const RunOptions& options, const ExperimentFile& file) {
-  check_trace_files(options, file.points.size());
+  check_trace_files(options, file.points.size(), results_folder(options));
   check_axes(file);
   std::set<std::string> models, scenes, topologies;
   for (const auto& point : file.points) {
@@ -95,7 +102,7 @@ std::vector<ordered_json> run_points(const RunOptions& options, const Experiment
   auto job = [&](std::size_t i) {
     const Point& point = file.points[i];
     try {
-      return run_point(options, point.experiment, folder, images[i]).dump();
+      return run_point(options, point, folder, images[i]).dump();
     } catch (const std::exception& error) {
       if (file.axes.empty()) throw;
       throw JobFailed(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));

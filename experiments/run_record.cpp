@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "experiments/files.hpp"
 #include "experiments/machine_model.hpp"
@@ -139,7 +140,12 @@ std::optional<Table> find_results(const fs::path& folder, const ExperimentFile& 
     return {};
   if (without_checks(run["experiment"].get<std::string>()) != without_checks(file.resolved))
     return {};
-  Table table = parse_csv(read_file(results), results.string());
+  Table table;
+  try {
+    table = parse_csv(read_file(results), results.string());
+  } catch (const std::invalid_argument&) {
+    return {};  // damaged: run again
+  }
   const auto axes = axis_columns(file);
   table.axes = axes.size();
   if (table.rows.size() != file.points.size() || table.columns.size() < axes.size() ||

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -23,24 +25,43 @@ Save find_format(const std::string& file) {
   return ending == ".svg" ? &observe::save_timeline : nullptr;
 }
 
+std::string partial_of(const std::string& file) { return file + ".partial"; }
+
+[[noreturn]] void fail(const std::string& file, int error) {
+  std::error_code ignored;
+  fs::remove(partial_of(file), ignored);
+  throw std::system_error(error != 0 ? error : EIO, std::generic_category(),
+                          file + ": cannot be written");
+}
+
 // Beside its name, and renamed when it is whole.
 void save_file(const std::string& file, const observe::Trace& trace) {
-  const std::string partial = file + ".partial";
-  std::ofstream out(partial, std::ios::binary);
-  find_format(file)(trace, out);
+  errno = 0;
+  std::ofstream out(partial_of(file), std::ios::binary);
+  if (out) find_format(file)(trace, out);
   out.close();
-  std::error_code error;
-  if (out) fs::rename(partial, file, error);
-  if (out && !error) return;
+  if (!out || std::rename(partial_of(file).c_str(), file.c_str()) != 0) fail(file, errno);
+}
+
+// What would go wrong after the simulation goes wrong before it.
+void check_place(const char* option, const std::string& file, const fs::path& results) {
+  const auto inside = fs::weakly_canonical(fs::absolute(file))
+                          .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
+  if (!inside.empty() && *inside.begin() != "..")
+    throw machine::InvalidInput(
+        fmt::format("{}: found {}, expected a file outside of the results folder {}, which is "
+                    "replaced as a whole",
+                    option, file, results.string()));
+  errno = 0;
+  if (fs::is_directory(file)) fail(file, EISDIR);
+  if (!std::ofstream(partial_of(file))) fail(file, errno);
   std::error_code ignored;
-  fs::remove(partial, ignored);
-  throw std::system_error(error ? error : std::make_error_code(std::errc::io_error),
-                          file + ": cannot be written");
+  fs::remove(partial_of(file), ignored);
 }
 
 }  // namespace
 
-void check_trace_files(const RunOptions& options, std::size_t points) {
+void check_trace_files(const RunOptions& options, std::size_t points, const fs::path& results) {
   for (const auto& [option, file, endings] :
        {std::tuple("--trace", options.trace, ".json or .paje"),
         std::tuple("--timeline", options.timeline, ".svg")}) {
@@ -54,7 +75,11 @@ void check_trace_files(const RunOptions& options, std::size_t points) {
           "{}: the experiment has {} points, expected one; choose it with --set, for example "
           "--set 'sweep.workers=[4]'",
           option, points));
+    check_place(option, file, results);
   }
+  if (!(options.from_s < options.until_s))
+    throw machine::InvalidInput(fmt::format("--from: found {}, expected a time before --until {}",
+                                            options.from_s, options.until_s));
 }
 
 TraceFiles::TraceFiles(const RunOptions& options) : options_(options) {

@@ -1,12 +1,16 @@
 #pragma once
 // The files that show what a point's processors and links did: --trace and --timeline.
+#include <filesystem>
+
 #include "experiments/run.hpp"
 #include "simulator/observe/watch.hpp"
 
 namespace experiments {
 
-// Throws machine::InvalidInput for a name whose ending says no format, or more than one point.
-void check_trace_files(const RunOptions& options, std::size_t points);
+// Throws machine::InvalidInput for a name whose ending says no format, a place inside of the
+// results folder, or more than one point; std::system_error where no file can be written.
+void check_trace_files(const RunOptions& options, std::size_t points,
+                       const std::filesystem::path& results);
 
 // Watches one point as the options say: its limit, and its trace if any file is wanted.
 class TraceFiles {

@@ -6,8 +6,8 @@
 //        +------+    back    +------+
 //
 // The partner always waits already. So each way is the instructions that start an output, then the
-// wire: (operands + blocked) / clock + bytes / one-way rate; outword, a word's output, takes 2
-// cycles more. For a word: (4 + 20 + 4) / 25 MHz + 4 / 1.778 MB/s = 1.12 + 2.25 = 3.37 us.
+// wire: (operands + blocked) / clock + bytes / one-way rate; outword, a word's output, takes 3
+// cycles more. For a word: (4 + 20 + 3) / 25 MHz + 4 / 1.778 MB/s = 1.08 + 2.25 = 3.33 us.
 #include <fmt/format.h>
 
 #include "simulator/occam/channel.hpp"

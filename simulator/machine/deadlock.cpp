@@ -72,6 +72,8 @@ std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
 
 }  // namespace
 
+bool all_have_ended(const Machine& machine) { return find_blocked(machine).empty(); }
+
 void throw_if_deadlocked(const Machine& machine) {
   const Blocked blocked = find_blocked(machine);
   if (blocked.empty()) return;

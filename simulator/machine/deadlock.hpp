@@ -4,6 +4,9 @@
 
 namespace machine {
 
+// Whether every process has ended, or is a server that waits for input.
+bool all_have_ended(const Machine& machine);
+
 // Throws Deadlock if some processes have not ended: each with its processor, what it waits for and
 // whose turn it is, and the cycle of waits if there is one.
 void throw_if_deadlocked(const Machine& machine);

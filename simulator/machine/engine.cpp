@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <csignal>
 #include <deque>
+#include <exception>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,7 +32,8 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
 
-// SimGrid takes some signals for itself when it starts: here they stay the program's.
+// SimGrid takes some signals, and what is done with an uncaught exception, for itself when it
+// starts: here they stay the program's.
 class KeptSignals {
  public:
   KeptSignals() {
@@ -39,11 +41,13 @@ class KeptSignals {
   }
   ~KeptSignals() {
     for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], &kept_[i], nullptr);
+    std::set_terminate(terminate_);
   }
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
   struct sigaction kept_[3];
+  std::terminate_handler terminate_ = std::get_terminate();
 };
 
 struct Event {
@@ -243,9 +247,11 @@ Engine::End Engine::run(Seconds until) {
   at({0}, [] {});  // and after it whatever was asked for soon
   impl_->run_ahead();
   impl_->engine->run();
-  if (impl_->end_reason == End::no_event_left) impl_->now = impl_->last_useful;
+  if (impl_->end_reason == End::no_event_left) rewind();
   return impl_->end_reason;
 }
+
+void Engine::rewind() { impl_->now = impl_->last_useful; }
 
 void Engine::ignore_event() { impl_->ignored = true; }
 

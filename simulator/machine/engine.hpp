@@ -74,6 +74,8 @@ class Engine {
   // Called by an event that turns out to be of no use any more: the clock does not stay at it when
   // the run ends.
   void ignore_event();
+  // After a run: the clock goes back to the last event that was of use.
+  void rewind();
   // Drops all events still to come.
   void stop();
   std::uint64_t handled() const;  // events

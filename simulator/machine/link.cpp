@@ -36,6 +36,10 @@ void LinkDirection::end() {
   arrived_();
 }
 
+void LinkDirection::flush_observer() {
+  if (busy_ && observer_) observer_->moved(*this, *channel_, bytes_, since_, engine_.now());
+}
+
 LinkUse LinkDirection::use() const {
   LinkUse use = use_;
   if (busy_) use.busy += engine_.now() - since_;

@@ -54,6 +54,7 @@ class LinkDirection {
   LinkUse use() const;  // up to now; a message counts when it has arrived
   std::string name() const { return from_.name() + " > " + to_.name(); }
   void set_observer(Observer* observer) { observer_ = observer; }
+  void flush_observer();  // a message that is still on its way, up to now
 
  private:
   void move();

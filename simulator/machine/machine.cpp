@@ -36,6 +36,8 @@ Processor& Machine::add_processor(std::string name, std::uint64_t memory) {
 }
 
 void Machine::connect(Processor& a, Processor& b, int switches) {
+  if (link_of_.contains({a.id(), b.id()}))
+    throw InvariantBroken(fmt::format("{} and {} are joined already", a.name(), b.name()));
   for (const Processor* p : {&a, &b})
     if (ports_.at(static_cast<std::size_t>(p->id())) >= MAX_LINKS)
       throw InvariantBroken(p->name() + " would have more than four links");
@@ -68,9 +70,11 @@ End Machine::run(Seconds until) {
   const Engine::End why = engine_.run(until);
   for (const auto& processor : processors_)
     if (processor->failure()) std::rethrow_exception(processor->failure());
+  const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
+  if (!cut && why != Engine::End::no_event_left) engine_.rewind();  // only old time-outs are left
   for (const auto& processor : processors_) processor->flush_observer();
-  if (why == Engine::End::until) return End::limit;
-  if (why == Engine::End::requested) return End::interrupt;
+  for (const auto& link : links_) link->flush_observer();
+  if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
   for (const auto& link : links_)
     check_equal("bytes out of a link", link->use().bytes, link->use().bytes_sent);
   throw_if_deadlocked(*this);

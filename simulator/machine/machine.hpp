@@ -23,7 +23,7 @@ class Machine {
   // `memory` in bytes.
   Processor& add_processor(std::string name, std::uint64_t memory);
   // Joins two processors, through a number of C004 link switches. Throws InvariantBroken beyond
-  // four links a processor.
+  // four links a processor, and for a second link between two.
   void connect(Processor& a, Processor& b, int switches = 0);
   LinkDirection& link(const Processor& from, const Processor& to);
 

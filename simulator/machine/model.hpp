@@ -37,7 +37,8 @@ struct Model {
     Hertz clock;
   } cpu;
   struct Memory {
-    double steal_word;  // cycles that a link's DMA takes from the CPU, for each 4-byte word
+    double steal_word;   // cycles that a link's DMA takes from the CPU, for each 4-byte word
+    double least_share;  // of the memory's cycles, that the CPU keeps however much moves
   } memory;
   struct Link {
     double bit_rate, byte_bits;           // bits/s; bits of a byte's packet on the wire

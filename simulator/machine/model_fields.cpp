@@ -47,6 +47,7 @@ const std::vector<Field>& fields() {
       shared("memory.workspace_word", "cycles"),
       shared("memory.data_word", "cycles"),
       field("memory.steal_word", "cycles", &M::memory, &M::Memory::steal_word),
+      field("memory.least_share", "1", &M::memory, &M::Memory::least_share),
       field("link.bit_rate", "bit/s", &M::link, &M::Link::bit_rate),
       field("link.byte_bits", "bits", &M::link, &M::Link::byte_bits),
       shared("link.one_way_20", "bytes/s"),
@@ -77,6 +78,8 @@ const std::vector<Field>& fields() {
       field("alternative.setup", "cycles", &M::alternative, &A::setup),
       field("alternative.timer_setup", "cycles", &M::alternative, &A::timer_setup),
       field("alternative.end", "cycles", &M::alternative, &A::end),
+      shared("alternative.workspace_words", "1"),
+      shared("alternative.off_chip", "cycles"),
       shared("alternative.guard_operands", "cycles"),
       field("alternative.enable_ready", "cycles", &M::alternative, &A::enable_ready),
       field("alternative.enable_not", "cycles", &M::alternative, &A::enable_not),
@@ -127,7 +130,9 @@ constexpr Range RANGES[] = {
     {"link.byte_bits", 1, 1000},         {"link.one_way_rate", 1, LARGEST},
     {"link.both_ways_rate", 1, LARGEST}, {"scheduler.slice", 1, LARGEST},
     {"timer.high_tick", 1e-12, 1e3},     {"timer.low_tick", 1e-12, 1e3},
-    {"memory.on_chip_word", 1, 1e6},     {"memory.external_word", 1, 1e6},
+    {"memory.on_chip_word", 1, 1e6},     {"memory.workspace_word", 1, 1e6},
+    {"memory.least_share", 0.001, 1},    {"memory.data_word", 1, 1e6},
+    {"memory.external_word", 1, 1e6},
 };
 
 void check_value(const Entry& entry) {
@@ -137,6 +142,16 @@ void check_value(const Entry& entry) {
   if (!(entry.value >= low && entry.value <= high))
     throw InvalidInput(fmt::format("{}: found {}, expected a number from {} to {}", entry.where,
                                    entry.value, low, high));
+}
+
+// A pin of the chip chooses one of three.
+void check_bit_rate(const Model& model, std::string_view origin) {
+  const double rate = model.link.bit_rate;
+  if (rate != 5e6 && rate != 10e6 && rate != 20e6)
+    throw InvalidInput(
+        fmt::format("{}: link.bit_rate: found {}, expected 5e6, 10e6 or 20e6 (other links: set "
+                    "link.one_way_rate and link.both_ways_rate)",
+                    origin, rate));
 }
 
 }  // namespace
@@ -163,6 +178,7 @@ void bind_entries(Model& model, std::string_view origin) {
     check_value(*entry);
     known.set(model, entry->value);
   }
+  check_bit_rate(model, origin);
   for (const Entry& entry : model.entries)
     if (const auto* open = find_open(entry.key)) {
       check_value(entry);

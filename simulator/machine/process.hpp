@@ -50,6 +50,11 @@ class Process {
   void sync_if_low() {
     if (priority_ == Priority::low) sync();
   }
+  // The same before others are met: of a high process where it is so much that the speed of the
+  // CPU, which the links' DMA changes, is not certain so far ahead.
+  void sync_if_long() {
+    if (priority_ == Priority::low || debt_ > LONG_DEBT) sync();
+  }
   // Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(const Wait& wait);
   // The process's own time: the clock plus its debt.
@@ -72,6 +77,7 @@ class Process {
 
  private:
   friend class Processor;
+  static constexpr Cycles LONG_DEBT{1000};
   void resume();   // the scheduler enters the body, until it suspends or ends
   void suspend();  // the body returns to the scheduler
 

@@ -113,13 +113,23 @@ void Processor::execute(Process& process) {
     }
     preempting_ = false;
     if (done) return release(process, high_until_);
-    engine_.at(high_until_, [this, &process] { execute(process); });
+    high_computing_ = true;
+    end_high_at(high_until_);
   } else {
     if (!done) return compute(process, {time.value * speed_});
     if (time.value > 0)
       throw InvariantBroken(process.name() + " left the CPU at low priority with unpaid cycles");
     release(process, now());
   }
+}
+
+// The high-priority process that runs has computed until then.
+void Processor::end_high_at(Seconds date) {
+  engine_.at(date, [this, id = ++high_id_] {
+    if (id != high_id_) return engine_.ignore_event();
+    high_computing_ = false;
+    execute(*running_);
+  });
 }
 
 void Processor::release(Process& process, Seconds free_at) {
@@ -246,9 +256,16 @@ void Processor::set_stolen(std::size_t port, double share) {
   stolen_.at(port) = share;
   double stolen = 0;
   for (double s : stolen_) stolen += s;
-  const double speed = std::max(1 - stolen, 0.05);
+  const double speed = std::max(1 - stolen, model_.memory.least_share);
   if (speed == speed_) return;
   const double before = std::exchange(speed_, speed);
+  if (high_computing_ && high_until_ > now()) {
+    const Seconds until = now() + before / speed * (high_until_ - now());
+    use_.busy_high += until - high_until_;
+    if (!ahead_.empty()) ahead_.back().to = until;
+    end_high_at(high_until_ = until);
+    return;
+  }
   if (!low_computing_ || interrupted_) return;
   const Seconds since = std::max(now(), low_since_);
   low_end_ = since + before / speed * (low_end_ - since);

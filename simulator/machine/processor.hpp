@@ -58,8 +58,9 @@ class Processor {
 
   // Of a low-priority process that is executing: whether a high one has become ready meanwhile.
   bool has_lost_cpu(const Process& process) const { return interrupted_ == &process; }
-  // From now on the DMA of link `port` (0 to 3) takes this share of the CPU's cycles. What a
-  // high-priority process has begun to charge is not slowed any more; a low one's computation is.
+  // From now on the DMA of link `port` (0 to 3) takes this share of the CPU's cycles: whatever is
+  // being computed ends later. (What a high-priority process charged just before it blocked is
+  // certain already: see Process::sync_if_long.)
   void set_stolen(std::size_t port, double share);
   // Tells what the processes do, from now on; a null pointer: nobody.
   void set_observer(Observer* observer);
@@ -80,6 +81,7 @@ class Processor {
   Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);
   void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
+  void end_high_at(Seconds date);
   void arm_low_timer();
   void low_timer();
   void account_low();  // what the low process has computed since low_since_
@@ -126,7 +128,9 @@ class Processor {
   Seconds way_back_from_ = NEVER;  // of the low process that is computing, not told yet
 
   CpuUse use_;
-  Seconds high_until_{};  // up to when use_ already counts high-priority time
+  bool high_computing_ = false;  // a high process has synced: its end moves with the speed
+  std::uint64_t high_id_ = 0;    // ends with another id are stale
+  Seconds high_until_{};         // up to when use_ already counts high-priority time
   std::exception_ptr failure_;
 };
 

@@ -42,9 +42,10 @@ class Recorder : public machine::Observer {
   void moved(const LinkDirection& link, const std::string& channel, std::uint64_t bytes,
              Seconds from, Seconds to) override {
     if (to.value <= trace_.begin_s) return;
-    const auto [place, added] =
-        channels_.emplace(&channel, static_cast<std::uint32_t>(trace_.channels.size()));
-    if (added) trace_.channels.push_back(channel);
+    const auto next = static_cast<std::uint32_t>(trace_.channels.size());
+    const auto [place, added] = channels_.emplace(&channel, next);
+    if (!added && trace_.channels[place->second] != channel) place->second = next;
+    if (place->second == next) trace_.channels.push_back(channel);
     trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
   }
 

@@ -106,7 +106,7 @@ std::size_t select(std::span<const Guard> guards) {
       guards, [](const Guard& g) { return g.condition && g.channel && g.channel->hard(); });
   auto settle = [&] {
     if (looks_at_links) self.sync();
-    self.sync_if_low();
+    self.sync_if_long();
   };
   auto some_ready = [&] {
     return std::ranges::any_of(

@@ -21,7 +21,7 @@ void charge(std::string_view instruction) {
 
 void ChannelBase::pay(Cycles cost) {
   charge(cost);
-  this_process().sync_if_low();
+  this_process().sync_if_long();
 }
 
 // Spends what the operation takes up to the rendezvous. The partner may come while a low-priority

@@ -33,7 +33,7 @@ Row run(const Setup& setup) {
   for (std::size_t id = 0; id < tree.parent.size(); ++id)
     for (int child : tree.children[id]) {
       auto &here = *machine.processors()[id], &there = *machine.processors()[child];
-      machine.connect(here, there);
+      machine.connect(here, there, switches_between(setup.topology, static_cast<int>(id), child));
       auto& channel = channels.emplace_back(there.name() + ".in", machine.link(here, there));
       from_parent[child] = &channel;
       to_children[id].push_back(&channel);

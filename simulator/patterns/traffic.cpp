@@ -77,8 +77,16 @@ double mean_inside(const std::vector<Delivery>& deliveries, double from_s, doubl
   return inside_s / (to_s - from_s);
 }
 
+constexpr double MOST_PACKETS = 1e7;  // each takes some 100 bytes of the host's memory
+
 Row run(const Setup& setup) {
   const double window_s = setup["window_s"], rate = setup.model.link.one_way_rate;
+  const double packets =
+      setup.topology.processors * setup["load"] * rate / setup["bytes"] * window_s;
+  if (packets > MOST_PACKETS)
+    throw machine::InvalidInput(fmt::format(
+        "program.load, window_s and bytes: found {:.3g} packets, expected at most {:.3g}", packets,
+        MOST_PACKETS));
   const auto arrivals =
       make_uniform_traffic(setup.topology.processors, setup["load"] * rate / setup["bytes"],
                            window_s * 1e6, static_cast<std::uint64_t>(setup.whole("seed")));

@@ -56,17 +56,17 @@ TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
     const int word = 3 + s, more = word - 1, deschedule = 3 * more;
     EXPECT_EQ(machine::get_instruction(model, "ldl").value, 1 + word);
     EXPECT_EQ(machine::get_instruction(model, "stl").value, word);
-    EXPECT_EQ(machine::get_instruction(model, "lend").value, 10 + 2 * more);
+    EXPECT_EQ(machine::get_instruction(model, "lend").value, 10 + 4 * more);
     EXPECT_EQ(model.channel.operands.value, 1 + (1 + word) + 1);
     EXPECT_EQ(model.channel.blocked.value, 20 + deschedule);
     EXPECT_EQ(model.channel.soft_setup.value, 19 + deschedule);
     EXPECT_EQ(model.scheduler.start_process.value, 12 + deschedule);
     EXPECT_EQ(model.scheduler.end_process.value, 13 + deschedule);
     EXPECT_EQ(model.scheduler.run_process.value, 11 + deschedule);
-    EXPECT_EQ(model.alternative.enable_not.value, 6 + (1 + word) + 1);
+    EXPECT_EQ(model.alternative.enable_not.value, 6 + (1 + word) + 1 + more);
     EXPECT_EQ(model.alternative.wait_not.value, 18 + deschedule);
     EXPECT_EQ(model.alternative.timer_wait_not.value, 49 + deschedule);
-    EXPECT_EQ(model.alternative.disable.value, 9 + (1 + word) + 2);
+    EXPECT_EQ(model.alternative.disable.value, 9 + (1 + word) + 2 + more);
     EXPECT_EQ(model.timer.wait_future.value, 31 + (1 + word) + deschedule);
     const std::int64_t w = 5, operands = 3 + word;
     EXPECT_NEAR(time_rendezvous(model, 4 * w),

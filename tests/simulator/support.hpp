@@ -35,7 +35,7 @@ struct Words {
 // as experiments::JobFailed; so is a simulation that does not end.
 inline std::string isolated(const std::function<std::string()>& body) {
   auto job = [&](std::size_t) {
-    alarm(5);
+    alarm(120);
     return body();
   };
   return experiments::run_jobs(1, 1, job).front();
