@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include "simulator/network/store_and_forward.hpp"
 #include "simulator/occam/process.hpp"
 #include "tests/benchmarks/machine.hpp"
@@ -47,6 +49,7 @@ struct Exchange {
 
 // Memory is of all there is to a machine: what is built, and what has grown when it has run.
 Sample exchange(int side) {
+  malloc_trim(0);  // what the parent has freed would be used again, uncounted
   const double before_kb = memory_kb();
   const auto topology = topologies::make_topology(fmt::format("mesh:{0}x{0}", side));
   const auto around = topologies::neighbours(topology);
@@ -73,7 +76,7 @@ Sample exchange(int side) {
 }  // namespace
 
 void add_neighbours() {
-  for (const int side : {8, 16, 32, 64})
+  for (const int side : {8, 16, 32})
     add(fmt::format("neighbours of a {0} x {0} mesh", side), "tlab",
         [side](benchmark::State& state) {
           const Sample sample = in_child([side] { return exchange(side); });

@@ -11,10 +11,12 @@ namespace {
 // Prints as Google Benchmark does, and keeps the medians.
 class Reporter : public benchmark::ConsoleReporter {
  public:
+  Reporter() : ConsoleReporter(isatty(STDOUT_FILENO) ? OO_ColorTabular : OO_Tabular) {}
+
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
       if (!run.error_occurred && (run.aggregate_name == "median" || run.repetitions == 1))
-        keep(run.run_name.function_name, run.counters.at("items_per_second"));
+        keep(run.run_name.function_name, run.counters);
     ConsoleReporter::ReportRuns(runs);
   }
 
@@ -30,15 +32,21 @@ class Reporter : public benchmark::ConsoleReporter {
           fmt::print("{:34} {:9.3f}M {:>12} {:8.3f}M {:7.2f}\n", what, 1e-6 * ours->second, who,
                      1e-6 * rate, ours->second / rate);
     }
+    for (const auto& [what, kb] : memory_kb_)
+      fmt::print("{:34} {:9.0f} KB of memory a transputer\n", what, kb);
   }
 
  private:
-  void keep(const std::string& name, double rate) {
+  void keep(const std::string& name, const benchmark::UserCounters& counters) {
     const auto slash = name.rfind('/');
-    rates_[name.substr(0, slash)][name.substr(slash + 1)] = rate;
+    const auto what = name.substr(0, slash);
+    rates_[what][name.substr(slash + 1)] = counters.at("items_per_second");
+    const auto memory = counters.find("KB_per_transputer");
+    if (memory != counters.end()) memory_kb_[what] = memory->second;
   }
 
   std::map<std::string, std::map<std::string, double>> rates_;  // by what, by who
+  std::map<std::string, double> memory_kb_;                     // by what
 };
 
 }  // namespace
