@@ -205,15 +205,14 @@ void Engine::add_link(int a, int b, LinkRates rates) {
   impl_->directions.push_back({a, b, {}, 0, {}});
   impl_->directions.push_back({b, a, {}, 0, {}});
   const auto name = fmt::format("{}-{}", a, b);
-  auto* there = zone.create_link(name + ">", rates.one_way)->seal();
-  auto* back = zone.create_link(name + "<", rates.one_way)->seal();
-  auto* shared = zone.create_link(name + "=", rates.both_ways)->seal();
-  auto route = [&](int from, int to, const s4u::Link* own) {
-    zone.add_route(impl_->hosts[from]->get_netpoint(), impl_->hosts[to]->get_netpoint(), nullptr,
-                   nullptr, {s4u::LinkInRoute(own), s4u::LinkInRoute(shared)}, false);
+  const auto rate = [rates](double, int messages) {
+    return messages > 1 ? rates.both_ways : rates.one_way;
   };
-  route(a, b, there);
-  route(b, a, back);
+  auto* link = zone.create_link(name, rates.both_ways)
+                   ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
+                   ->seal();
+  zone.add_route(impl_->hosts[a]->get_netpoint(), impl_->hosts[b]->get_netpoint(), nullptr, nullptr,
+                 {s4u::LinkInRoute(link)}, true);
 }
 
 Seconds Engine::now() const { return {impl_->now}; }

@@ -1,9 +1,9 @@
 #pragma once
 // The simulated clock, its events, and the wires: the one door to SimGrid.
 //
-// Processors are SimGrid hosts; a transputer link is three SimGrid links: one a direction at the
-// unidirectional rate, and one that both directions share at the bidirectional rate. A message on
-// a link is a SimGrid communication. Processor time is arbitrated by our own scheduler (SimGrid
+// Processors are SimGrid hosts; a transputer link is a SimGrid link that has the unidirectional
+// rate for one message and the bidirectional rate for two, which share it. A message on a link is a
+// SimGrid communication. Processor time is arbitrated by our own scheduler (SimGrid
 // has no two-priority processor), which needs only a clock and events at a date.
 //
 // SimGrid's engine is a process-wide singleton: one Engine in the life of a host process.

@@ -10,7 +10,7 @@ namespace s4u = simgrid::s4u;
 
 namespace {
 
-// Hosts joined as the machine layer joins them: a link for each direction, and one for both.
+// Hosts joined as the machine layer joins them: a link has another rate for two messages.
 class Platform {
  public:
   explicit Platform(const machine::Model& model) : model_(model), engine_(&argc_, argv_) {
@@ -27,11 +27,14 @@ class Platform {
   }
   void join(int a, int b) {
     const auto name = fmt::format("{}-{}", a, b);
-    const auto* there = zone_->create_link(name + ">", model_.link.one_way_rate)->seal();
-    const auto* back = zone_->create_link(name + "<", model_.link.one_way_rate)->seal();
-    const auto* shared = zone_->create_link(name + "=", model_.link.both_ways_rate)->seal();
-    route(a, b, there, shared);
-    route(b, a, back, shared);
+    const auto rate = [&link = model_.link](double, int messages) {
+      return messages > 1 ? link.both_ways_rate : link.one_way_rate;
+    };
+    const auto* link = zone_->create_link(name, model_.link.both_ways_rate)
+                           ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
+                           ->seal();
+    zone_->add_route(hosts_[a]->get_netpoint(), hosts_[b]->get_netpoint(), nullptr, nullptr,
+                     {s4u::LinkInRoute(link)}, true);
   }
   s4u::Host* host(int id) const { return hosts_[id]; }
 
@@ -42,11 +45,6 @@ class Platform {
   }
 
  private:
-  void route(int from, int to, const s4u::Link* own, const s4u::Link* shared) {
-    zone_->add_route(hosts_[from]->get_netpoint(), hosts_[to]->get_netpoint(), nullptr, nullptr,
-                     {s4u::LinkInRoute(own), s4u::LinkInRoute(shared)}, false);
-  }
-
   int argc_ = 2;
   char name_[4] = "raw", quiet_[32] = "--log=root.thres:critical";
   char* argv_[3] = {name_, quiet_, nullptr};
