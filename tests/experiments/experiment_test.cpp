@@ -7,17 +7,10 @@
 
 #include "experiments/farm_run.hpp"
 #include "simulator/machine/faults.hpp"
-#include "tests/experiments/support.hpp"
+#include "tests/experiments/load.hpp"
 
 namespace experiments {
 namespace {
-
-ExperimentFile load(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const TemporaryFolder folder;
-  const auto path = folder.path / "e.toml";
-  std::ofstream(path) << text;
-  return load_experiment(path.string(), overrides);
-}
 
 TEST(ExperimentsFile, DefaultsAreOnePoint) {
   const auto file = load("");

@@ -5,17 +5,11 @@
 #include "experiments/machine_model.hpp"
 #include "experiments/table.hpp"
 #include "simulator/machine/faults.hpp"
+#include "tests/experiments/load.hpp"
 #include "tests/experiments/tlab.hpp"
 
 namespace experiments {
 namespace {
-
-ExperimentFile load(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const TemporaryFolder folder;
-  const auto path = folder.path / "e.toml";
-  std::ofstream(path) << text;
-  return load_experiment(path.string(), overrides);
-}
 
 const std::string MESSAGE = "[program]\nname = \"message\"\n";
 
