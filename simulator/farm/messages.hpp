@@ -1,9 +1,10 @@
 #pragma once
 // What the processes of the farm say to each other: the protocols of figure 4.9's channels.
+#include <memory>
 #include <optional>
 #include <variant>
 
-#include "renderer/intersect.hpp"
+#include "renderer/render.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/priority.hpp"
 #include "simulator/occam/channel.hpp"
@@ -21,26 +22,27 @@ struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-// Sizes of the two records that travel, in bytes, from the model file.
+// Sizes of the records that travel, in bytes, from the model file.
 struct RecordBytes {
-  std::uint32_t ray = 0, hit = 0;
+  std::uint32_t ray = 0, hit = 0, pixel = 0;
 };
 
-// Coordination -> workers: a task is one ray.
+// Coordination -> workers: a task is one ray, or a block of pixels.
 struct Task {
-  std::variant<Stop, renderer::Ray> content;
+  std::variant<Stop, renderer::Ray, renderer::Area> content;
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
   bool stop() const { return content.index() == 0; }
-  const renderer::Ray& ray() const { return std::get<renderer::Ray>(content); }
 };
+constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  // a block's task: where it is
 
-// Workers -> coordination -> visualisation: a ray, and what it hits first.
+// Workers -> coordination -> visualisation: a ray, and what it hits first; or a block.
 struct Intersection {
   bool stop = true;
   bool key_image = false;  // to visualisation only: keep the image as it is now
   renderer::Ray ray;
   std::optional<renderer::Hit> hit;
+  std::shared_ptr<const renderer::Block> block;  // instead of ray and hit
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
 };

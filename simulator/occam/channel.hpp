@@ -68,7 +68,7 @@ class ChannelBase : machine::Wait {
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
   std::vector<machine::ProcessId> waits_for() const override;
-  bool is_for_input() const override { return waiting_ == reader; }
+  Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();

@@ -115,8 +115,8 @@ TEST(Farm, RaysInFarmAndFeelersAreBounded) {
                               topologies::make_topology(fmt::format("tree:{}", workers)),
                               renderer::make_spheres(60), small_params());
       const std::size_t lights = 3;
-      return fmt::format("{} {}", r.peak_rays_in_farm <= buffers,
-                         r.peaks.feelers <= (r.peak_rays_in_farm + 1) * lights);
+      return fmt::format("{} {}", r.peak_tasks_in_farm <= buffers,
+                         r.peaks.feelers <= (r.peak_tasks_in_farm + 1) * lights);
     });
     EXPECT_EQ(bound, "true true") << workers;
   }
