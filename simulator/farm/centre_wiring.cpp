@@ -67,9 +67,12 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       visualisation_{scene, params.image, cost_,
                      renderer::Samples(params.image.width, params.image.height), {}},
       from_interaction_("coordinator.from.interaction"),
-      into_database_("database.from.coord", machine.link(on_.coordinator, on_.database)),
-      from_database_("coordinator.from.database", machine.link(on_.database, on_.coordinator)),
-      into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display)) {
+      into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
+                     occam::Protocol::variant),
+      from_database_("coordinator.from.database", machine.link(on_.database, on_.coordinator),
+                     occam::Protocol::variant),
+      into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
+                          occam::Protocol::variant) {
   for (Processor* central : {&on_.coordinator, &on_.database, &on_.display}) load_program(*central);
   if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
   on_.display.memory().allocate(bytes_.pixel * static_cast<std::uint64_t>(params.image.width) *

@@ -60,16 +60,19 @@ inline Intersection make_key_image() {
   return message;
 }
 
+// To and from the ray database, and to the display, go occam's variant protocols (figures 4.16 and
+// 4.17: `add.ray; ray.mess`): sizes are those of the contents, after the tag.
+
 // Coordination -> ray database.
 struct AskInteractive {};  // for an RMI ray (figure 4.16: ask.interact.mode.ray)
 struct AskAny {};          // for any ray (ask.any.ray)
 struct DatabaseRequest {
   std::variant<Stop, AskInteractive, AskAny, renderer::Ray, Limits> content;
-  std::uint32_t size = TAG_BYTES;
+  std::uint32_t size = 0;
   std::uint64_t bytes() const { return size; }
 };
 
-// Ray database -> coordination: a ray, or none of the kind asked for.
+// Ray database -> coordination: a ray, or none of the kind asked for (`error; DB.empty`).
 struct DatabaseReply {
   std::optional<renderer::Ray> ray;
   std::uint32_t size = TAG_BYTES;
