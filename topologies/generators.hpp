@@ -23,7 +23,6 @@ Topology make_star(int n);                   // a centre and n - 1 leaves, n in 
 // A minimum-path network (Chalmers and Tidmus's AMP): the shortest mean distance that a search of
 // fixed length finds with four links a processor, three at the root, whose port 0 stays free.
 // n >= 1. Host time: 0.1 s for 64 processors, 0.5 s for 256, 3 s for 1024, 10 s for the most.
-// most.
 Topology make_amp(int n);
 
 struct Generator {
