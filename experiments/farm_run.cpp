@@ -50,9 +50,11 @@ topologies::Topology make_network(const Experiment& experiment) {
   if (name == "hypercube") {
     int dimensions = 0;
     while ((std::int64_t{1} << dimensions) < n) ++dimensions;
-    if ((std::int64_t{1} << dimensions) != n)
+    if ((std::int64_t{1} << dimensions) != n || dimensions > topologies::PORTS)
       throw machine::InvalidInput(
-          fmt::format("network.workers: found {}, expected a power of two for a hypercube", n));
+          fmt::format("network.workers: found {}, expected 1, 2, 4, 8 or 16 for a hypercube (more "
+                      "need more than four links a processor)",
+                      n));
     return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
   }
   // The smallest rings are lines.
