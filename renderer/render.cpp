@@ -116,7 +116,8 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     try {
       for (int row = rows.take(); row < area.height; row = rows.take()) {
         for (int x = area.x; x < area.x + area.width; ++x)
-          tracer.trace(x, area.y + row, static_cast<std::uint32_t>((area.y + row) * params.width + x));
+          tracer.trace(x, area.y + row,
+                       static_cast<std::uint32_t>((area.y + row) * params.width + x));
         rows.report();
       }
     } catch (...) {

@@ -44,9 +44,9 @@ struct Work {
 /// Names as model files and reports spell them; the index is the Op's value.
 inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
-      "box_test",       "sphere_test",   "sphere_root",   "polygon_test",    "patch_test",
-      "polygon_edges",  "cone_test",     "ray_intersected", "hit_made",      "surface_shaded",
-      "feeler_made",    "ray_reflected", "ray_refracted", "sample_updated"};
+      "box_test",      "sphere_test",   "sphere_root",     "polygon_test",  "patch_test",
+      "polygon_edges", "cone_test",     "ray_intersected", "hit_made",      "surface_shaded",
+      "feeler_made",   "ray_reflected", "ray_refracted",   "sample_updated"};
   return NAMES;
 }
 

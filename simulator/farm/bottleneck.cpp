@@ -57,14 +57,14 @@ Load load_of_links(const observe::Use& use) {
 
 std::vector<Load> find_loads(const Result& result) {
   const auto& use = result.use;
-  std::vector<Load> loads{load_of_workers(use),
-                          load_of_routing(use),
-                          load_of_coordination(use),
-                          load_of_cpu(use, "database"),
-                          load_of_cpu(use, "display"),
-                          load_of_links(use),
-                          {"tasks", result.drain_s / result.time_s,
-                           fmt::format("all {} handed out", result.tasks)}};
+  std::vector<Load> loads{
+      load_of_workers(use),
+      load_of_routing(use),
+      load_of_coordination(use),
+      load_of_cpu(use, "database"),
+      load_of_cpu(use, "display"),
+      load_of_links(use),
+      {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)}};
   std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy);
   return loads;
 }

@@ -9,7 +9,8 @@ namespace farm {
 
 // A resource and the share of the run's time that it was busy, 0 to 1.
 struct Load {
-  std::string resource;  // "coordination", "workers", "worker1 (routing)", "link coordinator>worker1"
+  std::string
+      resource;  // "coordination", "workers", "worker1 (routing)", "link coordinator>worker1"
   double busy = 0;
   std::string doing;  // what it did with that time
 };

@@ -64,8 +64,11 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       script_(make_script(params)),
       rays_{RayStores(make_cells(params), params.stages[0]),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_},
-      visualisation_{scene, params.image, cost_,
-                     renderer::Samples(params.image.width, params.image.height), {}},
+      visualisation_{scene,
+                     params.image,
+                     cost_,
+                     renderer::Samples(params.image.width, params.image.height),
+                     {}},
       from_interaction_("coordinator.from.interaction"),
       into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
                      occam::Protocol::variant),
@@ -76,8 +79,8 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
   for (Processor* central : {&on_.coordinator, &on_.database, &on_.display}) load_program(*central);
   if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
   on_.display.memory().allocate(bytes_.pixel * static_cast<std::uint64_t>(params.image.width) *
-                                 static_cast<std::uint64_t>(params.image.height),
-                             "the image", on_.display.now());
+                                    static_cast<std::uint64_t>(params.image.height),
+                                "the image", on_.display.now());
 }
 
 CoordinationSetup Centre::make_ray_setup() {

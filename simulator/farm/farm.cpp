@@ -23,8 +23,8 @@ void check_block(const Params& params) {
   if (!params.block) return;
   const Block& block = *params.block;
   if (block.width < 1 || block.height < 1)
-    throw machine::InvalidInput(fmt::format("task: found a block of {}x{} pixels, expected 1x1 or more",
-                                            block.width, block.height));
+    throw machine::InvalidInput(fmt::format(
+        "task: found a block of {}x{} pixels, expected 1x1 or more", block.width, block.height));
   if (params.stages != std::vector<Limits>(1) || !params.script.empty())
     throw machine::InvalidInput(
         "task: found a block, expected ray: stages and orders choose among rays");
