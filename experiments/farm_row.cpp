@@ -47,6 +47,7 @@ ordered_json time_columns(const farm::Result& r) {
           {"kernel_cycles", r.kernel_cycles.value},
           {"interactive_s", r.interactive_s},
           {"setup_s", r.setup_s},
+          {"total_s", r.setup_s + r.time_s},
           {"drain_s", r.drain_s}};
 }
 

@@ -20,6 +20,7 @@ void block_coordination(const BlockSetup& setup, CoordinationChannels to,
   Command command;
   do in(to.from_interaction, command);
   while (!std::holds_alternative<Begin>(command.content));
+  send_scene(to, setup.load);
   result.begin(setup.on_begin);
 
   std::size_t next = 0, in_farm = 0;

@@ -46,13 +46,18 @@ struct Visualisation {
 
 // Feeds the workers with rays from the database, makes new rays from the intersections they
 // return, and passes these on to be shown (figure 4.15).
+struct SceneMessages {
+  std::uint64_t bytes = 0;    // of the scene; 0: the workers have it
+  std::uint32_t message = 0;  // bytes, at most
+};
 struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;
   machine::OperationCosts cost;
   RecordBytes bytes;
   Cells cells;
-  std::uint64_t seed;          // of the order of the initial rays
+  std::uint64_t seed;  // of the order of the initial rays
+  SceneMessages load;
   std::vector<Limits> stages;  // the interactive phase's parameters, one set after the other
   std::function<void()> on_begin, on_end;  // before the first task, after the last ray
 };
@@ -94,10 +99,14 @@ struct Block {
 std::vector<renderer::Area> make_blocks(const renderer::Params& params, Block size);
 struct BlockSetup {
   std::vector<renderer::Area> blocks;
+  SceneMessages load;
   std::function<void()> on_begin, on_end;
 };
 void block_coordination(const BlockSetup& setup, CoordinationChannels channels,
                         CoordinationResult& result);
+
+// Sends the scene to all workers. Nobody's task is under way, and the sender's signal not taken.
+void send_scene(CoordinationChannels channels, SceneMessages load);
 
 // Stops every process of the farm, in the order of the wires, once nothing is in it.
 void stop_all(CoordinationChannels channels, bool sender_is_ready);

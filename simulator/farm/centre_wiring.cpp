@@ -49,6 +49,11 @@ RecordBytes record_bytes(const machine::Model& model) {
   return {get("ray"), get("hit"), get("pixel")};
 }
 
+std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene) {
+  return object_count(scene) * get_bytes(model, "object") +
+         box_count(scene) * get_bytes(model, "box");
+}
+
 void load_program(Processor& processor) {
   processor.memory().allocate(get_bytes(processor.model(), "program"), "the program",
                               processor.now());
@@ -83,6 +88,11 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                                 "the image", on_.display.now());
 }
 
+SceneMessages Centre::scene_messages() const {
+  if (params_.scene_message == 0) return {};
+  return {scene_bytes(machine_.model(), scene_), params_.scene_message};
+}
+
 CoordinationSetup Centre::make_ray_setup() {
   return {.scene = scene_,
           .params = params_.image,
@@ -90,6 +100,7 @@ CoordinationSetup Centre::make_ray_setup() {
           .bytes = bytes_,
           .cells = make_cells(params_),
           .seed = params_.seed,
+          .load = scene_messages(),
           .stages = params_.stages,
           .on_begin = [this] { before_ = observe::collect(machine_); },
           .on_end = [this] { after_ = observe::collect(machine_); }};
@@ -97,6 +108,7 @@ CoordinationSetup Centre::make_ray_setup() {
 
 BlockSetup Centre::make_block_setup() {
   return {.blocks = make_blocks(params_.image, *params_.block),
+          .load = scene_messages(),
           .on_begin = [this] { before_ = observe::collect(machine_); },
           .on_end = [this] { after_ = observe::collect(machine_); }};
 }

@@ -24,6 +24,7 @@ class Centre {
   Result take_result(machine::End end);
 
  private:
+  SceneMessages scene_messages() const;
   CoordinationSetup make_ray_setup();
   BlockSetup make_block_setup();
   void note_cut();
@@ -48,6 +49,8 @@ class Centre {
 
 // Sizes of records in the model.
 RecordBytes record_bytes(const machine::Model& model);
+// What a copy of the scene takes: its objects and their hierarchy.
+std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
 // Takes the program's part of a processor's memory.
 void load_program(machine::Processor& processor);
 

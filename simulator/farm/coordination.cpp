@@ -47,6 +47,7 @@ void Coordinator::run() {
   do in(to_.from_interaction, command);
   while (!std::holds_alternative<Begin>(command.content));
 
+  send_scene(to_, setup_.load);
   deposit_initial_rays();
   result_.begin(setup_.on_begin);
   serve(Mode::interactive);
@@ -139,6 +140,14 @@ void Coordinator::next_stage() {
 }
 
 }  // namespace
+
+void send_scene(CoordinationChannels to, SceneMessages load) {
+  for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
+    in(to.from_sender);
+    const auto size = std::min<std::uint64_t>(load.message, load.bytes - sent);
+    out(to.into_sender, Task{SceneData{}, static_cast<std::uint32_t>(size)});
+  }
+}
 
 void stop_all(CoordinationChannels to, bool sender_is_ready) {
   if (!sender_is_ready) in(to.from_sender);

@@ -22,17 +22,22 @@ struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
+// A part of the scene, for every worker.
+struct SceneData {};
+
 // Sizes of the records that travel, in bytes, from the model file.
 struct RecordBytes {
   std::uint32_t ray = 0, hit = 0, pixel = 0;
 };
 
-// Coordination -> workers: a task is one ray, or a block of pixels.
+// Coordination -> workers: a task is one ray, or a block of pixels; what is for all of them goes
+// down every way.
 struct Task {
-  std::variant<Stop, renderer::Ray, renderer::Area> content;
+  std::variant<Stop, SceneData, renderer::Ray, renderer::Area> content;
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
-  bool stop() const { return content.index() == 0; }
+  bool stop() const { return std::holds_alternative<Stop>(content); }
+  bool is_for_all() const { return stop() || std::holds_alternative<SceneData>(content); }
 };
 constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  // a block's task: where it is
 

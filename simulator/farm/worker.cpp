@@ -19,18 +19,20 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
                  std::span<Channel<Task>* const> into_sender) {
   const std::size_t n_ways_out = from_sender.size();
   std::size_t favourite = 0;
-  Task message;
+  Task message{SceneData{}};
   Signal dummy;
-  for (;;) {
+  while (!message.stop()) {
     in(from_left, message);
-    if (message.stop()) break;
+    if (message.is_for_all()) {
+      for (std::size_t i = 0; i < n_ways_out; ++i) {
+        in(*from_sender[i]);
+        out(*into_sender[i], message);
+      }
+      continue;
+    }
     const std::size_t sender_ready = fair_alt(favourite, from_sender, dummy);
     out(*into_sender[sender_ready], message);
     favourite = (favourite + 1) % n_ways_out;
-  }
-  for (std::size_t i = 0; i < n_ways_out; ++i) {
-    in(*from_sender[i]);
-    out(*into_sender[i], message);
   }
 }
 
@@ -88,8 +90,8 @@ void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersectio
     if (task.stop()) break;
     if (const auto* ray = std::get_if<renderer::Ray>(&task.content))
       out(results, find_intersection(kernel, *ray));
-    else
-      out(results, find_block(kernel, std::get<renderer::Area>(task.content)));
+    else if (const auto* area = std::get_if<renderer::Area>(&task.content))
+      out(results, find_block(kernel, *area));
   }
   out(results, Intersection{});
 }

@@ -13,7 +13,8 @@ namespace farm {
 // and waits for the way out (figure 4.13).
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination);
 
-// Pushes tasks ahead to any sender that is free, in fair turns (figure 4.14).
+// Pushes tasks ahead to any sender that is free, in fair turns (figure 4.14); what is for all
+// workers, to every one.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender);
 

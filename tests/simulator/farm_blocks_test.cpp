@@ -79,6 +79,29 @@ TEST(FarmBlocks, WithWholePixelsThereAreNoStagesOrOrders) {
   EXPECT_THROW(check(block_params(0, 8)), machine::InvalidInput);
 }
 
+// Every link of the tree carries the whole scene once; the image is the same.
+TEST(FarmScene, IsSentDownEveryLink) {
+  const auto scene = renderer::make_spheres(60);
+  for (const bool blocks : {false, true}) {
+    Params params = blocks ? block_params(8, 8) : small_params();
+    const auto found = isolated([&] {
+      const auto before = run(params, "tree:9", scene);
+      return fmt::format("{} {}", before.setup_s, before.time_s);
+    });
+    params.scene_message = 500;
+    const auto sent = isolated([&] {
+      const auto model = machine::load_model("t805-25");
+      const auto oracle = renderer::render(scene, params.image);
+      const auto farm = run(params, "tree:9", scene);
+      const double least = double(object_count(scene) * get_bytes(model, "object")) /
+                           model.link.one_way_rate;  // s, over one link
+      return fmt::format("{} {} {}", farm.samples == oracle.samples, farm.setup_s > least,
+                         farm.setup_s);
+    });
+    EXPECT_TRUE(sent.starts_with("true true")) << sent << ", not sent: " << found;
+  }
+}
+
 std::string limit_of(const Params& params, const std::string& topology, int spheres) {
   return isolated([&] {
     return find_loads(run(params, topology, renderer::make_spheres(spheres)))[0].resource;
