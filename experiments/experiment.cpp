@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <ranges>
+#include <set>
 #include <tuple>
 
 #include "experiments/program.hpp"
@@ -40,6 +42,11 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   section->insert_or_assign(key, value);
 }
 
+// "workers, height" however it is spelled.
+std::string join_names(std::string_view name) {
+  return fmt::format("{}", fmt::join(split_names(name), ", "));
+}
+
 // "scene.objects=800". What is not TOML is taken for a text. An axis has a name, dots or not.
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
@@ -57,7 +64,7 @@ void override_key(toml::table& file, const std::string& text) {
   if (!key.starts_with("sweep.")) return assign(file, key, *parsed.get("value"));
   auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
   if (!sweep) throw InvalidInput("sweep: not a section");
-  sweep->insert_or_assign(key.substr(6), *parsed.get("value"));
+  sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
 }
 
 // The axes of [sweep] as a flat table: names with dots may stand there with or without quotes.
@@ -67,7 +74,9 @@ void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
     if (auto* table = node.as_table())
       flatten(*table, dotted + ".", into);
     else
-      node.visit([&](auto& value) { into.insert(dotted, std::move(value)); });  // keeps its line
+      node.visit([&](auto& value) {
+        into.insert(join_names(dotted), std::move(value));
+      });  // with its line
   }
 }
 
@@ -97,25 +106,43 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
     if (std::ranges::find(order, name) == order.end()) order.push_back(name);
 }
 
-std::vector<Axis> read_axes(const toml::table& file, const std::vector<std::string>& order,
-                            const std::string& origin) {
-  std::vector<Axis> axes;
-  const auto* sweep = file["sweep"].as_table();
-  if (!sweep) return axes;
-  const auto program = read_program(file, origin);
-  for (const auto& name : order) {
-    if (!sweep->contains(name)) continue;  // --set has replaced the section
-    const toml::node& values = *sweep->get(name);
-    const Place at{origin, "sweep." + name, "", values};
-    Axis axis = name_axis(name, program, origin);
-    if (std::ranges::find(axes, axis.key, &Axis::key) != axes.end())
-      at.refuse("each axis once, " + axis.key + " is there already");
-    const auto* list = values.as_array();
-    if (!list || list->empty()) at.refuse("an array of values");
-    for (const auto& value : *list) axis.values.push_back(&value);
-    axes.push_back(std::move(axis));
+// Axes that go together: one, but for "workers, height" = [[1, 16], ...].
+using Coupled = std::vector<Axis>;
+
+// The values of each axis, of a list of values or, for several axes, of lists of one of each.
+void read_values(Coupled& axes, const Place& at) {
+  const auto* list = at.node.as_array();
+  if (!list || list->empty()) at.refuse("an array of values");
+  for (const auto& entry : *list) {
+    const auto* values = entry.as_array();
+    if (axes.size() > 1 && (!values || values->size() != axes.size()))
+      Place{at.origin, at.key, "", entry}.refuse(fmt::format(
+          "an array of {} values, {}", axes.size(), at.key.substr(at.key.find('.') + 1)));
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      axes[i].values.push_back(axes.size() > 1 ? values->get(i) : &entry);
   }
-  return axes;
+}
+
+std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
+                               const std::string& origin) {
+  std::vector<Coupled> all;
+  std::set<std::string> keys;
+  const auto* sweep = file["sweep"].as_table();
+  if (!sweep) return all;
+  const auto program = read_program(file, origin);
+  for (const auto& names : order) {
+    if (!sweep->contains(names)) continue;  // --set has replaced the section
+    const Place at{origin, "sweep." + names, "", *sweep->get(names)};
+    Coupled axes;
+    for (const auto& name : split_names(names)) {
+      axes.push_back(name_axis(name, program, origin));
+      if (!keys.insert(axes.back().key).second)
+        at.refuse("each axis once, " + axes.back().key + " is there already");
+    }
+    read_values(axes, at);
+    all.push_back(std::move(axes));
+  }
+  return all;
 }
 
 // What the file gives, then what an axis gives in its place.
@@ -135,14 +162,44 @@ std::map<std::string, double, std::less<>> find_numbers(
 }
 
 // An axis takes the place of its key: what is set there would change nothing.
-void check_not_shadowed(const std::string& override, const std::vector<Axis>& axes) {
+void check_not_shadowed(const std::string& override, const std::vector<Coupled>& axes) {
   const auto key = override.substr(0, override.find('='));
-  for (const auto& axis : axes)
-    if (axis.key == key)
-      throw InvalidInput(
-          fmt::format("--set {}: {} is an axis of [sweep], expected "
-                      "--set 'sweep.{}=[...]'",
-                      override, key, axis.name));
+  for (const auto& coupled : axes)
+    for (const auto& axis : coupled)
+      if (axis.key == key)
+        throw InvalidInput(fmt::format(
+            "--set {}: {} is an axis of [sweep], expected "
+            "--set 'sweep.{}=[...]'",
+            override, key, fmt::join(coupled | std::views::transform(&Axis::name), ", ")));
+}
+
+std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path) {
+  std::size_t points = 1;
+  for (const auto& coupled : axes) {
+    points *= coupled[0].values.size();
+    if (points > MAX_POINTS)
+      throw InvalidInput(fmt::format("{}: [sweep] spans more than {} points", path, MAX_POINTS));
+  }
+  return points;
+}
+
+// The point of that number; the last axis runs fastest.
+Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
+                 const std::string& path, const std::string& folder) {
+  Point point;
+  std::vector<Replacement> replacements;
+  for (const auto& coupled : std::views::reverse(axes)) {
+    const auto count = coupled[0].values.size();
+    for (const auto& axis : std::views::reverse(coupled)) {
+      const toml::node& value = *axis.values[number % count];
+      replacements.push_back({axis.key, &value});
+      point.at.insert(point.at.begin(), {axis.name, to_toml(value)});
+    }
+    number /= count;
+  }
+  point.experiment = bind_settings(file, replacements, path, folder);
+  point.numbers = find_numbers(file, replacements);
+  return point;
 }
 
 }  // namespace
@@ -165,27 +222,18 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
   for (const auto& override : overrides) check_not_shadowed(override, axes);
   ExperimentFile experiment{
       path, to_toml(file), {}, {}, read_definitions(file, path), read_checks(file, path, folder)};
-  std::size_t points = 1;
-  for (const auto& axis : axes) {
-    experiment.axes.push_back(axis.name);
-    points *= axis.values.size();
-    if (points > MAX_POINTS)
-      throw InvalidInput(fmt::format("{}: [sweep] spans more than {} points", path, MAX_POINTS));
+  experiment.plots = read_plots(file, path, folder);
+  experiment.bests = read_bests(file, path);
+  experiment.report = read_report(file, path);
+  for (const auto& coupled : axes) {
+    std::vector<std::string> names;
+    for (const auto& axis : coupled) names.push_back(axis.name);
+    std::ranges::copy(names, std::back_inserter(experiment.axes));
+    if (names.size() > 1) experiment.coupled.push_back(std::move(names));
   }
-  for (std::size_t i = 0; i < points; ++i) {
-    Point point;
-    std::vector<Replacement> replacements;
-    std::size_t rest = i;
-    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-      const toml::node& value = *axis->values[rest % axis->values.size()];
-      rest /= axis->values.size();
-      replacements.push_back({axis->key, &value});
-      point.at.insert(point.at.begin(), {axis->name, to_toml(value)});
-    }
-    point.experiment = bind_settings(file, replacements, path, folder);
-    point.numbers = find_numbers(file, replacements);
-    experiment.points.push_back(std::move(point));
-  }
+  const auto points = count_points(axes, path);
+  for (std::size_t i = 0; i < points; ++i)
+    experiment.points.push_back(make_point(file, axes, i, path, folder));
   return experiment;
 }
 
