@@ -105,9 +105,10 @@ Plot awkward_plot() {
           .title = text,
           .x_label = text,
           .y_label = text,
-          .series = {{.name = text, .x = {1, 2, 3}, .y = {1, NAN, 2.5}},
-                     {.name = text + ", thesis", .x = {1, 2}, .y = {1, 2}, .is_reference = true},
-                     {.name = "empty", .x = {}, .y = {}}},
+          .series =
+              {{.name = text, .x = {1, 2, 3}, .y = {1, NAN, 2.5}},
+               {.name = text + ", thesis", .x = {1, 2}, .y = {1, 2}, .kind = SeriesKind::reference},
+               {.name = "empty", .x = {}, .y = {}}},
           .ideal_line = true,
           .y_min = {},
           .y_max = {}};
@@ -119,9 +120,10 @@ TEST(ExperimentsDrawing, QuotedTextExpandsNothing) {
 
 TEST(ExperimentsDrawing, ReferencesWearTheColourOfTheSeriesTheyName) {
   Plot plot;
-  plot.series = {{.name = "200 objects", .x = {1}, .y = {1}},
-                 {.name = "3200 objects", .x = {1}, .y = {1}},
-                 {.name = "3200 objects, thesis", .x = {1}, .y = {1}, .is_reference = true}};
+  plot.series = {
+      {.name = "200 objects", .x = {1}, .y = {1}},
+      {.name = "3200 objects", .x = {1}, .y = {1}},
+      {.name = "3200 objects, thesis", .x = {1}, .y = {1}, .kind = SeriesKind::reference}};
   const auto script = make_gnuplot_script(plot);
   EXPECT_NE(script.find("$data1 with linespoints linecolor rgb '#D55E00'"), std::string::npos);
   EXPECT_NE(script.find("$data2 with points linecolor rgb '#D55E00'"), std::string::npos);
