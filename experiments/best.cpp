@@ -11,6 +11,8 @@
 namespace experiments {
 namespace {
 
+constexpr double TIE = 0.0005;  // who is better by less is not
+
 using Axes = std::vector<std::size_t>;
 
 struct Measured {
@@ -96,14 +98,19 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
       return spec.least ? a.value < b.value : a.value > b.value;
     });
     const auto& first = group.points[0];
-    const auto name = name_values(table, first.row, over);
+    std::string name = name_values(table, first.row, over);
+    std::size_t next = 1;
+    const auto gained = [&] {
+      return share_gained(spec.least, first.value, group.points[next].value);
+    };
+    for (; next < group.points.size() && gained() < TIE; ++next)
+      name += " or " + name_values(table, group.points[next].row, over);
     ++wins[name];
     auto& row = answer.best.rows.emplace_back(group.at);
     row.insert(row.end(), {name, first.value});
-    if (group.points.size() > 1)
-      row.insert(row.end(),
-                 {name_values(table, group.points[1].row, over), group.points[1].value,
-                  in_percent(share_gained(spec.least, first.value, group.points[1].value))});
+    if (next < group.points.size())
+      row.insert(row.end(), {name_values(table, group.points[next].row, over),
+                             group.points[next].value, in_percent(gained())});
     row.resize(answer.best.columns.size());
   }
   tell_winners(answer, wins);

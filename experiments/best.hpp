@@ -11,7 +11,8 @@ namespace experiments {
 struct BestAnswer {
   std::string name;
   // A row for each combination of values of for_each: these, the best of `over`, its value, the
-  // runner-up, its value, and by what share in % the best is better.
+  // runner-up, its value, and by what share in % the best is better. Those less than 0.05 % behind
+  // the best are best too: "mesh or torus".
   Table best;
   // A row for each combination of all axes but `pays`: these, up to where it pays (the largest
   // value such that every step until there gained the share per doubling), and what the step after

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "experiments/exhibit_parts.hpp"
@@ -53,6 +54,14 @@ std::string label_of(const std::string& text, const std::string& given) {
 
 std::string without_unit(const std::string& label) { return label.substr(0, label.rfind(" [")); }
 
+// "Time per ray" of a column; a label that was given stays as it is.
+std::string title_of(const std::string& label, bool is_column) {
+  auto title = without_unit(label);
+  if (is_column && !title.empty())
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
+
 void choose_scales(Plot& plot, const PlotSpec& spec) {
   std::vector<double> x, y;
   for (const auto& series : plot.series) {
@@ -61,7 +70,7 @@ void choose_scales(Plot& plot, const PlotSpec& spec) {
   }
   const bool over_workers = spec.x == "workers" || spec.x == "processors";
   plot.log_x = spec.log_x.value_or(wants_log_x(over_workers ? "workers" : spec.x, x));
-  plot.log_y = spec.log_y.value_or(plot.log_x && is_geometric(y));
+  plot.log_y = spec.log_y.value_or(plot.log_x && (plot.ideal_line || is_geometric(y)));
   if (!plot.log_y && std::ranges::min(y) >= 0) plot.y_min = 0;
 }
 
@@ -81,10 +90,14 @@ std::optional<Exhibit> make_exhibit(const CheckPlan::Figure& figure, const Rows&
   plot.name = spec.name;
   plot.x_label = label_of(spec.x, spec.x_label);
   plot.y_label = label_of(spec.y, spec.y_label);
-  plot.title = spec.title.empty() ? without_unit(plot.y_label) : spec.title;
+  plot.title = spec.title.empty() ? title_of(plot.y_label, spec.y_label.empty()) : spec.title;
   plot.ideal_line = spec.ideal;
+  const bool is_alone = !spec.ideal && !figure.reference && spec.fit == Law::none;
   for (const auto& curve : curves)
-    plot.series.push_back({.name = curve.name, .x = curve.x, .y = curve.y});
+    plot.series.push_back(
+        {.name = curve.name.empty() && !is_alone ? without_unit(plot.y_label) : curve.name,
+         .x = curve.x,
+         .y = curve.y});
   choose_scales(plot, spec);
   if (figure.reference) add_reference(exhibit, figure, rows, curves);
   if (spec.fit != Law::none) add_fits(exhibit, figure, rows, curves);

@@ -132,18 +132,21 @@ void tell_fit(Exhibit& exhibit, const std::string& name, const Fit& fit) {
   }
 }
 
-// In the key, behind the curve's name: "(s = 0.012 ± 0.002)".
+// In the key, behind the curve's name: "s = 0.0123 ± 0.0021".
 std::string label_fit(const Fit& fit) {
   const auto& p = fit.parameters.back();
-  return fmt::format("{} = {:.3g} ± {:.1g}", fit.parameters.size() > 1 ? "k" : "s", p.value,
-                     (p.high - p.low) / 2);
+  const char* name = fit.parameters.size() > 1 ? "k" : "s";
+  const double error = (p.high - p.low) / 2;
+  if (error < 1e-6) return fmt::format("{} = {:.3g}", name, p.value);
+  const int digits = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  return fmt::format("{} = {:.{}f} ± {:.{}f}", name, p.value, digits, error, digits);
 }
 
 const char* name_law(Law law) {
-  return law == Law::amdahl      ? "Amdahl's law, fitted"
-         : law == Law::gustafson ? "Gustafson's law, fitted"
-         : law == Law::sun_ni    ? "Sun and Ni's law, fitted"
-                                 : "a + k log x, fitted";
+  return law == Law::amdahl      ? "Amdahl's law (± 95 %)"
+         : law == Law::gustafson ? "Gustafson's law (± 95 %)"
+         : law == Law::sun_ni    ? "Sun and Ni's law (± 95 %)"
+                                 : "a + k log x (± 95 %)";
 }
 
 // What a curve does after its largest value.
@@ -200,7 +203,7 @@ void add_fits(Exhibit& exhibit, const CheckPlan::Figure& figure, const Rows& row
     is_first = false;
     exhibit.plot.series.push_back(std::move(line));
     auto& name = exhibit.plot.series[i].name;
-    name = name.empty() ? label_fit(*fit) : fmt::format("{} ({})", name, label_fit(*fit));
+    name += fmt::format(" ({})", label_fit(*fit));
     tell_fit(exhibit, curves[i].name, *fit);
   }
 }

@@ -15,7 +15,8 @@ namespace {
 
 // Heights in pixels of a drawing 800 wide, from the bottom: key, x label and numbers, lower panel
 // with the gap above it, upper panel, title.
-constexpr int KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325, ABOVE = 50;
+constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
+              ABOVE = 50;
 
 struct Extent {
   double low = INFINITY, high = -INFINITY;
@@ -25,14 +26,25 @@ struct Extent {
   }
 };
 
-int count_key_lines(const Plot& plot) {
-  std::size_t entries = plot.ideal_line ? 1 : 0, longest = 0;
+std::size_t count_characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](unsigned char c) { return (c & 0xc0) != 0x80; }));
+}
+
+// Not more columns than gnuplot makes by itself, so that lines of the key can be counted.
+struct Key {
+  int lines = 0, columns = 1;
+};
+
+Key arrange_key(const Plot& plot) {
+  std::size_t entries = plot.ideal_line ? 1 : 0, longest = 5;
   for (const auto& series : plot.series) {
     entries += !series.name.empty();
-    longest = std::max(longest, series.name.size());
+    longest = std::max(longest, count_characters(series.name));
   }
-  const std::size_t columns = std::max<std::size_t>(1, 700 / (70 + 9 * longest));
-  return static_cast<int>((entries + columns - 1) / columns);
+  const auto columns = std::max<std::size_t>(1, 700 / (90 + 10 * longest));
+  const auto lines = (entries + columns - 1) / columns;
+  return {static_cast<int>(lines), static_cast<int>(columns)};
 }
 
 bool is_power_of_two(double value) {
@@ -83,16 +95,25 @@ std::string make_y_range(const Plot& plot, const Extent& x, const Extent& y) {
   if (plot.y_min && (!plot.log_y || *plot.y_min > 0)) low = fmt::format("{}", *plot.y_min);
   if (plot.y_max) high = fmt::format("{}", *plot.y_max);
   // An ideal far above the points would press them together: it may leave the picture.
-  if (plot.ideal_line && !plot.y_max && !plot.log_y && x.high > 2.5 * y.high && y.high > 0)
-    high = fmt::format("{}", 1.5 * y.high);
+  if (plot.ideal_line && !plot.y_max && x.high > 2.5 * y.high && y.high > 0)
+    high = fmt::format("{}", (plot.log_y ? 2 : 1.5) * y.high);
   return fmt::format("set yrange [{}:{}]\n", low, high);
 }
 
-// Room for the curves even where all are 0; a percent at least.
+// 1, 2 or 5 times a power of ten, such that at most `most` steps go into a length.
+double choose_step(double length, double most) {
+  const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1, 2, 5})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
+// Room for the curves even where all are 0: a percent at least.
 std::string make_difference_range(const Extent& difference) {
   const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
-  return fmt::format("set yrange [{}:{}]\n", std::min(0.0, difference.low) - margin,
-                     std::max(0.0, difference.high) + margin);
+  const double low = std::min(0.0, difference.low) - margin;
+  const double high = std::max(0.0, difference.high) + margin;
+  return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
 }
 
 // One data block for each series; the number of points in it that are drawn.
@@ -135,14 +156,14 @@ std::string make_margins(const Plot& plot, int bottom, int top) {
 std::string make_look(const Plot& plot, const Extent& x) {
   return "set border 3 linecolor rgb '#404040'\nset tics nomirror out scale 0.6\n"
          "set format '%h'\nset xtics offset 0,0.2\nset grid linetype 1 linecolor rgb '#d8d8d8' "
-         "linewidth 0.8\nset lmargin at screen 0.095\nset rmargin at screen 0.975\n" +
+         "linewidth 0.8\nset rmargin at screen 0.975\n" +
          make_scales(plot) + make_x_range(plot, x) + make_x_ticks(plot, x);
 }
 
 }  // namespace
 
 int choose_height(const Plot& plot) {
-  const int key = KEY_LINE * std::max(2, count_key_lines(plot));
+  const int key = KEY_MARGIN + KEY_LINE * arrange_key(plot).lines;
   return key + BELOW + (plot.differences.empty() ? 0 : LOWER + GAP) + UPPER + ABOVE;
 }
 
@@ -156,14 +177,15 @@ std::string make_gnuplot_script(const Plot& plot) {
 
   std::string text = "reset\nset encoding utf8\nset samples 400\n" + data + make_look(plot, x);
   text += fmt::format("set title {} font ',17' offset 0,-0.3\n", quote_for_gnuplot(plot.title));
+  const Key key = arrange_key(plot);
   text += fmt::format(
-      "set key at screen 0.535,{:.4f} center top horizontal Left reverse samplen 4 "
+      "set key at screen 0.535,{:.4f} center top horizontal Left reverse samplen 4 maxcols {} "
       "noenhanced\n",
-      KEY_LINE * std::max(2, count_key_lines(plot)) / height);
+      (KEY_MARGIN + KEY_LINE * key.lines) / height, key.columns);
   text += fmt::format("set ylabel {}\n", quote_for_gnuplot(plot.y_label));
   text += make_y_range(plot, x, y);
   if (has_lower)
-    text += "set multiplot\nset format x ''\n";
+    text += "set multiplot\nset lmargin at screen 0.13\nset format x ''\n";
   else
     text += x_label;
   text += make_margins(plot, axis, axis + UPPER) + "plot " + make_curves(plot) + "\n";
@@ -171,7 +193,7 @@ std::string make_gnuplot_script(const Plot& plot) {
   text += "unset title\nunset key\nset format x '%h'\nunset logscale y\n" + x_label +
           make_x_ticks(plot, x);
   text += fmt::format("set ylabel {}\n", quote_for_gnuplot(plot.difference_label));
-  text += make_difference_range(difference) + "set ytics autofreq\n";
+  text += make_difference_range(difference);
   text += make_margins(plot, axis - GAP - LOWER, axis - GAP);
   return text + "plot " + make_difference_curves(plot) + "\nunset multiplot\n";
 }

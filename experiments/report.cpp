@@ -104,7 +104,7 @@ std::string make_plot_figures(const Report& report) {
     figures += fmt::format(
         "<figure class=\"plot\">{}{}</figure>\n",
         inline_svg(svg, fmt::format("plot{}-", i + 1), label),
-        below.empty() ? "" : "<details><summary>Numbers</summary>\n" + below + "</details>");
+        below.empty() ? "" : "<details open><summary>Numbers</summary>\n" + below + "</details>");
   }
   return figures.empty() ? "" : "<div class=\"plots\">\n" + figures + "</div>\n";
 }

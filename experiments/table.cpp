@@ -82,6 +82,8 @@ std::string make_label(std::string_view column) {
       {"_mb", "MB"},         {"_bits", "bits"},    {"_bit_s", "bit/s"}, {"_mbit", "Mbit/s"},
       {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}};
   if (column == "speedup") return "speed-up";
+  if (column == "serial_karp_flatt") return "serial fraction (Karp-Flatt)";
+  if (column == "serial_gustafson") return "serial fraction (Gustafson)";
   std::string_view unit, suffix;
   for (const auto& [end, name] : UNITS)
     if (column.ends_with(end) && end.size() > suffix.size() && end.size() < column.size())
