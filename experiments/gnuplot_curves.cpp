@@ -10,11 +10,12 @@ namespace experiments {
 namespace {
 
 // Okabe and Ito's colours, which colour-blind readers tell apart, without the yellow that white
-// paper swallows; darkest first. 7 colours and 5 dashes: 35 different lines.
+// paper swallows; darkest first. 9 symbols and 5 dashes: 45 different lines without any colour.
 constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#000000"};
-constexpr int FILLED[] = {7, 5, 9, 13, 11};  // disc, square, triangles, diamond
-constexpr int OPEN[] = {6, 4, 8, 12, 10};
+// disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star
+constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
+constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
 constexpr const char* DASHES[] = {"solid", "(12,6)", "(3,5)", "(12,5,3,5)", "(12,4,3,4,3,4)"};
 
 bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.'; }
@@ -69,7 +70,7 @@ std::string make_style(SeriesKind kind, std::size_t look) {
   switch (kind) {
     case SeriesKind::curve:
       return fmt::format("with linespoints {} linewidth 2 dashtype {} pointtype {} pointsize 1",
-                         colour, DASHES[shape], FILLED[shape]);
+                         colour, DASHES[look % std::size(DASHES)], FILLED[shape]);
     case SeriesKind::reference:
       return fmt::format("with points {} linewidth 2 pointtype {} pointsize 1.5", colour,
                          OPEN[shape]);

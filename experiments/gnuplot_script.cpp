@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "experiments/gnuplot.hpp"
+#include "experiments/gnuplot_axes.hpp"
 #include "experiments/gnuplot_curves.hpp"
 #include "experiments/plot.hpp"
 
@@ -17,14 +17,6 @@ namespace {
 // with the gap above it, upper panel, title.
 constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
               ABOVE = 50;
-
-struct Extent {
-  double low = INFINITY, high = -INFINITY;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
 
 std::size_t count_characters(const std::string& text) {
   return static_cast<std::size_t>(
@@ -45,75 +37,6 @@ Key arrange_key(const Plot& plot) {
   const auto columns = std::max<std::size_t>(1, 700 / (90 + 10 * longest));
   const auto lines = (entries + columns - 1) / columns;
   return {static_cast<int>(lines), static_cast<int>(columns)};
-}
-
-bool is_power_of_two(double value) {
-  return value > 0 && std::exp2(std::round(std::log2(value))) == value;
-}
-
-// The x of every point.
-std::set<double> all_x(const Plot& plot) {
-  std::set<double> values;
-  for (const auto& s : plot.series)
-    for (std::size_t i = 0; i < s.x.size(); ++i)
-      if (s.kind != SeriesKind::law && is_drawn(plot, s.x[i], s.y[i])) values.insert(s.x[i]);
-  return values;
-}
-
-// Integers get integer ticks; few, or on a logarithmic scale, exactly those that have points.
-std::string make_x_ticks(const Plot& plot, const Extent& x) {
-  const auto values = all_x(plot);
-  const bool are_integers =
-      std::ranges::all_of(values, [](double v) { return v == std::floor(v); });
-  if (plot.log_x && values.size() <= 12) {
-    std::vector<std::string> ticks;
-    for (const double value : values) ticks.push_back(fmt::format("'{:g}' {}", value, value));
-    return fmt::format("set xtics ({})\n", join_texts(ticks, ", "));
-  }
-  if (are_integers && !plot.log_x && x.high - x.low <= 20) return "set xtics 1\n";
-  return "";
-}
-
-// To base 2 where the points are; a scale of y goes with that of x.
-std::string make_scales(const Plot& plot) {
-  const bool doubles = plot.log_x && std::ranges::all_of(all_x(plot), is_power_of_two);
-  std::string text;
-  if (plot.log_x) text += fmt::format("set logscale x {}\n", doubles ? 2 : 10);
-  if (plot.log_y) text += fmt::format("set logscale y {}\n", doubles && plot.ideal_line ? 2 : 10);
-  return text;
-}
-
-std::string make_x_range(const Plot& plot, const Extent& x) {
-  const double ratio = x.high > x.low && plot.log_x ? std::pow(x.high / x.low, 0.04) : 1.5;
-  const double margin = x.high > x.low ? 0.04 * (x.high - x.low) : 0.5;
-  return fmt::format("set xrange [{}:{}]\n", plot.log_x ? x.low / ratio : x.low - margin,
-                     plot.log_x ? x.high * ratio : x.high + margin);
-}
-
-std::string make_y_range(const Plot& plot, const Extent& x, const Extent& y) {
-  std::string low = "*", high = "*";
-  if (plot.y_min && (!plot.log_y || *plot.y_min > 0)) low = fmt::format("{}", *plot.y_min);
-  if (plot.y_max) high = fmt::format("{}", *plot.y_max);
-  // An ideal far above the points would press them together: it may leave the picture.
-  if (plot.ideal_line && !plot.y_max && x.high > 2.5 * y.high && y.high > 0)
-    high = fmt::format("{}", (plot.log_y ? 2 : 1.5) * y.high);
-  return fmt::format("set yrange [{}:{}]\n", low, high);
-}
-
-// 1, 2 or 5 times a power of ten, such that at most `most` steps go into a length.
-double choose_step(double length, double most) {
-  const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1, 2, 5})
-    if (factor * power >= least) return factor * power;
-  return 10 * power;
-}
-
-// Room for the curves even where all are 0: a percent at least.
-std::string make_difference_range(const Extent& difference) {
-  const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
-  const double low = std::min(0.0, difference.low) - margin;
-  const double high = std::max(0.0, difference.high) + margin;
-  return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
 }
 
 // One data block for each series; the number of points in it that are drawn.
