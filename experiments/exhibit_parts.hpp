@@ -17,6 +17,11 @@ struct Curve {
 std::vector<Curve> make_curves(const CheckPlan::Figure& figure, const Rows& rows,
                                RowList& left_out);
 
+// "200 objects: ", or nothing for the only curve.
+std::string describe(const std::string& series);
+// Whole numbers without a point.
+Value to_cell(double value);
+
 // Add to the plot of an exhibit, whose first series are these curves, and to its tables.
 void add_reference(Exhibit& exhibit, const CheckPlan::Figure& figure, const Rows& rows,
                    const std::vector<Curve>& curves);
