@@ -109,11 +109,6 @@ std::optional<Exhibit> make_exhibit(const CheckPlan::Figure& figure, const Rows&
 
 std::string describe(const std::string& series) { return series.empty() ? "" : series + ": "; }
 
-Value to_cell(double value) {
-  if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
-  return value;
-}
-
 std::vector<Curve> make_curves(const CheckPlan::Figure& figure, const Rows& rows,
                                RowList& left_out) {
   const auto chosen = choose_rows(rows, figure.where);

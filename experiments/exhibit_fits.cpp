@@ -81,7 +81,7 @@ const char* name_law(Law law) {
   return law == Law::amdahl      ? "Amdahl's law (± 95 %)"
          : law == Law::gustafson ? "Gustafson's law (± 95 %)"
          : law == Law::sun_ni    ? "Sun and Ni's law (± 95 %)"
-                                 : "a + k log x (± 95 %)";
+                                 : "a + k log10 x (± 95 %)";
 }
 
 }  // namespace

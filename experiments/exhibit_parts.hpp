@@ -19,8 +19,6 @@ std::vector<Curve> make_curves(const CheckPlan::Figure& figure, const Rows& rows
 
 // "200 objects: ", or nothing for the only curve.
 std::string describe(const std::string& series);
-// Whole numbers without a point.
-Value to_cell(double value);
 
 // Add to the plot of an exhibit, whose first series are these curves, and to its tables.
 void add_reference(Exhibit& exhibit, const CheckPlan::Figure& figure, const Rows& rows,

@@ -45,8 +45,9 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   std::vector<std::string> values;
   for (const auto& point : file.points)
     for (const auto& at : point.at)
-      if (at.axis == axis && std::ranges::find(values, at.toml) == values.end())
-        values.push_back(at.toml);
+      if (const auto text = to_string(to_value(at));
+          at.axis == axis && std::ranges::find(values, text) == values.end())
+        values.push_back(text);
   return values.empty() ? value : fmt::format("{}", fmt::join(values, ", "));
 }
 
@@ -128,8 +129,10 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
   }
 }
 
+// Those that are not there yet: two plots may say the same.
 void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
-  std::ranges::copy(from, std::back_inserter(to));
+  for (const auto& text : from)
+    if (std::ranges::find(to, text) == to.end()) to.push_back(text);
 }
 
 // [[plot]] and [[best]], where some point came to its end.
