@@ -92,7 +92,7 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   for (const auto& c : plan.comparisons) visit_all({&c.of, &c.formula, &c.where, &c.calibrated});
   for (const auto& f : plan.figures) {
     visit(f.x);
-    visit(f.y);
+    for (const auto& y : f.y) visit(y);
     visit_all({&f.where, &f.growth});
   }
   for (const auto& q : plan.questions) {
@@ -119,6 +119,13 @@ std::optional<Expression> compile(const std::string& text, const std::string& pl
                                   const char* key) {
   if (text.empty()) return std::nullopt;
   return Expression(text, fmt::format("{}: {}", place, key));
+}
+
+std::vector<Expression> compile_all(const std::vector<std::string>& texts,
+                                    const std::string& place) {
+  std::vector<Expression> expressions;
+  for (const auto& text : texts) expressions.emplace_back(text, place);
+  return expressions;
 }
 
 bool is_defined(const ExperimentFile& file, const std::string& name) {
@@ -169,7 +176,7 @@ CheckPlan plan_checks(const ExperimentFile& file) {
          compile(check.calibrated, check.place, "calibrated"), read_reference(check)});
   for (const auto& plot : file.plots)
     plan.figures.push_back({plot, Expression(plot.x, plot.place + ": x"),
-                            Expression(plot.y, plot.place + ": y"),
+                            compile_all(plot.y, plot.place + ": y"),
                             compile(plot.where, plot.place, "where"),
                             compile(plot.growth, plot.place, "growth"), read_reference(plot)});
   for (const auto& best : file.bests)

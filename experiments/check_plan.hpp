@@ -24,7 +24,8 @@ struct CheckPlan {
   };
   struct Figure {
     PlotSpec spec;
-    Expression x, y;
+    Expression x;
+    std::vector<Expression> y;
     std::optional<Expression> where = {}, growth = {};
     std::optional<Table> reference = {};
   };

@@ -62,6 +62,13 @@ std::string title_of(const std::string& label, bool is_column) {
   return title;
 }
 
+// Of several y each curve says which it is of.
+std::string name_curve(const CheckPlan::Figure& figure, std::size_t y, const std::string& values) {
+  if (figure.y.size() == 1) return values;
+  const auto label = without_unit(label_of(figure.spec.y[y], ""));
+  return values.empty() ? label : fmt::format("{}, {}", label, values);
+}
+
 void choose_scales(Plot& plot, const PlotSpec& spec) {
   std::vector<double> x, y;
   for (const auto& series : plot.series) {
@@ -89,7 +96,7 @@ std::optional<Exhibit> make_exhibit(const CheckPlan::Figure& figure, const Rows&
   Plot& plot = exhibit.plot;
   plot.name = spec.name;
   plot.x_label = label_of(spec.x, spec.x_label);
-  plot.y_label = label_of(spec.y, spec.y_label);
+  plot.y_label = label_of(spec.y[0], spec.y_label);
   plot.title = spec.title.empty() ? title_of(plot.y_label, spec.y_label.empty()) : spec.title;
   plot.ideal_line = spec.ideal;
   const bool is_alone = !spec.ideal && !figure.reference && spec.fit == Law::none;
@@ -114,20 +121,18 @@ std::vector<Curve> make_curves(const CheckPlan::Figure& figure, const Rows& rows
   const auto chosen = choose_rows(rows, figure.where);
   const auto axes = choose_series(figure, rows.table(), chosen);
   std::vector<Curve> curves;
-  for (const auto row : chosen) {
-    const auto x = rows.eval(figure.x, row), y = rows.eval(figure.y, row);
-    if (!x || !y) {
-      left_out.push_back(row);
-      continue;
+  for (std::size_t i = 0; i < figure.y.size(); ++i)
+    for (const auto row : chosen) {
+      const auto x = rows.eval(figure.x, row), y = rows.eval(figure.y[i], row);
+      if ((!x || !y) && std::ranges::find(left_out, row) == left_out.end()) left_out.push_back(row);
+      if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) continue;
+      const auto name = name_curve(figure, i, name_values(rows.table(), row, axes));
+      auto curve = std::ranges::find(curves, name, &Curve::name);
+      if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}, {}});
+      curve->rows.push_back(row);
+      curve->x.push_back(*x);
+      curve->y.push_back(*y);
     }
-    if (!std::isfinite(*x) || !std::isfinite(*y)) continue;
-    const auto name = name_values(rows.table(), row, axes);
-    auto curve = std::ranges::find(curves, name, &Curve::name);
-    if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}, {}});
-    curve->rows.push_back(row);
-    curve->x.push_back(*x);
-    curve->y.push_back(*y);
-  }
   std::ranges::for_each(curves, sort_points);
   return curves;
 }

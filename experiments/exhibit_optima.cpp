@@ -29,7 +29,8 @@ std::string describe_after(const Curve& curve, std::size_t best, bool& falls) {
 
 void add_optima(Exhibit& exhibit, const CheckPlan::Figure& figure,
                 const std::vector<Curve>& curves) {
-  const std::string of_y = machine::Formula::is_name(figure.spec.y) ? figure.spec.y : "y";
+  const auto& y = figure.spec.y;
+  const std::string of_y = y.size() == 1 && machine::Formula::is_name(y[0]) ? y[0] : "y";
   exhibit.optima.columns = {"series", "largest_" + of_y, "at_" + figure.spec.x, "then"};
   exhibit.optima.axes = 1;
   bool is_first = true;

@@ -23,7 +23,10 @@ const std::vector<Binding<PlotSpec>>& plot_bindings() {
       {"title", "above it", [](S& s, const P& at) { s.title = read_text(at); }},
       {"x", "a column, a name of [let] or an expression, as in checks",
        [](S& s, const P& at) { s.x = read_text(at); }},
-      {"y", "likewise", [](S& s, const P& at) { s.y = read_text(at); }},
+      {"y", "likewise; or a list of them, each with its curves",
+       [](S& s, const P& at) {
+         s.y = at.node.is_array() ? read_texts(at) : std::vector{read_text(at)};
+       }},
       {"series", "axes: a curve for each of their values; default: those that vary apart from x",
        [](S& s, const P& at) {
          const auto* list = at.node.as_array();
@@ -104,6 +107,7 @@ void check_complete(const PlotSpec& s) {
   expect(
       s, s.reference.empty() == s.keys.empty(),
       "expected keys, columns of the results and the reference, with a reference and only there");
+  expect(s, s.reference.empty() || s.y.size() == 1, "expected one y with a reference");
   expect(s, !s.reference.empty() || (s.column.empty() && s.reference_name.empty()),
          "expected no column and no reference_name without a reference");
   expect(
@@ -158,7 +162,7 @@ std::vector<PlotSpec> read_plots(const toml::table& file, const std::string& ori
                                  const std::string& folder) {
   auto plots = read_all(file, "plot", plot_bindings(), origin, folder);
   for (auto& plot : plots) {
-    if (plot.column.empty()) plot.column = plot.y;
+    if (plot.column.empty()) plot.column = plot.y[0];
     if (plot.reference_name.empty()) plot.reference_name = "reference";
   }
   return plots;

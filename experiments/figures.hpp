@@ -13,7 +13,8 @@ struct PlotSpec {
   std::string name;   // the files' stem
   std::string place;  // "e.toml:12: plot \"NAME\""
   std::string title;
-  std::string x, y;
+  std::string x;
+  std::vector<std::string> y;       // one, or several, each with its curves
   std::vector<std::string> series;  // axes, one curve for each of their values; if not given, those
   bool has_series = false;          // that vary apart from x
   std::string where;                // only points where this is not zero; "": all

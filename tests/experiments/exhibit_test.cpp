@@ -86,6 +86,18 @@ TEST(ExperimentsExhibits, ExpressionsConditionsAndLabels) {
               amdahl_speedup(0.05, 4) / amdahl_speedup(0.05, 2) - 1, 1e-12);
 }
 
+TEST(ExperimentsExhibits, SeveralYHaveTheirCurvesEach) {
+  const auto p = Case(
+                     "[[plot]]\nname = \"p\"\nx = \"workers\"\ny = [\"speedup\", \"half_of\"]\n"
+                     "[let]\nhalf_of = \"speedup / 2\"\n")
+                     .make()
+                     .at(0)
+                     .plot;
+  EXPECT_EQ(names(p), (std::vector<std::string>{"speed-up, 800 objects", "speed-up, 200 objects",
+                                                "half of, 800 objects", "half of, 200 objects"}));
+  EXPECT_EQ(p.series[2].y.at(0), 0.5);
+}
+
 TEST(ExperimentsExhibits, PointsAndPlotsThatCannotBeAreNamed) {
   Case test(plot("where = \"objects == 200 && workers <= 2\"\n") +
             "[[plot]]\nname = \"none\"\nx = \"workers\"\ny = \"{speedup @ workers = 64}\"\n");
@@ -165,6 +177,9 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
            {plot("growth = \"rays\"\n"), "expected growth"},
            {plot("keys = [\"workers\"]\n"), "expected keys"},
            {plot("column = \"x\"\n"), "expected no column"},
+           {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = [\"speedup\", \"workers\"]\n"
+            "reference = \"ref.csv\"\nkeys = [\"workers\"]\ncolumn = \"s\"\n",
+            "expected one y with a reference"},
            {plot("reference = \"no.csv\"\nkeys = [\"workers\"]\n"), "no.csv: cannot open"},
            {plot("series = [\"object\"]\n"),
             "plot \"p\": series: \"object\" is no axis of the results, the nearest is \"objects\""},
