@@ -33,12 +33,13 @@ Axes find_axes(const Table& table, const std::vector<std::string>& names) {
   return axes;
 }
 
-// The axes that vary, without those in `without`.
+// The axes that vary, without those in `without` and those that go with others.
 Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
   Axes axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
     if (std::ranges::find(without, axis) == without.end() &&
-        distinct(table, rows, axis).size() > 1 && !is_determined(table, rows, axis, without))
+        distinct(table, rows, axis).size() > 1 && !is_determined(table, rows, axis, without) &&
+        !is_determined(table, rows, axis, axes))
       axes.push_back(axis);
   return axes;
 }
@@ -179,7 +180,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   if (spec.pays.empty()) return answer;
   const auto axis = *table.find(spec.pays);
   Axes groups = for_each;
-  std::erase(groups, axis);
+  std::erase_if(groups,
+                [&](auto a) { return a == axis || is_determined(table, chosen, a, {axis}); });
   groups.insert(groups.end(), over.begin(), over.end());
   find_end(answer, spec, table, points, axis, groups);
   return answer;
