@@ -124,8 +124,8 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
   const std::string folder = std::filesystem::path(path).parent_path().string();
   const auto axes = read_axes(file, order, path);
   for (const auto& override : overrides) check_not_shadowed(override, axes);
-  ExperimentFile experiment{
-      path, to_toml(file), {}, {}, read_definitions(file, path), read_checks(file, path, folder)};
+  ExperimentFile experiment{path, resolve(file, axes, path),    {},
+                            {},   read_definitions(file, path), read_checks(file, path, folder)};
   experiment.plots = read_plots(file, path, folder);
   experiment.bests = read_bests(file, path);
   experiment.report = read_report(file, path);

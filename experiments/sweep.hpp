@@ -25,6 +25,10 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
 std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
                                const std::string& origin);
 
+// The whole file as TOML, with the axes in the order of the sweep: a table sorts them by name.
+std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
+                    const std::string& origin);
+
 // How many points they span. Throws machine::InvalidInput for more than a run can hold.
 std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path);
 

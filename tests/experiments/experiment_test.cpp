@@ -43,6 +43,10 @@ TEST(ExperimentsFile, CoupledAxesMoveTogether) {
   EXPECT_EQ(file.points[5].experiment.workers, 4);
   EXPECT_EQ(file.points[5].experiment.farm.image.height, 32);
   EXPECT_EQ(name_of(file.points[5]), "objects = 800, workers = 4, height = 32");
+  EXPECT_TRUE(file.resolved.ends_with(
+      "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]"))
+      << file.resolved;
+  EXPECT_EQ(load(file.resolved).resolved, file.resolved);
   for (const char* key : {"sweep.workers, height", "sweep.\"workers,height\""})
     EXPECT_EQ(load(text, {std::string(key) + "=[[3, 8]]"}).points.size(), 2u) << key;
   EXPECT_EQ(load(text, {"sweep={\"workers, height\" = [[3, 8]]}"}).points.size(), 1u);
@@ -50,6 +54,7 @@ TEST(ExperimentsFile, CoupledAxesMoveTogether) {
            {"\"workers, height\" = [[1, 16], [2]]",
             "sweep.workers, height: found [ 2 ], expected an array of 2 values, workers, height"},
            {"\"workers, height\" = [1, 2]", "found 1, expected an array of 2 values"},
+           {"\"workers, height\" = [[1, 16], [1, 16.0]]", "expected each value once, [ 1, 16.0 ]"},
            {"\"workers, heigt\" = [[1, 16]]", "unknown axis \"heigt\""},
            {"\"workers, workers\" = [[1, 1]]", "expected each axis once, network.workers"},
            {"height = [1]\n\"workers, height\" = [[1, 16]]",
