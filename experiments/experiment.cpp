@@ -4,10 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <tuple>
+#include <ranges>
 
 #include "experiments/program.hpp"
 #include "experiments/schema.hpp"
+#include "experiments/sweep.hpp"
 #include "experiments/values.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -16,8 +17,6 @@ namespace experiments {
 namespace {
 
 using machine::InvalidInput;
-
-constexpr std::size_t MAX_POINTS = 100'000;
 
 toml::table parse(std::string_view text, const std::string& origin) {
   try {
@@ -57,65 +56,7 @@ void override_key(toml::table& file, const std::string& text) {
   if (!key.starts_with("sweep.")) return assign(file, key, *parsed.get("value"));
   auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
   if (!sweep) throw InvalidInput("sweep: not a section");
-  sweep->insert_or_assign(key.substr(6), *parsed.get("value"));
-}
-
-// The axes of [sweep] as a flat table: names with dots may stand there with or without quotes.
-void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
-  for (auto&& [name, node] : from) {
-    const auto dotted = prefix + std::string(name.str());
-    if (auto* table = node.as_table())
-      flatten(*table, dotted + ".", into);
-    else
-      node.visit([&](auto& value) { into.insert(dotted, std::move(value)); });  // keeps its line
-  }
-}
-
-toml::table* flatten_sweep(toml::table& file, const std::string& origin) {
-  auto* node = file.get("sweep");
-  if (!node) return nullptr;
-  if (!node->is_table())
-    throw InvalidInput(fmt::format("{}: sweep: expected a section of axes", origin));
-  toml::table flat;
-  flatten(*node->as_table(), "", flat);
-  *node->as_table() = std::move(flat);
-  return node->as_table();
-}
-
-// Adds the names of the axes that are new, in the order of the file. (TOML tables are sorted by
-// name.)
-void add_names(std::vector<std::string>& order, toml::table& file, const std::string& origin) {
-  const auto* sweep = flatten_sweep(file, origin);
-  if (!sweep) return;
-  std::vector<std::tuple<unsigned, unsigned, std::string>> found;
-  for (auto&& [name, values] : *sweep) {
-    const auto& source = values.source().begin;
-    found.emplace_back(source.line, source.column, std::string(name.str()));
-  }
-  std::ranges::sort(found);
-  for (const auto& [line, column, name] : found)
-    if (std::ranges::find(order, name) == order.end()) order.push_back(name);
-}
-
-std::vector<Axis> read_axes(const toml::table& file, const std::vector<std::string>& order,
-                            const std::string& origin) {
-  std::vector<Axis> axes;
-  const auto* sweep = file["sweep"].as_table();
-  if (!sweep) return axes;
-  const auto program = read_program(file, origin);
-  for (const auto& name : order) {
-    if (!sweep->contains(name)) continue;  // --set has replaced the section
-    const toml::node& values = *sweep->get(name);
-    const Place at{origin, "sweep." + name, "", values};
-    Axis axis = name_axis(name, program, origin);
-    if (std::ranges::find(axes, axis.key, &Axis::key) != axes.end())
-      at.refuse("each axis once, " + axis.key + " is there already");
-    const auto* list = values.as_array();
-    if (!list || list->empty()) at.refuse("an array of values");
-    for (const auto& value : *list) axis.values.push_back(&value);
-    axes.push_back(std::move(axis));
-  }
-  return axes;
+  sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
 }
 
 // What the file gives, then what an axis gives in its place.
@@ -135,14 +76,34 @@ std::map<std::string, double, std::less<>> find_numbers(
 }
 
 // An axis takes the place of its key: what is set there would change nothing.
-void check_not_shadowed(const std::string& override, const std::vector<Axis>& axes) {
+void check_not_shadowed(const std::string& override, const std::vector<Coupled>& axes) {
   const auto key = override.substr(0, override.find('='));
-  for (const auto& axis : axes)
-    if (axis.key == key)
-      throw InvalidInput(
-          fmt::format("--set {}: {} is an axis of [sweep], expected "
-                      "--set 'sweep.{}=[...]'",
-                      override, key, axis.name));
+  for (const auto& coupled : axes)
+    for (const auto& axis : coupled)
+      if (axis.key == key)
+        throw InvalidInput(fmt::format(
+            "--set {}: {} is an axis of [sweep], expected "
+            "--set 'sweep.{}=[...]'",
+            override, key, fmt::join(coupled | std::views::transform(&Axis::name), ", ")));
+}
+
+// The point of that number; the last axis runs fastest.
+Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
+                 const std::string& path, const std::string& folder) {
+  Point point;
+  std::vector<Replacement> replacements;
+  for (const auto& coupled : std::views::reverse(axes)) {
+    const auto count = coupled[0].values.size();
+    for (const auto& axis : std::views::reverse(coupled)) {
+      const toml::node& value = *axis.values[number % count];
+      replacements.push_back({axis.key, &value});
+      point.at.insert(point.at.begin(), {axis.name, to_toml(value)});
+    }
+    number /= count;
+  }
+  point.experiment = bind_settings(file, replacements, path, folder);
+  point.numbers = find_numbers(file, replacements);
+  return point;
 }
 
 }  // namespace
@@ -163,29 +124,20 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
   const std::string folder = std::filesystem::path(path).parent_path().string();
   const auto axes = read_axes(file, order, path);
   for (const auto& override : overrides) check_not_shadowed(override, axes);
-  ExperimentFile experiment{
-      path, to_toml(file), {}, {}, read_definitions(file, path), read_checks(file, path, folder)};
-  std::size_t points = 1;
-  for (const auto& axis : axes) {
-    experiment.axes.push_back(axis.name);
-    points *= axis.values.size();
-    if (points > MAX_POINTS)
-      throw InvalidInput(fmt::format("{}: [sweep] spans more than {} points", path, MAX_POINTS));
+  ExperimentFile experiment{path, resolve(file, axes, path),    {},
+                            {},   read_definitions(file, path), read_checks(file, path, folder)};
+  experiment.plots = read_plots(file, path, folder);
+  experiment.bests = read_bests(file, path);
+  experiment.report = read_report(file, path);
+  for (const auto& coupled : axes) {
+    std::vector<std::string> names;
+    for (const auto& axis : coupled) names.push_back(axis.name);
+    std::ranges::copy(names, std::back_inserter(experiment.axes));
+    if (names.size() > 1) experiment.coupled.push_back(std::move(names));
   }
-  for (std::size_t i = 0; i < points; ++i) {
-    Point point;
-    std::vector<Replacement> replacements;
-    std::size_t rest = i;
-    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-      const toml::node& value = *axis->values[rest % axis->values.size()];
-      rest /= axis->values.size();
-      replacements.push_back({axis->key, &value});
-      point.at.insert(point.at.begin(), {axis->name, to_toml(value)});
-    }
-    point.experiment = bind_settings(file, replacements, path, folder);
-    point.numbers = find_numbers(file, replacements);
-    experiment.points.push_back(std::move(point));
-  }
+  const auto points = count_points(axes, path);
+  for (std::size_t i = 0; i < points; ++i)
+    experiment.points.push_back(make_point(file, axes, i, path, folder));
   return experiment;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/checks.hpp"
+#include "experiments/figures.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/farm.hpp"
 
@@ -64,6 +65,12 @@ struct ExperimentFile {
   std::vector<Point> points;      // the last axis runs fastest; one point if there is no sweep
   std::vector<Definition> definitions;  // [let]
   std::vector<Check> checks;            // [[check]]
+  // Axes whose values go together, "workers, height" = [[1, 16], ...]; of each such entry the
+  // names.
+  std::vector<std::vector<std::string>> coupled = {};
+  std::vector<PlotSpec> plots = {};  // [[plot]]
+  std::vector<BestSpec> bests = {};  // [[best]]
+  ReportSpec report = {};            // [report]
 };
 
 // Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also be

@@ -113,7 +113,7 @@ std::vector<ordered_json> run_points(const RunOptions& options, const Experiment
        run_jobs(file.points.size(), options.jobs, job,
                 [&](std::size_t done, std::size_t index, const std::string&result) {
                   bar.show(done, file.points.size());
-                  if (done > 1 || file.checks.empty()) return;
+                  if (done > 1 || plan.is_empty()) return;
                   const auto first = ordered_json::parse(result);
                   if (is_complete(first)) check_first(plan, file, index, first);
                 }))

@@ -50,8 +50,9 @@ bool is_result(const fs::path& entry) {
       return plot.is_regular_file() && (kind == ".svg" || kind == ".png");
     });
   }
-  return name == "results.csv" || name == "checks.csv" || name == "run.json" ||
-         name == "report.html" || (name.starts_with("image-") && ending == ".png");
+  return name == "results.csv" || name == "checks.csv" || name == "fits.csv" ||
+         name == "best.csv" || name == "pays.csv" || name == "run.json" || name == "report.html" ||
+         (name.starts_with("image-") && ending == ".png");
 }
 
 void check_is_ours(const fs::path& path) {
