@@ -2,8 +2,10 @@
 
 #include <toml++/toml.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <tuple>
 
 #include "experiments/program.hpp"
@@ -97,6 +99,17 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
     if (std::ranges::find(order, name) == order.end()) order.push_back(name);
 }
 
+// 2 and 2.0 are one value.
+void check_different(const Axis& axis, const Place& at) {
+  std::set<std::string> known;
+  for (const auto* value : axis.values) {
+    const auto number = value->value<double>();
+    const bool is_number = value->is_number() && std::abs(*number) < 0x1p53;
+    if (!known.insert(is_number ? fmt::format("{}", *number) : to_toml(*value)).second)
+      at.refuse(fmt::format("each value once, {} is there twice", to_toml(*value)));
+  }
+}
+
 std::vector<Axis> read_axes(const toml::table& file, const std::vector<std::string>& order,
                             const std::string& origin) {
   std::vector<Axis> axes;
@@ -111,8 +124,9 @@ std::vector<Axis> read_axes(const toml::table& file, const std::vector<std::stri
     if (std::ranges::find(axes, axis.key, &Axis::key) != axes.end())
       at.refuse("each axis once, " + axis.key + " is there already");
     const auto* list = values.as_array();
-    if (!list || list->empty()) at.refuse("an array of values");
+    if (!list || list->empty()) at.refuse("an array of values, at least one");
     for (const auto& value : *list) axis.values.push_back(&value);
+    check_different(axis, at);
     axes.push_back(std::move(axis));
   }
   return axes;
@@ -145,6 +159,62 @@ void check_not_shadowed(const std::string& override, const std::vector<Axis>& ax
                       override, key, axis.name));
 }
 
+// The file without what says nothing about what a point does.
+std::map<std::string, std::string> find_settings(const toml::table& file) {
+  std::map<std::string, std::string> settings;
+  for_each_key(file, [&](const std::string& key, const toml::node& node) {
+    const auto section = key.substr(0, key.find('.'));
+    for (const char* name : {"title", "question", "plot", "report"})
+      if (section == name) return;
+    settings[key] = to_toml(node);
+  });
+  return settings;
+}
+
+// With the axes in the order of the sweep: a table sorts them by name.
+std::string resolve(const toml::table& file, const std::vector<Axis>& axes,
+                    const std::string& program, const std::string& origin) {
+  if (axes.empty()) return to_toml(file);
+  toml::table rest = file;
+  rest.erase("sweep");
+  std::string text = to_toml(rest) + "\n\n[sweep]";
+  for (const auto& axis : axes) {
+    const bool is_short =
+        !axis.key.starts_with("model.") && name_axis(axis.name, program, origin).key == axis.key;
+    std::string values;
+    for (const auto* value : axis.values) values += (values.empty() ? "" : ", ") + to_toml(*value);
+    text +=
+        fmt::format("\n{} = [{}]", is_short ? axis.name : fmt::format("\"{}\"", axis.key), values);
+  }
+  return text;
+}
+
+std::size_t count_points(const std::vector<Axis>& axes, const std::string& path) {
+  double points = 1;
+  for (const auto& axis : axes) points *= static_cast<double>(axis.values.size());
+  if (points > MAX_POINTS)
+    throw InvalidInput(fmt::format(
+        "{}: [sweep] spans {} points, expected at most {}", path,
+        points < 1e15 ? fmt::format("{:.0f}", points) : fmt::format("{:.3g}", points), MAX_POINTS));
+  return static_cast<std::size_t>(points);
+}
+
+// The last axis runs fastest.
+Point make_point(const toml::table& file, const std::vector<Axis>& axes, std::size_t number,
+                 const std::string& path, const std::string& folder) {
+  Point point;
+  std::vector<Replacement> replacements;
+  for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
+    const toml::node& value = *axis->values[number % axis->values.size()];
+    number /= axis->values.size();
+    replacements.push_back({axis->key, &value});
+    point.at.insert(point.at.begin(), {axis->name, to_toml(value)});
+  }
+  point.experiment = bind_settings(file, replacements, path, folder);
+  point.numbers = find_numbers(file, replacements);
+  return point;
+}
+
 }  // namespace
 
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
@@ -152,6 +222,12 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
   if (!in || !std::filesystem::is_regular_file(path))
     throw InvalidInput(fmt::format("{}: the experiment file cannot be read", path));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_experiment(text, path, std::filesystem::path(path).parent_path().string(), overrides);
+}
+
+ExperimentFile read_experiment(const std::string& text, const std::string& path,
+                               const std::string& folder,
+                               const std::vector<std::string>& overrides) {
   toml::table file = parse(text, path);
   std::vector<std::string> order;
   add_names(order, file, path);
@@ -160,32 +236,22 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
     add_names(order, file, path);
   }
 
-  const std::string folder = std::filesystem::path(path).parent_path().string();
   const auto axes = read_axes(file, order, path);
   for (const auto& override : overrides) check_not_shadowed(override, axes);
-  ExperimentFile experiment{
-      path, to_toml(file), {}, {}, read_definitions(file, path), read_checks(file, path, folder)};
-  std::size_t points = 1;
+  ExperimentFile experiment{path,
+                            resolve(file, axes, read_program(file, path), path),
+                            {},
+                            {},
+                            read_definitions(file, path),
+                            read_checks(file, path, folder)};
   for (const auto& axis : axes) {
     experiment.axes.push_back(axis.name);
-    points *= axis.values.size();
-    if (points > MAX_POINTS)
-      throw InvalidInput(fmt::format("{}: [sweep] spans more than {} points", path, MAX_POINTS));
+    experiment.axis_keys.push_back(axis.key);
   }
-  for (std::size_t i = 0; i < points; ++i) {
-    Point point;
-    std::vector<Replacement> replacements;
-    std::size_t rest = i;
-    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-      const toml::node& value = *axis->values[rest % axis->values.size()];
-      rest /= axis->values.size();
-      replacements.push_back({axis->key, &value});
-      point.at.insert(point.at.begin(), {axis->name, to_toml(value)});
-    }
-    point.experiment = bind_settings(file, replacements, path, folder);
-    point.numbers = find_numbers(file, replacements);
-    experiment.points.push_back(std::move(point));
-  }
+  experiment.settings = find_settings(file);
+  const std::size_t points = count_points(axes, path);
+  for (std::size_t i = 0; i < points; ++i)
+    experiment.points.push_back(make_point(file, axes, i, path, folder));
   return experiment;
 }
 

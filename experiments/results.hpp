@@ -17,6 +17,9 @@ std::vector<std::string> axis_columns(const ExperimentFile& file);
 // with one worker and otherwise the same axes; they stay empty where there is none.
 Table make_table(const ExperimentFile& file, const std::vector<nlohmann::ordered_json>& results);
 
+// Points that failed or were cut short may have a shorter row than others, or none.
+const nlohmann::ordered_json& longest_row(const std::vector<nlohmann::ordered_json>& results);
+
 bool is_farm(const ExperimentFile& file);
 // Whether the row's point came to its end.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
