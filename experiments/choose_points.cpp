@@ -85,7 +85,7 @@ void list_points(const RunOptions& options) {
   const ExperimentFile file = load_experiment(options.file, options.overrides);
   const CheckPlan checks = plan_checks(file);
   const PointsPlan plan(options, file, checks);
-  const Results results = find_points(plan);
+  const Results results = find_points(plan, all_points(file));
   for (std::size_t i = 0; i < results.size(); ++i)
     fmt::print("{}\t{}\t{}\t{}\n", i, plan.keys[i], name_of(file.points[i]),
                results[i].is_null() ? "missing" : "there");
@@ -102,11 +102,12 @@ void run_chosen_points(const RunOptions& options) {
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
   const PointsPlan plan(options, file, checks);
-  Results results = find_points(plan);
+  Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)
     if (results[i].is_null()) missing.push_back(i);
   run_points(plan, missing, results);
+  if (missing.size() < numbers.size()) save_origin(folder, plan.origin);
   judge(plan, numbers, results);
 }
 

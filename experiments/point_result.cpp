@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <new>
+#include <numeric>
 
 #include "experiments/farm_run.hpp"
 #include "experiments/jobs.hpp"
@@ -33,6 +34,12 @@ bool is_complete(const ordered_json& result) {
 }
 
 bool is_failed(const ordered_json& result) { return result.contains("message"); }
+
+std::vector<std::size_t> all_points(const ExperimentFile& file) {
+  std::vector<std::size_t> all(file.points.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
 
 std::vector<std::size_t> missing_points(const Results& results) {
   std::vector<std::size_t> missing;

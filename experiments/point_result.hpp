@@ -16,7 +16,8 @@ using Results = std::vector<nlohmann::ordered_json>;
 // Whether a point came to its end.
 bool is_complete(const nlohmann::ordered_json& result);
 bool is_failed(const nlohmann::ordered_json& result);
-// The numbers of points without a result.
+// The numbers of all points, and of those without a result.
+std::vector<std::size_t> all_points(const ExperimentFile& file);
 std::vector<std::size_t> missing_points(const Results& results);
 
 // A simulated fault, a defect, or no memory on the host; null for any other exception.

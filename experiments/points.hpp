@@ -22,11 +22,13 @@ struct PointsPlan {
   std::filesystem::path results;  // the folder whose records are used and added to
   std::filesystem::path lone;     // where lone records go; "": nowhere
   std::vector<std::string> keys;  // of each point
+  nlohmann::ordered_json origin;  // see make_origin
   std::vector<bool> key_images;   // whether its key images are wanted: of the first of equal images
 };
 
-// Results of those whose records are there. With --profile, --trace or --timeline there are none.
-Results find_points(const PointsPlan& plan);
+// Of these points the results whose records are there; all others are null. With --profile, --trace
+// or --timeline there are none.
+Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers);
 
 // Runs the points of these numbers and puts their results in place; each is recorded as soon as it
 // has ended. Of several that fail each is reported on standard error at once, and the others go on.

@@ -33,8 +33,9 @@ void run_experiment(const RunOptions& options);
 // Prints a line for each point, with tabs: number, key, axes, "there" or "missing".
 void list_points(const RunOptions& options);
 
-// Runs the chosen points that are missing and keeps their records in the folder; nothing else there
-// is changed, and other processes may do the same at once. Throws machine::InvalidInput for
+// Runs the chosen points that are missing and keeps their records in the folder, with a note of the
+// experiment that they are of, for merge_results; nothing else there is changed, and other
+// processes may do the same at once. Throws machine::InvalidInput for
 // numbers of no point, and where cost = "timed"; CutShort and JobFailed as run_experiment.
 void run_chosen_points(const RunOptions& options);
 

@@ -62,7 +62,7 @@ void save_point(const PointsPlan& plan, std::size_t number, ordered_json result)
   const bool lone = is_lone(point.experiment, result);
   if (lone && plan.lone.empty()) return;
   result["at"] = name_of(point);
-  if (!lone) save_origin(plan.results, make_origin(plan.options, plan.file, plan.results));
+  if (!lone) save_origin(plan.results, plan.origin);
   save_record(lone ? plan.lone : plan.results / records_folder(), plan.keys[number],
               std::move(result));
 }
@@ -112,13 +112,14 @@ PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file,
       checks(checks),
       results(results_folder(options)),
       keys(make_keys(file, options.until_s)),
+      origin(make_origin(options, file, results)),
       key_images(choose_key_images(file)) {}
 
-Results find_points(const PointsPlan& plan) {
+Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
   Results results(plan.keys.size());
   const RunOptions& o = plan.options;
   if (o.profile || !o.trace.empty() || !o.timeline.empty()) return results;
-  for (std::size_t i = 0; i < results.size(); ++i)
+  for (const auto i : numbers)
     if (!is_timed(plan.file.points[i].experiment))
       if (auto record = find_record(plan.results, plan.keys[i], plan.key_images[i]))
         results[i] = std::move(*record);

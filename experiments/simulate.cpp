@@ -36,7 +36,7 @@ constexpr std::size_t MOST_NAMED = 20;
 
 // All results, of records or newly made.
 Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
-  Results results = find_points(plan);
+  Results results = find_points(plan, all_points(plan.file));
   const auto to_run = missing_points(results);
   there = results.size() - to_run.size();
   if (to_run.empty()) return results;
@@ -106,7 +106,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
       s.results.size() == file.points.size() && std::ranges::all_of(s.results, is_complete);
   s.ended = describe_end(s.results, file.points.size());
   s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  save_origin(folder.working(), make_origin(options, file, results));
+  save_origin(folder.working(), plan.origin);
   write_results(folder.working(), options, s);
   folder.commit();
   return s;
