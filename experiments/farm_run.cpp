@@ -1,11 +1,11 @@
 #include "experiments/farm_run.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <set>
 
+#include "experiments/farm_row.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/machine_model.hpp"
 #include "renderer/load.hpp"
@@ -28,84 +28,12 @@ std::string save_image(const std::filesystem::path& folder, const renderer::Samp
   return name;
 }
 
-struct Busy {
-  double mean = 0, max = 0;
-};
-
-Busy busy_workers(const observe::Use& use) {
-  Busy busy;
-  std::size_t n = 0;
-  for (const auto& cpu : use.cpus)
-    if (cpu.name.starts_with("worker")) {
-      busy.mean += cpu.busy_s / use.time_s;
-      busy.max = std::max(busy.max, cpu.busy_s / use.time_s);
-      ++n;
-    }
-  busy.mean /= static_cast<double>(n);
-  return busy;
-}
-
-// Shares of the time that each processor and each link direction was busy.
-ordered_json use_json(const observe::Use& use) {
-  ordered_json cpus, links;
-  for (const auto& cpu : use.cpus)
-    cpus[cpu.name] = {{"busy", cpu.busy_s / use.time_s},
-                      {"busy_high", cpu.busy_high_s / use.time_s},
-                      {"preemptions", cpu.preemptions},
-                      {"memory_peak_bytes", cpu.memory_peak_bytes}};
-  for (const auto& link : use.links)
-    links[link.from + ">" + link.to] = {
-        {"busy", link.busy_s / use.time_s}, {"messages", link.messages}, {"bytes", link.bytes}};
-  return {{"cpus", cpus}, {"links", links}};
-}
-
 // CPU time of this process: other programs on the host do not count.
 double host_cpu_s() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
-
-ordered_json make_row(const farm::Result& r) {
-  const double rays = static_cast<double>(r.rays.total());
-  const auto& use = r.use;
-  auto busy = [&](const char* name) { return find_cpu(use, name).busy_s / use.time_s; };
-  const Busy workers = busy_workers(use);
-  const auto busiest = std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
-  std::uint64_t memory = 0;
-  for (const auto& cpu : use.cpus)
-    if (cpu.name.starts_with("worker")) memory = std::max(memory, cpu.memory_peak_bytes);
-  return {{"time_s", r.time_s},
-          {"time_per_ray_ms", r.time_s / rays * 1e3},
-          {"speedup", nullptr},
-          {"efficiency", nullptr},
-          {"rays", r.rays.total()},
-          {"rays_primary", r.rays.primary},
-          {"rays_reflected", r.rays.reflected},
-          {"rays_transmitted", r.rays.transmitted},
-          {"rays_shadow", r.rays.shadow},
-          {"interactive_s", r.interactive_s},
-          {"setup_s", r.setup_s},
-          {"messages", total_messages(use)},
-          {"message_bytes", total_bytes(use)},
-          {"cpu_busy_worker_mean", workers.mean},
-          {"cpu_busy_worker_max", workers.max},
-          {"cpu_busy_coordinator", busy("coordinator")},
-          {"cpu_busy_database", busy("database")},
-          {"cpu_busy_display", busy("display")},
-          {"link_busy_max", busiest->busy_s / use.time_s},
-          {"link_busiest", busiest->from + ">" + busiest->to},
-          {"rays_in_farm_max", r.peak_rays_in_farm},
-          {"database_feelers_max", r.peaks.feelers},
-          {"database_heap_max", r.peaks.heap},
-          {"database_later_max", r.peaks.later},
-          {"worker_memory_bytes", memory},
-          {"ended", machine::to_string(r.end)}};
-}
-
-}  // namespace
-
-namespace {
 
 topologies::Topology make_network(const Experiment& experiment) {
   const std::string& name = experiment.topology;
@@ -119,9 +47,11 @@ topologies::Topology make_network(const Experiment& experiment) {
   if (name == "hypercube") {
     int dimensions = 0;
     while ((std::int64_t{1} << dimensions) < n) ++dimensions;
-    if ((std::int64_t{1} << dimensions) != n)
+    if ((std::int64_t{1} << dimensions) != n || dimensions > topologies::PORTS)
       throw machine::InvalidInput(
-          fmt::format("network.workers: found {}, expected a power of two for a hypercube", n));
+          fmt::format("network.workers: found {}, expected 1, 2, 4, 8 or 16 for a hypercube (more "
+                      "need more than four links a processor)",
+                      n));
     return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
   }
   // The smallest rings are lines.
@@ -194,10 +124,10 @@ ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& imag
   return {{"topology", topology.name},
           {"workers", topology.processors},
           {"objects", scene_objects(experiment, scene)},
-          {"row", make_row(result)},
+          {"row", make_farm_row(result)},
           {"ended", machine::to_string(result.end)},
           {"key_images", keys},
-          {"use", use_json(result.use)},
+          {"use", make_farm_use(result)},
           {"image", save_image(images.folder, result.samples)},
           {"host",
            {{"total_s", host_cpu_s() - start_s},

@@ -118,6 +118,8 @@ const std::vector<Binding<Experiment>>& bindings() {
        [](E& e, const P& at) { e.farm.image.area = read_area(at); }},
       {"farm.max_cell", "largest image cell, a power of two; pixels",
        [](E& e, const P& at) { e.farm.max_cell = int(read_int(at, 1, 65536)); }},
+      {"farm.task", "what a worker is given: ray, or a block of pixels, block:8x8",
+       [](E& e, const P& at) { e.farm.block = read_task(at); }},
       {"farm.seed", "of the order of the cells",
        [](E& e, const P& at) { e.farm.seed = std::uint64_t(read_int(at, 0, INT64_MAX)); }},
       {"run.cost", "counted: operations times their cycles; timed: host time, scaled",

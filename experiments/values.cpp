@@ -93,6 +93,17 @@ void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& b
   }
 }
 
+std::optional<farm::Block> read_task(const Place& at) {
+  const std::string text = read_text(at);
+  if (text == "ray") return std::nullopt;
+  farm::Block block;
+  int end = 0;
+  if (std::sscanf(text.c_str(), "block:%5dx%5d%n", &block.width, &block.height, &end) != 2 ||
+      static_cast<std::size_t>(end) != text.size() || block.width < 1 || block.height < 1)
+    at.refuse("ray, or a block of pixels, like block:8x8");
+  return block;
+}
+
 std::string read_source(const Place& at) {
   const std::string text = read_text(at);
   const std::filesystem::path path(text);

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/image_names.hpp"
-#include "renderer/shade.hpp"
+#include "simulator/farm/centre.hpp"
 
 namespace experiments {
 
@@ -45,6 +46,8 @@ std::vector<std::string> read_texts(const Place& at);
 renderer::Area read_area(const Place& at);
 // A number for every link, or a list of [a, b, number], processors as the topology numbers them.
 void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between);
+// "ray", or a block of pixels, "block:8x8".
+std::optional<farm::Block> read_task(const Place& at);
 // A name, or a path (it has an extension), made relative to the folder.
 std::string read_source(const Place& at);
 // The tables of [[key]].

@@ -1,5 +1,7 @@
 #include "renderer/hierarchy.hpp"
 
+#include <algorithm>
+
 namespace renderer {
 
 namespace {
@@ -55,39 +57,61 @@ std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
   return inner;
 }
 
+// The best node found so far for a new object to join.
+struct Choice {
+  std::uint32_t node = NONE;
+  double cost = Bounds::INF;
+
+  void offer(std::uint32_t other, double other_cost) {
+    if (other_cost < cost) *this = {other, other_cost};
+  }
+};
+
+// A way down the tree; `inherited` is what the nodes above `node` cost more.
+struct Way {
+  std::uint32_t node;
+  double inherited;
+};
+
+// Weighs `object` as one more child of `way.node` and in a pair with each of the leaves under it;
+// adds the ways on to `ways`.
+void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
+           std::vector<Way>& ways) {
+  const Node& n = tree.nodes[way.node];
+  const double area = half_area(join(n.bounds, object));
+  const double inherited = way.inherited + (area - half_area(n.bounds)) * n.count;
+  best.offer(way.node, inherited + area);
+  const std::size_t before = ways.size();
+  double least_growth = Bounds::INF;
+  for (std::uint32_t c = n.first; c != NONE; c = tree.nodes[c].next) {
+    const Node& child = tree.nodes[c];
+    const double joined = half_area(join(child.bounds, object));
+    const double growth = joined - half_area(child.bounds);
+    if (child.item != NONE) best.offer(c, inherited + 2 * joined);
+    if (growth < least_growth) ways.resize(before);
+    if (growth <= least_growth && child.item == NONE) ways.push_back({c, inherited});
+    least_growth = std::min(least_growth, growth);
+  }
+  std::reverse(ways.begin() + static_cast<std::ptrdiff_t>(before), ways.end());
+}
+
 // The node that `object` should join: an inner one as one more child, a leaf to form a pair.
 // A node costs its area times its children; a choice at any level also pays for the growth of
-// every node above it. Weighs joining each node on the way down and pairing with each of its
-// leaves; the way leads to the inner child that grows least.
+// every node above it. The way down leads to the child, box or leaf, that grows least; it ends at
+// a leaf, and where nothing below can be better, as every place costs the object's own area.
+// Of children that grow equally (several boxes contain the object) every one is tried: where
+// Goldsmith and Salmon take the one of the nearest centre, or any, the least cost decides here.
 std::uint32_t find_place(const Tree& tree, const Bounds& object) {
-  std::uint32_t best = tree.root;
-  double least = Bounds::INF, inherited = 0;
-  const auto offer = [&](std::uint32_t node, double cost) {
-    if (cost < least) {
-      least = cost;
-      best = node;
-    }
-  };
-  for (std::uint32_t node = tree.root, next = NONE; node != NONE && inherited < least;
-       node = next) {
-    next = NONE;
-    const Node& n = tree.nodes[node];
-    const double area = half_area(join(n.bounds, object));
-    inherited += (area - half_area(n.bounds)) * n.count;
-    offer(node, inherited + area);
-    double least_growth = Bounds::INF;
-    for (std::uint32_t c = n.first; c != NONE; c = tree.nodes[c].next) {
-      const Bounds& child = tree.nodes[c].bounds;
-      const double joined = half_area(join(child, object));
-      if (tree.nodes[c].item != NONE) {
-        offer(c, inherited + 2 * joined);
-      } else if (joined - half_area(child) < least_growth) {
-        least_growth = joined - half_area(child);
-        next = c;
-      }
-    }
+  Choice best{tree.root};
+  if (tree.nodes[tree.root].item != NONE) return best.node;
+  const double own = half_area(object);
+  std::vector<Way> ways = {{tree.root, 0}};
+  while (!ways.empty()) {
+    const Way way = ways.back();
+    ways.pop_back();
+    if (way.inherited + own < best.cost) weigh(tree, object, way, best, ways);
   }
-  return best;
+  return best.node;
 }
 
 void insert(Tree& tree, const Bounds& object, std::uint32_t item) {

@@ -24,6 +24,12 @@ std::uint8_t to_byte(std::int64_t sum) {
   return static_cast<std::uint8_t>((sum * 255 + ONE / 2) >> 32);
 }
 
+void add_fixed(Samples::Sums& sums, const Samples::Sums& others) {
+  add_fixed(sums.r, others.r);
+  add_fixed(sums.g, others.g);
+  add_fixed(sums.b, others.b);
+}
+
 }  // namespace
 
 void Samples::add(std::uint32_t sample, const Rgb& contribution) {
@@ -34,12 +40,15 @@ void Samples::add(std::uint32_t sample, const Rgb& contribution) {
 }
 
 Samples& Samples::operator+=(const Samples& other) {
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    add_fixed(sums[i].r, other.sums[i].r);
-    add_fixed(sums[i].g, other.sums[i].g);
-    add_fixed(sums[i].b, other.sums[i].b);
-  }
+  for (std::size_t i = 0; i < sums.size(); ++i) add_fixed(sums[i], other.sums[i]);
   return *this;
+}
+
+void Samples::add(int x, int y, const Samples& rectangle) {
+  for (int row = 0; row < rectangle.height; ++row)
+    for (int column = 0; column < rectangle.width; ++column)
+      add_fixed(sums[static_cast<std::size_t>((y + row) * width + x + column)],
+                rectangle.sums[static_cast<std::size_t>(row * rectangle.width + column)]);
 }
 
 Rgb Samples::get(std::uint32_t sample) const {

@@ -31,6 +31,8 @@ struct Samples {
 
   bool operator==(const Samples&) const = default;
   void add(std::uint32_t sample, const Rgb& contribution);
+  /// Adds those of a rectangle of the image whose upper left pixel is (x, y); it must lie within.
+  void add(int x, int y, const Samples& rectangle);
   /// The sums of two sets of contributions to one image; sizes must be equal.
   Samples& operator+=(const Samples& other);
   Rgb get(std::uint32_t sample) const;

@@ -18,11 +18,11 @@ struct Walk {
   const Ray& ray;
   Nearest best;
   std::uint32_t boxes = 0;
-  std::uint32_t tests[4] = {};
+  std::uint32_t tests[4] = {}, roots = 0, edges = 0;
 };
 
 // Inlined into every walk: some 8 % of a rendering.
-[[gnu::always_inline]] inline double test(const Walk& walk, Place place, Tag& tag) {
+[[gnu::always_inline]] inline double test(Walk& walk, Place place, Tag& tag) {
   const Scene& scene = walk.scene;
   const Vec &o = walk.ray.origin, &d = walk.ray.direction;
   const auto own = [&](const Tag& t) {
@@ -32,15 +32,17 @@ struct Walk {
   switch (place.kind()) {
     case Kind::sphere: {
       const Sphere& s = scene.spheres[place.index()];
-      return intersect_sphere(s, o, d, scene.epsilon, own(s.tag));
+      return intersect_sphere(s, o, d, scene.epsilon, own(s.tag), walk.roots);
     }
     case Kind::polygon: {
       const Polygon& p = scene.polygons[place.index()];
-      return intersect_polygon(p, scene.corners.data(), o, d, scene.epsilon, own(p.tag));
+      return intersect_polygon(p, scene.corners.data(), o, d, scene.epsilon, own(p.tag),
+                               walk.edges);
     }
     case Kind::patch: {
       const Polygon& p = scene.patches[place.index()].flat;
-      return intersect_polygon(p, scene.corners.data(), o, d, scene.epsilon, own(p.tag));
+      return intersect_polygon(p, scene.corners.data(), o, d, scene.epsilon, own(p.tag),
+                               walk.edges);
     }
     case Kind::cone: {
       const Cone& c = scene.cones[place.index()];
@@ -106,6 +108,7 @@ void walk_boxes(Walk& walk) {
   walk.boxes = tested;
 }
 
+// A feeler only wants to know that there is something.
 Hit make_hit(const Walk& walk) {
   const Scene& scene = walk.scene;
   const Ray& ray = walk.ray;
@@ -113,6 +116,7 @@ Hit make_hit(const Walk& walk) {
   Hit hit;
   hit.distance = walk.best.distance;
   hit.object = walk.best.object;
+  if (ray.kind == RayKind::shadow) return hit;
   hit.point = ray.origin + hit.distance * ray.direction;
   Vec geometric;
   switch (place.kind()) {
@@ -167,8 +171,11 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal trave
   work[Op::sphere_test] += walk.tests[0];
   work[Op::polygon_test] += walk.tests[1];
   work[Op::patch_test] += walk.tests[2];
+  work[Op::sphere_root] += walk.roots;
+  work[Op::polygon_edges] += walk.edges;
   work[Op::cone_test] += walk.tests[3];
   if (walk.best.object == NO_OBJECT) return std::nullopt;
+  work[Op::hit_made] += ray.kind != RayKind::shadow;
   return make_hit(walk);
 }
 

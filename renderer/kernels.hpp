@@ -15,8 +15,9 @@ namespace renderer {
 
 inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
+/// Counts the roots taken.
 inline double intersect_sphere(const Sphere& s, const Vec& origin, const Vec& direction,
-                               double epsilon, bool own) {
+                               double epsilon, bool own, std::uint32_t& roots) {
   const Vec to_centre = s.centre - origin;
   const double along = dot(to_centre, direction);
   if (own) return 2 * along > epsilon ? 2 * along : NO_HIT;
@@ -24,6 +25,7 @@ inline double intersect_sphere(const Sphere& s, const Vec& origin, const Vec& di
   const Vec across = to_centre - along * direction;
   const double square = s.radius * s.radius - dot(across, across);
   if (!(square >= 0)) return NO_HIT;
+  ++roots;
   const double half = std::sqrt(square);
   if (along - half > epsilon) return along - half;
   return along + half > epsilon ? along + half : NO_HIT;
@@ -44,11 +46,14 @@ inline bool is_inside(std::span<const Corner> corners, double u, double v) {
   return inside;
 }
 
+/// Counts the times that edges were looked at.
 inline double intersect_polygon(const Polygon& p, const Corner* pool, const Vec& origin,
-                                const Vec& direction, double epsilon, bool own) {
+                                const Vec& direction, double epsilon, bool own,
+                                std::uint32_t& edges) {
   if (own) return NO_HIT;
   const double distance = (p.offset - dot(p.normal, origin)) / dot(p.normal, direction);
   if (!(distance > epsilon && distance < NO_HIT)) return NO_HIT;
+  ++edges;
   const double u = origin[p.u] + distance * direction[p.u];
   const double v = origin[p.v] + distance * direction[p.v];
   return is_inside({pool + p.first, p.count}, u, v) ? distance : NO_HIT;

@@ -23,15 +23,15 @@ struct Tracer {
   Work work{};
   Children stack{};
 
-  // A pixel's shading tree, depth first.
-  void trace(int x, int y) {
+  // A pixel's shading tree, depth first, into the sample `at`.
+  void trace(int x, int y, std::uint32_t at) {
     stack.push_back(make_primary(scene, params, x, y));
     while (!stack.empty()) {
       const Ray ray = stack.back();
       stack.pop_back();
       const std::optional<Hit> hit = intersect(scene, ray, params.traversal, work);
       rays.add(ray.kind, hit.has_value());
-      samples.add(ray.sample, eval_contribution(scene, params, ray, hit, work));
+      samples.add(at, eval_contribution(scene, params, ray, hit, work));
       if (hit) make_children(scene, params, ray, *hit, stack, work);
     }
   }
@@ -90,6 +90,17 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
   return *this;
 }
 
+Block render_block(const Scene& scene, const Params& params, const Area& area) {
+  Block block{area, Samples(area.width, area.height), {}, {}};
+  Tracer tracer{scene, params, block.samples};
+  std::uint32_t at = 0;
+  for (int y = area.y; y < area.y + area.height; ++y)
+    for (int x = area.x; x < area.x + area.width; ++x) tracer.trace(x, y, at++);
+  block.rays = tracer.rays;
+  block.work = tracer.work;
+  return block;
+}
+
 Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {
   check(params);
   if (threads < 1 || threads > MAX_THREADS)
@@ -104,7 +115,9 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     Tracer tracer{scene, params, result.samples};
     try {
       for (int row = rows.take(); row < area.height; row = rows.take()) {
-        for (int x = 0; x < area.width; ++x) tracer.trace(area.x + x, area.y + row);
+        for (int x = area.x; x < area.x + area.width; ++x)
+          tracer.trace(x, area.y + row,
+                       static_cast<std::uint32_t>((area.y + row) * params.width + x));
         rows.report();
       }
     } catch (...) {

@@ -25,6 +25,18 @@ struct Rendering {
   Work work;
 };
 
+/// A rectangle of the image, rendered alone.
+struct Block {
+  Area area;
+  Samples samples;  ///< of the area's pixels only
+  RayCounts rays;
+  Work work;
+};
+
+/// Traces every ray of `area`, which lies within the image of `params`. The sums are those that
+/// render() finds there.
+Block render_block(const Scene& scene, const Params& params, const Area& area);
+
 /// Called with the rows done and the rows there are, after every row, by one thread at a time.
 using Progress = std::function<void(int done, int rows)>;
 

@@ -12,10 +12,13 @@ namespace renderer {
 enum class Op : std::uint8_t {
   box_test,         ///< a ray against one bounding box
   sphere_test,      ///< a ray against one sphere
-  polygon_test,     ///< a ray against one polygon
-  patch_test,       ///< a ray against one polygon with normals
+  sphere_root,      ///< of those, that took a root: the ray's line meets the sphere
+  polygon_test,     ///< a ray against the plane of one polygon
+  patch_test,       ///< a ray against the plane of one polygon with normals
+  polygon_edges,    ///< of those, that looked at the edges: the plane is ahead
   cone_test,        ///< a ray against one cone or cylinder
   ray_intersected,  ///< one call of intersect()
+  hit_made,         ///< of those, that needed point and normal: not a feeler's
   surface_shaded,   ///< one intersection turned into rays by make_children()
   feeler_made,      ///< a shadow feeler made, with its influence factor (Eq 4.17)
   ray_reflected,    ///< a reflected ray made
@@ -41,9 +44,9 @@ struct Work {
 /// Names as model files and reports spell them; the index is the Op's value.
 inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
-      "box_test",      "sphere_test",     "polygon_test",   "patch_test",
-      "cone_test",     "ray_intersected", "surface_shaded", "feeler_made",
-      "ray_reflected", "ray_refracted",   "sample_updated"};
+      "box_test",      "sphere_test",   "sphere_root",     "polygon_test",  "patch_test",
+      "polygon_edges", "cone_test",     "ray_intersected", "hit_made",      "surface_shaded",
+      "feeler_made",   "ray_reflected", "ray_refracted",   "sample_updated"};
   return NAMES;
 }
 

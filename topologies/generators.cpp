@@ -77,6 +77,13 @@ Topology make_tree(int n, int arity) {
   return sorted(std::move(t));
 }
 
+// A tree of two children at most, on ports 1 and 2.
+Topology make_binary(int n) {
+  auto t = make_tree(n, 2);
+  t.name = fmt::format("binary:{}", n);
+  return t;
+}
+
 //   0 2---1 1 2---1 2         row by row; port 0 north, 1 west, 2 east, 3 south
 //   3       3       3
 //   |       |       |
@@ -96,23 +103,24 @@ Topology make_mesh(int rows, int columns) {
   return sorted(std::move(t));
 }
 
-//    |       |       |        a mesh whose rows and columns are rings;
-//   -0 2---1 1 2---1 2-       all four ports of every processor are taken
-//    3       3       3
-//    |       |       |
+//    |       |       |        a mesh whose rows and columns are rings, which take all four ports
+//   -0 2---1 1 2---1 2-       of every processor. Two in a row or column share one link (no double
+//    3       3       3        ones), one has none. With one or two columns, the first is closed by
+//    |       |       |        ports 3 and 1: port 0 of the root is free then.
 //   -3 2---1 4 2---1 5-
 //    |       |       |
 Topology make_torus(int rows, int columns) {
   auto t =
       make_empty(fmt::format("torus:{}x{}", rows, columns), static_cast<long long>(rows) * columns);
-  expect(t, rows >= 3 && columns >= 3,
-         "at least 3 rows and 3 columns (two would share double links; mesh:RxC has no rings)");
+  expect(t, rows >= 1 && columns >= 1, "at least 1 row and 1 column");
   for (int p = 0; p < t.processors; ++p) {
-    add(t, {p, 2}, {p - p % columns + (p + 1) % columns, 1});
-    add(t, {p, 3}, {(p + columns) % t.processors, 0});
+    const int east = p - p % columns + (p + 1) % columns, south = (p + columns) % t.processors;
+    const int north = columns < 3 && p % columns == 0 ? 1 : 0;
+    if (columns > 2 || east > p) add(t, {p, 2}, {east, 1});
+    if (rows > 2 || south > p) add(t, {p, 3}, {south, north});
   }
   const auto [narrow, wide] = std::minmax(rows, columns);
-  t.bisection_width = 2 * narrow + (wide % 2 ? 2 : 0);
+  if (narrow > 2) t.bisection_width = 2 * narrow + (wide % 2 ? 2 : 0);
   return sorted(std::move(t));
 }
 

@@ -39,6 +39,9 @@ struct Visualisation {
   renderer::Samples samples;
   std::vector<KeyImage> key_images;
   void run(Channel<Intersection>& inp);
+
+ private:
+  void update(const Intersection& message, renderer::Work& work);
 };
 
 // Feeds the workers with rays from the database, makes new rays from the intersections they
@@ -68,13 +71,35 @@ struct CoordinationResult {
   Phase phase = Phase::setup;
   renderer::RayCounts rays;
   machine::Seconds begun, interactive_ended, ended;
-  std::size_t peak_rays_in_farm = 0;
+  machine::Seconds last_task;  // handed out
+  std::uint64_t tasks = 0;     // handed out
+  std::size_t peak_tasks_in_farm = 0;
 
+  // Called by the process: the first task is at hand, one more is in the farm, all is shown.
+  void begin(const std::function<void()>& then);
+  void note_task(std::size_t in_farm);
+  void end(const std::function<void()>& then);
   // Of a run that is cut short: what has not come yet came now.
   void cut(machine::Seconds now);
 };
 // `result` is always up to date.
 void coordination(const CoordinationSetup& setup, CoordinationChannels channels,
                   CoordinationResult& result);
+
+// A farm whose task is a block of pixels, with all of their rays: the centre hands out blocks,
+// from the top of the image, and has no rays to store.
+struct Block {
+  int width = 0, height = 0;  // pixels
+};
+std::vector<renderer::Area> make_blocks(const renderer::Params& params, Block size);
+struct BlockSetup {
+  std::vector<renderer::Area> blocks;
+  std::function<void()> on_begin, on_end;
+};
+void block_coordination(const BlockSetup& setup, CoordinationChannels channels,
+                        CoordinationResult& result);
+
+// Stops every process of the farm, in the order of the wires, once nothing is in it.
+void stop_all(CoordinationChannels channels, bool sender_is_ready);
 
 }  // namespace farm

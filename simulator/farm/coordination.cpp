@@ -9,6 +9,11 @@ using namespace occam;
 
 namespace {
 
+machine::Seconds sync_now() {
+  this_process().sync();
+  return this_process().now();
+}
+
 enum class Mode { null, interactive, non_interactive };
 
 // The process's variables, named as in figure 4.15, and the handling of its guards.
@@ -27,12 +32,6 @@ class Coordinator {
   void feed_sender();
   void take(const Intersection& intersection);
   void next_stage();
-  void stop_all();
-
-  machine::Seconds now() {
-    this_process().sync();
-    return this_process().now();
-  }
 
   const CoordinationSetup& setup_;
   CoordinationChannels to_;
@@ -49,22 +48,18 @@ void Coordinator::run() {
   while (!std::holds_alternative<Begin>(command.content));
 
   deposit_initial_rays();
-  result_.begun = now();
-  setup_.on_begin();
-  result_.phase = CoordinationResult::Phase::interactive;
+  result_.begin(setup_.on_begin);
   serve(Mode::interactive);
-  result_.interactive_ended = now();
+  result_.interactive_ended = sync_now();
   result_.phase = CoordinationResult::Phase::non_interactive;
   serve(Mode::non_interactive);
-  result_.ended = now();
-  result_.phase = CoordinationResult::Phase::ended;
-  setup_.on_end();
+  result_.end(setup_.on_end);
 
   while (!quitting_) {
     in(to_.from_interaction, command);
     obey(command);
   }
-  stop_all();
+  stop_all(to_, sender_is_ready_);
 }
 
 void Coordinator::deposit_initial_rays() {
@@ -114,8 +109,7 @@ void Coordinator::feed_sender() {
   if (!reply.ray) return;
   out(to_.into_sender, Task{*reply.ray, setup_.bytes.ray});
   sender_is_ready_ = false;
-  ++rays_in_farm_;
-  result_.peak_rays_in_farm = std::max(result_.peak_rays_in_farm, rays_in_farm_);
+  result_.note_task(++rays_in_farm_);
 }
 
 void Coordinator::take(const Intersection& intersection) {
@@ -144,16 +138,34 @@ void Coordinator::next_stage() {
   rays_db_is_empty_ = false;
 }
 
-void Coordinator::stop_all() {
-  if (!sender_is_ready_) in(to_.from_sender);
-  out(to_.into_sender, Task{});
+}  // namespace
+
+void stop_all(CoordinationChannels to, bool sender_is_ready) {
+  if (!sender_is_ready) in(to.from_sender);
+  out(to.into_sender, Task{});
   Intersection last;
-  in(to_.from_workers, last);
-  out(to_.into_visualisation, Intersection{});
-  out(to_.into_database, DatabaseRequest{});
+  in(to.from_workers, last);
+  out(to.into_visualisation, Intersection{});
+  out(to.into_database, DatabaseRequest{});
 }
 
-}  // namespace
+void CoordinationResult::begin(const std::function<void()>& then) {
+  begun = interactive_ended = last_task = sync_now();
+  then();
+  phase = Phase::interactive;
+}
+
+void CoordinationResult::note_task(std::size_t in_farm) {
+  ++tasks;
+  last_task = this_process().now();
+  peak_tasks_in_farm = std::max(peak_tasks_in_farm, in_farm);
+}
+
+void CoordinationResult::end(const std::function<void()>& then) {
+  ended = sync_now();
+  phase = Phase::ended;
+  then();
+}
 
 void CoordinationResult::cut(machine::Seconds now) {
   if (phase == Phase::setup) begun = now;

@@ -2,14 +2,13 @@
 
 #include <bit>
 
-#include "simulator/farm/wiring.hpp"
+#include "simulator/farm/centre_wiring.hpp"
 #include "simulator/farm/worker.hpp"
 #include "simulator/machine/faults.hpp"
 
 namespace farm {
 
 using machine::Machine;
-using machine::Priority;
 using machine::Processor;
 
 namespace {
@@ -19,6 +18,18 @@ void check_area(renderer::Params image, const renderer::Area& area) {
   check(image);
 }
 
+// A block's rays never meet the database's priorities.
+void check_block(const Params& params) {
+  if (!params.block) return;
+  const Block& block = *params.block;
+  if (block.width < 1 || block.height < 1)
+    throw machine::InvalidInput(fmt::format(
+        "task: found a block of {}x{} pixels, expected 1x1 or more", block.width, block.height));
+  if (params.stages != std::vector<Limits>(1) || !params.script.empty())
+    throw machine::InvalidInput(
+        "task: found a block, expected ray: stages and orders choose among rays");
+}
+
 }  // namespace
 
 void check(const Params& params) {
@@ -26,6 +37,7 @@ void check(const Params& params) {
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     throw machine::InvalidInput(
         fmt::format("max_cell: found {}, expected a power of two", params.max_cell));
+  check_block(params);
   if (params.stages.empty()) throw machine::InvalidInput("stages: at least one is needed");
   for (const Limits& limits : params.stages) check_area(params.image, limits.area);
   for (const Order& order : params.script)
@@ -39,18 +51,6 @@ void check(const Params& params) {
 
 namespace {
 
-std::vector<Order> make_script(const Params& params) {
-  std::vector<Order> script = params.script;
-  script.insert(script.begin(), Order{{0}, {Begin{}}});
-  script.push_back({{0}, {Quit{}}});
-  return script;
-}
-
-void load_program(Processor& processor) {
-  processor.memory().allocate(get_bytes(processor.model(), "program"), "the program",
-                              processor.now());
-}
-
 // The worker's copy of the scene, in its memory.
 void load_scene(Processor& worker, const renderer::Scene& scene) {
   const auto& model = worker.model();
@@ -61,14 +61,11 @@ void load_scene(Processor& worker, const renderer::Scene& scene) {
                   worker.now());
 }
 
-// The initial rays are all deposited before the first is taken: better to say at once that they do
-// not fit.
-void check_initial_rays(Processor& database, const renderer::Params& image, std::uint64_t ray) {
-  const renderer::Area area = get_area(image);
-  const std::uint64_t bytes =
-      ray * static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
-  database.memory().allocate(bytes, "the initial rays", database.now());
-  database.memory().release(bytes);
+Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
+                   const Params& params) {
+  const auto& host = params.cycles_per_host_s;
+  return {scene, params.image, KernelCost(intersection_costs(model), host, params.profile),
+          KernelCost(tree_costs(model), host, params.profile), record_bytes(model)};
 }
 
 }  // namespace
@@ -76,100 +73,27 @@ void check_initial_rays(Processor& database, const renderer::Params& image, std:
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,
                 const renderer::Scene& scene, const Params& params) {
   check(params);
-  const RecordBytes bytes{static_cast<std::uint32_t>(get_bytes(model, "ray")),
-                          static_cast<std::uint32_t>(get_bytes(model, "hit"))};
-  const std::uint64_t small = params.worker_memory.value_or(get_bytes(model, "worker_memory"));
-  const std::uint64_t large = params.database_memory.value_or(get_bytes(model, "database_memory"));
-
   Machine machine(model, model.software.occam_factor);
   Wires wires;
-  Processor& coordinator = machine.add_processor("coordinator", small);
-  Processor& database = machine.add_processor("database", large);
-  Processor& display = machine.add_processor("display", large);
-  machine.connect(coordinator, database);
-  machine.connect(coordinator, display);
-
-  for (Processor* central : {&coordinator, &database, &display}) load_program(*central);
-  check_initial_rays(database, params.image, bytes.ray);
-  display.memory().allocate(get_bytes(model, "pixel") *
-                                static_cast<std::uint64_t>(params.image.width) *
-                                static_cast<std::uint64_t>(params.image.height),
-                            "the image", display.now());
-
-  // The workers.
-  Kernel kernel{scene, params.image.traversal,
-                KernelCost(machine::OperationCosts(model, "intersection", renderer::op_names()),
-                           params.cycles_per_host_s, params.profile),
-                bytes};
-  const Workers workers = wire_workers(wires, machine, topology, coordinator, small);
+  Centre centre(machine, scene, params);
+  Kernel kernel = make_kernel(model, scene, params);
+  const Workers workers =
+      wire_workers(wires, machine, topology, centre.coordinator(),
+                   params.worker_memory.value_or(get_bytes(model, "worker_memory")));
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
     load_program(*workers.processors[id]);
     load_scene(*workers.processors[id], scene);
     start_worker(wires, workers, id, kernel);
   }
-
-  // The central processes.
-  const Cells cells{params.image.width, params.max_cell};
-  const auto script = make_script(params);
-  observe::Use before, after;
-  RayDatabase rays{RayStores(cells, params.stages[0]),
-                   machine::OperationCosts(model, "central", DatabaseWork::NAMES), bytes};
-  const machine::OperationCosts central(model, "central", renderer::op_names());
-  Visualisation visualisation{
-      scene, params.image, central, renderer::Samples(params.image.width, params.image.height), {}};
-  const CoordinationSetup setup{.scene = scene,
-                                .params = params.image,
-                                .cost = central,
-                                .bytes = bytes,
-                                .cells = cells,
-                                .seed = params.seed,
-                                .stages = params.stages,
-                                .on_begin = [&] { before = observe::collect(machine); },
-                                .on_end = [&] { after = observe::collect(machine); }};
-  CoordinationResult coordinated;  // up to the end, if the run is cut short
-
-  Channel<Command> from_interaction("coordinator.from.interaction");
-  Channel<DatabaseRequest> into_database("database.from.coord",
-                                         machine.link(coordinator, database));
-  Channel<DatabaseReply> from_database("coordinator.from.database",
-                                       machine.link(database, coordinator));
-  Channel<Intersection> into_visualisation("display.inp", machine.link(coordinator, display));
-  const Way first = start_sender(wires, coordinator, *workers.from_left[workers.root]);
-
-  start(coordinator, "interaction", Priority::low, [&] { interaction(script, from_interaction); });
-  start(coordinator, "coordination", Priority::low, [&] {
-    coordination(setup,
-                 {from_interaction, first.free, first.into, *workers.results[workers.root],
-                  into_database, from_database, into_visualisation},
-                 coordinated);
-  });
-  // Alone on their processors: the priority does not matter.
-  start(database, "ray.database", Priority::high, [&] { rays.run(into_database, from_database); });
-  start(display, "visualisation", Priority::high, [&] { visualisation.run(into_visualisation); });
+  centre.start(wires, workers);
 
   observe::Watch unwatched, &watch = params.watch ? *params.watch : unwatched;
-  Result result;
-  result.end = observe::run(machine, watch);
-  if (result.end == machine::End::done)
-    machine::check_equal("rays left in the database", rays.stores.size(), std::size_t{0});
-  else if (coordinated.phase != CoordinationResult::Phase::ended) {
-    after = observe::collect(machine);
-    if (coordinated.phase == CoordinationResult::Phase::setup) before = after;
-    coordinated.cut(machine.now());
-  }
-
-  result.samples = std::move(visualisation.samples);
-  result.key_images = std::move(visualisation.key_images);
-  result.rays = coordinated.rays;
-  result.time_s = (coordinated.ended - coordinated.begun).value;
-  result.interactive_s = (coordinated.interactive_ended - coordinated.begun).value;
-  result.setup_s = coordinated.begun.value;
-  result.peaks = rays.stores.peaks();
-  result.peak_rays_in_farm = coordinated.peak_rays_in_farm;
-  result.use = between(before, after);
+  Result result = centre.take_result(observe::run(machine, watch));
+  result.topology = workers.topology;
+  result.mean_depth = workers.mean_depth;
   result.events = watch.events;
-  result.kernel_host_s = kernel.cost.host_s();
-  result.kernel_cycles = kernel.cost.charged();
+  result.kernel_host_s = kernel.ray.host_s() + kernel.block.host_s();
+  result.kernel_cycles = kernel.ray.charged() + kernel.block.charged();
   return result;
 }
 

@@ -14,9 +14,10 @@ namespace farm {
 struct Params {
   renderer::Params image;                               // size, shading and its limits
   std::vector<Limits> stages = std::vector<Limits>(1);  // of the interactive phase
-  std::vector<Order> script;  // the user's orders; Begin and Quit are added
-  int max_cell = 16;          // pixels, the largest image cell; a power of two
-  std::uint64_t seed = 1;     // of the order of cells
+  std::vector<Order> script;   // the user's orders; Begin and Quit are added
+  int max_cell = 16;           // pixels, the largest image cell; a power of two
+  std::optional<Block> block;  // a task; none: a task is a ray
+  std::uint64_t seed = 1;      // of the order of cells
   std::optional<std::uint64_t> worker_memory, database_memory;  // bytes; else the model's
   // Intersections are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
@@ -32,7 +33,11 @@ struct Result {
   double interactive_s = 0;  // of it, the interactive phase
   double setup_s = 0;        // before: the initial rays deposited
   RayStores::Peaks peaks;    // of the database's stores
-  std::size_t peak_rays_in_farm = 0;
+  std::uint64_t tasks = 0;   // rays, or blocks
+  std::size_t peak_tasks_in_farm = 0;
+  double drain_s = 0;                     // of time_s, after the last task was handed out
+  topologies::Topology topology;          // of the workers, as wired
+  double mean_depth = 0;                  // links from the coordinator to a worker, on average
   observe::Use use;                       // of processors and links, over time_s
   machine::End end = machine::End::done;  // else all this is what was measured until then
   std::uint64_t events = 0;               // simulated

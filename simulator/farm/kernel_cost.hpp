@@ -3,6 +3,7 @@
 // time it took, scaled.
 #include <optional>
 
+#include "renderer/work.hpp"
 #include "simulator/machine/model.hpp"
 
 namespace farm {
@@ -18,12 +19,12 @@ class KernelCost {
         cycles_per_host_s_(cycles_per_host_s),
         measures_(profile || cycles_per_host_s) {}
 
-  // Calls `kernel`, which counts into `counts` what it does, and charges this_process().
+  // Calls `kernel`, which counts into `work` what it does, and charges this_process().
   template <class Kernel>
-  auto operator()(Kernel kernel, const auto& counts) {
+  auto operator()(Kernel kernel, const renderer::Work& work) {
     const double start_s = measures_ ? host_cpu_s() : 0;
     auto result = kernel();
-    charge(measures_ ? host_cpu_s() - start_s : 0, counts);
+    charge(measures_ ? host_cpu_s() - start_s : 0, work);
     return result;
   }
 
@@ -31,7 +32,7 @@ class KernelCost {
   machine::Cycles charged() const { return charged_; }  // for all calls
 
  private:
-  void charge(double host_s, std::span<const std::uint64_t> counts);
+  void charge(double host_s, const renderer::Work& work);
 
   machine::OperationCosts counted_;
   std::optional<double> cycles_per_host_s_;
@@ -39,5 +40,10 @@ class KernelCost {
   double host_s_ = 0;
   machine::Cycles charged_{};
 };
+
+// What finding intersections costs; and all that a shading tree takes: the centre's scale for what
+// the centre does where tasks are rays.
+machine::OperationCosts intersection_costs(const machine::Model& model);
+machine::OperationCosts tree_costs(const machine::Model& model);
 
 }  // namespace farm

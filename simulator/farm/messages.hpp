@@ -1,9 +1,10 @@
 #pragma once
 // What the processes of the farm say to each other: the protocols of figure 4.9's channels.
+#include <memory>
 #include <optional>
 #include <variant>
 
-#include "renderer/intersect.hpp"
+#include "renderer/render.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/priority.hpp"
 #include "simulator/occam/channel.hpp"
@@ -21,26 +22,27 @@ struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-// Sizes of the two records that travel, in bytes, from the model file.
+// Sizes of the records that travel, in bytes, from the model file.
 struct RecordBytes {
-  std::uint32_t ray = 0, hit = 0;
+  std::uint32_t ray = 0, hit = 0, pixel = 0;
 };
 
-// Coordination -> workers: a task is one ray.
+// Coordination -> workers: a task is one ray, or a block of pixels.
 struct Task {
-  std::variant<Stop, renderer::Ray> content;
+  std::variant<Stop, renderer::Ray, renderer::Area> content;
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
   bool stop() const { return content.index() == 0; }
-  const renderer::Ray& ray() const { return std::get<renderer::Ray>(content); }
 };
+constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  // a block's task: where it is
 
-// Workers -> coordination -> visualisation: a ray, and what it hits first.
+// Workers -> coordination -> visualisation: a ray, and what it hits first; or a block.
 struct Intersection {
   bool stop = true;
   bool key_image = false;  // to visualisation only: keep the image as it is now
   renderer::Ray ray;
   std::optional<renderer::Hit> hit;
+  std::shared_ptr<const renderer::Block> block;  // instead of ray and hit
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
 };
@@ -58,16 +60,19 @@ inline Intersection make_key_image() {
   return message;
 }
 
+// To and from the ray database, and to the display, go occam's variant protocols (figures 4.16 and
+// 4.17: `add.ray; ray.mess`): sizes are those of the contents, after the tag.
+
 // Coordination -> ray database.
 struct AskInteractive {};  // for an RMI ray (figure 4.16: ask.interact.mode.ray)
 struct AskAny {};          // for any ray (ask.any.ray)
 struct DatabaseRequest {
   std::variant<Stop, AskInteractive, AskAny, renderer::Ray, Limits> content;
-  std::uint32_t size = TAG_BYTES;
+  std::uint32_t size = 0;
   std::uint64_t bytes() const { return size; }
 };
 
-// Ray database -> coordination: a ray, or none of the kind asked for.
+// Ray database -> coordination: a ray, or none of the kind asked for (`error; DB.empty`).
 struct DatabaseReply {
   std::optional<renderer::Ray> ray;
   std::uint32_t size = TAG_BYTES;

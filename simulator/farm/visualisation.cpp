@@ -4,6 +4,17 @@ namespace farm {
 
 using namespace occam;
 
+void Visualisation::update(const Intersection& message, renderer::Work& work) {
+  if (message.block) {
+    const auto& block = *message.block;
+    samples.add(block.area.x, block.area.y, block.samples);
+    work[renderer::Op::sample_updated] += block.samples.sums.size();
+  } else {
+    samples.add(message.ray.sample,
+                eval_contribution(scene, params, message.ray, message.hit, work));
+  }
+}
+
 void Visualisation::run(Channel<Intersection>& inp) {
   Intersection message;
   for (;;) {
@@ -14,8 +25,7 @@ void Visualisation::run(Channel<Intersection>& inp) {
       continue;
     }
     renderer::Work work;
-    samples.add(message.ray.sample,
-                eval_contribution(scene, params, message.ray, message.hit, work));
+    update(message, work);
     this_process().charge(cost(work.counts));
   }
 }

@@ -1,6 +1,7 @@
 #include "simulator/farm/wiring.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "simulator/farm/worker.hpp"
 #include "simulator/machine/faults.hpp"
@@ -62,7 +63,12 @@ Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology&
                      Processor& coordinator, std::uint64_t memory) {
   const auto topology = free_root_port(asked);
   const auto tree = topologies::make_spanning_tree(topology, topology.root);
-  Workers workers{static_cast<std::size_t>(topology.root), {}, tree.children, {}, {}};
+  Workers workers;
+  workers.topology = topology;
+  workers.root = static_cast<std::size_t>(topology.root);
+  workers.mean_depth = 1 + std::accumulate(tree.depth.begin(), tree.depth.end(), 0.0) /
+                               static_cast<double>(topology.processors);
+  workers.children = tree.children;
   for (int id = 0; id < topology.processors; ++id)
     workers.processors.push_back(&machine.add_processor(fmt::format("worker{}", id + 1), memory));
   machine.connect(coordinator, *workers.processors[workers.root]);

@@ -31,7 +31,9 @@ Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destinatio
 
 // The worker processors, joined as the topology says, and the channels along its spanning tree.
 struct Workers {
+  topologies::Topology topology;  // as wired
   std::size_t root = 0;
+  double mean_depth = 0;  // links from the coordinator to a worker, on average
   std::vector<machine::Processor*> processors;
   std::vector<std::vector<int>> children;
   std::vector<Channel<Task>*> from_left;        // tasks, into each worker

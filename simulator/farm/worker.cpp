@@ -46,17 +46,50 @@ void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Inte
   }
 }
 
+namespace {
+
+Intersection find_intersection(Kernel& kernel, const renderer::Ray& ray) {
+  renderer::Work work;
+  Intersection found = make_intersection(ray);
+  found.hit =
+      kernel.ray([&] { return intersect(kernel.scene, ray, kernel.params.traversal, work); }, work);
+  found.size = kernel.bytes.ray + (found.hit ? kernel.bytes.hit : 0);
+  return found;
+}
+
+// The block's sums have their place in the worker's memory as long as it needs them.
+Intersection find_block(Kernel& kernel, const renderer::Area& area) {
+  auto& worker = this_process().processor();
+  const std::uint64_t bytes =
+      kernel.bytes.pixel * static_cast<std::uint64_t>(area.width) * area.height;
+  worker.memory().allocate(bytes, "a block of pixels", this_process().now());
+  renderer::Work work;
+  auto block = kernel.block(
+      [&] {
+        auto rendered = render_block(kernel.scene, kernel.params, area);
+        work = rendered.work;
+        return rendered;
+      },
+      work);
+  worker.memory().release(bytes);
+  Intersection found;
+  found.stop = false;
+  found.block = std::make_shared<const renderer::Block>(std::move(block));
+  found.size = BLOCK_BYTES + static_cast<std::uint32_t>(bytes);
+  return found;
+}
+
+}  // namespace
+
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results) {
   Task task;
   for (;;) {
     in(from_router, task);
     if (task.stop()) break;
-    renderer::Work work;
-    Intersection found = make_intersection(task.ray());
-    found.hit = kernel.cost(
-        [&] { return intersect(kernel.scene, found.ray, kernel.traversal, work); }, work.counts);
-    found.size = kernel.bytes.ray + (found.hit ? kernel.bytes.hit : 0);
-    out(results, found);
+    if (const auto* ray = std::get_if<renderer::Ray>(&task.content))
+      out(results, find_intersection(kernel, *ray));
+    else
+      out(results, find_block(kernel, std::get<renderer::Area>(task.content)));
   }
   out(results, Intersection{});
 }

@@ -21,16 +21,16 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
 // (figure 4.12).
 void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Intersection>& output);
 
-// What a worker needs to find intersections: its copy of the scene, and what that costs.
+// What a worker needs for its tasks: its copy of the scene, and what they cost.
 struct Kernel {
   const renderer::Scene& scene;
-  renderer::Traversal traversal;
-  KernelCost cost;
+  const renderer::Params& params;
+  KernelCost ray, block;
   RecordBytes bytes;
 };
 
-// Finds the first intersection of each ray it is given. The kernel really runs; what it did is
-// charged to the processor.
+// Finds the first intersection of each ray it is given, or all that a block of pixels shows. The
+// kernel really runs; what it did is charged to the processor.
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results);
 
 }  // namespace farm

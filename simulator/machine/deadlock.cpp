@@ -15,9 +15,15 @@ using Blocked = std::map<ProcessId, const Process*>;
 // Whom each of them waits for.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
+bool waits_for_input(const Process& process) {
+  if (!process.wait()) return false;
+  const auto kind = process.wait()->kind();
+  return kind == Wait::Kind::input || kind == Wait::Kind::alternative;
+}
+
 bool has_ended(const Process& process) {
   return process.state() == Process::State::ended ||
-         (process.is_server() && process.wait() && process.wait()->is_for_input());
+         (process.is_server() && waits_for_input(process));
 }
 
 Blocked find_blocked(const Machine& machine) {

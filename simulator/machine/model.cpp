@@ -95,4 +95,9 @@ Cycles OperationCosts::operator()(std::span<const std::uint64_t> counts) const {
   return {std::llround(cycles)};
 }
 
+void OperationCosts::replace_from(std::size_t first, const OperationCosts& other) {
+  check_equal("operations", other.cycles_.size(), cycles_.size());
+  for (std::size_t i = first; i < cycles_.size(); ++i) cycles_[i] = other.cycles_[i];
+}
+
 }  // namespace machine

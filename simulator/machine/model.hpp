@@ -114,6 +114,8 @@ class OperationCosts {
   OperationCosts(const Model& model, std::string_view kernel,
                  std::span<const std::string_view> names);
   Cycles operator()(std::span<const std::uint64_t> counts) const;
+  // From the operation `first` on, take the costs of `other`, which has the same operations.
+  void replace_from(std::size_t first, const OperationCosts& other);
 
  private:
   std::vector<double> cycles_;

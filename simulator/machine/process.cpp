@@ -1,5 +1,6 @@
 #include "simulator/machine/process.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -122,9 +123,17 @@ void Process::sync() {
 
 void Process::block(const Wait& wait) {
   wait_ = &wait;
+  waits_for_ = wait.kind();
+  blocked_since_ = now();
   ++waits_;
   state_ = State::blocked;
   suspend();
+}
+
+Seconds Process::blocked(Wait::Kind kind) const {
+  const Seconds over = blocked_[static_cast<std::size_t>(kind)];
+  const bool is_under_way = state_ == State::blocked && wait_ && waits_for_ == kind;
+  return is_under_way ? over + std::max(Seconds{}, processor_.now() - blocked_since_) : over;
 }
 
 Seconds Process::now() const {

@@ -1,5 +1,6 @@
 #pragma once
 // A process of a simulated transputer: a body that runs on its own stack and spends cycles.
+#include <array>
 #include <boost/context/fiber.hpp>
 #include <functional>
 #include <string>
@@ -16,13 +17,14 @@ enum class Priority : std::uint8_t { high, low };
 
 using ProcessId = std::uint64_t;  // never given twice; 0 is nobody's
 
-// What a blocked process waits for: told only if the machine deadlocks.
+// What a blocked process waits for.
 struct Wait {
-  virtual std::string describe() const = 0;  // "in on worker3.from.left"
+  enum class Kind : std::uint8_t { other, output, input, alternative };
+
+  virtual std::string describe() const = 0;  // "in on worker3.from.left", if the machine deadlocks
   // The processes any of which could end the wait, as far as they are known; they may have ended.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
-  // Whether it is a wait for input: how a server may be left when all others have ended.
-  virtual bool is_for_input() const { return false; }
+  virtual Kind kind() const { return Kind::other; }
 
  protected:
   ~Wait() = default;
@@ -73,6 +75,8 @@ class Process {
   // Counts the times it has blocked: tells one wait from the next.
   std::uint64_t waits() const { return waits_; }
   const Wait* wait() const { return wait_; }  // of a blocked process; null before its start
+  // How long it has been blocked so far in waits of this kind, the one under way included.
+  Seconds blocked(Wait::Kind kind) const;
   std::uint32_t trace_id() const { return trace_id_; }  // see Observer
 
  private:
@@ -89,6 +93,9 @@ class Process {
   Cycles debt_{};
   Seconds ready_at_{};  // when it joined its ready queue
   std::uint64_t waits_ = 0;
+  std::array<Seconds, 4> blocked_{};  // by Wait::Kind, waits that are over
+  Wait::Kind waits_for_{};
+  Seconds blocked_since_{};
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   const Wait* wait_ = nullptr;
   int wake_ups_ = 0;  // Processor::wake_at still to come

@@ -62,6 +62,9 @@ void Processor::make_ready(Process& process, Seconds at) {
     throw InvariantBroken(fmt::format("{} was made ready but is not waiting", process.name()));
   process.state_ = Process::State::ready;
   process.ready_at_ = at;
+  if (process.wait_)
+    process.blocked_[static_cast<std::size_t>(process.waits_for_)] +=
+        std::max(Seconds{}, at - process.blocked_since_);
   const bool high = process.priority_ == Priority::high;
   if (high && running_ && running_->priority_ == Priority::low) return preempt(process);
   // First come, first served by simulated time: a process's own time may be ahead of the clock.

@@ -1,6 +1,7 @@
 #include "simulator/observe/use.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "simulator/machine/faults.hpp"
 
@@ -14,15 +15,43 @@ void check_busy(const std::string& who, double busy_s, double time_s) {
         fmt::format("{} was busy for {} s of {} s simulated", who, busy_s, time_s));
 }
 
+ProcessRow make_row(const machine::Process& process) {
+  using Kind = machine::Wait::Kind;
+  return {process.name(), process.blocked(Kind::output).value, process.blocked(Kind::input).value,
+          process.blocked(Kind::alternative).value};
+}
+
+template <class Row>
+const Row& find(const std::vector<Row>& rows, const std::string& name, const char* kind) {
+  const auto found = std::ranges::find(rows, name, &Row::name);
+  if (found == rows.end())
+    throw machine::InvariantBroken(fmt::format("no {} is called {}", kind, name));
+  return *found;
+}
+
+// Processes come and go.
+void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
+  std::unordered_map<std::string, const ProcessRow*> known;
+  for (const auto& row : before) known[row.name] = &row;
+  for (auto& row : rows) {
+    const auto found = known.find(row.name);
+    if (found == known.end()) continue;
+    row.output_s -= found->second->output_s;
+    row.input_s -= found->second->input_s;
+    row.alternative_s -= found->second->alternative_s;
+  }
+}
+
 }  // namespace
 
 Use collect(const machine::Machine& machine) {
-  Use use{.time_s = machine.now().value, .cpus = {}, .links = {}};
+  Use use{.time_s = machine.now().value, .cpus = {}, .links = {}, .processes = {}};
   for (const auto& processor : machine.processors()) {
     const auto cpu = processor->use();
     use.cpus.push_back({processor->name(), cpu.busy().value, cpu.busy_high.value, cpu.preemptions,
                         cpu.dispatches, processor->memory().peak()});
     check_busy(processor->name(), cpu.busy().value, use.time_s);
+    for (const auto& process : processor->processes()) use.processes.push_back(make_row(*process));
   }
   for (const auto& link : machine.links()) {
     const auto u = link->use();
@@ -47,13 +76,16 @@ Use between(const Use& before, const Use& after) {
     use.links[i].messages -= before.links[i].messages;
     use.links[i].bytes -= before.links[i].bytes;
   }
+  subtract(use.processes, before.processes);
   return use;
 }
 
 const CpuRow& find_cpu(const Use& use, const std::string& name) {
-  const auto found = std::ranges::find(use.cpus, name, &CpuRow::name);
-  if (found == use.cpus.end()) throw machine::InvariantBroken("no processor is called " + name);
-  return *found;
+  return find(use.cpus, name, "processor");
+}
+
+const ProcessRow& find_process(const Use& use, const std::string& name) {
+  return find(use.processes, name, "process");
 }
 
 std::uint64_t total_messages(const Use& use) {

@@ -21,10 +21,17 @@ struct LinkRow {
   std::uint64_t messages = 0, bytes = 0;
 };
 
+// What a process waited for. The rest of the time it was executing, or ready to.
+struct ProcessRow {
+  std::string name;                                     // "coordinator.coordination"
+  double output_s = 0, input_s = 0, alternative_s = 0;  // blocked in out, in, ALT
+};
+
 struct Use {
   double time_s = 0;
   std::vector<CpuRow> cpus;
   std::vector<LinkRow> links;  // two directions each
+  std::vector<ProcessRow> processes;
 };
 
 // Everything up to now. Throws machine::InvariantBroken if a resource was busier than time allows.
@@ -33,6 +40,7 @@ Use collect(const machine::Machine& machine);
 Use between(const Use& before, const Use& after);
 
 const CpuRow& find_cpu(const Use& use, const std::string& name);
+const ProcessRow& find_process(const Use& use, const std::string& name);
 std::uint64_t total_messages(const Use& use);
 std::uint64_t total_bytes(const Use& use);
 

@@ -50,7 +50,7 @@ struct Guards : machine::Wait {
         writers.push_back(guard.channel->last_writer());
     return writers;
   }
-  bool is_for_input() const override { return true; }
+  Kind kind() const override { return Kind::alternative; }
   std::span<const Guard> guards;
 };
 

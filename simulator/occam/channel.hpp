@@ -68,7 +68,7 @@ class ChannelBase : machine::Wait {
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
   std::vector<machine::ProcessId> waits_for() const override;
-  bool is_for_input() const override { return waiting_ == reader; }
+  Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();
@@ -87,24 +87,44 @@ class ChannelBase : machine::Wait {
   ChannelUse use_;
 };
 
+// How a message goes over a channel: whole; or as occam's PROTOCOL with CASE, `channel ! tag;
+// contents`: first its tag, a byte, and then, if there are any, its contents: two communications.
+enum class Protocol : std::uint8_t { simple, variant };
+
 template <class Message>
 class Channel : public ChannelBase {
  public:
-  using ChannelBase::ChannelBase;
+  explicit Channel(std::string name) : ChannelBase(std::move(name)) {}
+  Channel(std::string name, machine::LinkDirection& link, Protocol protocol = Protocol::simple)
+      : ChannelBase(std::move(name), link), protocol_(protocol) {}
 
-  // `channel ! message`: blocks until the partner has it.
+  // `channel ! message`: blocks until the partner has it. The bytes are those after the tag.
   void out(Message message) {
     outgoing_ = std::move(message);
-    output(bytes_of(outgoing_));
+    const std::uint64_t bytes = bytes_of(outgoing_);
+    if (protocol_ == Protocol::variant) {
+      contents_follow_ = bytes > 0;
+      output(1);
+      if (bytes == 0) return;
+    }
+    output(bytes);
   }
   // `channel ? message`
   Message in() {
     input();
+    if (std::exchange(tag_alone_, false)) input();
     return std::move(incoming_);
   }
 
  private:
-  void move_message() override { incoming_ = std::move(outgoing_); }
+  // Of a tag that contents follow nothing is moved yet.
+  void move_message() override {
+    tag_alone_ = std::exchange(contents_follow_, false);
+    if (!tag_alone_) incoming_ = std::move(outgoing_);
+  }
+  Protocol protocol_ = Protocol::simple;
+  bool contents_follow_ = false;  // the tag about to go is not all
+  bool tag_alone_ = false;        // it has arrived
   Message outgoing_, incoming_;
 };
 

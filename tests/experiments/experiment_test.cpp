@@ -74,6 +74,11 @@ TEST(ExperimentsFile, TopologiesOfANumberOfWorkers) {
                                                               {"mesh", 12, "mesh:3x4"},
                                                               {"mesh", 7, "mesh:1x7"},
                                                               {"torus", 9, "torus:3x3"},
+                                                              {"torus", 4, "torus:2x2"},
+                                                              {"torus", 8, "torus:2x4"},
+                                                              {"binary", 12, "binary:12"},
+                                                              {"amp", 20, "amp:20"},
+                                                              {"hypercube", 16, "hypercube:4"},
                                                               {"hypercube", 8, "hypercube:3"},
                                                               {"tree:4:2", 9, "tree:4:2"}}) {
     Experiment e;
@@ -83,8 +88,25 @@ TEST(ExperimentsFile, TopologiesOfANumberOfWorkers) {
   }
   Experiment e;
   e.topology = "hypercube";
-  e.workers = 6;
-  EXPECT_THROW(make_workers(e), machine::InvalidInput);
+  for (const int workers : {6, 32, 256}) {
+    e.workers = workers;
+    const auto told = message_of<machine::InvalidInput>([&] { make_workers(e); });
+    EXPECT_NE(told.find("network.workers: found " + std::to_string(workers)), told.npos) << told;
+    EXPECT_NE(told.find("expected 1, 2, 4, 8 or 16"), told.npos) << told;
+  }
+}
+
+TEST(ExperimentsFile, EveryTopologyCanBeSizedByAPowerOfTwo) {
+  for (const char* name : {"line", "ring", "binary", "tree", "mesh", "torus", "hypercube", "amp"})
+    for (int workers = 1; workers <= 256; workers *= 2) {
+      if (name == std::string("hypercube") && workers > 16) break;
+      Experiment e;
+      e.topology = name;
+      e.workers = workers;
+      const auto topology = make_workers(e);
+      EXPECT_EQ(topology.processors, workers) << name;
+      EXPECT_NO_THROW(topologies::check(topology)) << name << workers;
+    }
 }
 
 TEST(ExperimentsFile, MistakesAreNamed) {

@@ -15,7 +15,7 @@ void expect_within(double share, std::uint64_t found, double expected) {
 struct Row {
   int spheres;
   std::uint64_t total;
-  double boxes, primitives;  // per ray, of another program's Goldsmith & Salmon tree
+  double box_tests, sphere_tests;  // per ray, by another program's Goldsmith & Salmon tree
 };
 
 class Spheres : public testing::TestWithParam<Row> {};
@@ -26,9 +26,10 @@ TEST_P(Spheres, RaysAndWork) {
   const Rendering found = render(make_spheres(row.spheres), params);
   EXPECT_EQ(found.rays.total(), row.total);
   const double rays = static_cast<double>(found.rays.total());
-  EXPECT_NEAR(static_cast<double>(found.work[Op::box_test]) / rays, row.boxes, 0.2 * row.boxes);
-  EXPECT_NEAR(static_cast<double>(found.work[Op::sphere_test]) / rays, row.primitives,
-              0.3 * row.primitives);
+  EXPECT_NEAR(static_cast<double>(found.work[Op::box_test]) / rays, row.box_tests,
+              0.02 * row.box_tests);
+  EXPECT_NEAR(static_cast<double>(found.work[Op::sphere_test]) / rays, row.sphere_tests,
+              0.02 * row.sphere_tests);
   EXPECT_EQ(found.work[Op::ray_intersected], found.rays.total());
   EXPECT_EQ(found.work[Op::feeler_made], found.rays.shadow);
   EXPECT_EQ(found.work[Op::ray_reflected], found.rays.reflected);

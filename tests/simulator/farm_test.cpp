@@ -5,40 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <sstream>
 
-#include "experiments/jobs.hpp"
 #include "renderer/generators.hpp"
-#include "renderer/nff.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/simulator/farm_support.hpp"
 
 namespace farm {
 namespace {
-
-// A simulation in a process of its own; returns a text, passes failures on.
-std::string isolated(const std::function<std::string()>& body) {
-  return experiments::run_jobs(1, 1, [&](std::size_t) { return body(); }).front();
-}
-
-// Glass, mirror and floor, two lights: every kind of ray.
-renderer::Scene make_glass_scene() {
-  std::istringstream text(
-      "v\nfrom 0 -4 1.5\nat 0 0 0.3\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
-      "b 0.2 0.4 0.7\nl 3 -4 5\nl -4 -2 3 0.5 0.4 0.3\n"
-      "f 0.8 0.7 0.5 0.9 0 1 0 1\np 4\n-5 -5 -1\n5 -5 -1\n5 5 -1\n-5 5 -1\n"
-      "f 0.9 0.9 1 0.1 0.3 20 0.6 1.5\ns -0.5 0 0.1 0.8\n"
-      "f 1 0.5 0.3 0.4 0.5 8 0 1\ns 0.8 0.6 0 0.7\nc\n0.2 -1 -1 0.4\n0.2 -1 0 0.1\n");
-  return renderer::parse_nff(text, "glass");
-}
-
-Params small_params() {
-  Params params;
-  params.image.width = 24;
-  params.image.height = 18;
-  params.image.limits.depth = 6;
-  return params;
-}
 
 // Runs the farm and says how it differs from the sequential renderer; "" if it does not.
 std::string compare(const std::string& topology, const renderer::Scene& scene,
@@ -115,8 +88,8 @@ TEST(Farm, RaysInFarmAndFeelersAreBounded) {
                               topologies::make_topology(fmt::format("tree:{}", workers)),
                               renderer::make_spheres(60), small_params());
       const std::size_t lights = 3;
-      return fmt::format("{} {}", r.peak_rays_in_farm <= buffers,
-                         r.peaks.feelers <= (r.peak_rays_in_farm + 1) * lights);
+      return fmt::format("{} {}", r.peak_tasks_in_farm <= buffers,
+                         r.peaks.feelers <= (r.peak_tasks_in_farm + 1) * lights);
     });
     EXPECT_EQ(bound, "true true") << workers;
   }

@@ -43,8 +43,12 @@ TEST(TopologyErrors, Specs) {
        {"mesh:3x", {"found \"\"", "mesh:RxC"}},
        {"mesh:3x3x3", {"found 3 size(s)"}},
        {"mesh:0x4", {"at least 1 row"}},
-       {"torus:2x4", {"at least 3 rows"}},
-       {"torus:4x1", {"at least 3 rows"}},
+       {"torus:0x4", {"at least 1 row"}},
+       {"torus:4x0", {"at least 1 row"}},
+       {"binary:0", {"at least 1 processor"}},
+       {"binary:7:2", {"found 2 size(s)", "binary:N"}},
+       {"amp:0", {"amp:0", "found 0 processors, expected 1 to 16384"}},
+       {"amp", {"found \"\"", "amp:N"}},
        {"hypercube:5", {"processor 0 has 5 links", "4 ports"}},
        {"star:6", {"processor 0 has 5 links", "4 ports"}},
        {"star:0", {"at least 1"}},
@@ -66,7 +70,7 @@ TEST(TopologyErrors, Specs) {
 
 TEST(TopologyErrors, SizesOfGeneratorsCalledDirectly) {
   for (const int bad : {0, -1, -100000})
-    for (auto* make : {make_line, make_ring, make_star})
+    for (auto* make : {make_line, make_ring, make_star, make_binary, make_amp})
       EXPECT_NE(rejection([&] { make(bad); }), "") << bad;
   EXPECT_NE(rejection([] { make_tree(-1); }), "");
   EXPECT_NE(rejection([] { make_mesh(-2, -3); }), "");

@@ -23,7 +23,11 @@ inline const std::vector<std::string> SPECS{
     "tree:31:2",   "tree:50:2",   "mesh:1x1",  "mesh:1x6",    "mesh:6x1",    "mesh:2x2",
     "mesh:2x3",    "mesh:3x3",    "mesh:5x4",  "mesh:8x8",    "torus:3x3",   "torus:3x4",
     "torus:5x3",   "torus:4x4",   "torus:7x8", "hypercube:0", "hypercube:1", "hypercube:2",
-    "hypercube:3", "hypercube:4", "star:1",    "star:2",      "star:4",      "star:5"};
+    "hypercube:3", "hypercube:4", "star:1",    "star:2",      "star:4",      "star:5",
+    "torus:1x1",   "torus:1x2",   "torus:2x1", "torus:2x2",   "torus:2x5",   "torus:4x2",
+    "torus:6x1",   "torus:1x7",   "binary:1",  "binary:10",   "binary:31",   "amp:1",
+    "amp:2",       "amp:3",       "amp:4",     "amp:5",       "amp:6",       "amp:7",
+    "amp:8",       "amp:9",       "amp:23",    "amp:64",      "amp:100"};
 
 // A test per spec, named after it: "mesh:5x4" runs as mesh_5x4.
 struct SpecName {

@@ -1,0 +1,72 @@
+#include "simulator/farm/bottleneck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace farm {
+
+namespace {
+
+bool is_worker(const observe::CpuRow& cpu) { return cpu.name.starts_with("worker"); }
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
+Load load_of_workers(const observe::Use& use) {
+  double busy_s = 0, high_s = 0, n = 0;
+  for (const auto& cpu : use.cpus)
+    if (is_worker(cpu)) {
+      busy_s += cpu.busy_s;
+      high_s += cpu.busy_high_s;
+      ++n;
+    }
+  return {"workers", busy_s / n / use.time_s,
+          fmt::format("tasks {}, routing {}", percent((busy_s - high_s) / n / use.time_s),
+                      percent(high_s / n / use.time_s))};
+}
+
+Load load_of_routing(const observe::Use& use) {
+  const observe::CpuRow* most = nullptr;
+  for (const auto& cpu : use.cpus)
+    if (is_worker(cpu) && (!most || cpu.busy_high_s > most->busy_high_s)) most = &cpu;
+  const double tasks_s = most->busy_s - most->busy_high_s;
+  return {most->name + " (routing)", most->busy_high_s / use.time_s,
+          fmt::format("beside tasks {}", percent(tasks_s / use.time_s))};
+}
+
+Load load_of_coordination(const observe::Use& use) {
+  const auto& process = find_process(use, "coordinator.coordination");
+  const auto& cpu = find_cpu(use, "coordinator");
+  return {"coordination", 1 - process.alternative_s / use.time_s,
+          fmt::format("its CPU {}, waiting to send {}, for replies {}",
+                      percent(cpu.busy_s / use.time_s), percent(process.output_s / use.time_s),
+                      percent(process.input_s / use.time_s))};
+}
+
+Load load_of_cpu(const observe::Use& use, const char* name) {
+  return {name, find_cpu(use, name).busy_s / use.time_s, "its CPU"};
+}
+
+Load load_of_links(const observe::Use& use) {
+  const auto& link = *std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
+  return {fmt::format("link {}>{}", link.from, link.to), link.busy_s / use.time_s,
+          fmt::format("{} messages, {} bytes", link.messages, link.bytes)};
+}
+
+}  // namespace
+
+std::vector<Load> find_loads(const Result& result) {
+  const auto& use = result.use;
+  std::vector<Load> loads{
+      load_of_workers(use),
+      load_of_routing(use),
+      load_of_coordination(use),
+      load_of_cpu(use, "database"),
+      load_of_cpu(use, "display"),
+      load_of_links(use),
+      {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)}};
+  std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy);
+  return loads;
+}
+
+}  // namespace farm

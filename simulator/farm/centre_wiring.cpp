@@ -1,0 +1,152 @@
+#include "simulator/farm/centre_wiring.hpp"
+
+#include "simulator/machine/faults.hpp"
+
+namespace farm {
+
+using machine::Priority;
+using machine::Processor;
+
+namespace {
+
+CentralProcessors add_central_processors(machine::Machine& machine, const Params& params) {
+  const auto& model = machine.model();
+  const auto small = params.worker_memory.value_or(get_bytes(model, "worker_memory"));
+  const auto large = params.database_memory.value_or(get_bytes(model, "database_memory"));
+  CentralProcessors on{machine.add_processor("coordinator", small),
+                       machine.add_processor("database", large),
+                       machine.add_processor("display", large)};
+  machine.connect(on.coordinator, on.database);
+  machine.connect(on.coordinator, on.display);
+  return on;
+}
+
+Cells make_cells(const Params& params) { return {params.image.width, params.max_cell}; }
+
+std::vector<Order> make_script(const Params& params) {
+  std::vector<Order> script = params.script;
+  script.insert(script.begin(), Order{{0}, {Begin{}}});
+  script.push_back({{0}, {Quit{}}});
+  return script;
+}
+
+// The initial rays are all deposited before the first is taken: better to say at once that they do
+// not fit.
+void check_initial_rays(Processor& database, const renderer::Params& image, std::uint64_t ray) {
+  const renderer::Area area = get_area(image);
+  const std::uint64_t bytes =
+      ray * static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+  database.memory().allocate(bytes, "the initial rays", database.now());
+  database.memory().release(bytes);
+}
+
+}  // namespace
+
+RecordBytes record_bytes(const machine::Model& model) {
+  const auto get = [&](const char* name) {
+    return static_cast<std::uint32_t>(get_bytes(model, name));
+  };
+  return {get("ray"), get("hit"), get("pixel")};
+}
+
+void load_program(Processor& processor) {
+  processor.memory().allocate(get_bytes(processor.model(), "program"), "the program",
+                              processor.now());
+}
+
+Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params)
+    : machine_(machine),
+      params_(params),
+      scene_(scene),
+      bytes_(record_bytes(machine.model())),
+      on_(add_central_processors(machine, params)),
+      cost_(machine.model(), "central", renderer::op_names()),
+      script_(make_script(params)),
+      rays_{RayStores(make_cells(params), params.stages[0]),
+            machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_},
+      visualisation_{scene,
+                     params.image,
+                     cost_,
+                     renderer::Samples(params.image.width, params.image.height),
+                     {}},
+      from_interaction_("coordinator.from.interaction"),
+      into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
+                     occam::Protocol::variant),
+      from_database_("coordinator.from.database", machine.link(on_.database, on_.coordinator),
+                     occam::Protocol::variant),
+      into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
+                          occam::Protocol::variant) {
+  for (Processor* central : {&on_.coordinator, &on_.database, &on_.display}) load_program(*central);
+  if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
+  on_.display.memory().allocate(bytes_.pixel * static_cast<std::uint64_t>(params.image.width) *
+                                    static_cast<std::uint64_t>(params.image.height),
+                                "the image", on_.display.now());
+}
+
+CoordinationSetup Centre::make_ray_setup() {
+  return {.scene = scene_,
+          .params = params_.image,
+          .cost = cost_,
+          .bytes = bytes_,
+          .cells = make_cells(params_),
+          .seed = params_.seed,
+          .stages = params_.stages,
+          .on_begin = [this] { before_ = observe::collect(machine_); },
+          .on_end = [this] { after_ = observe::collect(machine_); }};
+}
+
+BlockSetup Centre::make_block_setup() {
+  return {.blocks = make_blocks(params_.image, *params_.block),
+          .on_begin = [this] { before_ = observe::collect(machine_); },
+          .on_end = [this] { after_ = observe::collect(machine_); }};
+}
+
+void Centre::start(Wires& wires, const Workers& workers) {
+  const Way first = start_sender(wires, on_.coordinator, *workers.from_left[workers.root]);
+  const CoordinationChannels channels{
+      from_interaction_, first.free,     first.into,         *workers.results[workers.root],
+      into_database_,    from_database_, into_visualisation_};
+  farm::start(on_.coordinator, "interaction", Priority::low,
+              [this] { interaction(script_, from_interaction_); });
+  farm::start(on_.coordinator, "coordination", Priority::low, [this, channels] {
+    if (params_.block)
+      block_coordination(make_block_setup(), channels, coordinated_);
+    else
+      coordination(make_ray_setup(), channels, coordinated_);
+  });
+  // Alone on their processors: the priority does not matter.
+  farm::start(on_.database, "ray.database", Priority::high,
+              [this] { rays_.run(into_database_, from_database_); });
+  farm::start(on_.display, "visualisation", Priority::high,
+              [this] { visualisation_.run(into_visualisation_); });
+}
+
+// A run that did not come to the end of its image.
+void Centre::note_cut() {
+  after_ = observe::collect(machine_);
+  if (coordinated_.phase == CoordinationResult::Phase::setup) before_ = after_;
+  coordinated_.cut(machine_.now());
+}
+
+Result Centre::take_result(machine::End end) {
+  if (end == machine::End::done)
+    machine::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
+  else if (coordinated_.phase != CoordinationResult::Phase::ended)
+    note_cut();
+  Result result;
+  result.end = end;
+  result.samples = std::move(visualisation_.samples);
+  result.key_images = std::move(visualisation_.key_images);
+  result.rays = coordinated_.rays;
+  result.time_s = (coordinated_.ended - coordinated_.begun).value;
+  result.interactive_s = (coordinated_.interactive_ended - coordinated_.begun).value;
+  result.setup_s = coordinated_.begun.value;
+  result.tasks = coordinated_.tasks;
+  result.peak_tasks_in_farm = coordinated_.peak_tasks_in_farm;
+  result.drain_s = (coordinated_.ended - coordinated_.last_task).value;
+  result.peaks = rays_.stores.peaks();
+  result.use = between(before_, after_);
+  return result;
+}
+
+}  // namespace farm

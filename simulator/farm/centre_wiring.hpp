@@ -1,0 +1,54 @@
+#pragma once
+// The three central processors of the farm, what their processes keep, and the channels between
+// them (figures 4.9 to 4.11).
+#include "simulator/farm/farm.hpp"
+#include "simulator/farm/wiring.hpp"
+
+namespace farm {
+
+// Coordinator, ray database and display on processors of their own, the second and the third on
+// links of the first.
+struct CentralProcessors {
+  machine::Processor &coordinator, &database, &display;
+};
+
+class Centre {
+ public:
+  Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params);
+  Centre(const Centre&) = delete;
+
+  machine::Processor& coordinator() { return on_.coordinator; }
+  // Starts the processes: the coordination of rays or of blocks.
+  void start(Wires& wires, const Workers& workers);
+  // The workers' part of the result is not known here.
+  Result take_result(machine::End end);
+
+ private:
+  CoordinationSetup make_ray_setup();
+  BlockSetup make_block_setup();
+  void note_cut();
+
+  machine::Machine& machine_;
+  const Params& params_;
+  const renderer::Scene& scene_;
+  RecordBytes bytes_;
+  CentralProcessors on_;
+  machine::OperationCosts cost_;
+  std::vector<Order> script_;
+  RayDatabase rays_;
+  Visualisation visualisation_;
+  observe::Use before_, after_;
+  CoordinationResult coordinated_;  // up to the end, if the run is cut short
+
+  Channel<Command> from_interaction_;
+  Channel<DatabaseRequest> into_database_;
+  Channel<DatabaseReply> from_database_;
+  Channel<Intersection> into_visualisation_;
+};
+
+// Sizes of records in the model.
+RecordBytes record_bytes(const machine::Model& model);
+// Takes the program's part of a processor's memory.
+void load_program(machine::Processor& processor);
+
+}  // namespace farm
