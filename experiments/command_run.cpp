@@ -56,6 +56,15 @@ void add_run_command(CLI::App& app) {
       command->add_option("-o,--output", o->output, "results folder [results/EXPERIMENT's name]");
   command->add_option("--set", o->overrides, "key.path=value: replaces a key of the experiment")
       ->allow_extra_args(false);
+  auto* list = command->add_flag(
+      "--list", o->list,
+      "only print each point: number, key, axes, and whether its record is there");
+  command
+      ->add_option("--point", o->points,
+                   "K or A-B, repeatable: run only these points and record them in the folder, for "
+                   "tlab merge")
+      ->allow_extra_args(false)
+      ->excludes(list);
   command->add_option("--jobs", o->jobs, "points run side by side")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -73,6 +82,8 @@ void add_run_command(CLI::App& app) {
   command->callback([o, output] {
     if (output->count() > 0 && o->output.empty())
       throw CLI::ValidationError("--output", "expected the name of a folder");
+    if (o->list) return list_points(*o);
+    if (!o->points.empty()) return run_chosen_points(*o);
     run_experiment(*o);
   });
 }

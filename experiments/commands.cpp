@@ -35,6 +35,8 @@ int run_tlab(int argc, char** argv) {
   add_topology_command(app);
   add_render_command(app);
   add_run_command(app);
+  add_merge_command(app);
+  add_report_command(app);
   add_verify_command(app);
   add_model_command(app);
   try {

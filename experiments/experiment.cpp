@@ -106,6 +106,18 @@ Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std:
   return point;
 }
 
+// The file without what says nothing about what a point does.
+std::map<std::string, std::string> find_settings(const toml::table& file) {
+  std::map<std::string, std::string> settings;
+  for_each_key(file, [&](const std::string& key, const toml::node& node) {
+    const auto section = key.substr(0, key.find('.'));
+    for (const char* name : {"title", "question"})
+      if (section == name) return;
+    settings[key] = to_toml(node);
+  });
+  return settings;
+}
+
 }  // namespace
 
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
@@ -113,6 +125,12 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
   if (!in || !std::filesystem::is_regular_file(path))
     throw InvalidInput(fmt::format("{}: the experiment file cannot be read", path));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_experiment(text, path, std::filesystem::path(path).parent_path().string(), overrides);
+}
+
+ExperimentFile read_experiment(const std::string& text, const std::string& path,
+                               const std::string& folder,
+                               const std::vector<std::string>& overrides) {
   toml::table file = parse(text, path);
   std::vector<std::string> order;
   add_names(order, file, path);
@@ -121,7 +139,6 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
     add_names(order, file, path);
   }
 
-  const std::string folder = std::filesystem::path(path).parent_path().string();
   const auto axes = read_axes(file, order, path);
   for (const auto& override : overrides) check_not_shadowed(override, axes);
   ExperimentFile experiment{path, resolve(file, axes, path),    {},
@@ -131,10 +148,14 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
   experiment.report = read_report(file, path);
   for (const auto& coupled : axes) {
     std::vector<std::string> names;
-    for (const auto& axis : coupled) names.push_back(axis.name);
+    for (const auto& axis : coupled) {
+      names.push_back(axis.name);
+      experiment.axis_keys.push_back(axis.key);
+    }
     std::ranges::copy(names, std::back_inserter(experiment.axes));
     if (names.size() > 1) experiment.coupled.push_back(std::move(names));
   }
+  experiment.settings = find_settings(file);
   const auto points = count_points(axes, path);
   for (std::size_t i = 0; i < points; ++i)
     experiment.points.push_back(make_point(file, axes, i, path, folder));

@@ -71,11 +71,19 @@ struct ExperimentFile {
   std::vector<PlotSpec> plots = {};  // [[plot]]
   std::vector<BestSpec> bests = {};  // [[best]]
   ReportSpec report = {};            // [report]
+  std::vector<std::string> axis_keys = {};  // "scene.objects", of each axis
+  // What the file gives to keys that change what a point does, as TOML spells it.
+  std::map<std::string, std::string> settings = {};
 };
 
 // Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also be
 // a bare word. Paths in the file are relative to its folder. Throws machine::InvalidInput naming
 // the file and line or key, what was found, and the nearest valid key.
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides);
+
+// The same of a text, as if it stood in the file `path`, but paths are relative to `folder`.
+ExperimentFile read_experiment(const std::string& text, const std::string& path,
+                               const std::string& folder,
+                               const std::vector<std::string>& overrides);
 
 }  // namespace experiments

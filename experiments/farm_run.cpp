@@ -6,6 +6,7 @@
 #include <set>
 
 #include "experiments/farm_row.hpp"
+#include "experiments/hash.hpp"
 #include "experiments/machine_model.hpp"
 #include "renderer/load.hpp"
 #include "simulator/machine/faults.hpp"
@@ -16,19 +17,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// FNV-1a over the fixed-point sums.
-std::uint64_t hash_of(const renderer::Samples& samples) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  auto add = [&](std::int64_t value) {
-    for (int byte = 0; byte < 8; ++byte)
-      hash = (hash ^ ((static_cast<std::uint64_t>(value) >> (8 * byte)) & 255)) * 0x100000001b3u;
-  };
-  for (const auto& s : samples.sums) {
-    add(s.r);
-    add(s.g);
-    add(s.b);
-  }
-  return hash;
+// Saves an image in a file named by its content, unless it is there: equal images are one file.
+std::string save_image(const std::filesystem::path& folder, const renderer::Samples& samples) {
+  const auto& sums = samples.sums;
+  const auto hash =
+      hash_of({reinterpret_cast<const char*>(sums.data()), sums.size() * sizeof sums[0]});
+  const auto name = fmt::format("{}-{}x{}.png", hash, samples.width, samples.height);
+  std::filesystem::create_directories(folder);
+  if (!std::filesystem::exists(folder / name)) renderer::save_png(folder / name, samples);
+  return name;
 }
 
 // CPU time of this process: other programs on the host do not count.
@@ -97,7 +94,14 @@ std::int64_t scene_objects(const Experiment& experiment, const renderer::Scene& 
   return scene_source(experiment).starts_with("spheres:") ? all - 1 : all;
 }
 
-ordered_json run_farm_point(const Experiment& experiment, const std::string& image, bool profile,
+ordered_json describe_farm(const Experiment& experiment) {
+  const auto topology = make_workers(experiment);
+  return {{"topology", topology.name},
+          {"workers", topology.processors},
+          {"objects", scene_objects(experiment, renderer::load_scene(scene_source(experiment)))}};
+}
+
+ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& images, bool profile,
                             observe::Watch& watch) {
   const double start_s = host_cpu_s();
   const auto model = make_model(experiment);
@@ -111,14 +115,12 @@ ordered_json run_farm_point(const Experiment& experiment, const std::string& ima
   const farm::Result result = farm::run_farm(model, topology, scene, params);
   const double run_s = host_cpu_s() - run_start_s;
 
-  if (!image.empty()) renderer::save_png(image, result.samples);
-  ordered_json keys = ordered_json::array();
-  for (std::size_t i = 0; i < result.key_images.size() && !image.empty(); ++i) {
-    const auto path = fmt::format("{}-stage{}.png", image.substr(0, image.rfind('.')), i + 1);
-    renderer::save_png(path, result.key_images[i].samples);
-    keys.push_back({{"path", std::filesystem::path(path).filename().string()},
-                    {"at_s", result.key_images[i].at.value - result.setup_s}});
-  }
+  ordered_json keys;
+  if (images.key_images) keys = ordered_json::array();
+  for (const auto& key : result.key_images)
+    if (images.key_images)
+      keys.push_back({{"file", save_image(images.folder, key.samples)},
+                      {"at_s", key.at.value - result.setup_s}});
   return {{"topology", topology.name},
           {"workers", topology.processors},
           {"objects", scene_objects(experiment, scene)},
@@ -126,7 +128,7 @@ ordered_json run_farm_point(const Experiment& experiment, const std::string& ima
           {"ended", machine::to_string(result.end)},
           {"key_images", keys},
           {"use", make_farm_use(result)},
-          {"image_hash", hash_of(result.samples)},
+          {"image", save_image(images.folder, result.samples)},
           {"host",
            {{"total_s", host_cpu_s() - start_s},
             {"run_s", run_s},

@@ -1,5 +1,6 @@
 #pragma once
 // One point of a farm experiment: run it, and reduce what happened to a row of numbers.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "experiments/experiment.hpp"
@@ -16,14 +17,24 @@ bool has_own_objects(const Experiment& experiment);
 // "spheres" and 200 objects is spheres:200.
 std::string scene_source(const Experiment& experiment);
 
-// Runs the farm and returns
+// "topology": its name; "workers", "objects": how many there are.
+nlohmann::ordered_json describe_farm(const Experiment& experiment);
+
+// Where a point puts its images, each in a file named by its content.
+struct ImageFiles {
+  std::filesystem::path folder;
+  bool key_images = false;  // those of the stages too
+};
+
+// Runs the farm and returns what describe_farm does, and
 //   "row": name -> number or text, the columns of results.csv after the axes, in order;
 //   "ended": done, limit or interrupt: then the row is what was measured until then;
-//   "image_hash": of the samples, to compare images;
+//   "image": the name of its file, the same for equal images only;
+//   "key_images": of each stage "file" and "at_s", or null where they are not wanted;
+//   "use": how busy processors and links were;
 //   "host": what the run cost the host, in seconds of CPU time: never part of a result.
-// The image goes to `image`, unless that is empty; key images beside it.
 // `watch`: its limit, and what is traced.
-nlohmann::ordered_json run_farm_point(const Experiment& experiment, const std::string& image,
+nlohmann::ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& images,
                                       bool profile, observe::Watch& watch);
 
 }  // namespace experiments

@@ -70,14 +70,16 @@ class File {
   int number_;
 };
 
-void write_and_rename(const fs::path& path, std::string_view bytes) {
+using Produce = std::function<void(const Sink&)>;
+
+void write_and_rename(const fs::path& path, const Produce& produce) {
   static std::atomic<int> count = 0;
   const auto partial =
       path.parent_path() /
       fmt::format(".{}.partial-{}-{}", path.filename().string(), getpid(), ++count);
   File file(partial, path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, "cannot create");
   try {
-    file.write(bytes);
+    produce([&](std::string_view bytes) { file.write(bytes); });
     file.sync();
     file.close();
     if (std::rename(partial.c_str(), path.c_str()) != 0) fail(path, "cannot replace", errno);
@@ -89,16 +91,20 @@ void write_and_rename(const fs::path& path, std::string_view bytes) {
 
 }  // namespace
 
-void write_file(const fs::path& path, std::string_view bytes) {
+void write_file(const fs::path& path, const Produce& produce) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     File file(path, path, O_WRONLY, "cannot open");
-    file.write(bytes);
+    produce([&](std::string_view bytes) { file.write(bytes); });
     return file.close();
   }
   const bool is_link = fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error));
-  write_and_rename(is_link ? fs::canonical(path) : path, bytes);
+  write_and_rename(is_link ? fs::canonical(path) : path, produce);
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  write_file(path, [&](const Sink& sink) { sink(bytes); });
 }
 
 std::string read_file(const fs::path& path) {

@@ -109,8 +109,8 @@ class Pool {
     children_[ends[0]] = {pid, index, {}};
   }
 
-  // Waits until a child has ended, and returns its index and result.
-  std::pair<std::size_t, std::string> wait_any() {
+  // Waits until a child has ended.
+  JobEnd wait_any() {
     for (;;) {
       std::vector<pollfd> fds;
       for (const auto& [fd, child] : children_) fds.push_back({fd, POLLIN, 0});
@@ -120,7 +120,7 @@ class Pool {
       if (ready <= 0) continue;
       for (const auto& p : fds)
         if (p.revents != 0)
-          if (auto ended = read_some(p.fd)) return *ended;
+          if (auto ended = read_some(p.fd)) return std::move(*ended);
     }
   }
 
@@ -131,7 +131,7 @@ class Pool {
     for (const auto& [fd, child] : children_) kill(child.pid, SIGINT);
   }
 
-  std::optional<std::pair<std::size_t, std::string>> read_some(int fd) {
+  std::optional<JobEnd> read_some(int fd) {
     char buffer[65536];
     const ssize_t n = read(fd, buffer, sizeof buffer);
     Child& child = children_.at(fd);
@@ -145,12 +145,12 @@ class Pool {
     const Child ended = std::move(child);
     children_.erase(fd);
     if (WIFSIGNALED(status) || ended.text.empty())
-      throw JobFailed(fmt::format("the process of point {} ended abnormally ({})", ended.index + 1,
-                                  WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "no result"),
-                      1);
-    const std::string body = ended.text.substr(1);
+      return JobEnd{ended.index, "",
+                    fmt::format("its process ended abnormally ({})",
+                                WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "no result")};
+    std::string body = ended.text.substr(1);
     if (ended.text[0] != '\0') throw JobFailed(body, ended.text[0]);
-    return std::pair(ended.index, body);
+    return JobEnd{ended.index, std::move(body), ""};
   }
 
   std::map<int, Child> children_;  // by the pipe's reading end
@@ -159,21 +159,27 @@ class Pool {
 
 }  // namespace
 
-std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job,
-                                  const Ended& ended) {
+void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
+                  const std::function<void(JobEnd)>& ended) {
   const SignalGuard guard;
-  std::vector<std::string> results(count);
   Pool pool;
-  std::size_t started = 0, finished = 0;
-  while (finished < count) {
+  std::size_t started = 0;
+  for (;;) {
     while (!interrupted && started < count && pool.size() < std::max<std::size_t>(parallel, 1))
       pool.start(job, started++);
-    if (pool.size() == 0) break;
-    auto [index, result] = pool.wait_any();
-    results[index] = std::move(result);
-    ++finished;
-    if (ended) ended(finished, index, results[index]);
+    if (pool.size() == 0) return;
+    ended(pool.wait_any());
   }
+}
+
+std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job) {
+  std::vector<std::string> results(count);
+  std::size_t finished = 0;
+  for_each_job(count, parallel, job, [&](JobEnd end) {
+    if (!end.died.empty()) throw JobFailed(fmt::format("task {}: {}", end.index + 1, end.died), 1);
+    results[end.index] = std::move(end.result);
+    ++finished;
+  });
   if (interrupted && finished == 0) throw Interrupted();
   return results;
 }

@@ -17,22 +17,32 @@ struct JobFailed : std::runtime_error {
 
 // The user interrupted the program (SIGINT, SIGTERM).
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted; nothing was written") {}
+  Interrupted() : std::runtime_error("interrupted; nothing but points that were done is kept") {}
 };
 
 // What a task does, in the child; its result travels back as text.
 using Job = std::function<std::string(std::size_t index)>;
 
-// Runs jobs 0 .. count-1, at most `parallel` at once, and returns their results in order. The first
-// failure ends the others and is thrown as JobFailed; `ended` is told after each how many have, and
-// what it throws ends the others too.
+// How a task ended: with its result, or its process came to nothing (killed, or no memory), and
+// `died` says how.
+struct JobEnd {
+  std::size_t index = 0;
+  std::string result, died;
+};
+
+// Runs jobs 0 .. count-1, at most `parallel` at once; `ended` is told of each in the order in which
+// they end. An exception of a job ends the others and is thrown as JobFailed; what `ended` throws
+// ends the others too.
 // Where the user interrupts: those under way are asked to end their simulation
-// (machine::request_stop), the others are not started and their results are empty. A second
-// interrupt, or one when nothing has been measured, is thrown as Interrupted.
-using Ended = std::function<void(std::size_t done, std::size_t index, const std::string& result)>;
-std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job,
-                                  const Ended& ended = {});
-// Whether that happened since run_jobs was last called.
+// (machine::request_stop), the others are not started. A second interrupt is thrown as Interrupted.
+void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
+                  const std::function<void(JobEnd)>& ended);
+
+// The same for few and small results, in their order; those of jobs that were not started are
+// empty. A process that came to nothing is a failure as any other.
+std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job);
+
+// Whether the user has interrupted since the last time that jobs were run.
 bool was_interrupted();
 
 // Results have been written, of what was measured until the user interrupted.

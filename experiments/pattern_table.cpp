@@ -40,12 +40,6 @@ void put_inputs(Table& table, std::vector<Value>& row, const Experiment& experim
     put(table, row, p.name, experiment.parameters.at(p.name));
 }
 
-// Points that were cut short have no row.
-const ordered_json& longest_row(const std::vector<ordered_json>& results) {
-  return std::ranges::max_element(results, {}, [](const auto& r) { return r["row"].size(); })
-      ->at("row");
-}
-
 // Whole numbers are written without a point, if a column holds nothing else.
 void make_whole(Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -65,11 +59,12 @@ Table make_pattern_table(const ExperimentFile& file, const std::vector<ordered_j
   Table table;
   table.columns = axis_columns(file);
   table.axes = table.columns.size();
+  const auto& longest = longest_row(results);
   for (std::size_t i = 0; i < results.size(); ++i) {
     std::vector<Value> row;
     for (const auto& at : file.points[i].at) row.push_back(to_value(at));
     put_inputs(table, row, file.points[i].experiment, results[i]);
-    for (const auto& [name, ignored] : longest_row(results).items())
+    for (const auto& [name, ignored] : longest.items())
       put(table, row, name, to_value(results[i]["row"].value(name, ordered_json())));
     put(table, row, "ended", to_value(results[i]["ended"]));
     machine::check_equal("columns of a pattern", row.size(), table.columns.size());

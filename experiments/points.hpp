@@ -1,28 +1,42 @@
 #pragma once
 // The points of an experiment: checked together, run side by side, each in a process of its own.
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "experiments/check_plan.hpp"
-#include "experiments/experiment.hpp"
+#include "experiments/point_result.hpp"
 #include "experiments/run.hpp"
 
 namespace experiments {
 
 // Rejects what is wrong in any point, or in options that speak of points, before the first one
-// runs.
-void check_points(const RunOptions& options, const ExperimentFile& file);
+// runs. `chosen`: how many are to be run.
+void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen);
 
-// What came out of each point, see farm_run and pattern_run; null for those that were not started,
-// where the user interrupted. `images`: of each point the file to save in `folder`, or "".
-std::vector<nlohmann::ordered_json> run_points(const RunOptions& options,
-                                               const ExperimentFile& file, const CheckPlan& plan,
-                                               const std::filesystem::path& folder,
-                                               const std::vector<std::string>& images);
+// What is to be run, and where its records go.
+struct PointsPlan {
+  PointsPlan(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks);
 
-// Whether a point came to its end.
-bool is_complete(const nlohmann::ordered_json& result);
-// Why the run ended: a sentence. `points` were to be run.
-std::string describe_end(const std::vector<nlohmann::ordered_json>& results, std::size_t points);
+  const RunOptions& options;
+  const ExperimentFile& file;
+  const CheckPlan& checks;
+  std::filesystem::path results;  // the folder whose records are used and added to
+  std::filesystem::path lone;     // where lone records go; "": nowhere
+  std::vector<std::string> keys;  // of each point
+  nlohmann::ordered_json origin;  // see make_origin
+  std::vector<bool> key_images;   // whether its key images are wanted: of the first of equal images
+};
+
+// Of these points the results whose records are there; all others are null. With --profile, --trace
+// or --timeline there are none.
+Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers);
+
+// Runs the points of these numbers and puts their results in place; each is recorded as soon as it
+// has ended. Of several that fail each is reported on standard error at once, and the others go on.
+// Where the user interrupts, some results stay null. Throws JobFailed for bad input, and
+// Interrupted at a second interrupt or where there is no result at all.
+void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers, Results& results);
+
+// Whether its record belongs to these results and to no other.
+bool is_lone(const Experiment& experiment, const nlohmann::ordered_json& result);
 
 }  // namespace experiments

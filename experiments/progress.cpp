@@ -9,11 +9,19 @@ namespace experiments {
 
 using std::chrono::steady_clock;
 
-Progress::Progress(std::string what)
-    : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1), start_(steady_clock::now()) {}
+Progress::Progress(std::string what, std::size_t there)
+    : what_(std::move(what)),
+      there_(there),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(steady_clock::now()) {}
 
 Progress::~Progress() {
   if (terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::say(const std::string& line) {
+  fmt::print(stderr, "{}{}\n", terminal_ ? "\r\x1b[K" : "", line);
+  shown_ = {};
 }
 
 void Progress::show(std::size_t done, std::size_t total) {
@@ -24,9 +32,9 @@ void Progress::show(std::size_t done, std::size_t total) {
   const std::size_t filled = total == 0 ? WIDTH : WIDTH * done / total;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   std::string left;
-  if (done > 0 && done < total)
-    left = fmt::format(", about {:.0f} s left",
-                       elapsed * static_cast<double>(total - done) / static_cast<double>(done));
+  if (done > there_ && done < total)
+    left = fmt::format(", about {:.0f} s left", elapsed * static_cast<double>(total - done) /
+                                                    static_cast<double>(done - there_));
   fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{:<{}}] {}/{}{}", what_, "", filled, "", WIDTH - filled,
              done, total, left);
   std::fflush(stderr);

@@ -95,6 +95,11 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
   return {column};
 }
 
+const ordered_json& longest_row(const std::vector<ordered_json>& results) {
+  return std::ranges::max_element(results, {}, [](const auto& r) { return r["row"].size(); })
+      ->at("row");
+}
+
 std::vector<std::string> axis_columns(const ExperimentFile& file) {
   std::vector<std::string> columns;
   if (is_farm(file)) columns = {"topology", "workers", "objects"};
@@ -108,14 +113,16 @@ Table make_table(const ExperimentFile& file, const std::vector<ordered_json>& re
   Table table;
   table.columns = axis_columns(file);
   table.axes = table.columns.size();
-  for (const auto& [name, value] : results.at(0)["row"].items()) table.columns.push_back(name);
+  const auto& longest = longest_row(results);
+  for (const auto& [name, value] : longest.items()) table.columns.push_back(name);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = file.points[i];
     std::vector<Value> row{point.experiment.topology, to_value(results[i]["workers"]),
                            to_value(results[i]["objects"])};
     for (const auto& at : point.at)
       if (!is_standard(at.axis)) row.push_back(to_value(at));
-    for (const auto& [name, value] : results[i]["row"].items()) row.push_back(to_value(value));
+    for (const auto& [name, ignored] : longest.items())
+      row.push_back(to_value(results[i]["row"].value(name, ordered_json())));
     table.rows.push_back(std::move(row));
   }
   add_speedups(table);

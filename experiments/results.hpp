@@ -22,6 +22,9 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 // where they are not empty and there is more than one worker, the serial fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const std::vector<nlohmann::ordered_json>& results);
 
+// Points that failed or were cut short may have a shorter row than others, or none.
+const nlohmann::ordered_json& longest_row(const std::vector<nlohmann::ordered_json>& results);
+
 bool is_farm(const ExperimentFile& file);
 // Whether the row's point came to its end.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "experiments/carry.hpp"
 #include "experiments/files.hpp"
 
 namespace experiments {
@@ -34,25 +35,44 @@ fs::path resolve(const fs::path& path) {
 
 void refuse(const fs::path& path, const std::string& found) {
   throw std::invalid_argument(fmt::format(
-      "{}: {}; expected a folder that is new, empty, or of earlier results (with a run.json)",
+      "{}: {}; expected a folder that is new, empty, or of earlier results (with a run.json or "
+      "points)",
       path.string(), found));
 }
 
-// What `tlab run` writes; anything else in a results folder is somebody's.
+// Whether a folder holds nothing but files whose names are ours.
+template <class IsOurs>
+bool has_only(const fs::path& folder, const IsOurs& is_ours) {
+  return std::ranges::all_of(fs::directory_iterator(folder), [&](const auto& entry) {
+    return entry.is_regular_file() && !entry.is_symlink() &&
+           is_ours(entry.path().filename().string());
+  });
+}
+
+bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.ends_with(".png"); }
+
+// Whole, or what a killed process has left of it.
+bool is_of_record(const std::string& name) {
+  return name.find(".json") != name.npos || name.find(".png") != name.npos;
+}
+
+bool is_store(const fs::path& folder) {
+  return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
+    if (entry.is_directory() && !entry.is_symlink()) return has_only(entry.path(), is_of_record);
+    return entry.path().filename().string().find("experiment.json") != std::string::npos;
+  });
+}
+
+// What `tlab` writes; anything else in a results folder is somebody's.
 bool is_result(const fs::path& entry) {
   const auto name = entry.filename().string();
-  const auto ending = entry.extension();
   if (fs::is_symlink(entry)) return false;
-  if (fs::is_directory(entry)) {
-    if (name != "plots") return false;
-    return std::ranges::all_of(fs::directory_iterator(entry), [](const auto& plot) {
-      const auto kind = plot.path().extension();
-      return plot.is_regular_file() && (kind == ".svg" || kind == ".png");
-    });
-  }
+  if (fs::is_directory(entry))
+    return name == "plots" || name == "networks" ? has_only(entry, is_plot)
+                                                 : name == "points" && is_store(entry);
   return name == "results.csv" || name == "checks.csv" || name == "fits.csv" ||
-         name == "best.csv" || name == "pays.csv" || name == "run.json" || name == "report.html" ||
-         (name.starts_with("image-") && ending == ".png");
+         name == "best.csv" || name == "pays.csv" || name == "run.json" ||
+         name == "report.html" || (name.starts_with("image-") && entry.extension() == ".png");
 }
 
 void check_is_ours(const fs::path& path) {
@@ -62,7 +82,7 @@ void check_is_ours(const fs::path& path) {
   const auto current = fs::current_path();
   const auto below = current.lexically_relative(path);
   if (!below.empty() && *below.begin() != "..") refuse(path, "holds the current folder");
-  if (!fs::is_empty(path) && !fs::exists(path / "run.json"))
+  if (!fs::is_empty(path) && !fs::exists(path / "run.json") && !fs::exists(path / "points"))
     refuse(path, "holds files that are not results");
   for (const auto& entry : fs::directory_iterator(path))
     if (!is_result(entry.path()))
@@ -72,10 +92,12 @@ void check_is_ours(const fs::path& path) {
 std::string partial_prefix(const fs::path& path) {
   return fmt::format(".{}.partial-", path.filename().string());
 }
+std::string old_prefix(const fs::path& path) {
+  return fmt::format(".{}.old-", path.filename().string());
+}
 
-// The process that made a working folder for `path`, if `name` is that of one.
-std::optional<pid_t> maker_of(const std::string& name, const fs::path& path) {
-  const auto prefix = partial_prefix(path);
+// The process that made a folder of this name, if it begins so.
+std::optional<pid_t> maker_of(const std::string& name, const std::string& prefix) {
   if (!name.starts_with(prefix)) return std::nullopt;
   pid_t process = 0;
   const auto end = name.data() + name.size();
@@ -85,23 +107,48 @@ std::optional<pid_t> maker_of(const std::string& name, const fs::path& path) {
 }
 
 // Ours are stale too: of an earlier process that had our number.
-void remove_stale(const fs::path& path) {
+std::vector<fs::path> find_stale(const fs::path& path, const std::string& prefix) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {
-    const auto maker = maker_of(entry.path().filename().string(), path);
+    const auto maker = maker_of(entry.path().filename().string(), prefix);
     if (!maker || !entry.is_directory() || entry.is_symlink()) continue;
     if (*maker == getpid() || (kill(*maker, 0) != 0 && errno == ESRCH))
       stale.push_back(entry.path());
   }
-  std::error_code ignored;
-  for (const auto& folder : stale) fs::remove_all(folder, ignored);
+  return stale;
 }
 
-// Where two folders cannot be exchanged in one step: old aside, new in its place. A crash between
-// the two leaves the old results under ".NAME.old-PID", which nothing removes.
+// Nothing that dead processes had in their hands is lost: results that they were replacing, and
+// records of points.
+void remove_stale(const fs::path& path) {
+  std::error_code ignored;
+  for (const auto& folder : find_stale(path, old_prefix(path)))
+    if (!fs::exists(path)) fs::rename(folder, path, ignored);
+  for (const auto& prefix : {old_prefix(path), partial_prefix(path)})
+    for (const auto& folder : find_stale(path, prefix)) {
+      carry_records(folder, path);
+      fs::remove_all(folder, ignored);
+    }
+}
+
+// The older results go; not what others have put there since their records were carried over. What
+// resists is left for a later run.
+void drop_replaced(const fs::path& older, const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(older / "points")) {
+    std::vector<fs::path> kept;
+    for (const auto& entry : fs::directory_iterator(path / "points", ignored))
+      if (entry.is_directory()) kept.push_back(entry.path().filename());
+    for (const auto& name : kept)
+      if (name != "lone") carry_files(older / "points" / name, path / "points" / name);
+  }
+  fs::remove_all(older, ignored);
+}
+
+// Where two folders cannot be exchanged in one step: old aside, new in its place. After a crash
+// between the two the next run finds the old results under ".NAME.old-PID".
 void replace_in_two_steps(const fs::path& working, const fs::path& path) {
-  const auto aside =
-      path.parent_path() / fmt::format(".{}.old-{}", path.filename().string(), getpid());
+  const auto aside = path.parent_path() / (old_prefix(path) + std::to_string(getpid()));
   std::error_code error, ignored;
   fs::rename(path, aside, error);
   if (error) fail(path, "cannot move earlier results aside", error);
@@ -110,10 +157,12 @@ void replace_in_two_steps(const fs::path& working, const fs::path& path) {
     fs::rename(aside, path, ignored);
     fail(path, "cannot put results in place", error);
   }
-  fs::remove_all(aside, ignored);
+  drop_replaced(aside, path);
 }
 
 }  // namespace
+
+void check_results_folder(const fs::path& path) { check_is_ours(resolve(path)); }
 
 ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
   check_is_ours(path_);
@@ -141,9 +190,7 @@ void ResultsFolder::commit() {
   check_is_ours(path_);
   if (renameat2(AT_FDCWD, working_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0) {
     is_committed_ = true;
-    std::error_code ignored;
-    fs::remove_all(working_, ignored);  // the older results; if they resist, a later run tries
-    return;
+    return drop_replaced(working_, path_);
   }
   if (errno == ENOENT) {
     if (std::rename(working_.c_str(), path_.c_str()) != 0)

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "experiments/jobs.hpp"
+#include "experiments/origin.hpp"
 #include "experiments/run_report.hpp"
 #include "experiments/simulate.hpp"
 
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 void print_profile(const Table& table, const std::vector<ordered_json>& results) {
   fmt::print("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
   for (std::size_t i = 0; i < results.size(); ++i) {
+    if (is_failed(results[i])) continue;
     const auto& host = results[i]["host"];
     const double rays = results[i]["row"]["rays"].get<double>();
     if (rays == 0) continue;
@@ -37,35 +39,50 @@ void print_paths(const fs::path& output, const std::vector<std::string>& images)
   if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
 }
 
-}  // namespace
-
-void run_experiment(const RunOptions& options) {
-  const ExperimentFile file = load_experiment(options.file, options.overrides);
-  const CheckPlan plan = plan_checks(file);
+void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
-  const Simulation s = simulate(options, file, plan);
-
   fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, shown_columns(s.file, s.table)));
   if (options.profile && !s.images.empty() && s.results[0]["host"].contains("kernel_s"))
     print_profile(s.table, s.results);
   for (const auto& [model, speed] : s.host_speeds)
     fmt::print("\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % of {} repeats\n",
                speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
+  if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.results.size());
   fmt::print("\nEnded: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());
   print_paths(output, s.images);
+}
+
+// Of what has been written.
+void judge(const RunOptions& options, const Simulation& s) {
+  const auto output = results_folder(options).string();
   if (was_interrupted())
-    throw CutShort(
-        fmt::format("interrupted; what was measured until then is in {}, marked "
-                    "incomplete",
-                    output.string()));
-  if (s.checks.empty()) return;
-  fmt::print("\n");
+    throw CutShort(fmt::format(
+        "interrupted; what was measured until then is in {}, marked incomplete", output));
+  if (!s.checks.empty()) fmt::print("\n");
   for (const auto& check : s.checks) fmt::print("{}\n", summarize(check, s.table));
+  throw_failures(s.file, s.results, fmt::format("the others are in {}, marked incomplete", output));
   const auto failed = std::ranges::count(s.checks, Verdict::fails, &CheckResult::verdict);
   if (failed > 0)
     throw ChecksFailed(fmt::format("{}: {} of {} check(s) do not hold; results are in {}",
-                                   options.file, failed, s.checks.size(), output.string()));
+                                   options.file, failed, s.checks.size(), output));
+}
+
+void write_and_judge(const RunOptions& options, const ExperimentFile& file, Missing missing) {
+  const Simulation s = simulate(options, file, plan_checks(file), missing);
+  print_summary(options, s);
+  judge(options, s);
+}
+
+}  // namespace
+
+void run_experiment(const RunOptions& options) {
+  write_and_judge(options, load_experiment(options.file, options.overrides), Missing::run);
+}
+
+void merge_results(const std::string& folder) {
+  const Origin origin = load_origin(folder, POINTS_ORIGIN);
+  write_and_judge(origin.options, origin.file, Missing::refuse);
 }
 
 }  // namespace experiments

@@ -1,7 +1,6 @@
 #pragma once
 // run.json: what made the results that lie beside it.
 #include <filesystem>
-#include <optional>
 
 #include "experiments/experiment.hpp"
 #include "experiments/run.hpp"
@@ -12,13 +11,11 @@ namespace experiments {
 // "tlab run FILE --set ..."
 std::string command_line(const RunOptions& options);
 
-// The experiment as resolved, versions, models with provenance, what the files hold that it names,
-// why the run ended, the host's speed where it was measured, how busy processors and links were,
-// host times, events.
-std::string make_run_json(const RunOptions& options, const Simulation& simulation);
-
-// The table of a folder of results, if this program would write the same: its run.json has the
-// same experiment (checks aside), version, models and files, and is not older than the program.
-std::optional<Table> find_results(const std::filesystem::path& folder, const ExperimentFile& file);
+// Writes `folder`/run.json: where the results come from (see origin), versions, models with
+// provenance, what the files hold that the experiment names, why the run ended, the host's speed
+// where it was measured; for each point how busy processors and links were, host times, events. The
+// records of the points are in `folder` too, and are read one by one.
+void save_run_json(const std::filesystem::path& folder, const RunOptions& options,
+                   const Simulation& simulation);
 
 }  // namespace experiments

@@ -10,6 +10,7 @@
 #include "experiments/farm_run.hpp"
 #include "experiments/files.hpp"
 #include "experiments/machine_model.hpp"
+#include "experiments/network_drawings.hpp"
 #include "experiments/pattern_table.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/program.hpp"
@@ -185,6 +186,7 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   report.facts.push_back({"Ended", s.ended});
   add_plots(report, folder, s);
   add_images(report, folder, s);
+  report.drawings = draw_networks(folder, s);
   for (const auto& check : s.checks) {
     const auto summary = summarize(check, s.table);
     report.checks.push_back({summary, make_check_table(check, s.table, EVERY_POINT), check.notes});

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
-#include <set>
 
-#include "experiments/farm_run.hpp"
+#include "experiments/carry.hpp"
 #include "experiments/files.hpp"
+#include "experiments/origin.hpp"
+#include "experiments/point_store.hpp"
 #include "experiments/points.hpp"
+#include "experiments/result_images.hpp"
 #include "experiments/results.hpp"
 #include "experiments/run_record.hpp"
 #include "experiments/run_report.hpp"
@@ -19,34 +20,59 @@ namespace experiments {
 
 namespace {
 
-using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// The first point of each image saves it; stems are made different by a number where they clash.
-std::vector<std::string> choose_images(const ExperimentFile& file) {
-  std::vector<std::string> paths(file.points.size());
-  if (!is_farm(file)) return paths;
-  std::set<std::string> keys, names;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const Experiment& e = file.points[i].experiment;
-    if (!keys.insert(image_key(e) + stages_key(e)).second) continue;
-    std::string name = image_name(e);
-    for (int n = 2; !names.insert(name).second; ++n) name = fmt::format("{}-{}", image_name(e), n);
-    paths[i] = name + ".png";
-  }
-  return paths;
+constexpr std::size_t MOST_NAMED = 20;
+
+[[noreturn]] void refuse_missing(const ExperimentFile& file, const fs::path& results,
+                                 const std::vector<std::size_t>& missing) {
+  std::string text;
+  for (const auto i : missing | std::views::take(MOST_NAMED))
+    text += fmt::format("\n  {}  {}", i, name_of(file.points[i]));
+  throw machine::InvalidInput(fmt::format("{}: {} of {} points are missing:{}{}", results.string(),
+                                          missing.size(), file.points.size(), text,
+                                          missing.size() > MOST_NAMED ? "\n  ..." : ""));
 }
 
-// The image does not depend on topology, number of processors or timing.
-void check_images(const ExperimentFile& file, const std::vector<ordered_json>& results) {
-  std::map<std::string, std::uint64_t> hashes;
-  if (!is_farm(file)) return;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!is_complete(results[i])) continue;
-    const auto hash = results[i]["image_hash"].get<std::uint64_t>();
-    const auto [known, added] = hashes.emplace(image_key(file.points[i].experiment), hash);
-    machine::check_equal("image of one scene from another machine", hash, known->second);
+// All results, of records or newly made.
+Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
+  Results results = find_points(plan, all_points(plan.file));
+  const auto to_run = missing_points(results);
+  there = results.size() - to_run.size();
+  if (to_run.empty()) return results;
+  if (missing == Missing::refuse) refuse_missing(plan.file, plan.results, to_run);
+  run_points(plan, to_run, results);
+  const auto nothing = [](const auto& result) { return result.is_null() || is_failed(result); };
+  if (std::ranges::all_of(results, nothing))
+    throw_failures(plan.file, results, "nothing was written");
+  return results;
+}
+
+// Those that were run: not all, if the user interrupted.
+void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
+  const auto all = std::move(s.file.points);
+  s.file.points.clear();
+  Results results;
+  std::vector<std::string> images;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (s.results[i].is_null()) continue;
+    const bool lone = is_lone(all[i].experiment, s.results[i]);
+    s.records.push_back((lone ? lone_records_folder() : records_folder()) /
+                        (plan.keys[i] + ".json"));
+    s.file.points.push_back(all[i]);
+    results.push_back(std::move(s.results[i]));
+    images.push_back(std::move(s.images[i]));
   }
+  s.results = std::move(results);
+  s.images = std::move(images);
+}
+
+void write_results(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+  write_file(folder / "results.csv", to_csv(s.table));
+  if (!s.checks.empty())
+    write_file(folder / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
+  save_run_json(folder, options, s);
+  write_report(folder, options, s);
 }
 
 }  // namespace
@@ -56,45 +82,32 @@ fs::path results_folder(const RunOptions& options) {
   return fs::path("results") / fs::path(options.file).stem();
 }
 
-// Those that were run: not all, if the user interrupted.
-static void keep_points_that_ran(Simulation& s) {
-  ExperimentFile file = s.file;
-  file.points.clear();
-  std::vector<ordered_json> results;
-  std::vector<std::string> images;
-  for (std::size_t i = 0; i < s.results.size(); ++i) {
-    if (s.results[i].is_null()) continue;
-    file.points.push_back(s.file.points[i]);
-    results.push_back(std::move(s.results[i]));
-    images.push_back(s.images[i]);
-  }
-  s.file = std::move(file);
-  s.results = std::move(results);
-  s.images = std::move(images);
-}
-
-Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan) {
+Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks,
+                    Missing missing) {
   const auto start = std::chrono::steady_clock::now();
-  check_points(options, file);
-  ResultsFolder folder(results_folder(options));
+  check_points(options, file, file.points.size());
+  const auto results = results_folder(options);
+  check_same_experiment(results, file);
+  ResultsFolder folder(results);
+  const StoreGuard guard(results);
   Simulation s;
   s.file = file;
   s.host_speeds = measure_host(s.file);
-  s.images = choose_images(file);
-  s.results = run_points(options, s.file, plan, folder.working(), s.images);
-  keep_points_that_ran(s);
-  check_images(s.file, s.results);
+  PointsPlan plan(options, s.file, checks);
+  plan.lone = folder.working() / lone_records_folder();
+  s.results = make_results(plan, missing, s.there);
+  carry_files(results / records_folder(), folder.working() / records_folder());
+  s.images = place_images(s.file, s.results, plan.key_images, folder.working() / records_folder(),
+                          folder.working());
+  keep_points_that_ran(s, plan);
   s.table = make_table(s.file, s.results);
-  s.checks = eval_checks(plan, s.file, s.table);
+  s.checks = eval_checks(checks, s.file, s.table);
   s.complete =
       s.results.size() == file.points.size() && std::ranges::all_of(s.results, is_complete);
   s.ended = describe_end(s.results, file.points.size());
   s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_file(folder.working() / "results.csv", to_csv(s.table));
-  if (!s.checks.empty())
-    write_file(folder.working() / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
-  write_file(folder.working() / "run.json", make_run_json(options, s));
-  write_report(folder.working(), options, s);
+  save_origin(folder.working(), plan.origin);
+  write_results(folder.working(), options, s);
   folder.commit();
   return s;
 }

@@ -12,8 +12,15 @@ namespace experiments {
 // Where results go: as asked, or results/NAME.
 std::filesystem::path results_folder(const RunOptions& options);
 
-// Runs every point, evaluates the checks, and writes everything into the folder, all or nothing.
-// Whether checks hold changes nothing here.
-Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan);
+// What to do about points whose records are not there.
+enum class Missing { run, refuse };
+
+// Runs every point that is missing, evaluates the checks, and writes everything into the folder,
+// all or nothing; only the records of points are there as soon as they are done. Whether checks
+// hold changes nothing here, nor do points that failed unless all have. Throws
+// machine::InvalidInput for results of another experiment, and for what is missing if that is
+// refused.
+Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan,
+                    Missing missing = Missing::run);
 
 }  // namespace experiments

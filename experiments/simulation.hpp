@@ -1,24 +1,27 @@
 #pragma once
 // What came out of running every point of an experiment.
-#include <nlohmann/json.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "experiments/check_results.hpp"
 #include "experiments/host_speed.hpp"
+#include "experiments/point_result.hpp"
 #include "experiments/table.hpp"
 
 namespace experiments {
 
 struct Simulation {
-  ExperimentFile file;                          // the points that were run
-  HostSpeeds host_speeds;                       // where cost = "timed"
-  std::vector<nlohmann::ordered_json> results;  // of each point, see farm_run and pattern_run
-  std::vector<std::string> images;              // of each point the file it has saved, or ""
+  ExperimentFile file;                         // the points that were run
+  HostSpeeds host_speeds;                      // where cost = "timed"
+  Results results;                             // of each point
+  std::vector<std::filesystem::path> records;  // of each point, in the folder of results: "use" too
+  std::vector<std::string> images;             // of each point the file it has saved, or ""
   Table table;
   std::vector<CheckResult> checks;
   std::string ended;      // why, a sentence
   bool complete = false;  // every point was run to its end
+  std::size_t there = 0;  // points whose results were there before
   double wall_s = 0;
 };
 

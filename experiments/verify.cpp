@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "experiments/jobs.hpp"
-#include "experiments/run_record.hpp"
 #include "experiments/simulate.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -82,21 +81,12 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   run.output = alone && !options.output.empty() ? options.output : (root / candidate.name).string();
   run.overrides = options.overrides;
   run.jobs = options.jobs;
-  const auto known = find_results(run.output, file);
-  Table table;
-  std::vector<CheckResult> checks;
-  if (known) {
-    table = *known;
-    checks = eval_checks(plan, file, table);
-  } else {
-    auto simulation = simulate(run, file, plan);
-    if (was_interrupted()) throw Interrupted();
-    table = std::move(simulation.table);
-    checks = std::move(simulation.checks);
-  }
-  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, table.rows.size(),
-             known ? "were in" : "are now in", run.output);
-  for (const auto& check : checks) print_check(check, table, options.all, count);
+  const Simulation s = simulate(run, file, plan);
+  if (was_interrupted()) throw Interrupted();
+  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.table.rows.size(),
+             s.there == s.results.size() ? "were in" : "are now in", run.output);
+  for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
+  throw_failures(s.file, s.results, "the others are in " + run.output);
 }
 
 }  // namespace

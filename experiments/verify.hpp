@@ -13,10 +13,9 @@ struct VerifyOptions {
   bool all = false;  // show every point of a check, and not only the worst of many
 };
 
-// Runs what has no results yet, and prints every check with its points. Results go where `tlab run`
-// puts them, those of DIR/A/B.toml to results/A/B; they are used again if they are of the same
-// experiment, program, models and files. Throws ChecksFailed, after all has been printed, unless
-// every check holds; one that speaks of no point does not.
+// Runs as `tlab run` does, points that are missing only, and prints every check with its points.
+// Results go where `tlab run` puts them, those of DIR/A/B.toml to results/A/B. Throws ChecksFailed,
+// after all has been printed, unless every check holds; one that speaks of no point does not.
 void verify(const VerifyOptions& options);
 
 }  // namespace experiments

@@ -160,7 +160,10 @@ TEST(ExperimentsFile, MistakesAreNamed) {
             "unknown axis \"worker\" in [sweep], the nearest valid one "
             "is \"workers\""},
            {"[sweep]\nworkers = 3\n", "sweep.workers: found 3, expected an array of values"},
-           {"[sweep]\nworkers = []\n", "expected an array of values"},
+           {"[sweep]\nworkers = []\n",
+            "sweep.workers: found [], expected an array of values, at least one"},
+           {"[sweep]\nworkers = [1, 2, 1]\n", "expected each value once, 1 is there twice"},
+           {"[sweep]\nambient = [2, 0.5, 2.0]\n", "expected each value once, 2.0 is there twice"},
            {"sweep = 3\n", "sweep: expected a section of axes"},
            {"[scene\nobjects = 3\n", "e.toml:1: "},
            {"stage = 3\n", "expected one or more [[stage]]"},
@@ -176,12 +179,31 @@ TEST(ExperimentsFile, MistakesAreNamed) {
   EXPECT_NE(message_of<machine::InvalidInput>([] { load_experiment("/nowhere/e.toml", {}); }), "");
 }
 
-TEST(ExperimentsFile, TooManyPointsAreRefused) {
+TEST(ExperimentsFile, TooManyPointsAreRefusedBeforeTheyAreMade) {
   std::string list = "[1";
-  for (int i = 0; i < 400; ++i) list += ", 1";
-  EXPECT_NE(message_of<machine::InvalidInput>(
-                [&] { load("[sweep]\nworkers = " + list + "]\nobjects = " + list + "]\n"); }),
-            "");
+  for (int i = 2; i <= 10'000; ++i) list += fmt::format(", {}", i);
+  const std::string sweep = "[sweep]\nworkers = " + list + "]\nobjects = " + list + "]\n";
+  for (const auto& [more, count] :
+       {std::pair("", "100000000 points"), std::pair("width = [1, 2]\n", "200000000 points")})
+    EXPECT_NE(message_of<machine::InvalidInput>([&, more = more] {
+                load(sweep + more);
+              }).find(fmt::format("spans {}, expected at most 100000", count)),
+              std::string::npos);
+}
+
+// The resolved text gives the same experiment: its points in the same order, its numbers exact.
+TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
+  const auto file = load(
+      "title = \"a \\\"b\\\"\"\n[sweep]\n\"model.link.one_way_rate\" = [1.7e6, 1e6]\n"
+      "\"network.workers\" = [3, 2]\nobjects = [30, 2, 10]\n",
+      {"model.cpu.clock=20.1e6"});
+  const auto again = read_experiment(file.resolved, "e.toml", "", {});
+  ASSERT_EQ(again.points.size(), file.points.size());
+  EXPECT_EQ(again.axes, file.axes);
+  EXPECT_EQ(again.settings, file.settings);
+  EXPECT_EQ(again.resolved, file.resolved);
+  for (std::size_t i = 0; i < file.points.size(); ++i)
+    EXPECT_EQ(name_of(again.points[i]), name_of(file.points[i]));
 }
 
 }  // namespace

@@ -87,6 +87,23 @@ TEST(ExperimentsFiles, FullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(read_file(folder.path / "a"), "old");
 }
 
+TEST(ExperimentsFiles, PartsMakeOneFile) {
+  const TemporaryFolder folder;
+  write_file(folder.path / "a", [](const Sink& put) {
+    put("one ");
+    put("two");
+  });
+  EXPECT_EQ(read_file(folder.path / "a"), "one two");
+  EXPECT_THROW(write_file(folder.path / "a",
+                          [](const Sink& put) {
+                            put("three");
+                            throw std::runtime_error("no more");
+                          }),
+               std::runtime_error);
+  EXPECT_EQ(read_file(folder.path / "a"), "one two");
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
 TEST(ExperimentsFiles, DevicesAreWrittenToAndNotReplaced) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   EXPECT_EQ(write_error("/dev/full"), "/dev/full: cannot write: No space left on device");
@@ -201,6 +218,52 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
   Names expected{".out.partial-" + alive, ".out.partial-" + dead + "x", ".other.partial-" + dead};
   std::ranges::sort(expected);
   EXPECT_EQ(folder.names(), expected);
+}
+
+// Records of points outlive whatever was done to the folder around them.
+TEST(ExperimentsResultsFolder, RecordsAreKept) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out", working = folder.path / ".out.partial-";
+  const auto dead = std::to_string(dead_process());
+  const auto put = [](const fs::path& root, const char* record) {
+    fs::create_directories(root / "points/0123");
+    write_file(root / "points/0123" / record, record);
+  };
+  const auto has = [&](const char* record) {
+    return fs::exists(out / "points/0123" / record) &&
+           read_file(out / "points/0123" / record) == record;
+  };
+  // Killed after it had put its results in place, and before.
+  put(working.string() + dead, "a.json");
+  fs::create_directories(working.string() + dead + "/points/lone");
+  write_file(working.string() + dead + "/points/lone/x.json", "x");
+  put(out, "b.json");
+  {
+    ResultsFolder results(out);
+    EXPECT_TRUE(has("a.json") && has("b.json"));
+    EXPECT_FALSE(fs::exists(out / "points/lone"));
+    write_file(results.working() / "run.json", "{}");
+    put(results.working(), "b.json");
+    put(out, "late.json");  // by another process
+    results.commit();
+  }
+  EXPECT_TRUE(has("b.json") && has("late.json"));
+  EXPECT_EQ(folder.names(), Names{"out"});
+  // A folder of points that nobody carries over goes with the older results.
+  put(out, "old.json");
+  ResultsFolder(out).commit();
+  EXPECT_FALSE(fs::exists(out / "points"));
+}
+
+// Where folders cannot be exchanged in one step, a crash may leave the old results aside.
+TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
+  const TemporaryFolder folder;
+  const auto aside = folder.path / (".out.old-" + std::to_string(dead_process()));
+  fs::create_directory(aside);
+  write_file(aside / "run.json", "old");
+  { ResultsFolder results(folder.path / "out"); }
+  EXPECT_EQ(read_file(folder.path / "out/run.json"), "old");
+  EXPECT_EQ(folder.names(), Names{"out"});
 }
 
 TEST(ExperimentsResultsFolder, SurvivesAKilledRun) {

@@ -1,0 +1,81 @@
+#include "experiments/point_key.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "experiments/files.hpp"
+#include "experiments/hash.hpp"
+#include "experiments/machine_model.hpp"
+#include "experiments/version.hpp"
+#include "simulator/machine/engine.hpp"
+
+namespace experiments {
+
+namespace {
+
+// A model's entries, by what they are and not by where they come from.
+std::string describe_entries(const Experiment& experiment) {
+  std::string text;
+  for (const auto& e : make_model(experiment).entries)
+    text +=
+        fmt::format("{} = {} {} {}\n", e.key, e.value, e.unit, machine::to_string(e.provenance));
+  return text;
+}
+
+// Keys of many points: what they share is read and hashed once.
+class Keys {
+ public:
+  Keys(const ExperimentFile& file, double until_s)
+      : file_(file), start_(fmt::format("{}\nuntil {}\n", program_id(), until_s)) {}
+
+  std::string make(const Point& point) {
+    const Experiment& e = point.experiment;
+    auto settings = file_.settings;
+    for (std::size_t i = 0; i < point.at.size(); ++i)
+      settings[file_.axis_keys[i]] = point.at[i].toml;
+    std::string text = start_;
+    for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
+    text += "model " + find(models_, model_key(e), [&] { return hash_of(describe_entries(e)); });
+    for (const auto& source : {e.scene, e.topology})
+      text += "\nfile " + find(files_, source, [&] { return hash_file(source); });
+    return hash_of(text);
+  }
+
+ private:
+  using Known = std::map<std::string, std::string>;
+
+  template <class Make>
+  static const std::string& find(Known& known, const std::string& name, const Make& make) {
+    const auto [entry, is_new] = known.try_emplace(name);
+    if (is_new) entry->second = make();
+    return entry->second;
+  }
+
+  static std::string hash_file(const std::string& source) {
+    return std::filesystem::is_regular_file(source) ? hash_of(read_file(source)) : "none";
+  }
+
+  const ExperimentFile& file_;
+  std::string start_;
+  Known models_, files_;
+};
+
+}  // namespace
+
+const std::string& program_id() {
+  static const std::string id = hash_of(fmt::format(
+      "{} {} {}", VERSION, hash_of(read_file("/proc/self/exe")), machine::simgrid_version()));
+  return id;
+}
+
+std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
+  Keys keys(file, until_s);
+  std::vector<std::string> all;
+  for (const auto& point : file.points) all.push_back(keys.make(point));
+  return all;
+}
+
+bool is_timed(const Experiment& experiment) { return experiment.cost == "timed"; }
+
+}  // namespace experiments

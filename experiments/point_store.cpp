@@ -1,0 +1,112 @@
+#include "experiments/point_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "experiments/files.hpp"
+#include "experiments/hash.hpp"
+#include "experiments/point_key.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace experiments {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+// The end of a record: a hash of all that is before it.
+std::string make_seal(std::string_view text) {
+  return fmt::format(",\"hash\":\"{}\"}}\n", hash_of(text));
+}
+
+// A record, or null where its bytes are not those that were written, or it is of another key.
+// `filter`: see nlohmann::json::parse.
+ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
+  const std::string text = read_file(file);
+  const std::size_t end = make_seal("").size();
+  if (text.size() < end) return {};
+  const auto sealed = std::string_view(text).substr(0, text.size() - end);
+  if (!text.ends_with(make_seal(sealed))) return {};
+  auto record = ordered_json::parse(text, filter, false);
+  return record.is_object() && record.value("key", "") == file.stem() ? record : ordered_json();
+}
+
+bool has_images(const ordered_json& record, const fs::path& folder) {
+  const auto is_there = [&](const ordered_json& name) {
+    return fs::is_regular_file(folder / name.get<std::string>());
+  };
+  if (record.contains("image") && !is_there(record["image"])) return false;
+  return !record.contains("key_images") ||
+         std::ranges::all_of(record["key_images"],
+                             [&](const auto& image) { return is_there(image["file"]); });
+}
+
+// Another process may be exchanging the whole folder of results; it takes a moment.
+template <class Write>
+void try_twice(const Write& write) {
+  try {
+    write();
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::no_such_file_or_directory) throw;
+    write();
+  }
+}
+
+}  // namespace
+
+fs::path records_folder() { return fs::path("points") / program_id().substr(0, 16); }
+fs::path lone_records_folder() { return fs::path("points") / "lone"; }
+
+std::optional<ordered_json> find_record(const fs::path& results, const std::string& key,
+                                        bool with_key_images) {
+  const auto folder = results / records_folder(), file = folder / (key + ".json");
+  if (!fs::is_regular_file(file)) return {};
+  const auto skip_use = [](int depth, ordered_json::parse_event_t event, ordered_json& value) {
+    return !(depth == 1 && event == ordered_json::parse_event_t::key && value == "use");
+  };
+  auto record = read_record(file, skip_use);
+  if (record.is_null()) {
+    fmt::print(stderr, "tlab: {}: this record is damaged, the point is run again\n", file.string());
+    return {};
+  }
+  if (!has_images(record, folder)) return {};
+  if (with_key_images && record["key_images"].is_null()) return {};
+  return record;
+}
+
+void save_record(const fs::path& folder, const std::string& key, ordered_json record) {
+  record["key"] = key;
+  auto text = record.dump();
+  text.pop_back();
+  text += make_seal(text);
+  try_twice([&] {
+    fs::create_directories(folder);
+    write_file(folder / (key + ".json"), text);
+  });
+}
+
+ordered_json load_record(const fs::path& file) {
+  auto record = read_record(file, nullptr);
+  if (record.is_null())
+    throw machine::InvalidInput(fmt::format("{}: this record is damaged", file.string()));
+  return record;
+}
+
+StoreGuard::StoreGuard(const fs::path& results)
+    : results_(results), was_there_(fs::exists(results)) {}
+
+StoreGuard::~StoreGuard() {
+  std::error_code ignored;
+  const auto folder = results_ / records_folder();
+  if (!fs::is_directory(folder, ignored)) return;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".json") return;
+  fs::remove_all(folder, ignored);
+  fs::remove(folder.parent_path(), ignored);  // stays if it is not empty
+  if (!was_there_) fs::remove(results_, ignored);
+}
+
+}  // namespace experiments

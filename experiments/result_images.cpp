@@ -1,0 +1,74 @@
+#include "experiments/result_images.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "experiments/carry.hpp"
+#include "experiments/results.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace experiments {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+// The image does not depend on topology, number of processors or timing.
+void check_images(const ExperimentFile& file, const Results& results) {
+  std::map<std::string, std::string> images;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (results[i].is_null() || !is_complete(results[i])) continue;
+    const auto image = results[i]["image"].get<std::string>();
+    const auto [known, added] = images.emplace(image_key(file.points[i].experiment), image);
+    machine::check_equal("image of one scene from another machine", image, known->second);
+  }
+}
+
+// Different by a number where they clash.
+std::string make_stem(const Experiment& experiment, std::set<std::string>& known) {
+  const auto name = image_name(experiment);
+  auto stem = name;
+  for (int n = 2; !known.insert(stem).second; ++n) stem = fmt::format("{}-{}", name, n);
+  return stem;
+}
+
+ordered_json place_key_images(const ordered_json& files, const fs::path& records,
+                              const fs::path& folder, const std::string& stem) {
+  ordered_json placed = ordered_json::array();
+  for (const auto& image : files) {
+    const auto name = fmt::format("{}-stage{}.png", stem, placed.size() + 1);
+    carry_file(records / image["file"].get<std::string>(), folder / name);
+    placed.push_back({{"path", name}, {"at_s", image["at_s"]}});
+  }
+  return placed;
+}
+
+}  // namespace
+
+std::vector<std::string> place_images(const ExperimentFile& file, Results& results,
+                                      const std::vector<bool>& key_images, const fs::path& records,
+                                      const fs::path& folder) {
+  std::vector<std::string> images(results.size());
+  if (!is_farm(file)) return images;
+  check_images(file, results);
+  std::set<std::string> keys, stems;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    auto& result = results[i];
+    if (result.is_null() || is_failed(result)) continue;
+    const ordered_json files =
+        key_images[i] ? std::move(result["key_images"]) : ordered_json::array();
+    result["key_images"] = ordered_json::array();
+    const Experiment& e = file.points[i].experiment;
+    if (!keys.insert(image_key(e) + stages_key(e)).second) continue;
+    const auto stem = make_stem(e, stems);
+    images[i] = stem + ".png";
+    carry_file(records / result["image"].get<std::string>(), folder / images[i]);
+    result["key_images"] = place_key_images(files, records, folder, stem);
+  }
+  return images;
+}
+
+}  // namespace experiments

@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "experiments/farm_run.hpp"
+#include "experiments/jobs.hpp"
+#include "experiments/origin.hpp"
+#include "experiments/pattern_run.hpp"
+#include "experiments/point_key.hpp"
+#include "experiments/point_store.hpp"
+#include "experiments/points.hpp"
+#include "experiments/progress.hpp"
+#include "experiments/results.hpp"
+#include "experiments/simulate.hpp"
+#include "experiments/trace_files.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace experiments {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+// Names in checks that no column has: known as soon as one point is.
+void check_columns(const PointsPlan& plan, const Point& point, const ordered_json& result) {
+  if (plan.checks.is_empty() || !is_complete(result)) return;
+  const ExperimentFile alone{plan.file.path, {}, plan.file.axes, {point}, {}, {}, plan.file.coupled};
+  const Table table = make_table(alone, {result});
+  check_names(plan.checks, alone, 0, table, table.rows[0]);
+}
+
+ordered_json run_program(const PointsPlan& plan, std::size_t number, observe::Watch& watch) {
+  const Experiment& experiment = plan.file.points[number].experiment;
+  if (experiment.program != "farm") return run_pattern_point(experiment, watch);
+  return run_farm_point(experiment, {plan.results / records_folder(), plan.key_images[number]},
+                        plan.options.profile, watch);
+}
+
+ordered_json run_point(const PointsPlan& plan, std::size_t number) {
+  const Point& point = plan.file.points[number];
+  const auto& title = point.experiment.title;
+  TraceFiles files(plan.options);
+  const auto save = [&] {
+    files.save(point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point)));
+  };
+  try {
+    auto result = run_program(plan, number, files.watch());
+    save();
+    return result;
+  } catch (const machine::Fault&) {
+    try {
+      save();
+    } catch (const std::exception&) {  // the fault is what matters
+    }
+    throw;
+  }
+}
+
+void save_point(const PointsPlan& plan, std::size_t number, ordered_json result) {
+  const Point& point = plan.file.points[number];
+  const bool lone = is_lone(point.experiment, result);
+  if (lone && plan.lone.empty()) return;
+  result["at"] = name_of(point);
+  if (!lone) save_origin(plan.results, plan.origin);
+  save_record(lone ? plan.lone : plan.results / records_folder(), plan.keys[number],
+              std::move(result));
+}
+
+// In the child: a failure is a result too, bad input is not.
+ordered_json run_and_save(const PointsPlan& plan, std::size_t number) {
+  const Point& point = plan.file.points[number];
+  try {
+    auto result = run_point(plan, number);
+    check_columns(plan, point, result);
+    save_point(plan, number, result);
+    result.erase("use");
+    return result;
+  } catch (const std::exception& error) {
+    auto failure = make_failure(error);
+    if (!failure.is_null()) return failure;
+    if (plan.file.axes.empty()) throw;
+    throw JobFailed(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));
+  }
+}
+
+void finish_failure(const PointsPlan& plan, std::size_t number, ordered_json& failure,
+                    Progress& bar) {
+  const Point& point = plan.file.points[number];
+  if (!plan.file.axes.empty())
+    bar.say(fmt::format("tlab: at {}: {}", name_of(point), failure["message"].get<std::string>()));
+  add_axes(point.experiment, failure);
+  save_point(plan, number, failure);
+}
+
+// What the image of a run depends on, and its key images.
+std::vector<bool> choose_key_images(const ExperimentFile& file) {
+  std::vector<bool> chosen;
+  std::set<std::string> known;
+  for (const auto& [at, e, numbers] : file.points)
+    chosen.push_back(is_farm(file) && !e.farm.stages.empty() &&
+                     known.insert(image_key(e) + stages_key(e)).second);
+  return chosen;
+}
+
+}  // namespace
+
+PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file,
+                       const CheckPlan& checks)
+    : options(options),
+      file(file),
+      checks(checks),
+      results(results_folder(options)),
+      keys(make_keys(file, options.until_s)),
+      origin(make_origin(options, file, results)),
+      key_images(choose_key_images(file)) {}
+
+Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
+  Results results(plan.keys.size());
+  const RunOptions& o = plan.options;
+  if (o.profile || !o.trace.empty() || !o.timeline.empty()) return results;
+  for (const auto i : numbers)
+    if (!is_timed(plan.file.points[i].experiment))
+      if (auto record = find_record(plan.results, plan.keys[i], plan.key_images[i]))
+        results[i] = std::move(*record);
+  return results;
+}
+
+void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers, Results& results) {
+  const auto there = results.size() - missing_points(results).size();
+  Progress bar("simulating", there);
+  auto done = there;
+  for_each_job(
+      numbers.size(), plan.options.jobs,
+      [&](std::size_t i) { return run_and_save(plan, numbers[i]).dump(); },
+      [&](JobEnd end) {
+        auto& result = results[numbers[end.index]];
+        result = end.died.empty() ? ordered_json::parse(end.result) : make_failure(end.died);
+        if (is_failed(result)) finish_failure(plan, numbers[end.index], result, bar);
+        bar.show(++done, there + numbers.size());
+      });
+  if (was_interrupted() && done == 0) throw Interrupted();
+}
+
+bool is_lone(const Experiment& experiment, const ordered_json& result) {
+  return is_timed(experiment) || is_failed(result) || result["ended"] == "interrupt";
+}
+
+}  // namespace experiments
