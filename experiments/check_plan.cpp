@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "experiments/files.hpp"
 #include "experiments/machine_model.hpp"
@@ -33,7 +34,7 @@ struct Sorter {
           fmt::format("{}: {}, expected definitions that do not need each other",
                       found->second.definition.place,
                       fmt::join(std::ranges::find(way, name), way.end(), " needs ")));
-    for (const auto& needed : found->second.formula.variables()) visit(needed);
+    for (const auto& needed : found->second.formula.names()) visit(needed);
     way.pop_back();
     sorted.push_back(std::move(found->second));
     left.erase(found);
@@ -43,7 +44,7 @@ struct Sorter {
 std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
   std::map<std::string, CheckPlan::Let> left;
   for (const auto& d : definitions)
-    left.emplace(d.name, CheckPlan::Let{d, machine::Formula(d.formula, d.place)});
+    left.emplace(d.name, CheckPlan::Let{d, Expression(d.formula, d.place)});
   std::vector<CheckPlan::Let> sorted;
   while (!left.empty()) Sorter{left, sorted, {}}.visit(left.begin()->first);
   return sorted;
@@ -56,35 +57,47 @@ void find_column(const Table& table, const std::string& column, const std::strin
                                  column, whose, topologies::nearest_name(column, table.columns)));
 }
 
-Table parse_reference(const Check& check) {
+Table parse_reference(const std::string& path, const std::string& place) {
   try {
-    return parse_csv(read_file(check.reference), check.reference);
+    return parse_csv(read_file(path), path);
   } catch (const std::exception& error) {
-    throw InvalidInput(fmt::format("{}: reference: {}", check.place, error.what()));
+    throw InvalidInput(fmt::format("{}: reference: {}", place, error.what()));
   }
 }
 
-Table read_reference(const Check& check) {
-  Table table = parse_reference(check);
-  for (const auto& key : check.keys)
-    find_column(table, key, check.place + ": keys", check.reference);
-  find_column(table, check.column, check.place + ": column", check.reference);
-  const auto column = *table.find(check.column);
+// Of a [[check]] or a [[plot]].
+template <class Spec>
+std::optional<Table> read_reference(const Spec& spec) {
+  if (spec.reference.empty()) return std::nullopt;
+  Table table = parse_reference(spec.reference, spec.place);
+  for (const auto& key : spec.keys) find_column(table, key, spec.place + ": keys", spec.reference);
+  find_column(table, spec.column, spec.place + ": column", spec.reference);
+  const auto column = *table.find(spec.column);
   for (const auto& row : table.rows)
     if (std::holds_alternative<std::string>(row[column]))
       throw InvalidInput(
-          fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing", check.place,
-                      check.reference, check.column, to_string(row[column])));
+          fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing", spec.place,
+                      spec.reference, spec.column, to_string(row[column])));
   return table;
 }
 
-// Every formula of the plan, with what visits it.
+// Every expression of the plan, with what visits it.
 template <class Visit>
-void for_each_formula(const CheckPlan& plan, const Visit& visit) {
+void for_each_expression(const CheckPlan& plan, const Visit& visit) {
+  const auto visit_all = [&](std::initializer_list<const std::optional<Expression>*> all) {
+    for (const auto* expression : all)
+      if (*expression) visit(**expression);
+  };
   for (const auto& let : plan.lets) visit(let.formula);
-  for (const auto& c : plan.comparisons) {
-    if (c.formula) visit(*c.formula);
-    if (c.where) visit(*c.where);
+  for (const auto& c : plan.comparisons) visit_all({&c.of, &c.formula, &c.where, &c.calibrated});
+  for (const auto& f : plan.figures) {
+    visit(f.x);
+    for (const auto& y : f.y) visit(y);
+    visit_all({&f.where, &f.growth});
+  }
+  for (const auto& q : plan.questions) {
+    visit(q.of);
+    visit_all({&q.where});
   }
 }
 
@@ -93,10 +106,62 @@ void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
   const auto& point = file.points[0];
   Variables variables(point, make_model(point.experiment));
   for (const auto& let : plan.lets) variables.add(let.definition.name, 0, let.definition.place);
-  for_each_formula(plan, [&](const machine::Formula& formula) {
-    for (const auto& name : formula.variables())
-      if (name.find('.') != std::string::npos) variables.get(name, formula.place());
+  for_each_expression(plan, [&](const Expression& expression) {
+    for (const auto& name : expression.variables()) {
+      const auto* reference = expression.find_reference(name);
+      const auto& wanted = reference ? reference->column : name;
+      if (wanted.find('.') != std::string::npos) variables.get(wanted, expression.place());
+    }
   });
+}
+
+std::optional<Expression> compile(const std::string& text, const std::string& place,
+                                  const char* key) {
+  if (text.empty()) return std::nullopt;
+  return Expression(text, fmt::format("{}: {}", place, key));
+}
+
+std::vector<Expression> compile_all(const std::vector<std::string>& texts,
+                                    const std::string& place) {
+  std::vector<Expression> expressions;
+  for (const auto& text : texts) expressions.emplace_back(text, place);
+  return expressions;
+}
+
+bool is_defined(const ExperimentFile& file, const std::string& name) {
+  return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
+}
+
+void check_axes(const Table& table, const std::vector<std::string>& axes,
+                const std::string& place) {
+  Table only{.columns = {table.columns.begin(),
+                         table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes)},
+             .rows = {}};
+  for (const auto& axis : axes)
+    if (!only.find(axis))
+      throw InvalidInput(fmt::format("{}: \"{}\" is no axis of the results, the nearest is \"{}\"",
+                                     place, axis, topologies::nearest_name(axis, only.columns)));
+}
+
+void check_columns(const CheckPlan& plan, const Table& table, const std::vector<Value>& row) {
+  for (const auto& c : plan.comparisons) {
+    const auto& [of, place] = std::tie(c.check.of, c.check.place);
+    if (!c.of) find_column(table, of, place + ": of", "the results");
+    if (!c.of && std::holds_alternative<std::string>(row[*table.find(of)]))
+      throw InvalidInput(
+          fmt::format("{}: of: {} is a text, expected a column of numbers", place, of));
+    for (const auto& key : c.check.keys) find_column(table, key, place + ": keys", "the results");
+  }
+  for (const auto& f : plan.figures) {
+    check_axes(table, f.spec.series, f.spec.place + ": series");
+    for (const auto& key : f.spec.keys)
+      find_column(table, key, f.spec.place + ": keys", "the results");
+  }
+  for (const auto& [spec, of, where] : plan.questions) {
+    check_axes(table, spec.over, spec.place + ": over");
+    check_axes(table, spec.for_each, spec.place + ": for_each");
+    if (!spec.pays.empty()) check_axes(table, {spec.pays}, spec.place + ": pays");
+  }
 }
 
 }  // namespace
@@ -104,44 +169,39 @@ void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
 CheckPlan plan_checks(const ExperimentFile& file) {
   CheckPlan plan;
   plan.lets = sort_definitions(file.definitions);
-  for (const auto& check : file.checks) {
-    CheckPlan::Comparison c{check, {}, {}, {}};
-    if (!check.formula.empty()) c.formula.emplace(check.formula, check.place + ": formula");
-    if (!check.where.empty()) c.where.emplace(check.where, check.place + ": where");
-    if (!check.reference.empty()) c.reference = read_reference(check);
-    plan.comparisons.push_back(std::move(c));
-  }
-  if (!plan.lets.empty() || !plan.comparisons.empty()) check_dotted_names(plan, file);
+  for (const auto& check : file.checks)
+    plan.comparisons.push_back(
+        {check, is_defined(file, check.of) ? compile(check.of, check.place, "of") : std::nullopt,
+         compile(check.formula, check.place, "formula"), compile(check.where, check.place, "where"),
+         compile(check.calibrated, check.place, "calibrated"), read_reference(check)});
+  for (const auto& plot : file.plots)
+    plan.figures.push_back({plot, Expression(plot.x, plot.place + ": x"),
+                            compile_all(plot.y, plot.place + ": y"),
+                            compile(plot.where, plot.place, "where"),
+                            compile(plot.growth, plot.place, "growth"), read_reference(plot)});
+  for (const auto& best : file.bests)
+    plan.questions.push_back(
+        {best, Expression(best.of, best.place + ": of"), compile(best.where, best.place, "where")});
+  if (!plan.lets.empty() || !plan.is_empty()) check_dotted_names(plan, file);
   return plan;
 }
 
-Variables make_variables(const CheckPlan& plan, const Point& point, const machine::Model& model,
-                         const Table& table, const std::vector<Value>& row) {
-  Variables variables(point, model);
-  variables.add_row(table, row);
+Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table) {
+  Rows rows(file, table);
   for (const auto& [definition, formula] : plan.lets)
-    variables.add(definition.name,
-                  formula.eval(variables.get_all(formula.variables(), formula.place())),
-                  definition.place);
-  return variables;
+    rows.define(definition.name, formula, definition.place);
+  return rows;
 }
 
 void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t point,
                  const Table& table, const std::vector<Value>& row) {
-  if (plan.comparisons.empty()) return;
-  const auto& at = file.points[point];
-  const auto variables = make_variables(plan, at, make_model(at.experiment), table, row);
-  for_each_formula(plan, [&](const machine::Formula& formula) {
-    variables.get_all(formula.variables(), formula.place());
-  });
-  for (const auto& c : plan.comparisons) {
-    find_column(table, c.check.of, c.check.place + ": of", "the results");
-    if (std::holds_alternative<std::string>(row[*table.find(c.check.of)]))
-      throw InvalidInput(fmt::format("{}: of: {} is a text, expected a column of numbers",
-                                     c.check.place, c.check.of));
-    for (const auto& key : c.check.keys)
-      find_column(table, key, c.check.place + ": keys", "the results");
-  }
+  if (plan.is_empty()) return;
+  ExperimentFile alone;
+  alone.points = {file.points[point]};
+  const Table one{.columns = table.columns, .axes = table.axes, .rows = {row}};
+  const Rows rows = make_rows(plan, alone, one);
+  for_each_expression(plan, [&](const Expression& expression) { rows.check(expression, 0); });
+  check_columns(plan, table, row);
 }
 
 }  // namespace experiments

@@ -1,28 +1,45 @@
 #pragma once
-// The checks of an experiment, read and compiled: everything that can be wrong with them before
-// anything runs has been found.
+// The checks and figures of an experiment, read and compiled: everything that can be wrong with
+// them before anything runs has been found.
 #include <optional>
 #include <vector>
 
 #include "experiments/experiment.hpp"
+#include "experiments/expression.hpp"
+#include "experiments/rows.hpp"
 #include "experiments/table.hpp"
-#include "experiments/variables.hpp"
-#include "simulator/machine/formula.hpp"
 
 namespace experiments {
 
 struct CheckPlan {
   struct Let {
     Definition definition;
-    machine::Formula formula;
+    Expression formula;
   };
   struct Comparison {
     Check check;
-    std::optional<machine::Formula> formula, where;
-    std::optional<Table> reference;
+    std::optional<Expression> of = {};  // where it is a name of [let], no column
+    std::optional<Expression> formula = {}, where = {}, calibrated = {};
+    std::optional<Table> reference = {};
+  };
+  struct Figure {
+    PlotSpec spec;
+    Expression x;
+    std::vector<Expression> y;
+    std::optional<Expression> where = {}, growth = {};
+    std::optional<Table> reference = {};
+  };
+  struct Question {
+    BestSpec spec;
+    Expression of;
+    std::optional<Expression> where = {};
   };
   std::vector<Let> lets;  // each after those it names
   std::vector<Comparison> comparisons;
+  std::vector<Figure> figures;      // [[plot]]
+  std::vector<Question> questions;  // [[best]]
+
+  bool is_empty() const { return comparisons.empty() && figures.empty() && questions.empty(); }
 };
 
 // Throws machine::InvalidInput for what is no expression, for definitions that need each other, for
@@ -30,12 +47,36 @@ struct CheckPlan {
 // dot may be columns, which are not known yet.
 CheckPlan plan_checks(const ExperimentFile& file);
 
-// What all formulas of a plan may name at one point: its row, and the definitions.
-Variables make_variables(const CheckPlan& plan, const Point& point, const machine::Model& model,
-                         const Table& table, const std::vector<Value>& row);
+// What all formulas of a plan may name: every row, with the definitions. The file and the table
+// must outlive it.
+Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table);
 
 // Throws machine::InvalidInput for names in the plan that are unknown at a point with this row.
 void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t point,
                  const Table& table, const std::vector<Value>& row);
+
+// The rows of the table that the expression, if there is one, holds for: of points that came to
+// their end. Throws machine::InvalidInput where it is not a number.
+std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expression>& where);
+
+// Of each row of a reference the rows of the table that its keys speak of; texts are compared as
+// texts, numbers as numbers.
+std::vector<std::vector<std::size_t>> match_rows(const Table& reference, const Table& table,
+                                                 const std::vector<std::string>& keys);
+
+// "3 row(s) of FILE were not run: objects = 400, workers = 1; ...": those without a row of the
+// table, of `matches`, but with a number in `column`. None where there is none.
+std::optional<std::string> note_missing(const Table& reference, const std::string& name,
+                                        const std::string& column,
+                                        const std::vector<std::string>& keys,
+                                        const std::vector<std::vector<std::size_t>>& matches);
+
+// "2 point(s) left out, ...": that need other rows that are not there. None for no such points.
+std::optional<std::string> note_left_out(const Table& table, const std::vector<std::size_t>& rows);
+
+// "objects = 200, workers = 1"
+std::string name_row(const Table& table, const std::vector<Value>& row,
+                     const std::vector<std::string>& columns);
+std::string name_axes(const Table& table, std::size_t row);
 
 }  // namespace experiments

@@ -1,15 +1,11 @@
 #include "experiments/check_results.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numeric>
 
-#include "experiments/machine_model.hpp"
 #include "experiments/results.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -18,7 +14,6 @@ namespace experiments {
 namespace {
 
 constexpr double NO_VALUE = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t MOST_NAMED = 5;  // rows of a reference in one note
 
 // What is no number is worse than anything.
 double size_of(double error) { return std::isnan(error) ? INFINITY : std::abs(error); }
@@ -31,45 +26,57 @@ CheckedPoint compare(const Check& check, std::size_t row, double simulated, doub
   return {row, simulated, expected, error, size_of(error) <= limit.value_or(1e300)};
 }
 
-bool equal(const Value& a, const Value& b) {
-  const auto x = as_number(a), y = as_number(b);
-  return x && y ? *x == *y : a == b;
+// What is checked at a point.
+std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
+                                     std::size_t row) {
+  if (c.of) return rows.eval(*c.of, row);
+  const Table& table = rows.table();
+  return as_number(table.rows[row][*table.find(c.check.of)]).value_or(NO_VALUE);
 }
 
-std::string name_row(const Table& table, const std::vector<Value>& row,
-                     const std::vector<std::string>& keys) {
-  std::vector<std::string> parts;
-  for (const auto& key : keys)
-    parts.push_back(fmt::format("{} = {}", key, to_string(row[*table.find(key)])));
-  return fmt::format("{}", fmt::join(parts, ", "));
+// A point, where both sides are there.
+void add_point(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
+               std::size_t row, std::optional<double> expected,
+               std::vector<std::size_t>& left_out) {
+  const auto simulated = find_simulated(c, rows, row);
+  if (!simulated || !expected) return left_out.push_back(row);
+  auto point = compare(c.check, row, *simulated, *expected);
+  point.is_calibrated = c.calibrated && rows.eval(*c.calibrated, row).value_or(0) != 0;
+  result.points.push_back(point);
 }
 
 // Each row of the reference with the points that it is for, of those in question.
-void compare_reference(CheckResult& result, const Table& reference, const Table& table,
-                       const std::vector<std::size_t>& candidates) {
+void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
+                       const std::vector<std::size_t>& candidates,
+                       std::vector<std::size_t>& left_out) {
   const Check& check = result.check;
-  const auto column = *reference.find(check.column), of = *table.find(check.of);
-  std::vector<std::string> missing;
-  for (const auto& row : reference.rows) {
-    const auto expected = as_number(row[column]);
+  const Table& reference = *c.reference;
+  const auto column = *reference.find(check.column);
+  const auto matches = match_rows(reference, rows.table(), check.keys);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const auto expected = as_number(reference.rows[i][column]);
     if (!expected) continue;
-    const auto is_for = [&](const std::vector<Value>& point) {
-      return std::ranges::all_of(check.keys, [&](const auto& key) {
-        return equal(point[*table.find(key)], row[*reference.find(key)]);
-      });
-    };
-    for (const std::size_t i : candidates)
-      if (is_for(table.rows[i]))
-        result.points.push_back(
-            compare(check, i, as_number(table.rows[i][of]).value_or(NO_VALUE), *expected));
-    if (std::ranges::none_of(table.rows, is_for))
-      missing.push_back(name_row(reference, row, check.keys));
+    for (const auto row : matches[i])
+      if (std::ranges::binary_search(candidates, row))
+        add_point(result, c, rows, row, expected, left_out);
   }
-  if (missing.empty()) return;
-  const auto count = missing.size();
-  missing.resize(std::min(count, MOST_NAMED));
-  result.notes.push_back(fmt::format("{} row(s) of {} were not run: {}{}", count, check.reference,
-                                     fmt::join(missing, "; "), count > MOST_NAMED ? "; ..." : ""));
+  if (auto note = note_missing(reference, check.reference, check.column, check.keys, matches))
+    result.notes.push_back(*note);
+}
+
+// Of the points that nothing was calibrated on.
+std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points) {
+  Predicted predicted;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].is_calibrated) continue;
+    if (predicted.points++ == 0 ||
+        size_of(points[i].error) > size_of(points[predicted.worst].error))
+      predicted.worst = i;
+    predicted.mean += size_of(points[i].error);
+  }
+  if (predicted.points == 0) return std::nullopt;
+  predicted.mean /= static_cast<double>(predicted.points);
+  return predicted;
 }
 
 void judge(CheckResult& result) {
@@ -85,21 +92,30 @@ void judge(CheckResult& result) {
   result.verdict = holds ? Verdict::holds : Verdict::fails;
 }
 
-bool is_true(const Check& check, double value) {
-  if (std::isnan(value))
-    throw machine::InvalidInput(
-        fmt::format("check \"{}\": where: found nan at some point, expected a number", check.name));
-  return value != 0;
-}
-
 // No point came to its end.
 std::vector<CheckResult> find_nothing(const CheckPlan& plan) {
   std::vector<CheckResult> results;
   for (const auto& comparison : plan.comparisons) {
-    results.push_back({comparison.check, {}, {}, 0, 0, {}});
+    results.emplace_back().check = comparison.check;
     results.back().verdict = Verdict::unmatched;
   }
   return results;
+}
+
+CheckResult eval_check(const CheckPlan::Comparison& c, const Rows& rows) {
+  CheckResult result;
+  result.check = c.check;
+  result.verdict = Verdict::unmatched;
+  const auto candidates = choose_rows(rows, c.where);
+  std::vector<std::size_t> left_out;
+  if (c.reference) compare_reference(result, c, rows, candidates, left_out);
+  if (c.formula)
+    for (const auto row : candidates)
+      add_point(result, c, rows, row, rows.eval(*c.formula, row), left_out);
+  if (const auto note = note_left_out(rows.table(), left_out)) result.notes.push_back(*note);
+  judge(result);
+  if (c.calibrated) result.predicted = judge_predicted(result.points);
+  return result;
 }
 
 }  // namespace
@@ -112,34 +128,9 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
   const auto first = std::ranges::find_if(table.rows, complete) - table.rows.begin();
   if (first == std::ssize(table.rows)) return find_nothing(plan);
   check_names(plan, file, static_cast<std::size_t>(first), table, table.rows[first]);
-  std::map<std::string, machine::Model> models;
-  std::vector<Variables> variables;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& point = file.points[i];
-    const auto key = model_key(point.experiment);
-    if (!models.contains(key)) models.emplace(key, make_model(point.experiment));
-    variables.push_back(make_variables(plan, point, models.at(key), table, table.rows[i]));
-  }
+  const Rows rows = make_rows(plan, file, table);
   std::vector<CheckResult> results;
-  for (const auto& [check, formula, where, reference] : plan.comparisons) {
-    auto eval = [&](const machine::Formula& f, std::size_t i) {
-      return f.eval(variables[i].get_all(f.variables(), f.place()));
-    };
-    CheckResult result{check, {}, {}, 0, 0, {}};
-    result.verdict = Verdict::unmatched;
-    std::vector<std::size_t> candidates;
-    for (std::size_t i = 0; i < table.rows.size(); ++i)
-      if (is_complete_row(table, table.rows[i]) && (!where || is_true(check, eval(*where, i))))
-        candidates.push_back(i);
-    const auto of = *table.find(check.of);
-    if (reference) compare_reference(result, *reference, table, candidates);
-    if (formula)
-      for (const auto i : candidates)
-        result.points.push_back(
-            compare(check, i, as_number(table.rows[i][of]).value_or(NO_VALUE), eval(*formula, i)));
-    judge(result);
-    results.push_back(std::move(result));
-  }
+  for (const auto& comparison : plan.comparisons) results.push_back(eval_check(comparison, rows));
   return results;
 }
 

@@ -15,6 +15,14 @@ struct CheckedPoint {
   double error = 0;    // relative to what was expected, or absolute; not a number where one of both
                        // is none
   bool holds = false;  // by itself; the mean is judged over all
+  bool is_calibrated = false;  // the machine was fitted to this very number
+};
+
+// The points of a check that nothing was calibrated on.
+struct Predicted {
+  std::size_t points = 0;
+  std::size_t worst = 0;  // of the check's points
+  double mean = 0;
 };
 
 enum class Verdict { holds, fails, unmatched };  // unmatched: it speaks of no point
@@ -23,8 +31,9 @@ struct CheckResult {
   Check check;
   Verdict verdict = Verdict::unmatched;
   std::vector<CheckedPoint> points;
-  std::size_t worst = 0;  // of `points`
-  double mean = 0;        // of the errors' sizes
+  std::size_t worst = 0;               // of `points`
+  double mean = 0;                     // of the errors' sizes
+  std::optional<Predicted> predicted;  // where the check says which points are calibrated
   std::vector<std::string> notes;
 };
 
@@ -35,7 +44,8 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
 // "ok      NAME: latency_s at 7 points, worst error 0.2 % (within 1 %) at bytes = 1"
 std::string summarize(const CheckResult& result, const Table& table);
 
-// A row per point: axes, simulated, expected, error, and a mark for the worst and those that fail.
+// A row per point: axes, simulated, expected, error, "calibrated" or "predicted" where the check
+// tells them apart, and a mark for the worst and those that fail.
 // Of more than `most` points only the ten worst.
 Table make_check_table(const CheckResult& result, const Table& table, std::size_t most);
 

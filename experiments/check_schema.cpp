@@ -18,7 +18,7 @@ const std::vector<Binding<Check>>& bindings() {
   using P = Place;
   static const std::vector<Binding<C>> all = {
       {"name", "what the check is called", [](C& c, const P& at) { c.name = read_text(at); }},
-      {"of", "the column of the results that is checked",
+      {"of", "the column of the results, or the name of [let], that is checked",
        [](C& c, const P& at) { c.of = read_text(at); }},
       {"formula", "what it should be: over columns, numbers of the file and model, and [let]",
        [](C& c, const P& at) { c.formula = read_text(at); }},
@@ -30,6 +30,8 @@ const std::vector<Binding<Check>>& bindings() {
        [](C& c, const P& at) { c.column = read_text(at); }},
       {"where", "an expression: only points where it is not 0",
        [](C& c, const P& at) { c.where = read_text(at); }},
+      {"calibrated", "an expression: not 0 at points that the machine model was fitted to",
+       [](C& c, const P& at) { c.calibrated = read_text(at); }},
       {"within", "largest relative error",
        [](C& c, const P& at) { c.within = read_double(at, 0, LARGEST); }},
       {"within_mean", "largest mean of the relative errors",

@@ -6,7 +6,8 @@
 
 namespace experiments {
 
-// A name for an expression: [let] t_start = "channel.blocked / cpu.clock".
+// A name for an expression: [let] t_start = "channel.blocked / cpu.clock". Expressions may use
+// numbers of other rows of the sweep, {COLUMN @ AXIS = VALUE, ...}: expression.hpp.
 struct Definition {
   std::string name, formula;
   std::string place;  // "e.toml:9: let.t_start"
@@ -16,12 +17,13 @@ struct Definition {
 struct Check {
   std::string name;
   std::string place;                  // "e.toml:12: check \"NAME\""
-  std::string of;                     // the column of the results
+  std::string of;                     // the column of the results, or a name of [let]
   std::string formula;                // what it should be at each point; or
   std::string reference;              // the path of a CSV file,
   std::vector<std::string> keys;      // its columns that say which point a row is for, and
   std::string column;                 // the one with the value
   std::string where;                  // only points where this is not zero; "": all
+  std::string calibrated;             // the machine was fitted to points where this is not zero
   std::optional<double> within;       // largest relative error, at worst,
   std::optional<double> within_mean;  // and on average over the points;
   std::optional<double> within_abs;   // or largest absolute error, in the column's unit

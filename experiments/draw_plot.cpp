@@ -1,28 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <stdexcept>
+#include <thread>
 
 #include "experiments/files.hpp"
 #include "experiments/gnuplot.hpp"
 #include "experiments/plot.hpp"
 
 namespace experiments {
-namespace {
-
-// Three lines of key fit below the curves; more make the drawing higher, not the curves lower.
-int choose_height(const Plot& plot) {
-  std::size_t entries = plot.ideal_line ? 1 : 0, longest = 0;
-  for (const auto& series : plot.series) {
-    entries += !series.name.empty();
-    longest = std::max(longest, series.name.size());
-  }
-  const std::size_t columns = std::max<std::size_t>(1, 700 / (70 + 9 * longest));
-  const std::size_t lines = (entries + columns - 1) / columns;
-  return 500 + 21 * (static_cast<int>(std::max<std::size_t>(lines, 3)) - 3);
-}
-
-}  // namespace
 
 void draw_plot(const Plot& plot, const std::filesystem::path& folder) {
   if (plot.name.empty() || plot.name.starts_with('.') || plot.name.find('/') != std::string::npos)
@@ -33,6 +21,25 @@ void draw_plot(const Plot& plot, const std::filesystem::path& folder) {
   const auto drawing = run_gnuplot(make_gnuplot_script(plot), plot.name, choose_height(plot));
   write_file(folder / (plot.name + ".svg"), drawing.svg);
   write_file(folder / (plot.name + ".png"), drawing.png);
+}
+
+// A thread does no more than wait for its gnuplot.
+void draw_plots(const std::vector<Plot>& plots, const std::filesystem::path& folder) {
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::exception_ptr> failures(plots.size());
+  auto draw = [&] {
+    for (std::size_t i = next++; i < plots.size(); i = next++) try {
+        draw_plot(plots[i], folder);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+  };
+  const auto most = std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < std::min(most, plots.size()); ++i) threads.emplace_back(draw);
+  threads.clear();
+  for (const auto& failure : failures)
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace experiments

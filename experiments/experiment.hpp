@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/checks.hpp"
+#include "experiments/figures.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/farm.hpp"
 
@@ -62,8 +63,14 @@ struct ExperimentFile {
   std::string resolved;           // the file with --set applied, as TOML
   std::vector<std::string> axes;  // of [sweep]
   std::vector<Point> points;      // the last axis runs fastest; one point if there is no sweep
-  std::vector<Definition> definitions;      // [let]
-  std::vector<Check> checks;                // [[check]]
+  std::vector<Definition> definitions;  // [let]
+  std::vector<Check> checks;            // [[check]]
+  // Axes whose values go together, "workers, height" = [[1, 16], ...]; of each such entry the
+  // names.
+  std::vector<std::vector<std::string>> coupled = {};
+  std::vector<PlotSpec> plots = {};         // [[plot]]
+  std::vector<BestSpec> bests = {};         // [[best]]
+  ReportSpec report = {};                   // [report]
   std::vector<std::string> axis_keys = {};  // "scene.objects", of each axis
   // What the file gives to keys that change what a point does, as TOML spells it.
   std::map<std::string, std::string> settings = {};

@@ -72,9 +72,9 @@ std::string on_terminals(const std::string& script, const std::string& name, int
       "set terminal svg noenhanced size 800,{} dynamic font 'sans-serif,15' linewidth 1 "
       "name '{}' background '#ffffff'\nset output {}\n{}unset output\n"
       "set terminal pngcairo noenhanced size 1600,{} font 'sans,13' fontscale 2 linewidth 2 "
-      "pointscale 2 background '#ffffff'\nset output {}\nreplot\nunset output\n",
+      "pointscale 2 background '#ffffff'\nset output {}\n{}unset output\n",
       height, id, quote_for_gnuplot((folder / "plot.svg").string()), script, 2 * height,
-      quote_for_gnuplot((folder / "plot.png").string()));
+      quote_for_gnuplot((folder / "plot.png").string()), script);
 }
 
 }  // namespace

@@ -79,15 +79,52 @@ std::string make_checks(const Report& report) {
   return html;
 }
 
+std::string make_part(const Report::Part& part) {
+  std::string html;
+  for (const auto& note : part.notes) html += fmt::format("<p>{}</p>\n", escape_html(note));
+  for (const auto& table : part.tables)
+    if (!table.rows.empty()) html += make_table_html(table, {});
+  if (html.empty() || part.title.empty()) return html;
+  return fmt::format("<h3>{}</h3>\n{}", escape_html(part.title), html);
+}
+
+std::string make_answers(const Report& report) {
+  std::string html;
+  for (const auto& part : report.answers) html += make_part(part);
+  return html;
+}
+
 std::string make_plot_figures(const Report& report) {
   std::string figures;
-  for (const Plot& plot : report.plots) {
+  for (std::size_t i = 0; i < report.plots.size(); ++i) {
+    const Plot& plot = report.plots[i];
     const auto svg = read_file(report.plots_folder / (plot.name + ".svg"));
     const auto label = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
-    const auto prefix = fmt::format("plot{}-", &plot - report.plots.data() + 1);
-    figures += "<figure class=\"plot\">" + inline_svg(svg, prefix, label) + "</figure>\n";
+    const auto below = i < report.plot_parts.size() ? make_part(report.plot_parts[i]) : "";
+    figures += fmt::format(
+        "<figure class=\"plot\">{}{}</figure>\n",
+        inline_svg(svg, fmt::format("plot{}-", i + 1), label),
+        below.empty() ? "" : "<details open><summary>Numbers</summary>\n" + below + "</details>");
   }
   return figures.empty() ? "" : "<div class=\"plots\">\n" + figures + "</div>\n";
+}
+
+std::string make_drawings(const Report& report) {
+  std::string figures;
+  for (std::size_t i = 0; i < report.drawings.size(); ++i) {
+    const auto& drawing = report.drawings[i];
+    figures +=
+        fmt::format("<figure class=\"network\">{}<figcaption>{}</figcaption></figure>\n",
+                    inline_svg(drawing.svg, fmt::format("network{}-", i + 1), drawing.caption),
+                    escape_html(drawing.caption));
+  }
+  return figures;
+}
+
+std::string make_list(const std::vector<std::string>& sentences) {
+  std::string items;
+  for (const auto& text : sentences) items += fmt::format("<li>{}</li>\n", escape_html(text));
+  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
 }
 
 std::string make_image_figures(const Report& report) {
@@ -109,21 +146,17 @@ std::string make_image_figures(const Report& report) {
   return figures.empty() ? "" : "<div class=\"images\">\n" + figures + "</div>\n";
 }
 
-std::string make_notes(const Report& report) {
-  std::string items;
-  for (const auto& note : report.notes) items += fmt::format("<li>{}</li>\n", escape_html(note));
-  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
-}
-
 std::string make_reproduction(const Report& report) {
   std::string html;
   if (!report.command.empty())
     html += fmt::format("<pre><code>{}</code></pre>\n", escape_html(report.command));
-  if (!report.experiment_toml.empty())
-    html +=
-        fmt::format("<p>The experiment, every setting resolved:</p>\n<pre><code>{}</code></pre>\n",
-                    escape_html(report.experiment_toml));
   return html;
+}
+
+std::string make_settings(const Report& report) {
+  if (report.experiment_toml.empty()) return {};
+  return fmt::format("<p>The experiment, every setting resolved:</p>\n<pre><code>{}</code></pre>\n",
+                     escape_html(report.experiment_toml));
 }
 
 std::string make_model(const Report& report) {
@@ -157,14 +190,20 @@ std::string make_report(const Report& report) {
       escape_html(report.title), REPORT_STYLE);
   if (!report.question.empty())
     html += fmt::format("<p class=\"question\">{}</p>\n", escape_html(report.question));
-  html += make_facts(report) + "</header>\n";
-  html += make_section("Plots", make_plot_figures(report));
-  html += make_section("Results", make_results(report));
-  html += make_section("Checks", make_checks(report));
-  html += make_section("Images", make_image_figures(report));
-  html += make_section("Notes", make_notes(report));
-  html += make_section("How to reproduce", make_reproduction(report));
-  html += make_section("Machine model", make_model(report));
+  html += "</header>\n";
+  for (const auto& [title, content] : {std::pair("What was found", make_list(report.findings)),
+                                       {"Machine", make_facts(report)},
+                                       {"Plots", make_plot_figures(report)},
+                                       {"Answers", make_answers(report)},
+                                       {"Results", make_results(report)},
+                                       {"Checks", make_checks(report)},
+                                       {"Load of the network", make_drawings(report)},
+                                       {"Images", make_image_figures(report)},
+                                       {"Notes", make_list(report.notes)},
+                                       {"Settings", make_settings(report)},
+                                       {"How to reproduce", make_reproduction(report)},
+                                       {"Machine model", make_model(report)}})
+    html += make_section(title, content);
   return html + "</main>\n</body>\n</html>\n";
 }
 

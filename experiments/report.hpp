@@ -17,6 +17,12 @@ struct ReportImage {
   bool pixelated = true;  ///< enlarged by a whole factor, every pixel a square
 };
 
+/// A drawing that stands in the page itself.
+struct ReportDrawing {
+  std::string caption;
+  std::string svg;  ///< the whole file
+};
+
 struct Report {
   struct ModelRow {
     std::string key, value, unit, provenance, source;
@@ -28,13 +34,24 @@ struct Report {
     std::vector<std::string> notes;
   };
 
+  /// What stands below a plot, or answers a question.
+  struct Part {
+    std::string title;          ///< of a question
+    std::vector<Table> tables;  ///< those without rows are left out
+    std::vector<std::string> notes;
+  };
+
   std::string title, question;
+  std::vector<std::string> findings;                       ///< a sentence each
   Table table;                                             ///< whole, as a download inside the page
   std::vector<std::string> shown_columns;                  ///< in the page; none: all
   std::vector<std::pair<std::string, std::string>> facts;  ///< machine, model, topology, rays ...
   std::vector<Plot> plots;
+  std::vector<Part> plot_parts;        ///< of each plot; none: nothing below any
   std::filesystem::path plots_folder;  ///< where draw_plot has put them
+  std::vector<Part> answers;
   std::vector<ReportImage> images;
+  std::vector<ReportDrawing> drawings;  ///< the network with its load
   std::vector<CheckRow> checks;
   std::string experiment_toml;  ///< every setting, resolved
   std::string command;          ///< how to reproduce
@@ -42,7 +59,8 @@ struct Report {
   std::vector<std::string> notes;
 };
 
-/// The page: question, facts, plots, table, checks, images, notes, how to reproduce, machine model.
+/// The page: question, what was found, facts, plots with their tables, answers, results, checks,
+/// load of the network, images, settings, notes, how to reproduce, machine model.
 /// Sections without content are left out. Same report, same bytes: no date. Throws
 /// std::system_error for a plot or image that cannot be read, std::invalid_argument for one that is
 /// no SVG or PNG and for shown columns that do not exist.

@@ -18,6 +18,8 @@ main { max-width: 80rem; margin: 0 auto; padding: 2rem 1.25rem 3rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
 h2 { font-size: 1.25rem; margin: 2.5rem 0 .75rem; padding-bottom: .25rem;
   border-bottom: 1px solid var(--rule); }
+h3 { font-size: 1.05rem; margin: 1.5rem 0 .5rem; }
+summary { cursor: pointer; color: var(--accent); margin: .5rem 0; }
 .question { font-size: 1.15rem; color: var(--soft); margin: 0 0 1.5rem; max-width: 45rem; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1.25rem; margin: 0; }
 dt { color: var(--soft); }
@@ -39,6 +41,8 @@ figcaption { color: var(--soft); font-size: .9rem; margin-top: .4rem; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr));
   gap: 1.5rem; }
 .plot svg { display: block; width: 100%; height: auto; border: 1px solid #e6e6e6; }
+.network svg { display: block; max-width: 100%; height: auto; background: #fff; }
+.network { margin-bottom: 1.5rem; }
 .images { display: flex; flex-wrap: wrap; gap: 1.5rem; }
 .images img { display: block; max-width: 100%; height: auto; }
 .pixelated { image-rendering: pixelated; }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "experiments/farm_run.hpp"
+#include "experiments/laws.hpp"
 #include "experiments/pattern_table.hpp"
 
 namespace experiments {
@@ -34,6 +35,24 @@ void add_speedups(Table& table) {
     const double s = *as_number((*base)[time]) / *as_number(row[time]);
     row[speedup] = s;
     row[efficiency] = s / *as_number(row[workers]);
+  }
+}
+
+// What the laws say of every speed-up, behind the efficiency.
+void add_serial_fractions(Table& table) {
+  const std::size_t workers = *table.find("workers"), speedup = *table.find("speedup");
+  auto behind = static_cast<std::ptrdiff_t>(*table.find("efficiency")) + 1;
+  for (const auto& [name, law] : {std::pair("serial_karp_flatt", &karp_flatt),
+                                  std::pair("serial_gustafson", &serial_gustafson)}) {
+    table.columns.insert(table.columns.begin() + behind, name);
+    for (auto& row : table.rows) {
+      const auto n = as_number(row[workers]), s = as_number(row[speedup]);
+      const auto serial = n && s ? law(*n, *s) : std::nullopt;
+      Value cell;
+      if (serial) cell = *serial;
+      row.insert(row.begin() + behind, cell);
+    }
+    ++behind;
   }
 }
 
@@ -67,14 +86,25 @@ const ordered_json& longest_row(const std::vector<ordered_json>& results) {
       ->at("row");
 }
 
+// What the axis of a name is called in the table.
+static std::string column_of(const ExperimentFile& file, const std::string& axis) {
+  return !is_farm(file) && axis == "workers" ? "processors" : axis;
+}
+
+std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column) {
+  for (const auto& axes : file.coupled) {
+    std::vector<std::string> columns;
+    for (const auto& axis : axes) columns.push_back(column_of(file, axis));
+    if (std::ranges::find(columns, column) != columns.end()) return columns;
+  }
+  return {column};
+}
+
 std::vector<std::string> axis_columns(const ExperimentFile& file) {
   std::vector<std::string> columns;
   if (is_farm(file)) columns = {"topology", "workers", "objects"};
   for (const auto& axis : file.axes)
-    if (!is_farm(file))
-      columns.push_back(axis == "workers" ? "processors" : axis);
-    else if (!is_standard(axis))
-      columns.push_back(axis);
+    if (!is_farm(file) || !is_standard(axis)) columns.push_back(column_of(file, axis));
   return columns;
 }
 
@@ -96,6 +126,7 @@ Table make_table(const ExperimentFile& file, const std::vector<ordered_json>& re
     table.rows.push_back(std::move(row));
   }
   add_speedups(table);
+  add_serial_fractions(table);
   return table;
 }
 

@@ -69,8 +69,10 @@ bool is_result(const fs::path& entry) {
   if (fs::is_symlink(entry)) return false;
   if (fs::is_directory(entry))
     return name == "plots" ? has_only(entry, is_plot) : name == "points" && is_store(entry);
-  return name == "results.csv" || name == "checks.csv" || name == "run.json" ||
-         name == "report.html" || (name.starts_with("image-") && entry.extension() == ".png");
+  for (const char* table : {"results", "checks", "fits", "best", "pays"})
+    if (name == std::string(table) + ".csv") return true;
+  return name == "run.json" || name == "report.html" ||
+         (name.starts_with("image-") && entry.extension() == ".png");
 }
 
 void check_is_ours(const fs::path& path) {

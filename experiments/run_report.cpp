@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "experiments/best.hpp"
+#include "experiments/check_plan.hpp"
+#include "experiments/exhibit.hpp"
 #include "experiments/farm_run.hpp"
 #include "experiments/files.hpp"
 #include "experiments/machine_model.hpp"
@@ -42,8 +45,9 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   std::vector<std::string> values;
   for (const auto& point : file.points)
     for (const auto& at : point.at)
-      if (at.axis == axis && std::ranges::find(values, at.toml) == values.end())
-        values.push_back(at.toml);
+      if (const auto text = to_string(to_value(at));
+          at.axis == axis && std::ranges::find(values, text) == values.end())
+        values.push_back(text);
   return values.empty() ? value : fmt::format("{}", fmt::join(values, ", "));
 }
 
@@ -109,38 +113,86 @@ std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& 
   return shown;
 }
 
-void write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
-  const ExperimentFile& file = s.file;
-  const auto& results = s.results;
-  const auto& images = s.images;
-  const Table& table = s.table;
-  Report report;
-  report.title = title_of(file);
-  report.question = file.points[0].experiment.question;
-  report.table = table;
-  report.shown_columns = shown_columns(file, table);
-  report.facts = make_facts(file);
-  report.facts.push_back({"Ended", s.ended});
-  report.plots = is_farm(file) ? make_plots(table) : make_plots(table, first_result(file, table));
-  report.plots_folder = folder / "plots";
-  if (!report.plots.empty()) fs::create_directory(report.plots_folder);
-  for (const auto& plot : report.plots) draw_plot(plot, report.plots_folder);
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    if (images[i].empty()) continue;
-    for (const auto& key : results[i]["key_images"]) {
+namespace {
+
+void add_images(Report& report, const fs::path& folder, const Simulation& s) {
+  for (std::size_t i = 0; i < s.images.size(); ++i) {
+    const auto& image = s.images[i];
+    if (image.empty()) continue;
+    for (const auto& key : s.results[i]["key_images"]) {
       const auto name = key["path"].get<std::string>();
       report.images.push_back({fmt::format("{}, after {:.2f} s", name.substr(6, name.size() - 10),
                                            key["at_s"].get<double>()),
                                folder / name});
     }
-    report.images.push_back({images[i].substr(6, images[i].rfind('.') - 6), folder / images[i]});
+    report.images.push_back({image.substr(6, image.rfind('.') - 6), folder / image});
   }
-  for (const auto& check : s.checks)
-    report.checks.push_back(
-        {summarize(check, table), make_check_table(check, table, EVERY_POINT), check.notes});
-  report.experiment_toml = file.resolved;
+}
+
+// Those that are not there yet: two plots may say the same.
+void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
+  for (const auto& text : from)
+    if (std::ranges::find(to, text) == to.end()) to.push_back(text);
+}
+
+// [[plot]] and [[best]], where some point came to its end.
+void add_figures(Report& report, const fs::path& folder, const Simulation& s) {
+  const auto plan = plan_checks(s.file);
+  if (std::ranges::none_of(s.table.rows,
+                           [&](const auto& row) { return is_complete_row(s.table, row); }))
+    return;
+  const Rows rows = make_rows(plan, s.file, s.table);
+  const auto exhibits = make_exhibits(plan, rows, report.notes);
+  for (const auto& exhibit : exhibits) {
+    report.plots.push_back(exhibit.plot);
+    report.plot_parts.push_back(
+        {"", {exhibit.differences, exhibit.fits, exhibit.optima}, exhibit.notes});
+    append(report.findings, exhibit.findings);
+  }
+  const auto answers = find_best(plan, rows);
+  for (const auto& answer : answers) {
+    report.answers.push_back({answer.name, {answer.best, answer.pays}, answer.notes});
+    append(report.findings, answer.findings);
+  }
+  const auto save = [&](const char* name, const Table& table) {
+    if (!table.rows.empty()) write_file(folder / name, to_csv(table));
+  };
+  save("fits.csv", make_fits_csv(exhibits));
+  save("best.csv", make_best_csv(answers));
+  save("pays.csv", make_pays_csv(answers));
+}
+
+void add_plots(Report& report, const fs::path& folder, const Simulation& s) {
+  add_figures(report, folder, s);
+  if (s.file.plots.empty())
+    report.plots =
+        is_farm(s.file) ? make_plots(s.table) : make_plots(s.table, first_result(s.file, s.table));
+  report.plots_folder = folder / "plots";
+  if (report.plots.empty()) return;
+  fs::create_directory(report.plots_folder);
+  draw_plots(report.plots, report.plots_folder);
+}
+
+}  // namespace
+
+void write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+  Report report;
+  report.title = title_of(s.file);
+  report.question = s.file.points[0].experiment.question;
+  report.table = s.table;
+  report.shown_columns = shown_columns(s.file, s.table);
+  report.facts = make_facts(s.file);
+  report.facts.push_back({"Ended", s.ended});
+  add_plots(report, folder, s);
+  add_images(report, folder, s);
+  for (const auto& check : s.checks) {
+    const auto summary = summarize(check, s.table);
+    report.checks.push_back({summary, make_check_table(check, s.table, EVERY_POINT), check.notes});
+    report.findings.push_back(summary);
+  }
+  report.experiment_toml = s.file.resolved;
   report.command = command_line(options);
-  report.model = model_rows(models_of(file));
+  report.model = model_rows(models_of(s.file));
   write_file(folder / "report.html", make_report(report));
 }
 

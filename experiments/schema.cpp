@@ -1,6 +1,7 @@
 #include "experiments/schema.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "experiments/binding.hpp"
 #include "experiments/image_names.hpp"
@@ -140,10 +141,16 @@ const std::vector<Binding<Experiment>>& bindings() {
          e.farm.script.clear();
          for (const auto& table : read_tables(at)) e.farm.script.push_back(bind_order(*table, at));
        }},
-      // Of the file, not of a point: read_checks reads them.
+      // Of the file, not of a point: read_checks, read_plots and others read them.
       {"let", "[let]: names for expressions, to be used in checks",
        [](E&, const P& at) { at.refuse("no axis of this name"); }},
       {"check", "[[check]]: what the results are compared with",
+       [](E&, const P& at) { at.refuse("no axis of this name"); }},
+      {"plot", "[[plot]]: a figure of the report, in place of the usual ones",
+       [](E&, const P& at) { at.refuse("no axis of this name"); }},
+      {"best", "[[best]]: which value of some axes is best for each of others",
+       [](E&, const P& at) { at.refuse("no axis of this name"); }},
+      {"report", "[report]: what else is in the report",
        [](E&, const P& at) { at.refuse("no axis of this name"); }},
   };
   return all;
@@ -161,9 +168,21 @@ const std::vector<Setting>& settings() {
     list.push_back({"order.non_interactive", "true: the user leaves the interactive phase"});
     list.push_back({"model.SECTION.NAME", "takes the place of a number of the machine model"});
     for (const auto& setting : check_settings()) list.push_back(setting);
+    for (const auto& setting : figure_settings()) list.push_back(setting);
     return list;
   }();
   return all;
+}
+
+std::vector<std::string> split_names(std::string_view name) {
+  constexpr const char* AROUND = " \t\"'";
+  std::vector<std::string> names;
+  for (const auto part : std::views::split(name, ',')) {
+    std::string text(part.begin(), part.end());
+    text.erase(text.find_last_not_of(AROUND) + 1);
+    names.push_back(text.erase(0, text.find_first_not_of(AROUND)));
+  }
+  return names;
 }
 
 Axis name_axis(const std::string& name, const std::string& program, const std::string& origin) {

@@ -29,11 +29,21 @@ struct Axis {
 // `program`, "model.link.one_way_rate". Throws machine::InvalidInput with the nearest.
 Axis name_axis(const std::string& name, const std::string& program, const std::string& origin);
 
+// The names of "workers, height", without quotes and blanks around them.
+std::vector<std::string> split_names(std::string_view name);
+
 // [[check]], in order, and [let]; `folder` is what the paths of references are relative to. Throw
 // machine::InvalidInput for unknown, missing or contradicting keys; formulas are only texts yet.
 std::vector<Check> read_checks(const toml::table& file, const std::string& origin,
                                const std::string& folder);
 std::vector<Definition> read_definitions(const toml::table& file, const std::string& origin);
 const std::vector<Setting>& check_settings();
+
+// [[plot]], [[best]] and [report], as above.
+std::vector<PlotSpec> read_plots(const toml::table& file, const std::string& origin,
+                                 const std::string& folder);
+std::vector<BestSpec> read_bests(const toml::table& file, const std::string& origin);
+ReportSpec read_report(const toml::table& file, const std::string& origin);
+const std::vector<Setting>& figure_settings();
 
 }  // namespace experiments

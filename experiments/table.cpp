@@ -27,6 +27,7 @@ std::string choose_format(const Table& table, std::size_t column) {
     smallest = std::min(smallest, std::abs(*number));
   }
   if (largest == 0) return "{:.1f}";
+  if (table.columns[column].ends_with('%') && largest >= 0.1 && largest < 1e5) return "{:.2f}";
   if (largest > 1e3 * smallest || largest >= 1e9 || largest < 1e-4) return "{:.4g}";
   const int digits_before = static_cast<int>(std::floor(std::log10(largest))) + 1;
   return fmt::format("{{:.{}f}}", std::max(0, 4 - digits_before));
@@ -59,6 +60,11 @@ std::optional<double> as_number(const Value& value) {
   return std::nullopt;
 }
 
+Value to_cell(double value) {
+  if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
+  return value;
+}
+
 std::string to_string(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
   if (const auto* number = std::get_if<double>(&value)) return to_shortest(*number);
@@ -82,6 +88,8 @@ std::string make_label(std::string_view column) {
       {"_mb", "MB"},         {"_bits", "bits"},    {"_bit_s", "bit/s"}, {"_mbit", "Mbit/s"},
       {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}};
   if (column == "speedup") return "speed-up";
+  if (column == "serial_karp_flatt") return "serial fraction (Karp-Flatt)";
+  if (column == "serial_gustafson") return "serial fraction (Gustafson)";
   std::string_view unit, suffix;
   for (const auto& [end, name] : UNITS)
     if (column.ends_with(end) && end.size() > suffix.size() && end.size() < column.size())

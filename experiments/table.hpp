@@ -24,6 +24,9 @@ struct Table {
 /// The number in a cell of either numeric type; none for text and empty cells.
 std::optional<double> as_number(const Value& value);
 
+/// A number as a cell; a whole one without a point.
+Value to_cell(double value);
+
 /// Empty for an empty cell; doubles in the shortest form that reads back as the same double.
 std::string to_string(const Value& value);
 

@@ -8,6 +8,13 @@
 
 namespace experiments {
 
+namespace {
+
+constexpr std::array<std::string_view, 6> NOT_OF_A_POINT = {"sweep", "let",  "check",
+                                                            "plot",  "best", "report"};
+
+}  // namespace
+
 std::string Place::where() const {
   const auto line = node.source().begin.line;  // 0 for a value from --set
   return line > 0 ? fmt::format("{}:{}", origin, line) : fmt::format("{}, with --set", origin);
@@ -132,7 +139,7 @@ void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit) {
   for (auto&& [section, content] : file) {
     const std::string name(section.str());
-    if (name == "sweep" || name == "let" || name == "check") continue;
+    if (std::ranges::find(NOT_OF_A_POINT, name) != NOT_OF_A_POINT.end()) continue;
     if (!content.is_table()) {
       visit(name, content);
       continue;

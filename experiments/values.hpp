@@ -55,7 +55,8 @@ std::vector<const toml::table*> read_tables(const Place& at);
 
 // A value as TOML spells it.
 std::string to_toml(const toml::node& node);
-// Every key of a point, dotted, in the order of names: not those of [sweep], [let] and [[check]].
+// Every key of a point, dotted, in the order of names: not those of [sweep], [let], [[check]]
+// and what the report shows.
 void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit);
 

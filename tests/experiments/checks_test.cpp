@@ -122,11 +122,49 @@ TEST(ExperimentsChecks, TablesShowPointsAndOfManyTheWorst) {
   EXPECT_EQ(make_check_table(result, test.table, 2).rows.at(0), all.rows[1]);
   const auto csv = make_checks_csv({result}, test.table);
   EXPECT_EQ(csv.columns, (std::vector<std::string>{"check", "topology", "bytes", "simulated",
-                                                   "expected", "error"}));
+                                                   "expected", "error", "kind"}));
   EXPECT_EQ(csv.rows.size(), 3u);
   EXPECT_TRUE(summarize(result, test.table)
                   .starts_with("FAILED   c: latency_s at 3 point(s), worst error 10 % (within 1 %)"
                                " at topology = mesh:2x2, bytes = 2"));
+}
+
+TEST(ExperimentsChecks, ADefinitionCanBeChecked) {
+  const Case test("[let]\ntwice = \"2 * latency_s\"\n[[check]]\nname = \"c\"\nof = \"twice\"\n" +
+                  std::string("formula = \"2 * bytes\"\nwithin = 0.11\n"));
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.verdict, Verdict::holds);
+  EXPECT_EQ(result.points.at(1).simulated, 4.4);
+}
+
+TEST(ExperimentsChecks, WhatTheModelWasFittedToIsToldApart) {
+  const std::string text = check("formula = \"bytes\"\nwithin = 0.2\nwithin_mean = 0.2\n");
+  const Case test(text + "calibrated = \"bytes != 4\"\n");
+  const auto result = test.eval().at(0);
+  ASSERT_TRUE(result.predicted);
+  EXPECT_EQ(result.predicted->points, 1u);
+  EXPECT_EQ(result.predicted->worst, 2u);
+  EXPECT_EQ(result.predicted->mean, 0);
+  EXPECT_NE(summarize(result, test.table).find("of the 1 predicted alone: mean 0 %, worst 0 %"),
+            std::string::npos)
+      << summarize(result, test.table);
+  const auto shown = make_check_table(result, test.table, 3);
+  const auto kind = shown.find("kind");
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(shown.rows[1][*kind], Value("calibrated"));
+  EXPECT_EQ(shown.rows[2][*kind], Value("predicted"));
+  const Case all(text + "calibrated = \"1\"\n");
+  EXPECT_FALSE(all.eval().at(0).predicted);
+}
+
+TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
+  const Case test(check("formula = \"bytes + 0 * {latency_s @ bytes = bytes / 2}\"\nwithin = 1\n"));
+  const auto result = test.eval().at(0);
+  EXPECT_TRUE(result.points.empty()) << "the topologies differ";
+  EXPECT_EQ(result.verdict, Verdict::unmatched);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("3 point(s) left out"), std::string::npos);
+  EXPECT_NE(result.notes[0].find("topology = mesh:2x2, bytes = 2"), std::string::npos);
 }
 
 TEST(ExperimentsChecks, MistakesAreNamed) {

@@ -32,6 +32,40 @@ TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
   }
 }
 
+TEST(ExperimentsFile, CoupledAxesMoveTogether) {
+  const std::string text =
+      "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]\n";
+  const auto file = load(text);
+  EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers", "height"}));
+  EXPECT_EQ(file.coupled, (std::vector<std::vector<std::string>>{{"workers", "height"}}));
+  ASSERT_EQ(file.points.size(), 6u);
+  EXPECT_EQ(file.points[5].experiment.objects, 800);
+  EXPECT_EQ(file.points[5].experiment.workers, 4);
+  EXPECT_EQ(file.points[5].experiment.farm.image.height, 32);
+  EXPECT_EQ(name_of(file.points[5]), "objects = 800, workers = 4, height = 32");
+  EXPECT_TRUE(file.resolved.ends_with(
+      "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]"))
+      << file.resolved;
+  EXPECT_EQ(load(file.resolved).resolved, file.resolved);
+  for (const char* key : {"sweep.workers, height", "sweep.\"workers,height\""})
+    EXPECT_EQ(load(text, {std::string(key) + "=[[3, 8]]"}).points.size(), 2u) << key;
+  EXPECT_EQ(load(text, {"sweep={\"workers, height\" = [[3, 8]]}"}).points.size(), 1u);
+  for (const auto& [sweep, message] : std::vector<std::pair<std::string, std::string>>{
+           {"\"workers, height\" = [[1, 16], [2]]",
+            "sweep.workers, height: found [ 2 ], expected an array of 2 values, workers, height"},
+           {"\"workers, height\" = [1, 2]", "found 1, expected an array of 2 values"},
+           {"\"workers, height\" = [[1, 16], [1, 16.0]]", "expected each value once, [ 1, 16.0 ]"},
+           {"\"workers, heigt\" = [[1, 16]]", "unknown axis \"heigt\""},
+           {"\"workers, workers\" = [[1, 1]]", "expected each axis once, network.workers"},
+           {"height = [1]\n\"workers, height\" = [[1, 16]]",
+            "expected each axis once, image.height"}})
+    EXPECT_NE(message_of<machine::InvalidInput>([&, &s = sweep] {
+                load("[sweep]\n" + s + "\n");
+              }).find(message),
+              std::string::npos)
+        << message_of<machine::InvalidInput>([&, &s = sweep] { load("[sweep]\n" + s + "\n"); });
+}
+
 TEST(ExperimentsFile, SetReplacesAnyKey) {
   const auto file = load("[network]\ntopology = \"tree\"\n[sweep]\nworkers = [1, 2]\n",
                          {"network.topology=ring", "sweep.workers=[5]", "image.width=64",

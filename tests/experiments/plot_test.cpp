@@ -1,6 +1,8 @@
 #include "experiments/plot.hpp"
 
 #include <cmath>
+#include <regex>
+#include <set>
 
 #include "experiments/files.hpp"
 #include "experiments/gnuplot.hpp"
@@ -105,9 +107,10 @@ Plot awkward_plot() {
           .title = text,
           .x_label = text,
           .y_label = text,
-          .series = {{.name = text, .x = {1, 2, 3}, .y = {1, NAN, 2.5}},
-                     {.name = text + ", thesis", .x = {1, 2}, .y = {1, 2}, .is_reference = true},
-                     {.name = "empty", .x = {}, .y = {}}},
+          .series =
+              {{.name = text, .x = {1, 2, 3}, .y = {1, NAN, 2.5}},
+               {.name = text + ", thesis", .x = {1, 2}, .y = {1, 2}, .kind = SeriesKind::reference},
+               {.name = "empty", .x = {}, .y = {}}},
           .ideal_line = true,
           .y_min = {},
           .y_max = {}};
@@ -119,12 +122,53 @@ TEST(ExperimentsDrawing, QuotedTextExpandsNothing) {
 
 TEST(ExperimentsDrawing, ReferencesWearTheColourOfTheSeriesTheyName) {
   Plot plot;
-  plot.series = {{.name = "200 objects", .x = {1}, .y = {1}},
-                 {.name = "3200 objects", .x = {1}, .y = {1}},
-                 {.name = "3200 objects, thesis", .x = {1}, .y = {1}, .is_reference = true}};
+  plot.series = {
+      {.name = "200 objects", .x = {1}, .y = {1}},
+      {.name = "3200 objects", .x = {1}, .y = {1}},
+      {.name = "3200 objects, thesis", .x = {1}, .y = {1}, .kind = SeriesKind::reference}};
   const auto script = make_gnuplot_script(plot);
   EXPECT_NE(script.find("$data1 with linespoints linecolor rgb '#D55E00'"), std::string::npos);
   EXPECT_NE(script.find("$data2 with points linecolor rgb '#D55E00'"), std::string::npos);
+}
+
+TEST(ExperimentsDrawing, LinesDifferWithoutTheirColours) {
+  Plot plot;
+  for (int i = 0; i < 16; ++i)
+    plot.series.push_back({.name = "s" + std::to_string(i), .x = {1}, .y = {1}});
+  const auto script = make_gnuplot_script(plot);
+  std::set<std::string> looks;
+  const std::regex look("dashtype (\\S+) pointtype (\\d+)");
+  for (std::sregex_iterator found(script.begin(), script.end(), look), end; found != end; ++found)
+    looks.insert(found->str());
+  EXPECT_EQ(looks.size(), 16u);
+}
+
+TEST(ExperimentsDrawing, LawsAndMarksBelongToTheirCurve) {
+  Plot plot;
+  plot.series = {{.name = "a (s = 0.1)", .x = {1, 2}, .y = {1, 2}},
+                 {.name = "b (s = 0.2)", .x = {1, 2}, .y = {1, 2}},
+                 {.name = "", .x = {1}, .y = {1}, .kind = SeriesKind::law, .of = 1},
+                 {.name = "top", .x = {2}, .y = {2}, .kind = SeriesKind::mark, .of = 1}};
+  const auto script = make_gnuplot_script(plot);
+  EXPECT_NE(script.find("$data2 with lines linecolor rgb '#D55E00' linewidth 1 "),
+            std::string::npos);
+  EXPECT_NE(script.find("$data3 with points linecolor rgb '#000000'"), std::string::npos);
+}
+
+TEST(ExperimentsDrawing, ScalesOfPowersOfTwoHaveThatBase) {
+  Plot plot;
+  plot.series = {{.name = "", .x = {1, 2, 256}, .y = {1, 2, 100}}};
+  plot.log_x = plot.log_y = plot.ideal_line = true;
+  auto script = make_gnuplot_script(plot);
+  EXPECT_NE(script.find("set logscale x 2\nset logscale y 2\n"), std::string::npos) << script;
+  EXPECT_NE(script.find("set xtics ('1' 1, '2' 2, '256' 256)"), std::string::npos) << script;
+  plot.ideal_line = false;
+  script = make_gnuplot_script(plot);
+  EXPECT_NE(script.find("set logscale y 10\n"), std::string::npos) << script;
+  EXPECT_NE(script.find("set ytics ('1' 1, '2' 2, '5' 5, '10' 10, "), std::string::npos) << script;
+  EXPECT_TRUE(wants_log_x("workers", {1, 2, 256}));
+  EXPECT_FALSE(wants_log_x("workers", {1, 2, 16}));
+  EXPECT_TRUE(wants_log_x("objects", {1, 2, 16}));
 }
 
 TEST(ExperimentsDrawing, WhatCannotBeDrawnIsNamed) {
@@ -172,6 +216,44 @@ TEST(ExperimentsDrawing, DrawsEveryKindOfAxis) {
         plot.y_min = 0;
         EXPECT_NO_THROW(draw_plot(plot, folder.path)) << log_x << log_y << x.size();
       }
+}
+
+// Whatever the lengths of the names, the key ends above the drawing's lower edge.
+TEST(ExperimentsDrawing, TheKeyFitsIntoTheDrawing) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
+  const TemporaryFolder folder;
+  const std::regex text(R"re(translate\([-0-9.]+,([-0-9.]+)\)[^>]*>\s*<text>N)re");
+  for (const std::size_t length : {1u, 5u, 12u, 20u, 27u, 40u, 70u})
+    for (const std::size_t count : {1u, 3u, 8u}) {
+      Plot plot;
+      plot.name = "key";
+      for (std::size_t i = 0; i < count; ++i)
+        plot.series.push_back(
+            {.name = "N" + std::string(length - 1, 'w'), .x = {1, 2}, .y = {double(i), 3}});
+      draw_plot(plot, folder.path);
+      const auto svg = read_file(folder.path / "key.svg");
+      std::size_t found = 0;
+      for (std::sregex_iterator at(svg.begin(), svg.end(), text), end; at != end; ++at, ++found) {
+        EXPECT_LT(std::stod((*at)[1]), choose_height(plot)) << length << " " << count;
+      }
+      EXPECT_EQ(found, count) << length;
+    }
+}
+
+TEST(ExperimentsDrawing, ASecondPanelShowsDifferences) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
+  const TemporaryFolder folder;
+  Plot plot;
+  plot.name = "panels";
+  plot.series = {{.name = "s", .x = {1, 2, 4}, .y = {1, 2, 4}}};
+  const int height = choose_height(plot);
+  plot.differences = {{.name = "", .x = {1, 2, 4}, .y = {-1, 0, 12.5}, .of = 0}};
+  plot.difference_label = "difference [%]";
+  EXPECT_GT(choose_height(plot), height);
+  draw_plot(plot, folder.path);
+  EXPECT_NE(read_file(folder.path / "panels.svg").find("difference [%]"), std::string::npos);
+  plot.differences[0].y = {0, 0, 0};
+  EXPECT_NO_THROW(draw_plots({plot, plot}, folder.path));
 }
 
 TEST(ExperimentsDrawing, SaysThatGnuplotIsMissing) {

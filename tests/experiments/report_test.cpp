@@ -57,6 +57,30 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
+TEST(ExperimentsReport, FiguresCarryTheirTablesAndDrawingsTheirCaptions) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  report.findings = {"a < b"};
+  const Table numbers{.columns = {"series", "value"}, .axes = 1, .rows = {{"s", 4.5}}};
+  report.plot_parts = {{"", {numbers, Table{}}, {"left <out>"}}, {}};
+  report.answers = {{"Which is best?", {numbers}, {}}, {"Nothing", {}, {}}};
+  report.drawings = {{"tree:7 & load", SVG}, {"ring:3", SVG}};
+  const auto html = make_report(report);
+  std::size_t at = 0;
+  for (const char* part :
+       {"<h2>What was found</h2>", "<li>a &lt; b</li>", "<h2>Machine</h2>", "<h2>Plots</h2>",
+        "id=\"plot1-a\"", "left &lt;out&gt;", "4.5", "id=\"plot2-a\"", "<h2>Answers</h2>",
+        "<h3>Which is best?</h3>", "<h2>Results</h2>", "<h2>Load of the network</h2>",
+        "id=\"network1-a\"", "tree:7 &amp; load", "id=\"network2-a\"", "<h2>Images</h2>",
+        "<h2>Settings</h2>", "<h2>How to reproduce</h2>", "<h2>Machine model</h2>"}) {
+    const auto found = html.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part;
+    at = found;
+  }
+  EXPECT_EQ(html.find("Nothing"), std::string::npos);
+  EXPECT_EQ(count(html, "<details open>"), 1u);
+}
+
 TEST(ExperimentsReport, NeedsNothingFromOutside) {
   const TemporaryFolder folder;
   const auto html = make_report(make_example(folder));

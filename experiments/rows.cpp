@@ -1,0 +1,115 @@
+#include "experiments/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "experiments/machine_model.hpp"
+#include "experiments/results.hpp"
+#include "simulator/machine/faults.hpp"
+#include "topologies/spelling.hpp"
+
+namespace experiments {
+
+namespace {
+
+using machine::InvalidInput;
+
+bool equal(const Value& value, const Value& other) {
+  const auto a = as_number(value), b = as_number(other);
+  return a && b ? *a == *b : value == other;
+}
+
+}  // namespace
+
+Rows::Rows(const ExperimentFile& file, const Table& table) : file_(file), table_(table) {
+  machine::check_equal("rows of the results", table.rows.size(), file.points.size());
+  std::map<std::string, machine::Model> models;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& experiment = file.points[i].experiment;
+    const auto key = model_key(experiment);
+    if (!models.contains(key)) models.emplace(key, make_model(experiment));
+    variables_.emplace_back(file.points[i], models.at(key)).add_row(table, table.rows[i]);
+  }
+  missing_.resize(table.rows.size());
+}
+
+bool Rows::is_complete(std::size_t row) const { return is_complete_row(table_, table_.rows[row]); }
+
+void Rows::define(const std::string& name, const Expression& expression, const std::string& place) {
+  std::vector<std::optional<double>> values;
+  for (std::size_t row = 0; row < variables_.size(); ++row) values.push_back(eval(expression, row));
+  for (std::size_t row = 0; row < variables_.size(); ++row) {
+    variables_[row].add(name, values[row].value_or(0), place);
+    if (!values[row]) missing_[row].insert(name);
+  }
+}
+
+std::size_t Rows::find_axis(const RowReference& reference, const std::string& axis,
+                            const std::string& place) const {
+  const auto found = table_.find(axis);
+  if (found && *found < table_.axes) return *found;
+  const std::vector<std::string> axes(
+      table_.columns.begin(), table_.columns.begin() + static_cast<std::ptrdiff_t>(table_.axes));
+  throw InvalidInput(fmt::format("{}: {}: \"{}\" is no axis of the results, the nearest is \"{}\"",
+                                 place, reference.text, axis,
+                                 topologies::nearest_name(axis, axes)));
+}
+
+std::optional<std::size_t> Rows::find_row(const RowReference& reference, const std::string& place,
+                                          std::size_t row) const {
+  auto wanted = table_.rows[row];
+  std::vector<bool> is_free(table_.axes);
+  for (const auto& condition : reference.conditions) {
+    const auto axis = find_axis(reference, condition.axis, place);
+    for (const auto& other : find_coupled(file_, condition.axis))
+      if (const auto column = table_.find(other)) is_free[*column] = true;
+    if (std::holds_alternative<std::string>(wanted[axis])) {
+      wanted[axis] = condition.text;
+      continue;
+    }
+    if (!condition.value)
+      throw InvalidInput(fmt::format("{}: {}: found \"{}\", expected a number for the axis {}",
+                                     place, reference.text, condition.text, condition.axis));
+    const auto& names = condition.value->variables();
+    for (const auto& name : names)
+      if (missing_[row].contains(name)) return std::nullopt;
+    wanted[axis] = condition.value->eval(variables_[row].get_all(names, place));
+  }
+  for (const auto& condition : reference.conditions) is_free[*table_.find(condition.axis)] = false;
+  for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+    bool is_it = is_complete(i);
+    for (std::size_t axis = 0; is_it && axis < table_.axes; ++axis)
+      is_it = is_free[axis] || equal(table_.rows[i][axis], wanted[axis]);
+    if (is_it) return i;
+  }
+  return std::nullopt;
+}
+
+void Rows::check(const Expression& expression, std::size_t row) const {
+  for (const auto& variable : expression.variables()) {
+    const auto* reference = expression.find_reference(variable);
+    variables_[row].get(reference ? reference->column : variable, expression.place());
+    if (reference) find_row(*reference, expression.place(), row);
+  }
+}
+
+std::optional<double> Rows::eval(const Expression& expression, std::size_t row) const {
+  std::vector<double> values;
+  for (const auto& variable : expression.variables()) {
+    std::size_t from = row;
+    std::string name = variable;
+    if (const auto* reference = expression.find_reference(variable)) {
+      const auto found = find_row(*reference, expression.place(), row);
+      if (!found) return std::nullopt;
+      from = *found;
+      name = reference->column;
+    }
+    if (missing_[from].contains(name)) return std::nullopt;
+    values.push_back(variables_[from].get(name, expression.place()));
+  }
+  return expression.eval(values);
+}
+
+}  // namespace experiments

@@ -1,0 +1,46 @@
+#pragma once
+// What formulas find at every point of an experiment.
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "experiments/expression.hpp"
+#include "experiments/variables.hpp"
+
+namespace experiments {
+
+// The table of results with the names that its file and its models add: a row is a point. The file
+// and the table must outlive it.
+class Rows {
+ public:
+  Rows(const ExperimentFile& file, const Table& table);
+
+  const Table& table() const { return table_; }
+  // Whether the row's point came to its end.
+  bool is_complete(std::size_t row) const;
+
+  // Gives a name of [let] its value at every row. Throws machine::InvalidInput for one that there
+  // is already, and as `check` does.
+  void define(const std::string& name, const Expression& expression, const std::string& place);
+
+  // Throws machine::InvalidInput for names that are unknown at this row: variables, the columns and
+  // axes in braces; each with the nearest.
+  void check(const Expression& expression, std::size_t row) const;
+
+  // None where it needs another row that is not there, or did not come to its end.
+  std::optional<double> eval(const Expression& expression, std::size_t row) const;
+
+ private:
+  std::optional<std::size_t> find_row(const RowReference& reference, const std::string& place,
+                                      std::size_t row) const;
+  std::size_t find_axis(const RowReference& reference, const std::string& axis,
+                        const std::string& place) const;
+
+  const ExperimentFile& file_;
+  const Table& table_;
+  std::vector<Variables> variables_;
+  std::vector<std::set<std::string>> missing_;  // names of [let] without a value, of each row
+};
+
+}  // namespace experiments
