@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "experiments/axis_values.hpp"
 
@@ -110,8 +111,11 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };
+    std::set<std::string> named{name};  // other axes may have more points of one name
     for (; next < group.points.size() && gained() < TIE; ++next)
-      name += " or " + name_values(table, group.points[next].row, over);
+      if (const auto tied = name_values(table, group.points[next].row, over);
+          named.insert(tied).second)
+        name += " or " + tied;
     ++wins[name];
     auto& row = answer.best.rows.emplace_back(group.at);
     row.insert(row.end(), {name, first.value});

@@ -51,6 +51,14 @@ ordered_json time_columns(const farm::Result& r) {
           {"drain_s", r.drain_s}};
 }
 
+// When the limits of each stage but the last were reached: its key image.
+ordered_json stage_columns(const farm::Result& r) {
+  ordered_json columns = ordered_json::object();
+  for (std::size_t i = 0; i < r.key_images.size(); ++i)
+    columns[fmt::format("stage{}_s", i + 1)] = r.key_images[i].at.value - r.setup_s;
+  return columns;
+}
+
 ordered_json load_columns(const farm::Result& r) {
   const auto& use = r.use;
   auto busy = [&](const char* name) { return find_cpu(use, name).busy_s / use.time_s; };
@@ -85,6 +93,7 @@ ordered_json bottleneck_columns(const farm::Result& r) {
 
 ordered_json make_farm_row(const farm::Result& r) {
   ordered_json row = time_columns(r);
+  row.update(stage_columns(r));
   row.update({{"mean_distance", topologies::eval_metrics(r.topology).mean_distance},
               {"mean_depth", r.mean_depth},
               {"messages", total_messages(r.use)},

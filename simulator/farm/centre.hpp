@@ -49,6 +49,7 @@ struct Visualisation {
 struct SceneMessages {
   std::uint64_t bytes = 0;    // of the scene; 0: the workers have it
   std::uint32_t message = 0;  // bytes, at most
+  std::size_t workers = 0;    // each acknowledges the last
 };
 struct CoordinationSetup {
   const renderer::Scene& scene;
@@ -105,7 +106,8 @@ struct BlockSetup {
 void block_coordination(const BlockSetup& setup, CoordinationChannels channels,
                         CoordinationResult& result);
 
-// Sends the scene to all workers. Nobody's task is under way, and the sender's signal not taken.
+// Sends the scene to all workers, and waits until they have it. Nobody's task is under way, and the
+// sender's signal not taken.
 void send_scene(CoordinationChannels channels, SceneMessages load);
 
 // Stops every process of the farm, in the order of the wires, once nothing is in it.

@@ -88,27 +88,27 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                                 "the image", on_.display.now());
 }
 
-SceneMessages Centre::scene_messages() const {
+SceneMessages Centre::scene_messages(std::size_t workers) const {
   if (params_.scene_message == 0) return {};
-  return {scene_bytes(machine_.model(), scene_), params_.scene_message};
+  return {scene_bytes(machine_.model(), scene_), params_.scene_message, workers};
 }
 
-CoordinationSetup Centre::make_ray_setup() {
+CoordinationSetup Centre::make_ray_setup(std::size_t workers) {
   return {.scene = scene_,
           .params = params_.image,
           .cost = cost_,
           .bytes = bytes_,
           .cells = make_cells(params_),
           .seed = params_.seed,
-          .load = scene_messages(),
+          .load = scene_messages(workers),
           .stages = params_.stages,
           .on_begin = [this] { before_ = observe::collect(machine_); },
           .on_end = [this] { after_ = observe::collect(machine_); }};
 }
 
-BlockSetup Centre::make_block_setup() {
+BlockSetup Centre::make_block_setup(std::size_t workers) {
   return {.blocks = make_blocks(params_.image, *params_.block),
-          .load = scene_messages(),
+          .load = scene_messages(workers),
           .on_begin = [this] { before_ = observe::collect(machine_); },
           .on_end = [this] { after_ = observe::collect(machine_); }};
 }
@@ -118,13 +118,14 @@ void Centre::start(Wires& wires, const Workers& workers) {
   const CoordinationChannels channels{
       from_interaction_, first.free,     first.into,         *workers.results[workers.root],
       into_database_,    from_database_, into_visualisation_};
+  const std::size_t n = workers.processors.size();
   farm::start(on_.coordinator, "interaction", Priority::low,
               [this] { interaction(script_, from_interaction_); });
-  farm::start(on_.coordinator, "coordination", Priority::low, [this, channels] {
+  farm::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
     if (params_.block)
-      block_coordination(make_block_setup(), channels, coordinated_);
+      block_coordination(make_block_setup(n), channels, coordinated_);
     else
-      coordination(make_ray_setup(), channels, coordinated_);
+      coordination(make_ray_setup(n), channels, coordinated_);
   });
   // Alone on their processors: the priority does not matter.
   farm::start(on_.database, "ray.database", Priority::high,

@@ -24,9 +24,9 @@ class Centre {
   Result take_result(machine::End end);
 
  private:
-  SceneMessages scene_messages() const;
-  CoordinationSetup make_ray_setup();
-  BlockSetup make_block_setup();
+  SceneMessages scene_messages(std::size_t workers) const;
+  CoordinationSetup make_ray_setup(std::size_t workers);
+  BlockSetup make_block_setup(std::size_t workers);
   void note_cut();
 
   machine::Machine& machine_;

@@ -142,11 +142,15 @@ void Coordinator::next_stage() {
 }  // namespace
 
 void send_scene(CoordinationChannels to, SceneMessages load) {
+  if (load.bytes == 0) return;
   for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
     in(to.from_sender);
-    const auto size = std::min<std::uint64_t>(load.message, load.bytes - sent);
-    out(to.into_sender, Task{SceneData{}, static_cast<std::uint32_t>(size)});
+    const auto left = load.bytes - sent;
+    const auto size = static_cast<std::uint32_t>(std::min<std::uint64_t>(load.message, left));
+    out(to.into_sender, Task{SceneData{left <= load.message}, size});
   }
+  Intersection acknowledgement;
+  for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
 }
 
 void stop_all(CoordinationChannels to, bool sender_is_ready) {

@@ -18,8 +18,8 @@ struct Params {
   int max_cell = 16;           // pixels, the largest image cell; a power of two
   std::optional<Block> block;  // a task; none: a task is a ray
   std::uint64_t seed = 1;      // of the order of cells
-  // Bytes of a message when the scene is sent to the workers, all the way down the tree, before the
-  // first task; 0: they have it, as in the thesis's measurements.
+  // Bytes of a message when the scene is sent to the workers, all the way down the tree, and
+  // acknowledged before the first task; 0: they have it, as in the thesis's measurements.
   std::uint32_t scene_message = 0;
   std::optional<std::uint64_t> worker_memory, database_memory;  // bytes; else the model's
   // Intersections are charged the host time they take, times this; else their counts.

@@ -23,7 +23,9 @@ struct Stop {
 };
 
 // A part of the scene, for every worker.
-struct SceneData {};
+struct SceneData {
+  bool is_last = false;  // to be acknowledged
+};
 
 // Sizes of the records that travel, in bytes, from the model file.
 struct RecordBytes {
@@ -41,7 +43,8 @@ struct Task {
 };
 constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  // a block's task: where it is
 
-// Workers -> coordination -> visualisation: a ray, and what it hits first; or a block.
+// Workers -> coordination -> visualisation: a ray, and what it hits first; or a block. Also what
+// acknowledges the scene.
 struct Intersection {
   bool stop = true;
   bool key_image = false;  // to visualisation only: keep the image as it is now
@@ -57,6 +60,12 @@ inline Intersection make_intersection(const renderer::Ray& ray) {
   found.stop = false;
   found.ray = ray;
   return found;
+}
+// The scene has arrived.
+inline Intersection make_acknowledgement() {
+  Intersection message;
+  message.stop = false;
+  return message;
 }
 inline Intersection make_key_image() {
   Intersection message;

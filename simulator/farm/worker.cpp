@@ -92,6 +92,8 @@ void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersectio
       out(results, find_intersection(kernel, *ray));
     else if (const auto* area = std::get_if<renderer::Area>(&task.content))
       out(results, find_block(kernel, *area));
+    else if (std::get<SceneData>(task.content).is_last)
+      out(results, make_acknowledgement());
   }
   out(results, Intersection{});
 }

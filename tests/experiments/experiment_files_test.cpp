@@ -1,5 +1,4 @@
-// Every experiment of experiments/latency and experiments/validation, in a reduced size: its checks
-// hold.
+// Every experiment below experiments/, in a reduced size: its checks hold.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,6 +21,13 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
       {"latency/message", {"sweep.switches=[0, 3]", "sweep.bytes=[0, 1, 4, 65536]"}},
       {"latency/pipeline", {"sweep.stages=[3, 8]", "sweep.bytes=[4, 1000]"}},
       {"latency/broadcast", {"sweep.bytes=[100]"}},
+      {"farm", {"sweep.objects=[200]", "sweep.workers=[1, 2, 5, 7]"}},
+      {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 2, 4, 7]"}},
+      {"thesis/bounds", {"sweep.workers=[4]", "sweep.depth=[2, 5]"}},
+      {"topologies", {"sweep.task=[\"ray\", \"block:2x2\"]", "image.width=24", "image.height=24",
+                      "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 4], [\"amp\", 1], "
+                      "[\"amp\", 4]]"}},
+      {"amdahl", {"sweep.width, height=[[16, 16], [32, 32]]", "sweep.workers=[1, 4, 16]"}},
       {"latency/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
   };
   return all;
@@ -31,12 +37,11 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
 std::vector<std::string> find_experiments() {
   const fs::path root = TLAB_SOURCE_DIR "/experiments";
   std::vector<std::string> found;
-  for (const char* folder : {"latency", "validation"})
-    for (const auto& file : fs::directory_iterator(root / folder)) {
-      if (file.path().extension() != ".toml") continue;
-      if (read_file(file.path()).find("[[check]]") == std::string::npos) continue;
-      found.push_back(std::string(folder) + "/" + file.path().stem().string());
-    }
+  for (const auto& file : fs::recursive_directory_iterator(root)) {
+    if (file.path().extension() != ".toml") continue;
+    if (read_file(file.path()).find("[[check]]") == std::string::npos) continue;
+    found.push_back(file.path().lexically_relative(root).replace_extension().string());
+  }
   std::ranges::sort(found);
   return found;
 }
