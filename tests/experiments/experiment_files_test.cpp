@@ -24,9 +24,10 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
       {"farm", {"sweep.objects=[200]", "sweep.workers=[1, 2, 5, 7]"}},
       {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 2, 4, 7]"}},
       {"thesis/bounds", {"sweep.workers=[4]", "sweep.depth=[2, 5]"}},
-      {"topologies", {"sweep.task=[\"ray\", \"block:2x2\"]", "image.width=24", "image.height=24",
-                      "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 4], [\"amp\", 1], "
-                      "[\"amp\", 4]]"}},
+      {"topologies",
+       {"sweep.task=[\"ray\", \"block:2x2\"]", "image.width=24", "image.height=24",
+        "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 8], [\"amp\", 1], "
+        "[\"amp\", 8]]"}},
       {"amdahl", {"sweep.width, height=[[16, 16], [32, 32]]", "sweep.workers=[1, 4, 16]"}},
       {"latency/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
   };
