@@ -13,6 +13,12 @@
 namespace experiments {
 namespace {
 
+// Points; a long title is smaller, lest it be cut off.
+double title_size(const std::string& title) {
+  constexpr double LARGEST = 17, FITS = 58;  // characters of the largest size
+  return std::min(LARGEST, LARGEST * FITS / static_cast<double>(title.size() + 1));
+}
+
 // Heights in pixels of a drawing 800 wide, from the bottom: key, x label and numbers, lower panel
 // with the gap above it, upper panel, title.
 constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
@@ -99,7 +105,8 @@ std::string make_gnuplot_script(const Plot& plot) {
   const auto x_label = fmt::format("set xlabel {} offset 0,0.6\n", quote_for_gnuplot(plot.x_label));
 
   std::string text = "reset\nset encoding utf8\nset samples 400\n" + data + make_look(plot, x);
-  text += fmt::format("set title {} font ',17' offset 0,-0.3\n", quote_for_gnuplot(plot.title));
+  text += fmt::format("set title {} font ',{:.3g}' offset 0,-0.3\n", quote_for_gnuplot(plot.title),
+                      title_size(plot.title));
   const Key key = arrange_key(plot);
   text += fmt::format(
       "set key at screen 0.535,{:.4f} center top horizontal Left reverse samplen 4 maxcols {} "
