@@ -68,9 +68,9 @@ struct ExperimentFile {
   // Axes whose values go together, "workers, height" = [[1, 16], ...]; of each such entry the
   // names.
   std::vector<std::vector<std::string>> coupled = {};
-  std::vector<PlotSpec> plots = {};  // [[plot]]
-  std::vector<BestSpec> bests = {};  // [[best]]
-  ReportSpec report = {};            // [report]
+  std::vector<PlotSpec> plots = {};         // [[plot]]
+  std::vector<BestSpec> bests = {};         // [[best]]
+  ReportSpec report = {};                   // [report]
   std::vector<std::string> axis_keys = {};  // "scene.objects", of each axis
   // What the file gives to keys that change what a point does, as TOML spells it.
   std::map<std::string, std::string> settings = {};

@@ -43,8 +43,8 @@ std::string draw(const Point& point, const ordered_json& use) {
   keep_links_of(topology, links);
   topologies::Loads loads;
   for (const auto& at : point.at)
-    loads.title += fmt::format("{}{} {}", loads.title.empty() ? "" : ", ", at.axis,
-                               to_string(to_value(at)));
+    loads.title +=
+        fmt::format("{}{} {}", loads.title.empty() ? "" : ", ", at.axis, to_string(to_value(at)));
   for (int id = 0; id < topology.processors; ++id) {
     loads.processors.push_back(busy(cpus, worker(id)));
     loads.labels.push_back(std::to_string(id + 1));

@@ -71,8 +71,8 @@ bool is_result(const fs::path& entry) {
     return name == "plots" || name == "networks" ? has_only(entry, is_plot)
                                                  : name == "points" && is_store(entry);
   return name == "results.csv" || name == "checks.csv" || name == "fits.csv" ||
-         name == "best.csv" || name == "pays.csv" || name == "run.json" ||
-         name == "report.html" || (name.starts_with("image-") && entry.extension() == ".png");
+         name == "best.csv" || name == "pays.csv" || name == "run.json" || name == "report.html" ||
+         (name.starts_with("image-") && entry.extension() == ".png");
 }
 
 void check_is_ours(const fs::path& path) {

@@ -25,7 +25,8 @@ using nlohmann::ordered_json;
 // Names in checks that no column has: known as soon as one point is.
 void check_columns(const PointsPlan& plan, const Point& point, const ordered_json& result) {
   if (plan.checks.is_empty() || !is_complete(result)) return;
-  const ExperimentFile alone{plan.file.path, {}, plan.file.axes, {point}, {}, {}, plan.file.coupled};
+  const ExperimentFile alone{plan.file.path,   {}, plan.file.axes, {point}, {}, {},
+                             plan.file.coupled};
   const Table table = make_table(alone, {result});
   check_names(plan.checks, alone, 0, table, table.rows[0]);
 }
