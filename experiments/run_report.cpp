@@ -74,6 +74,11 @@ Facts make_pattern_facts(const ExperimentFile& file) {
   return facts;
 }
 
+std::string describe_task(const std::optional<farm::Block>& block) {
+  if (!block) return "one ray";
+  return fmt::format("a block of {} x {} pixels", block->width, block->height);
+}
+
 Facts make_facts(const ExperimentFile& file) {
   if (!is_farm(file)) return make_pattern_facts(file);
   const Experiment& e = file.points[0].experiment;
@@ -88,9 +93,12 @@ Facts make_facts(const ExperimentFile& file) {
                               swept("topology", e.topology))},
       {"Scene", fmt::format("{}, objects: {}", swept("source", e.scene),
                             swept("objects", fmt::format("{}", e.objects)))},
-      {"Image", fmt::format("{} x {} pixels, tree depth {}, minimum influence {}", p.width,
-                            p.height, p.limits.depth, p.limits.min_influence)},
-      {"Task", "one ray"},
+      {"Image",
+       fmt::format("{} x {} pixels, tree depth {}, minimum influence {}",
+                   swept("width", fmt::format("{}", p.width)),
+                   swept("height", fmt::format("{}", p.height)),
+                   swept("depth", fmt::format("{}", p.limits.depth)), p.limits.min_influence)},
+      {"Task", swept("task", describe_task(e.farm.block))},
       {"Points", fmt::format("{}", file.points.size())}};
 }
 
@@ -109,7 +117,7 @@ std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& 
                                  table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
   for (const char* name :
        {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency", "cpu_busy_worker_mean",
-        "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max"})
+        "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max", "bottleneck"})
     if (table.find(name)) shown.push_back(name);
   return shown;
 }
