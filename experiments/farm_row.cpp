@@ -81,7 +81,8 @@ ordered_json load_columns(const farm::Result& r) {
 }
 
 ordered_json bottleneck_columns(const farm::Result& r) {
-  const auto loads = farm::find_loads(r);
+  auto loads = farm::find_loads(r);
+  while (loads.size() < 2) loads.push_back({.resource = "none", .busy = 0, .doing = ""});
   return {{"bottleneck", loads[0].busy < farm::SATURATED ? "none" : loads[0].resource},
           {"busiest", loads[0].resource},
           {"busiest_busy", loads[0].busy},

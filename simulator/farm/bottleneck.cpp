@@ -57,6 +57,7 @@ Load load_of_links(const observe::Use& use) {
 
 std::vector<Load> find_loads(const Result& result) {
   const auto& use = result.use;
+  if (use.time_s <= 0) return {};
   std::vector<Load> loads{
       load_of_workers(use),
       load_of_routing(use),

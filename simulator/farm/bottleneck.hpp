@@ -24,6 +24,7 @@ struct Load {
 // - "link A>B": the busiest direction of a link;
 // - "tasks": the share of the time after the last task was handed out, when workers end one after
 //   the other.
+// None for a run that was cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
 // The first of them, if it was busy for at least this share of the time; else nothing is: all wait

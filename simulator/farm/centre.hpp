@@ -44,13 +44,14 @@ struct Visualisation {
   void update(const Intersection& message, renderer::Work& work);
 };
 
-// Feeds the workers with rays from the database, makes new rays from the intersections they
-// return, and passes these on to be shown (figure 4.15).
+// How the scene goes to the workers before the first task.
 struct SceneMessages {
   std::uint64_t bytes = 0;    // of the scene; 0: the workers have it
   std::uint32_t message = 0;  // bytes, at most
   std::size_t workers = 0;    // each acknowledges the last
 };
+// Feeds the workers with rays from the database, makes new rays from the intersections they
+// return, and passes these on to be shown (figure 4.15).
 struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;

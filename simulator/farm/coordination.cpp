@@ -181,7 +181,7 @@ void CoordinationResult::end(const std::function<void()>& then) {
 }
 
 void CoordinationResult::cut(machine::Seconds now) {
-  if (phase == Phase::setup) begun = now;
+  if (phase == Phase::setup) begun = last_task = now;
   if (phase <= Phase::interactive) interactive_ended = now;
   if (phase < Phase::ended) ended = now;
 }

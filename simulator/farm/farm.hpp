@@ -34,7 +34,7 @@ struct Result {
   renderer::RayCounts rays;
   double time_s = 0;         // from the first task to the last ray shown to be complete
   double interactive_s = 0;  // of it, the interactive phase
-  double setup_s = 0;        // before: the initial rays deposited
+  double setup_s = 0;        // before: scene sent, initial rays deposited
   RayStores::Peaks peaks;    // of the database's stores
   std::uint64_t tasks = 0;   // rays, or blocks
   std::size_t peak_tasks_in_farm = 0;
@@ -44,7 +44,7 @@ struct Result {
   observe::Use use;                       // of processors and links, over time_s
   machine::End end = machine::End::done;  // else all this is what was measured until then
   std::uint64_t events = 0;               // simulated
-  machine::Cycles kernel_cycles{};        // that intersections were charged
+  machine::Cycles kernel_cycles{};        // that the workers' tasks were charged
   double kernel_host_s = 0;               // with Params::profile
 };
 

@@ -75,7 +75,8 @@ inline Intersection make_key_image() {
 }
 
 // To and from the ray database, and to the display, go occam's variant protocols (figures 4.16 and
-// 4.17: `add.ray; ray.mess`): sizes are those of the contents, after the tag.
+// 4.17: `add.ray; ray.mess`): sizes are those of the contents, after the tag. (A stop and a key
+// image have a word for contents.)
 
 // Coordination -> ray database.
 struct AskInteractive {};  // for an RMI ray (figure 4.16: ask.interact.mode.ray)

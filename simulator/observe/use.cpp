@@ -17,8 +17,8 @@ void check_busy(const std::string& who, double busy_s, double time_s) {
 
 ProcessRow make_row(const machine::Process& process) {
   using Kind = machine::Wait::Kind;
-  return {process.name(), process.blocked(Kind::output).value, process.blocked(Kind::input).value,
-          process.blocked(Kind::alternative).value};
+  return {process.id(), process.name(), process.blocked(Kind::output).value,
+          process.blocked(Kind::input).value, process.blocked(Kind::alternative).value};
 }
 
 template <class Row>
@@ -31,10 +31,10 @@ const Row& find(const std::vector<Row>& rows, const std::string& name, const cha
 
 // Processes come and go.
 void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
-  std::unordered_map<std::string, const ProcessRow*> known;
-  for (const auto& row : before) known[row.name] = &row;
+  std::unordered_map<machine::ProcessId, const ProcessRow*> known;
+  for (const auto& row : before) known[row.id] = &row;
   for (auto& row : rows) {
-    const auto found = known.find(row.name);
+    const auto found = known.find(row.id);
     if (found == known.end()) continue;
     row.output_s -= found->second->output_s;
     row.input_s -= found->second->input_s;

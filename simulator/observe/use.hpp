@@ -23,7 +23,8 @@ struct LinkRow {
 
 // What a process waited for. The rest of the time it was executing, or ready to.
 struct ProcessRow {
-  std::string name;                                     // "coordinator.coordination"
+  machine::ProcessId id = 0;
+  std::string name;  // "coordinator.coordination"; several may have one
   double output_s = 0, input_s = 0, alternative_s = 0;  // blocked in out, in, ALT
 };
 
