@@ -73,13 +73,14 @@ std::string make_x_range(const Plot& plot, const Extent& x) {
                      plot.log_x ? x.high * ratio : x.high + margin);
 }
 
-std::string make_x_ticks(const Plot& plot, const Extent& x) {
+std::string make_x_ticks(const Plot& plot, const Extent& x, bool labelled) {
   const auto values = all_x(plot);
   const bool are_integers =
       std::ranges::all_of(values, [](double v) { return v == std::floor(v); });
   if (plot.log_x && values.size() <= 12) {
     std::vector<std::string> ticks;
-    for (const double value : values) ticks.push_back(fmt::format("'{:g}' {}", value, value));
+    for (const double value : values)
+      ticks.push_back(fmt::format("'{}' {}", labelled ? fmt::format("{:g}", value) : "", value));
     return fmt::format("set xtics ({})\n", join_texts(ticks, ", "));
   }
   if (are_integers && !plot.log_x && x.high - x.low <= 20) return "set xtics 1\n";

@@ -21,7 +21,8 @@ struct Extent {
 std::string make_scales(const Plot& plot);
 std::string make_x_range(const Plot& plot, const Extent& x);
 // Integers get integer ticks; few, or on a logarithmic scale, exactly those that have points.
-std::string make_x_ticks(const Plot& plot, const Extent& x);
+// `labelled`: with numbers, not of a panel that shares them with the one below.
+std::string make_x_ticks(const Plot& plot, const Extent& x, bool labelled = true);
 // With ticks where gnuplot would set too few.
 std::string make_y_range(const Plot& plot, const Extent& x, const Extent& y);
 // Of the lower panel, with its ticks.

@@ -91,6 +91,14 @@ std::string make_look(const Plot& plot, const Extent& x) {
 
 }  // namespace
 
+bool has_points(const Plot& plot) {
+  Extent x, y;
+  std::string unused;
+  return std::ranges::any_of(plot.series, [&](const Series& series) {
+    return add_data(unused, plot, series, "data", true, x, y) > 0;
+  });
+}
+
 int choose_height(const Plot& plot) {
   const int key = KEY_MARGIN + KEY_LINE * arrange_key(plot).lines;
   return key + BELOW + (plot.differences.empty() ? 0 : LOWER + GAP) + UPPER + ABOVE;
@@ -115,7 +123,8 @@ std::string make_gnuplot_script(const Plot& plot) {
   text += fmt::format("set ylabel {}\n", quote_for_gnuplot(plot.y_label));
   text += make_y_range(plot, x, y);
   if (has_lower)
-    text += "set multiplot\nset lmargin at screen 0.13\nset format x ''\n";
+    text += "set multiplot\nset lmargin at screen 0.13\nset format x ''\n" +
+            make_x_ticks(plot, x, false);
   else
     text += x_label;
   text += make_margins(plot, axis, axis + UPPER) + "plot " + make_curves(plot) + "\n";

@@ -8,6 +8,7 @@
 
 #include "experiments/axis_values.hpp"
 #include "experiments/plot.hpp"
+#include "experiments/results.hpp"
 
 namespace experiments {
 namespace {
@@ -37,6 +38,7 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
                                 const std::vector<std::size_t>& others) {
   std::vector<Series> all;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (!is_complete_row(table, table.rows[row])) continue;  // cut short: half a result
     const auto at = as_number(table.rows[row][x]), value = as_number(table.rows[row][y]);
     if (!at || !value || !std::isfinite(*at) || !std::isfinite(*value)) continue;
     auto name = name_values(table, row, others);

@@ -68,6 +68,9 @@ void draw_plots(const std::vector<Plot>& plots, const std::filesystem::path& fol
 /// How high the drawing is, for a width of 800.
 int choose_height(const Plot& plot);
 
+/// Whether there is something to draw: a finite point, above 0 on a logarithmic scale.
+bool has_points(const Plot& plot);
+
 /// The plot in gnuplot's language, without terminal and output. std::invalid_argument as draw_plot.
 std::string make_gnuplot_script(const Plot& plot);
 

@@ -176,6 +176,7 @@ void add_plots(Report& report, const fs::path& folder, const Simulation& s) {
   if (s.file.plots.empty())
     report.plots =
         is_farm(s.file) ? make_plots(s.table) : make_plots(s.table, first_result(s.file, s.table));
+  std::erase_if(report.plots, [](const Plot& plot) { return !has_points(plot); });
   report.plots_folder = folder / "plots";
   if (report.plots.empty()) return;
   fs::create_directory(report.plots_folder);

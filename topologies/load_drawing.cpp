@@ -156,11 +156,13 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
 std::string write_legend(const Place& place) {
   constexpr int STEPS = 20;
   constexpr double WIDTH = 0.3, HEIGHT = 0.35;
+  constexpr double LETTER = 0.1;  // inches: the drawing is made wide enough for its words
   const auto text = [&](const char* name, double x, double y, const std::string& words) {
     return fmt::format(
-        "{} [class=legend, shape=plaintext, style=solid, label={}, width=0, height=0, "
+        "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0, "
         "pos=\"{}\"];\n",
-        name, quote(words), at({place.x + x, place.y + y}));
+        name, quote(words), LETTER * static_cast<double>(words.size()),
+        at({place.x + x, place.y + y}));
   };
   std::string out;
   for (int i = 0; i < STEPS; ++i)
