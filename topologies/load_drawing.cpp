@@ -159,7 +159,7 @@ std::string write_legend(const Place& place) {
   constexpr double LETTER = 0.1;  // inches: the drawing is made wide enough for its words
   const auto text = [&](const char* name, double x, double y, const std::string& words) {
     return fmt::format(
-        "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0, "
+        "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
         "pos=\"{}\"];\n",
         name, quote(words), LETTER * static_cast<double>(words.size()),
         at({place.x + x, place.y + y}));
