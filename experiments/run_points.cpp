@@ -73,8 +73,8 @@ ordered_json run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
     auto result = run_point(plan, number);
+    save_point(plan, number, result);  // first: a name mistyped in the file costs no result
     check_columns(plan, point, result);
-    save_point(plan, number, result);
     result.erase("use");
     return result;
   } catch (const std::exception& error) {

@@ -101,6 +101,18 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
+// A name that no column has is found when the first point has ended, and costs no point.
+TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
+  const auto mistaken = run({"-o", "r", "--jobs", "1", "--set", "let={half=\"rayz / 2\"}", "--set",
+                             "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
+  EXPECT_EQ(mistaken.exit_code, 2);
+  EXPECT_TRUE(contains(mistaken.err, "rayz")) << mistaken.err;
+  EXPECT_EQ(records("r").size(), 1u);
+  const auto mended = run({"-o", "r"});
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_TRUE(contains(mended.out, "1 of 6 points were there")) << mended.out;
+}
+
 TEST_F(Sweep, MistakesAreNamed) {
   for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
            {{"--point", "6"}, "--point 6: expected the number of a point, or two as in 0-9"},
