@@ -143,6 +143,7 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
   for (const auto& override : overrides) check_not_shadowed(override, axes);
   ExperimentFile experiment{path, resolve(file, axes, path),    {},
                             {},   read_definitions(file, path), read_checks(file, path, folder)};
+  experiment.folder = folder;
   experiment.plots = read_plots(file, path, folder);
   experiment.bests = read_bests(file, path);
   experiment.report = read_report(file, path);

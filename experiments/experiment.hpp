@@ -59,7 +59,7 @@ struct Point {
 std::string name_of(const Point& point);
 
 struct ExperimentFile {
-  std::string path;
+  std::string path;               // as it was spelled, wherever that was
   std::string resolved;           // the file with --set applied, as TOML
   std::vector<std::string> axes;  // of [sweep]
   std::vector<Point> points;      // the last axis runs fastest; one point if there is no sweep
@@ -74,6 +74,7 @@ struct ExperimentFile {
   std::vector<std::string> axis_keys = {};  // "scene.objects", of each axis
   // What the file gives to keys that change what a point does, as TOML spells it.
   std::map<std::string, std::string> settings = {};
+  std::string folder = {};  // that the paths in the file are relative to; "" is the current one
 };
 
 // Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also be

@@ -8,6 +8,7 @@
 #include "experiments/farm_row.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/machine_model.hpp"
+#include "experiments/try_twice.hpp"
 #include "renderer/load.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -23,8 +24,10 @@ std::string save_image(const std::filesystem::path& folder, const renderer::Samp
   const auto hash =
       hash_of({reinterpret_cast<const char*>(sums.data()), sums.size() * sizeof sums[0]});
   const auto name = fmt::format("{}-{}x{}.png", hash, samples.width, samples.height);
-  std::filesystem::create_directories(folder);
-  if (!std::filesystem::exists(folder / name)) renderer::save_png(folder / name, samples);
+  try_twice([&] {
+    std::filesystem::create_directories(folder);
+    if (!std::filesystem::exists(folder / name)) renderer::save_png(folder / name, samples);
+  });
   return name;
 }
 
@@ -101,8 +104,8 @@ ordered_json describe_farm(const Experiment& experiment) {
           {"objects", scene_objects(experiment, renderer::load_scene(scene_source(experiment)))}};
 }
 
-ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& images, bool profile,
-                            observe::Watch& watch) {
+ordered_json run_farm_point(const Experiment& experiment, const std::filesystem::path& images,
+                            bool profile, observe::Watch& watch) {
   const double start_s = host_cpu_s();
   const auto model = make_model(experiment);
   const auto topology = make_workers(experiment);
@@ -115,12 +118,10 @@ ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& imag
   const farm::Result result = farm::run_farm(model, topology, scene, params);
   const double run_s = host_cpu_s() - run_start_s;
 
-  ordered_json keys;
-  if (images.key_images) keys = ordered_json::array();
+  ordered_json keys = ordered_json::array();
   for (const auto& key : result.key_images)
-    if (images.key_images)
-      keys.push_back({{"file", save_image(images.folder, key.samples)},
-                      {"at_s", key.at.value - result.setup_s}});
+    keys.push_back(
+        {{"file", save_image(images, key.samples)}, {"at_s", key.at.value - result.setup_s}});
   return {{"topology", topology.name},
           {"workers", topology.processors},
           {"objects", scene_objects(experiment, scene)},
@@ -128,7 +129,7 @@ ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& imag
           {"ended", machine::to_string(result.end)},
           {"key_images", keys},
           {"use", make_farm_use(result)},
-          {"image", save_image(images.folder, result.samples)},
+          {"image", save_image(images, result.samples)},
           {"host",
            {{"total_s", host_cpu_s() - start_s},
             {"run_s", run_s},

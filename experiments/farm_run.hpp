@@ -20,21 +20,17 @@ std::string scene_source(const Experiment& experiment);
 // "topology": its name; "workers", "objects": how many there are.
 nlohmann::ordered_json describe_farm(const Experiment& experiment);
 
-// Where a point puts its images, each in a file named by its content.
-struct ImageFiles {
-  std::filesystem::path folder;
-  bool key_images = false;  // those of the stages too
-};
-
-// Runs the farm and returns what describe_farm does, and
+// Runs the farm, puts its images into the folder `images`, each in a file named by its content, and
+// returns what describe_farm does, and
 //   "row": name -> number or text, the columns of results.csv after the axes, in order;
 //   "ended": done, limit or interrupt: then the row is what was measured until then;
 //   "image": the name of its file, the same for equal images only;
-//   "key_images": of each stage "file" and "at_s", or null where they are not wanted;
+//   "key_images": of each stage but the last "file" and "at_s";
 //   "use": how busy processors and links were;
 //   "host": what the run cost the host, in seconds of CPU time: never part of a result.
 // `watch`: its limit, and what is traced.
-nlohmann::ordered_json run_farm_point(const Experiment& experiment, const ImageFiles& images,
-                                      bool profile, observe::Watch& watch);
+nlohmann::ordered_json run_farm_point(const Experiment& experiment,
+                                      const std::filesystem::path& images, bool profile,
+                                      observe::Watch& watch);
 
 }  // namespace experiments

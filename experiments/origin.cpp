@@ -52,7 +52,7 @@ Origin read_origin(const fs::path& results, const ordered_json& json) {
 
 ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                          const fs::path& results) {
-  const auto folder = resolve(fs::path(file.path).parent_path());
+  const auto folder = resolve(file.folder);
   return {
       {"tlab", VERSION},
       {"name", name_of(file.path)},
@@ -82,7 +82,7 @@ void check_same_experiment(const fs::path& results, const ExperimentFile& file) 
     return known.contains(key) && known[key].is_string() ? known[key].get<std::string>() : "";
   };
   const auto name = name_of(file.path), title = file.points[0].experiment.title;
-  const auto folder = resolve(fs::path(file.path).parent_path());
+  const auto folder = resolve(file.folder);
   const bool is_same_file = resolve(resolve(results) / text("folder")) == folder;
   if (text("name") == name && (is_same_file || text("title") == title)) return;
   throw InvalidInput(

@@ -8,6 +8,7 @@
 #include "experiments/files.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/point_key.hpp"
+#include "experiments/try_twice.hpp"
 #include "simulator/machine/faults.hpp"
 
 namespace experiments {
@@ -44,24 +45,12 @@ bool has_images(const ordered_json& record, const fs::path& folder) {
                              [&](const auto& image) { return is_there(image["file"]); });
 }
 
-// Another process may be exchanging the whole folder of results; it takes a moment.
-template <class Write>
-void try_twice(const Write& write) {
-  try {
-    write();
-  } catch (const std::system_error& error) {
-    if (error.code() != std::errc::no_such_file_or_directory) throw;
-    write();
-  }
-}
-
 }  // namespace
 
 fs::path records_folder() { return fs::path("points") / program_id().substr(0, 16); }
 fs::path lone_records_folder() { return fs::path("points") / "lone"; }
 
-std::optional<ordered_json> find_record(const fs::path& results, const std::string& key,
-                                        bool with_key_images) {
+std::optional<ordered_json> find_record(const fs::path& results, const std::string& key) {
   const auto folder = results / records_folder(), file = folder / (key + ".json");
   if (!fs::is_regular_file(file)) return {};
   const auto skip_use = [](int depth, ordered_json::parse_event_t event, ordered_json& value) {
@@ -73,7 +62,6 @@ std::optional<ordered_json> find_record(const fs::path& results, const std::stri
     return {};
   }
   if (!has_images(record, folder)) return {};
-  if (with_key_images && record["key_images"].is_null()) return {};
   return record;
 }
 
@@ -100,12 +88,9 @@ StoreGuard::StoreGuard(const fs::path& results)
 
 StoreGuard::~StoreGuard() {
   std::error_code ignored;
-  const auto folder = results_ / records_folder();
-  if (!fs::is_directory(folder, ignored)) return;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".json") return;
-  fs::remove_all(folder, ignored);
-  fs::remove(folder.parent_path(), ignored);  // stays if it is not empty
+  // What is not empty stays: images without records may be those of another process.
+  fs::remove(results_ / records_folder(), ignored);
+  fs::remove(results_ / records_folder().parent_path(), ignored);
   if (!was_there_) fs::remove(results_, ignored);
 }
 

@@ -14,10 +14,10 @@ std::filesystem::path records_folder();
 // Records that belong to the results beside them and to no other: of points that failed, were
 // interrupted, or depend on the host's speed.
 std::filesystem::path lone_records_folder();
-// A record without "use"; none if it is missing, damaged (named on standard error), or has no key
-// images where they are wanted.
+// A record without "use"; none if it is missing, damaged (named on standard error), or lacks
+// an image.
 std::optional<nlohmann::ordered_json> find_record(const std::filesystem::path& results,
-                                                  const std::string& key, bool with_key_images);
+                                                  const std::string& key);
 
 // Writes `folder`/KEY.json, whole or not at all; several processes may do so at once.
 void save_record(const std::filesystem::path& folder, const std::string& key,
@@ -26,7 +26,7 @@ void save_record(const std::filesystem::path& folder, const std::string& key,
 // All of a record. Throws machine::InvalidInput with the file if it is damaged.
 nlohmann::ordered_json load_record(const std::filesystem::path& file);
 
-// When it goes, so do the records' folder that holds no record, and what has come with it.
+// When it goes, so do the records' folder if it is empty, and what has come with it.
 class StoreGuard {
  public:
   explicit StoreGuard(const std::filesystem::path& results);

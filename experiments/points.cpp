@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "experiments/farm_run.hpp"
@@ -35,22 +36,40 @@ void check_farm_point(const Experiment& e, std::set<std::string>& scenes) {
   if (scenes.insert(scene_source(e)).second) renderer::load_scene(scene_source(e));
 }
 
+// What is wrong with it, whichever room says so, is said of the file.
+template <class Check>
+void check_in(const ExperimentFile& file, const Check& check) {
+  const auto refuse = [&](const std::exception& error) {
+    throw machine::InvalidInput(fmt::format("{}: {}", file.path, error.what()));
+  };
+  try {
+    check();
+  } catch (const std::runtime_error& error) {
+    refuse(error);
+  } catch (const std::invalid_argument& error) {
+    refuse(error);
+  }
+}
+
+std::string network_key(const Experiment& e) {
+  auto key = fmt::format("{} {} {}", e.topology, e.workers, e.switches);
+  for (const auto& [a, b, count] : e.switches_between) key += fmt::format(" {} {} {}", a, b, count);
+  return key;
+}
+
 }  // namespace
 
 void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
   check_trace_files(options, chosen, results_folder(options));
   check_axes(file);
-  std::set<std::string> models, scenes, topologies;
-  for (const auto& point : file.points) {
-    const Experiment& e = point.experiment;
-    if (is_farm(file)) check_farm_point(e, scenes);
-    if (models.insert(model_key(e)).second) try {
-        make_model(e);
-      } catch (const machine::InvalidInput& error) {
-        throw machine::InvalidInput(fmt::format("{}: {}", file.path, error.what()));
-      }
-    if (topologies.insert(fmt::format("{} {}", e.topology, e.workers)).second) make_workers(e);
-  }
+  std::set<std::string> models, scenes, networks;
+  for (const auto& point : file.points)
+    check_in(file, [&] {
+      const Experiment& e = point.experiment;
+      if (is_farm(file)) check_farm_point(e, scenes);
+      if (models.insert(model_key(e)).second) make_model(e);
+      if (networks.insert(network_key(e)).second) make_workers(e);
+    });
 }
 
 }  // namespace experiments

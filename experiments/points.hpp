@@ -23,7 +23,6 @@ struct PointsPlan {
   std::filesystem::path lone;     // where lone records go; "": nowhere
   std::vector<std::string> keys;  // of each point
   nlohmann::ordered_json origin;  // see make_origin
-  std::vector<bool> key_images;   // whether its key images are wanted: of the first of equal images
 };
 
 // Of these points the results whose records are there; all others are null. With --profile, --trace

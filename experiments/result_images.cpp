@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "experiments/carry.hpp"
 #include "experiments/results.hpp"
@@ -49,24 +50,25 @@ ordered_json place_key_images(const ordered_json& files, const fs::path& records
 }  // namespace
 
 std::vector<std::string> place_images(const ExperimentFile& file, Results& results,
-                                      const std::vector<bool>& key_images, const fs::path& records,
-                                      const fs::path& folder) {
+                                      const fs::path& records, const fs::path& folder) {
   std::vector<std::string> images(results.size());
   if (!is_farm(file)) return images;
   check_images(file, results);
-  std::set<std::string> keys, stems;
+  std::map<std::string, std::string> stems;  // of equal images
+  std::set<std::string> known, with_key_images;
   for (std::size_t i = 0; i < results.size(); ++i) {
     auto& result = results[i];
     if (result.is_null() || is_failed(result)) continue;
-    const ordered_json files =
-        key_images[i] ? std::move(result["key_images"]) : ordered_json::array();
-    result["key_images"] = ordered_json::array();
     const Experiment& e = file.points[i].experiment;
-    if (!keys.insert(image_key(e) + stages_key(e)).second) continue;
-    const auto stem = make_stem(e, stems);
-    images[i] = stem + ".png";
-    carry_file(records / result["image"].get<std::string>(), folder / images[i]);
-    result["key_images"] = place_key_images(files, records, folder, stem);
+    const auto key = image_key(e) + stages_key(e);
+    if (!stems.contains(key)) {
+      stems[key] = make_stem(e, known);
+      images[i] = stems[key] + ".png";
+      carry_file(records / result["image"].get<std::string>(), folder / images[i]);
+    }
+    const ordered_json files = std::exchange(result["key_images"], ordered_json::array());
+    if (!files.empty() && with_key_images.insert(key).second)
+      result["key_images"] = place_key_images(files, records, folder, stems[key]);
   }
   return images;
 }

@@ -8,11 +8,10 @@ namespace experiments {
 
 // Of each point the image that it is to have in `folder`, "" for most: the first point that has one
 // stands for all whose images are equal. Makes these files of those that the results name in
-// `records`, and key images beside them, whose names "path" take the place of "file" in the
-// results; `key_images` says which results may have them. Throws machine::InvariantBroken where
-// images differ that must be equal.
+// `records`, and beside them key images of the first of these points that has any: their names
+// "path" take the place of "file" in its result. The others' results keep none. Throws
+// machine::InvariantBroken where images differ that must be equal.
 std::vector<std::string> place_images(const ExperimentFile& file, Results& results,
-                                      const std::vector<bool>& key_images,
                                       const std::filesystem::path& records,
                                       const std::filesystem::path& folder);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
@@ -89,11 +90,18 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
+// Which processes live is known of this host only; others may share the folder.
+std::string host_name() {
+  char name[HOST_NAME_MAX + 1] = {};
+  if (gethostname(name, HOST_NAME_MAX) != 0) fail("gethostname", "no name", last_error());
+  return name;
+}
+
 std::string partial_prefix(const fs::path& path) {
-  return fmt::format(".{}.partial-", path.filename().string());
+  return fmt::format(".{}.partial-{}-", path.filename().string(), host_name());
 }
 std::string old_prefix(const fs::path& path) {
-  return fmt::format(".{}.old-", path.filename().string());
+  return fmt::format(".{}.old-{}-", path.filename().string(), host_name());
 }
 
 // The process that made a folder of this name, if it begins so.
@@ -146,7 +154,7 @@ void drop_replaced(const fs::path& older, const fs::path& path) {
 }
 
 // Where two folders cannot be exchanged in one step: old aside, new in its place. After a crash
-// between the two the next run finds the old results under ".NAME.old-PID".
+// between the two the next run finds the old results under ".NAME.old-HOST-PID".
 void replace_in_two_steps(const fs::path& working, const fs::path& path) {
   const auto aside = path.parent_path() / (old_prefix(path) + std::to_string(getpid()));
   std::error_code error, ignored;

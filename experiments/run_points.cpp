@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "experiments/farm_run.hpp"
 #include "experiments/jobs.hpp"
@@ -34,8 +33,7 @@ void check_columns(const PointsPlan& plan, const Point& point, const ordered_jso
 ordered_json run_program(const PointsPlan& plan, std::size_t number, observe::Watch& watch) {
   const Experiment& experiment = plan.file.points[number].experiment;
   if (experiment.program != "farm") return run_pattern_point(experiment, watch);
-  return run_farm_point(experiment, {plan.results / records_folder(), plan.key_images[number]},
-                        plan.options.profile, watch);
+  return run_farm_point(experiment, plan.results / records_folder(), plan.options.profile, watch);
 }
 
 ordered_json run_point(const PointsPlan& plan, std::size_t number) {
@@ -73,8 +71,8 @@ ordered_json run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
     auto result = run_point(plan, number);
+    save_point(plan, number, result);  // first: a name mistyped in the file costs no result
     check_columns(plan, point, result);
-    save_point(plan, number, result);
     result.erase("use");
     return result;
   } catch (const std::exception& error) {
@@ -94,16 +92,6 @@ void finish_failure(const PointsPlan& plan, std::size_t number, ordered_json& fa
   save_point(plan, number, failure);
 }
 
-// What the image of a run depends on, and its key images.
-std::vector<bool> choose_key_images(const ExperimentFile& file) {
-  std::vector<bool> chosen;
-  std::set<std::string> known;
-  for (const auto& [at, e, numbers] : file.points)
-    chosen.push_back(is_farm(file) && !e.farm.stages.empty() &&
-                     known.insert(image_key(e) + stages_key(e)).second);
-  return chosen;
-}
-
 }  // namespace
 
 PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file,
@@ -113,8 +101,7 @@ PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file,
       checks(checks),
       results(results_folder(options)),
       keys(make_keys(file, options.until_s)),
-      origin(make_origin(options, file, results)),
-      key_images(choose_key_images(file)) {}
+      origin(make_origin(options, file, results)) {}
 
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
   Results results(plan.keys.size());
@@ -122,8 +109,7 @@ Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numb
   if (o.profile || !o.trace.empty() || !o.timeline.empty()) return results;
   for (const auto i : numbers)
     if (!is_timed(plan.file.points[i].experiment))
-      if (auto record = find_record(plan.results, plan.keys[i], plan.key_images[i]))
-        results[i] = std::move(*record);
+      if (auto record = find_record(plan.results, plan.keys[i])) results[i] = std::move(*record);
   return results;
 }
 

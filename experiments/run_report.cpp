@@ -127,13 +127,13 @@ namespace {
 void add_images(Report& report, const fs::path& folder, const Simulation& s) {
   for (std::size_t i = 0; i < s.images.size(); ++i) {
     const auto& image = s.images[i];
-    if (image.empty()) continue;
-    for (const auto& key : s.results[i]["key_images"]) {
+    for (const auto& key : s.results[i].value("key_images", nlohmann::ordered_json::array())) {
       const auto name = key["path"].get<std::string>();
       report.images.push_back({fmt::format("{}, after {:.2f} s", name.substr(6, name.size() - 10),
                                            key["at_s"].get<double>()),
                                folder / name});
     }
+    if (image.empty()) continue;
     report.images.push_back({image.substr(6, image.rfind('.') - 6), folder / image});
   }
 }

@@ -97,8 +97,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   plan.lone = folder.working() / lone_records_folder();
   s.results = make_results(plan, missing, s.there);
   carry_files(results / records_folder(), folder.working() / records_folder());
-  s.images = place_images(s.file, s.results, plan.key_images, folder.working() / records_folder(),
-                          folder.working());
+  s.images = place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
   keep_points_that_ran(s, plan);
   s.table = make_table(s.file, s.results);
   s.checks = eval_checks(checks, s.file, s.table);

@@ -23,11 +23,12 @@ void check_block(const Params& params) {
   if (!params.block) return;
   const Block& block = *params.block;
   if (block.width < 1 || block.height < 1)
-    throw machine::InvalidInput(fmt::format(
-        "task: found a block of {}x{} pixels, expected 1x1 or more", block.width, block.height));
+    throw machine::InvalidInput(
+        fmt::format("farm.task: found a block of {}x{} pixels, expected 1x1 or more", block.width,
+                    block.height));
   if (params.stages != std::vector<Limits>(1) || !params.script.empty())
     throw machine::InvalidInput(
-        "task: found a block, expected ray: stages and orders choose among rays");
+        "farm.task: found a block, expected ray: stages and orders choose among rays");
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ void check(const Params& params) {
   check(params.image);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     throw machine::InvalidInput(
-        fmt::format("max_cell: found {}, expected a power of two", params.max_cell));
+        fmt::format("farm.max_cell: found {}, expected a power of two", params.max_cell));
   check_block(params);
   if (params.stages.empty()) throw machine::InvalidInput("stages: at least one is needed");
   for (const Limits& limits : params.stages) check_area(params.image, limits.area);

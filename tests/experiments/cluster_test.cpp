@@ -34,6 +34,13 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
        {"results.csv", "report.html", "image-spheres-9.png", "image-spheres-20.png"})
     EXPECT_EQ(read_file(folder.path / "direct" / name), read_file(folder.path / "jobs" / name))
         << name;
+  // What is in no point's key is merged again.
+  std::ofstream(folder.path / "e.toml", std::ios::app) << "[report]\nnetworks = \"all\"\n";
+  ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
+  ASSERT_EQ(shell(folder.path, snakemake), 0) << read_file(folder.path / "log");
+  EXPECT_TRUE(fs::exists(folder.path / "jobs/networks"));
+  EXPECT_EQ(read_file(folder.path / "direct/report.html"),
+            read_file(folder.path / "jobs/report.html"));
 }
 
 }  // namespace

@@ -32,6 +32,13 @@ pid_t dead_process() {
   return child;
 }
 
+// How the folders of a process begin: ".out.partial-HOST-".
+std::string hidden(const std::string& what) {
+  char host[256] = {};
+  gethostname(host, sizeof host - 1);
+  return "." + what + "-" + host + "-";
+}
+
 std::string write_error(const fs::path& path) {
   return message_of<std::system_error>([&] { write_file(path, "bytes"); });
 }
@@ -211,11 +218,13 @@ TEST(ExperimentsResultsFolder, FollowsALinkToEarlierResults) {
 TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
   const TemporaryFolder folder;
   const auto dead = std::to_string(dead_process()), alive = std::to_string(getppid());
-  for (const auto& name : {".out.partial-" + dead, ".out.partial-" + alive,
-                           ".out.partial-" + dead + "x", ".other.partial-" + dead})
-    fs::create_directories(folder.path / name / "plots");
+  const auto partial = hidden("out.partial");
+  const Names kept{partial + alive, partial + dead + "x", hidden("other.partial") + dead,
+                   ".out.partial-of-another-host-" + dead};
+  fs::create_directories(folder.path / (partial + dead) / "plots");
+  for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
   { ResultsFolder results(folder.path / "out"); }
-  Names expected{".out.partial-" + alive, ".out.partial-" + dead + "x", ".other.partial-" + dead};
+  Names expected = kept;
   std::ranges::sort(expected);
   EXPECT_EQ(folder.names(), expected);
 }
@@ -223,7 +232,7 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
 // Records of points outlive whatever was done to the folder around them.
 TEST(ExperimentsResultsFolder, RecordsAreKept) {
   const TemporaryFolder folder;
-  const auto out = folder.path / "out", working = folder.path / ".out.partial-";
+  const auto out = folder.path / "out", working = folder.path / hidden("out.partial");
   const auto dead = std::to_string(dead_process());
   const auto put = [](const fs::path& root, const char* record) {
     fs::create_directories(root / "points/0123");
@@ -258,7 +267,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
 // Where folders cannot be exchanged in one step, a crash may leave the old results aside.
 TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   const TemporaryFolder folder;
-  const auto aside = folder.path / (".out.old-" + std::to_string(dead_process()));
+  const auto aside = folder.path / (hidden("out.old") + std::to_string(dead_process()));
   fs::create_directory(aside);
   write_file(aside / "run.json", "old");
   { ResultsFolder results(folder.path / "out"); }

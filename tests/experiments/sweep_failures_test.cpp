@@ -66,6 +66,32 @@ TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
+// The first point of equal images fails: another one has the key images, and the report.
+TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
+  ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 12\nheight = 8\n[[stage]]\nmin_cell = 4\n[[stage]]\n[scene]\n"
+             "objects = 20\n[sweep]\ndatabase_memory_bytes = [132000, 200000000]\n");
+  EXPECT_EQ(run({"-o", "r"}).exit_code, 3);
+  EXPECT_EQ(visible("r")["image-spheres-20-stage1.png"],
+            visible("whole")["image-spheres-20-stage1.png"]);
+  EXPECT_TRUE(contains(visible("r")["report.html"], "spheres-20-stage1, after"));
+}
+
+// Images without records may be another process's, whose records are still to come.
+TEST_F(Sweep, ImagesOfOtherProcessesStay) {
+  write_file(folder.path / "e.toml", SOME_FAIL);
+  ASSERT_EQ(run({"-o", "r", "--point", "1"}).exit_code, 0);
+  for (const auto& record : records("r")) fs::remove(record);
+  const auto count = [&] {
+    return std::distance(fs::recursive_directory_iterator(folder.path / "r/points"),
+                         fs::recursive_directory_iterator());
+  };
+  const auto before = count();
+  EXPECT_EQ(run({"-o", "r", "--point", "0"}).exit_code, 3);
+  EXPECT_EQ(count(), before);
+}
+
 TEST_F(Sweep, DeadlocksAreReportedPointByPoint) {
   std::ofstream(folder.path / "e.toml")
       << "[program]\nname = \"deadlock\"\n[sweep]\n\"model.cpu.clock\" = [20e6, 25e6]\n";
@@ -101,6 +127,18 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
+// A name that no column has is found when the first point has ended, and costs no point.
+TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
+  const auto mistaken = run({"-o", "r", "--jobs", "1", "--set", "let={half=\"rayz / 2\"}", "--set",
+                             "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
+  EXPECT_EQ(mistaken.exit_code, 2);
+  EXPECT_TRUE(contains(mistaken.err, "rayz")) << mistaken.err;
+  EXPECT_EQ(records("r").size(), 1u);
+  const auto mended = run({"-o", "r"});
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_TRUE(contains(mended.out, "1 of 6 points were there")) << mended.out;
+}
+
 TEST_F(Sweep, MistakesAreNamed) {
   for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
            {{"--point", "6"}, "--point 6: expected the number of a point, or two as in 0-9"},
@@ -111,6 +149,9 @@ TEST_F(Sweep, MistakesAreNamed) {
            {{"--point", "0", "--set", "run.cost=timed"}, "found cost = \"timed\""},
            {{"--jobs", "0"}, "--jobs"},
            {{"--set", "sweep.workers=[]"}, "at least one"},
+           {{"--set", "farm.max_cell=3"}, "e.toml: farm.max_cell: found 3"},
+           {{"--set", "farm.task=block:2x2"}, "e.toml: farm.task: found a block"},
+           {{"--set", "network.topology=hypercube"}, "e.toml: network.workers: found 3"},
            {{"--list", "--point", "0"}, "--list"}}) {
     auto arguments = more;
     arguments.insert(arguments.end(), {"-o", "r"});

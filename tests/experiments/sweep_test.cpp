@@ -41,6 +41,25 @@ TEST_F(Sweep, AnyHistoryGivesTheSameBytes) {
   EXPECT_EQ(visible("resumed"), expected);
 }
 
+// The folder of the experiment is known, whatever the current one is.
+TEST_F(Sweep, ItIsMergedFromAnyFolder) {
+  write_file(folder.path / "s.nff",
+             "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\n"
+             "resolution 8 8\nl 2 3 4\nf 1 1 1 0.5 0.5 9 0 1\ns 0 0 0 1\n");
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 8\nheight = 8\n[scene]\nsource = \"s.nff\"\n[sweep]\n"
+             "workers = [1, 2]\n");
+  ASSERT_EQ(run({"-o", "r", "--point", "0-1"}).exit_code, 0);
+  const auto origin = read_file(folder.path / "r/points/experiment.json");
+  fs::create_directories(folder.path / "deep/er");
+  for (const auto& [from, name] : {std::pair("deep/er", "../../r"), {"deep", "../r"}, {".", "r"}}) {
+    const auto merged = tlab(folder.path / from, {"merge", name});
+    EXPECT_EQ(merged.exit_code, 0) << from << merged.err;
+    EXPECT_EQ(read_file(folder.path / "r/points/experiment.json"), origin) << from;
+  }
+  EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
+}
+
 TEST_F(Sweep, ALargerOneRunsOnlyWhatIsNew) {
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
   const auto before = visible("r");
