@@ -132,6 +132,15 @@ bool is_defined(const ExperimentFile& file, const std::string& name) {
   return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
 }
 
+// What stands in the column of an axis of texts; nothing for other columns.
+std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
+  std::vector<std::string> texts;
+  if (const auto column = table.find(axis))
+    for (const auto& row : table.rows)
+      if (const auto* text = std::get_if<std::string>(&row[*column])) texts.push_back(*text);
+  return texts;
+}
+
 void check_axes(const Table& table, const std::vector<std::string>& axes,
                 const std::string& place) {
   Table only{.columns = {table.columns.begin(),
@@ -165,6 +174,24 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
 }
 
 }  // namespace
+
+std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table) {
+  std::vector<std::string> notes;
+  for_each_expression(plan, [&](const Expression& expression) {
+    for (const auto& variable : expression.variables()) {
+      const auto* reference = expression.find_reference(variable);
+      if (!reference) continue;
+      for (const auto& [axis, text, value] : reference->conditions) {
+        const auto texts = texts_of(table, axis);
+        if (texts.empty() || std::ranges::find(texts, text) != texts.end()) continue;
+        notes.push_back(fmt::format("{}: {}: no point has {} = {}, the nearest is \"{}\"",
+                                    expression.place(), reference->text, axis, text,
+                                    topologies::nearest_name(text, texts)));
+      }
+    }
+  });
+  return notes;
+}
 
 CheckPlan plan_checks(const ExperimentFile& file) {
   CheckPlan plan;

@@ -55,6 +55,10 @@ Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& t
 void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t point,
                  const Table& table, const std::vector<Value>& row);
 
+// Of each text in braces that no row of the table has on its axis, where it stands and the nearest;
+// in a reduced sweep that is no mistake.
+std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table);
+
 // The rows of the table that the expression, if there is one, holds for: of points that came to
 // their end. Throws machine::InvalidInput where it is not a number.
 std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expression>& where);

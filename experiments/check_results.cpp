@@ -26,12 +26,13 @@ CheckedPoint compare(const Check& check, std::size_t row, double simulated, doub
   return {row, simulated, expected, error, size_of(error) <= limit.value_or(1e300)};
 }
 
-// What is checked at a point.
+// What is checked at a point; none for an empty cell, such as the speed-up where no row has one
+// worker.
 std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
                                      std::size_t row) {
   if (c.of) return rows.eval(*c.of, row);
   const Table& table = rows.table();
-  return as_number(table.rows[row][*table.find(c.check.of)]).value_or(NO_VALUE);
+  return as_number(table.rows[row][*table.find(c.check.of)]);
 }
 
 // A point, where both sides are there.

@@ -56,14 +56,22 @@ Series draw_law(Law law, const Fit& fit, const Curve& curve, const std::vector<d
   return line;
 }
 
+// What is to be said of an interval that a serial fraction cannot fill.
+const char* judge_interval(const Estimate& p) {
+  constexpr double EXACT = 1e-6;  // the points lie on the law, be it with 0 or 1
+  if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
+  if (p.high < 0 || p.low > 1) return ": no share of the work, the law does not hold";
+  return p.low <= 0 || p.high > 1 ? ": the points do not determine it" : "";
+}
+
 void tell_fit(Exhibit& exhibit, const std::string& name, const Fit& fit) {
   for (const auto& p : fit.parameters) {
     exhibit.fits.rows.push_back({name, fit.law, p.name, p.value, p.low, p.high, p.standard_error,
                                  fit.rms, fit.minimised, static_cast<std::int64_t>(fit.points)});
     if (p.name == "a") continue;
     exhibit.findings.push_back(
-        fmt::format("{}{} by {}: {:.3g}, with 95 % confidence from {:.3g} to {:.3g}.",
-                    describe(name), p.name, fit.law, p.value, p.low, p.high));
+        fmt::format("{}{} by {}: {:.3g}, with 95 % confidence from {:.3g} to {:.3g}{}.",
+                    describe(name), p.name, fit.law, p.value, p.low, p.high, judge_interval(p)));
   }
 }
 

@@ -30,6 +30,13 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+// 'tree' is tree.
+std::string without_quotes(const std::string& text) {
+  const bool is_quoted = text.size() > 2 && (text.front() == '"' || text.front() == '\'') &&
+                         text.back() == text.front();
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 RowReference::Condition parse_condition(const std::string& text, const std::string& place) {
   const auto equals = text.find('=');
   RowReference::Condition condition{trim(text.substr(0, equals)), {}};
@@ -40,6 +47,7 @@ RowReference::Condition parse_condition(const std::string& text, const std::stri
     condition.value.emplace(condition.text, place);
   } catch (const InvalidInput&) {  // a text: Rows says so if the axis is one of numbers
   }
+  condition.text = without_quotes(condition.text);
   return condition;
 }
 

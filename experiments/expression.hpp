@@ -11,7 +11,8 @@
 namespace experiments {
 
 // {COLUMN @ AXIS = VALUE, ...}: the number that COLUMN, or a name of [let], has in the row of the
-// same sweep with these values on these axes and its own on all others.
+// same sweep with these values on these axes and its own on all others. Axes that go together with
+// one of these in [sweep] follow it where no row has their own values too.
 struct RowReference {
   struct Condition {
     std::string axis, text;                   // VALUE as it stands there

@@ -32,7 +32,7 @@ std::string save_image(const std::filesystem::path& folder, const renderer::Samp
 }
 
 // CPU time of this process: other programs on the host do not count.
-double host_cpu_s() {
+double process_cpu_s() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
@@ -106,7 +106,7 @@ ordered_json describe_farm(const Experiment& experiment) {
 
 ordered_json run_farm_point(const Experiment& experiment, const std::filesystem::path& images,
                             bool profile, observe::Watch& watch) {
-  const double start_s = host_cpu_s();
+  const double start_s = process_cpu_s();
   const auto model = make_model(experiment);
   const auto topology = make_workers(experiment);
   const auto scene = renderer::load_scene(scene_source(experiment));
@@ -114,9 +114,9 @@ ordered_json run_farm_point(const Experiment& experiment, const std::filesystem:
   params.profile = profile;
   params.watch = &watch;
 
-  const double run_start_s = host_cpu_s();
+  const double run_start_s = process_cpu_s();
   const farm::Result result = farm::run_farm(model, topology, scene, params);
-  const double run_s = host_cpu_s() - run_start_s;
+  const double run_s = process_cpu_s() - run_start_s;
 
   ordered_json keys = ordered_json::array();
   for (const auto& key : result.key_images)
@@ -131,7 +131,7 @@ ordered_json run_farm_point(const Experiment& experiment, const std::filesystem:
           {"use", make_farm_use(result)},
           {"image", save_image(images, result.samples)},
           {"host",
-           {{"total_s", host_cpu_s() - start_s},
+           {{"total_s", process_cpu_s() - start_s},
             {"run_s", run_s},
             {"kernel_s", profile ? ordered_json(result.kernel_host_s) : ordered_json()},
             {"events", result.events}}}};

@@ -28,8 +28,8 @@ std::string read_file(const std::filesystem::path& path);
 /// no folder, holds files but neither run.json nor points/, or holds the current folder.
 void check_results_folder(const std::filesystem::path& path);
 
-/// Collects results in a hidden folder beside `path` (".NAME.partial-HOST-PID"); `commit` puts them in
-/// its place. Until then, or without it, an older `path` stays as it was. One at a time per
+/// Collects results in a hidden folder beside `path` (".NAME.partial-HOST-PID"); `commit` puts them
+/// in its place. Until then, or without it, an older `path` stays as it was. One at a time per
 /// process and `path`. Of the folders in points/ that both have, those of the older one are added
 /// to: no record is lost that another process writes meanwhile.
 class ResultsFolder {

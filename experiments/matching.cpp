@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::size_t MOST_NAMED = 5;  // rows in one note
 
-bool equal(const Value& a, const Value& b) {
-  const auto x = as_number(a), y = as_number(b);
-  return x && y ? *x == *y : a == b;
-}
-
 std::string join_few(std::vector<std::string> names) {
   const auto count = names.size();
   names.resize(std::min(count, MOST_NAMED));
@@ -61,7 +56,7 @@ std::vector<std::vector<std::size_t>> match_rows(const Table& reference, const T
     auto& found = matches.emplace_back();
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       if (std::ranges::all_of(keys, [&](const auto& key) {
-            return equal(table.rows[i][*table.find(key)], row[*reference.find(key)]);
+            return is_same(table.rows[i][*table.find(key)], row[*reference.find(key)]);
           }))
         found.push_back(i);
   }

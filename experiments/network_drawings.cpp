@@ -52,10 +52,9 @@ std::string draw(const Point& point, const ordered_json& use) {
   for (const auto& link : topology.links)
     loads.links.push_back(both_ways(links, worker(link.a.processor), worker(link.b.processor)));
   const auto root = worker(topology.root);
-  loads.extras = {
-      {"coordinator", busy(cpus, "coordinator"), "", both_ways(links, root, "coordinator")},
-      {"database", busy(cpus, "database"), "coordinator", {}},
-      {"display", busy(cpus, "display"), "coordinator", {}}};
+  loads.extras = {{"coordinator", busy(cpus, "coordinator"), "", {}},
+                  {"database", busy(cpus, "database"), "coordinator", {}},
+                  {"display", busy(cpus, "display"), "coordinator", {}}};
   for (std::size_t i = 0; i < loads.extras.size(); ++i) {
     auto& extra = loads.extras[i];
     extra.link = both_ways(links, extra.name, i == 0 ? root : "coordinator");

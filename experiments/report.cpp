@@ -62,7 +62,11 @@ std::string make_table_html(const Table& table, const std::vector<std::string>& 
 std::string make_results(const Report& report) {
   const Table& table = report.table;
   if (table.rows.empty()) return {};
-  return make_table_html(table, report.shown_columns) +
+  std::string loads;
+  if (!report.load_columns.empty())
+    loads = "<details><summary>Loads</summary>\n" + make_table_html(table, report.load_columns) +
+            "</details>\n";
+  return make_table_html(table, report.shown_columns) + loads +
          fmt::format(
              "<p class=\"download\"><a download=\"results.csv\" href=\"{}\">All {} columns as "
              "CSV</a></p>\n",

@@ -45,6 +45,7 @@ struct Report {
   std::vector<std::string> findings;                       ///< a sentence each
   Table table;                                             ///< whole, as a download inside the page
   std::vector<std::string> shown_columns;                  ///< in the page; none: all
+  std::vector<std::string> load_columns;                   ///< in a second table, folded; none: no
   std::vector<std::pair<std::string, std::string>> facts;  ///< machine, model, topology, rays ...
   std::vector<Plot> plots;
   std::vector<Part> plot_parts;        ///< of each plot; none: nothing below any

@@ -16,9 +16,11 @@ namespace {
 
 using machine::InvalidInput;
 
-bool equal(const Value& value, const Value& other) {
-  const auto a = as_number(value), b = as_number(other);
-  return a && b ? *a == *b : value == other;
+// "{time_s @ workers = 1, objects = objects}"; for an axis of texts the own text.
+std::string add_condition(const RowReference& reference, const std::string& axis,
+                          const Value& own) {
+  return fmt::format("{}, {} = {}}}", reference.text.substr(0, reference.text.size() - 1), axis,
+                     std::holds_alternative<std::string>(own) ? to_string(own) : axis);
 }
 
 }  // namespace
@@ -78,13 +80,34 @@ std::optional<std::size_t> Rows::find_row(const RowReference& reference, const s
     wanted[axis] = condition.value->eval(variables_[row].get_all(names, place));
   }
   for (const auto& condition : reference.conditions) is_free[*table_.find(condition.axis)] = false;
+  const auto found = choose_row(reference, place, wanted, is_free);
+  return found && is_complete(*found) ? found : std::nullopt;
+}
+
+std::optional<std::size_t> Rows::choose_row(const RowReference& reference, const std::string& place,
+                                            const std::vector<Value>& wanted,
+                                            const std::vector<bool>& is_free) const {
+  std::optional<std::size_t> found;
+  std::optional<std::size_t> differs;  // an axis on which others differ from the one found
   for (std::size_t i = 0; i < table_.rows.size(); ++i) {
-    bool is_it = is_complete(i);
-    for (std::size_t axis = 0; is_it && axis < table_.axes; ++axis)
-      is_it = is_free[axis] || equal(table_.rows[i][axis], wanted[axis]);
-    if (is_it) return i;
+    const auto& row = table_.rows[i];
+    bool fits = true, is_it = true;
+    for (std::size_t axis = 0; fits && axis < table_.axes; ++axis) {
+      const bool same = is_same(row[axis], wanted[axis]);
+      fits = same || is_free[axis];
+      is_it = is_it && same;
+    }
+    if (fits && is_it) return i;
+    if (!fits) continue;
+    for (std::size_t axis = 0; found && axis < table_.axes; ++axis)
+      if (!is_same(row[axis], table_.rows[*found][axis])) differs = axis;
+    if (!found) found = i;
   }
-  return std::nullopt;
+  if (!differs) return found;
+  const auto& axis = table_.columns[*differs];
+  throw InvalidInput(fmt::format("{}: {}: found rows of several {}, expected one: say {}", place,
+                                 reference.text, axis,
+                                 add_condition(reference, axis, wanted[*differs])));
 }
 
 void Rows::check(const Expression& expression, std::size_t row) const {

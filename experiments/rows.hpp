@@ -28,12 +28,18 @@ class Rows {
   // axes in braces; each with the nearest.
   void check(const Expression& expression, std::size_t row) const;
 
-  // None where it needs another row that is not there, or did not come to its end.
+  // None where it needs another row that is not there, or did not come to its end. Throws
+  // machine::InvalidInput where several rows are what braces speak of.
   std::optional<double> eval(const Expression& expression, std::size_t row) const;
 
  private:
   std::optional<std::size_t> find_row(const RowReference& reference, const std::string& place,
                                       std::size_t row) const;
+  // Of these values on all axes, else the only one of these on those that are not free. Throws
+  // machine::InvalidInput for several.
+  std::optional<std::size_t> choose_row(const RowReference& reference, const std::string& place,
+                                        const std::vector<Value>& wanted,
+                                        const std::vector<bool>& is_free) const;
   std::size_t find_axis(const RowReference& reference, const std::string& axis,
                         const std::string& place) const;
 

@@ -54,12 +54,13 @@ void print_summary(const RunOptions& options, const Simulation& s) {
 }
 
 // Of what has been written.
-void judge(const RunOptions& options, const Simulation& s) {
+void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
   if (was_interrupted())
     throw CutShort(fmt::format(
         "interrupted; what was measured until then is in {}, marked incomplete", output));
   if (!s.checks.empty()) fmt::print("\n");
+  for (const auto& note : note_unknown_texts(plan, s.table)) fmt::print("note: {}\n", note);
   for (const auto& check : s.checks) fmt::print("{}\n", summarize(check, s.table));
   throw_failures(s.file, s.results, fmt::format("the others are in {}, marked incomplete", output));
   const auto failed = std::ranges::count(s.checks, Verdict::fails, &CheckResult::verdict);
@@ -69,9 +70,10 @@ void judge(const RunOptions& options, const Simulation& s) {
 }
 
 void write_and_judge(const RunOptions& options, const ExperimentFile& file, Missing missing) {
-  const Simulation s = simulate(options, file, plan_checks(file), missing);
+  const auto plan = plan_checks(file);
+  const Simulation s = simulate(options, file, plan, missing);
   print_summary(options, s);
-  judge(options, s);
+  judge(options, plan, s);
 }
 
 }  // namespace

@@ -111,18 +111,37 @@ std::string title_of(const ExperimentFile& file) {
   return title.empty() ? fs::path(file.path).stem().string() : title;
 }
 
-std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table) {
-  if (!is_farm(file)) return table.columns;
+namespace {
+
+// The axes and those of the names that there are.
+std::vector<std::string> choose_columns(const Table& table,
+                                        std::initializer_list<const char*> names) {
   std::vector<std::string> shown(table.columns.begin(),
                                  table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
-  for (const char* name :
-       {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency", "cpu_busy_worker_mean",
-        "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max", "bottleneck"})
+  for (const char* name : names)
     if (table.find(name)) shown.push_back(name);
   return shown;
 }
 
+}  // namespace
+
+std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table) {
+  if (!is_farm(file)) return table.columns;
+  return choose_columns(
+      table, {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency", "cpu_busy_worker_mean",
+              "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max", "bottleneck"});
+}
+
 namespace {
+
+// What was busy how much, of the farm.
+std::vector<std::string> load_columns(const ExperimentFile& file, const Table& table) {
+  if (!is_farm(file)) return {};
+  return choose_columns(
+      table, {"time_s", "mean_distance", "mean_depth", "messages", "message_bytes", "cpu_busiest",
+              "cpu_busy_max", "link_busiest", "link_busy_max", "bottleneck", "busiest",
+              "busiest_busy", "next_busiest", "next_busy"});
+}
 
 void add_images(Report& report, const fs::path& folder, const Simulation& s) {
   for (std::size_t i = 0; i < s.images.size(); ++i) {
@@ -151,6 +170,7 @@ void add_figures(Report& report, const fs::path& folder, const Simulation& s) {
                            [&](const auto& row) { return is_complete_row(s.table, row); }))
     return;
   const Rows rows = make_rows(plan, s.file, s.table);
+  append(report.notes, note_unknown_texts(plan, s.table));
   const auto exhibits = make_exhibits(plan, rows, report.notes);
   for (const auto& exhibit : exhibits) {
     report.plots.push_back(exhibit.plot);
@@ -191,6 +211,7 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   report.question = s.file.points[0].experiment.question;
   report.table = s.table;
   report.shown_columns = shown_columns(s.file, s.table);
+  report.load_columns = load_columns(s.file, s.table);
   report.facts = make_facts(s.file);
   report.facts.push_back({"Ended", s.ended});
   add_plots(report, folder, s);

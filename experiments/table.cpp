@@ -60,6 +60,11 @@ std::optional<double> as_number(const Value& value) {
   return std::nullopt;
 }
 
+bool is_same(const Value& a, const Value& b) {
+  const auto x = as_number(a), y = as_number(b);
+  return x && y ? *x == *y : a == b;
+}
+
 Value to_cell(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
   return value;

@@ -24,6 +24,9 @@ struct Table {
 /// The number in a cell of either numeric type; none for text and empty cells.
 std::optional<double> as_number(const Value& value);
 
+/// Whether two cells say the same: numbers as numbers, whatever their type, all else as it is.
+bool is_same(const Value& a, const Value& b);
+
 /// A number as a cell; a whole one without a point.
 Value to_cell(double value);
 

@@ -167,6 +167,31 @@ TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
   EXPECT_NE(result.notes[0].find("topology = mesh:2x2, bytes = 2"), std::string::npos);
 }
 
+TEST(ExperimentsChecks, TextsThatNoPointHasAreNoted) {
+  const auto notes = [](const std::string& reference) {
+    const Case test(check("formula = \"" + reference + "\"\nwithin = 1\n"));
+    return note_unknown_texts(plan_checks(test.file), test.table);
+  };
+  EXPECT_EQ(notes("{latency_s @ topology = mesh:2x2} + {latency_s @ topology = 'line'}"),
+            std::vector<std::string>{});
+  EXPECT_EQ(notes("{latency_s @ bytes = 3}"), std::vector<std::string>{}) << "a number";
+  const auto found = notes("{latency_s @ topology = lin}");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].ends_with(
+      "{latency_s @ topology = lin}: no point has topology = lin, the nearest is \"line\""))
+      << found[0];
+}
+
+TEST(ExperimentsChecks, EmptyCellsAreLeftOut) {
+  Case test(check("formula = \"bytes\"\nwithin = 0.01\n"));
+  test.table.rows[1][2] = {};
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.verdict, Verdict::holds);
+  EXPECT_EQ(result.points.size(), 2u);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("1 point(s) left out"), std::string::npos);
+}
+
 TEST(ExperimentsChecks, MistakesAreNamed) {
   const std::string good = "formula = \"bytes\"\n", in = "within = 1\n";
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{

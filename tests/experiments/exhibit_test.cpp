@@ -127,6 +127,23 @@ TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
             "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, of 1 points.");
 }
 
+// Efficiencies about a mean of 1 with four points, or about one of more.
+TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
+  for (const auto& [mean, told] : std::vector<std::pair<std::string, std::string>>{
+           {"1", ": the points do not determine it."},
+           {"1.5", ": no share of the work, the law does not hold."}}) {
+    const auto exhibit =
+        Case(
+            "[[plot]]\nname = \"p\"\nx = \"workers\"\nwhere = \"objects == 200\"\nfit = "
+            "\"gustafson\"\ny = \"workers * (" +
+            mean + " + 0.02 * cos(workers))\"\n")
+            .make()
+            .at(0);
+    ASSERT_EQ(exhibit.findings.size(), 1u);
+    EXPECT_TRUE(exhibit.findings[0].ends_with(told)) << exhibit.findings[0];
+  }
+}
+
 TEST(ExperimentsExhibits, LawsAreFittedToEachCurve) {
   const auto exhibits = Case(plot("fit = \"amdahl\"\n") +
                              "[[plot]]\nname = \"q\"\nx = \"workers\"\ny = \"speedup\"\n"

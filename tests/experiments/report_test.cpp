@@ -81,6 +81,17 @@ TEST(ExperimentsReport, FiguresCarryTheirTablesAndDrawingsTheirCaptions) {
   EXPECT_EQ(count(html, "<details open>"), 1u);
 }
 
+TEST(ExperimentsReport, LoadsAreATableOfTheirOwn) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  EXPECT_EQ(make_report(report).find("Loads"), std::string::npos);
+  report.load_columns = {report.table.columns[0], report.table.columns.back()};
+  const auto html = make_report(report);
+  const auto results = html.find("<h2>Results</h2>");
+  EXPECT_GT(html.find("<details><summary>Loads</summary>\n<div"), results);
+  EXPECT_LT(html.find("</details>", results), html.find("All ", results));
+}
+
 TEST(ExperimentsReport, NeedsNothingFromOutside) {
   const TemporaryFolder folder;
   const auto html = make_report(make_example(folder));

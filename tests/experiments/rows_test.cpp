@@ -56,6 +56,26 @@ TEST(ExperimentsRows, ARowThatIsNotThereOrDidNotEndLeavesOut) {
   EXPECT_FALSE(test.eval("{time_s @ objects = 800}", 0));
 }
 
+TEST(ExperimentsRows, OfCoupledAxesTheOwnValuesComeFirst) {
+  const Case test;
+  EXPECT_EQ(test.eval("{workers @ height = 16}", 0), 1);
+  EXPECT_EQ(test.eval("{workers @ height = 16}", 2), 2) << "its own workers";
+  const auto message =
+      message_of<machine::InvalidInput>([&] { test.eval("{workers @ height = 16}", 4); });
+  EXPECT_NE(message.find("e.toml:1: x: {workers @ height = 16}: found rows of several workers"),
+            std::string::npos)
+      << message;
+  EXPECT_TRUE(message.ends_with("say {workers @ height = 16, workers = workers}")) << message;
+  EXPECT_FALSE(test.eval("{workers @ height = 16, workers = workers}", 4));
+}
+
+TEST(ExperimentsRows, NoOtherRowStandsInForOneThatDidNotEnd) {
+  Case test;
+  test.table.rows[0].back() = "limit";
+  EXPECT_FALSE(test.eval("{workers @ height = 16}", 0));
+  EXPECT_EQ(test.eval("{workers @ height = 16}", 2), 2);
+}
+
 TEST(ExperimentsRows, DefinitionsMayUseAndBeUsedInBraces) {
   const Case test;
   Rows rows(test.file, test.table);
