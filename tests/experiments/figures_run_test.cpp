@@ -55,7 +55,7 @@ TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {
   EXPECT_TRUE(contains(plot.outcome.err,
                        "plot \"p\": y: unknown variable \"spedup\", the nearest is \"speedup\""))
       << plot.outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(plot.folder.path / "out"));
+  EXPECT_FALSE(std::filesystem::exists(plot.folder.path / "out/results.csv"));
   const Trial best(SWEEP + "[[best]]\nname = \"b\"\nof = \"speedup\"\nover = [\"workers\"]\n");
   EXPECT_EQ(best.outcome.exit_code, 2);
   EXPECT_TRUE(contains(best.outcome.err, "best \"b\": over: \"workers\" is no axis of the results"))
