@@ -15,12 +15,16 @@ RoutingTable make_routes(const Topology& topology) {
   for_each_search(topology, [&](int to, const Search& search) {
     for (int from = 0; from < n; ++from) {
       if (from == to) continue;
+      auto& hop = table.hops[static_cast<size_t>(to) * n + from];
       const int distance = search.distance[from];
+      if (distance < 0) {
+        hop = RoutingTable::NONE;
+        continue;
+      }
       const auto next = std::ranges::find_if(around[from], [&](const Neighbour& neighbour) {
         return search.distance[neighbour.processor] == distance - 1;
       });
-      table.hops[static_cast<size_t>(to) * n + from] =
-          static_cast<std::uint16_t>(distance * PORTS + next->port);
+      hop = static_cast<std::uint16_t>(distance * PORTS + next->port);
     }
   });
   return table;

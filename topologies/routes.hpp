@@ -16,16 +16,20 @@ struct RoutingTable {
   int processors = 0;
   std::vector<std::uint16_t> hops;  // distance * PORTS + port, at [to * processors + from]
 
-  int next_port(int from, int to) const {  // -1 when from == to
-    return from == to ? -1 : hop(from, to) % PORTS;
+  static constexpr std::uint16_t NONE = 65535;  // no way there, if links have been lost
+
+  int next_port(int from, int to) const {  // -1 when from == to, or if there is no way
+    return from == to || hop(from, to) == NONE ? -1 : hop(from, to) % PORTS;
   }
-  int distance(int from, int to) const { return hop(from, to) / PORTS; }  // links
+  int distance(int from, int to) const {  // links; -1 if there is no way
+    return hop(from, to) == NONE ? -1 : hop(from, to) / PORTS;
+  }
   int hop(int from, int to) const {
     return hops[static_cast<size_t>(to) * static_cast<size_t>(processors) + from];
   }
 };
 
-// For a topology that passes `check`.
+// For a topology that passes `check`, or one that has lost some of its links.
 RoutingTable make_routes(const Topology& topology);
 
 struct SpanningTree {

@@ -47,6 +47,10 @@ Cycles get_instruction(const Model& model, std::string_view name) {
   return {std::llround(get(model, model.instruction, "instruction", name))};
 }
 
+Cycles get_operation(const Model& model, std::string_view name) {
+  return {std::llround(get(model, model.operation, "operation", name))};
+}
+
 std::string to_text(double value) {
   return value >= 1 && value == std::floor(value) ? fmt::format("{:.0f}", value)
                                                   : fmt::format("{:g}", value);

@@ -88,6 +88,7 @@ struct Model {
 std::uint64_t get_bytes(const Model& model, std::string_view name);
 // Throws InvalidInput on a name that the model does not have.
 Cycles get_instruction(const Model& model, std::string_view name);
+Cycles get_operation(const Model& model, std::string_view name);  // the same; without its scale
 
 // `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
 // base = "NAME" holds only what differs from that model. Throws InvalidInput.

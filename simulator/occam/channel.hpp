@@ -2,6 +2,7 @@
 // Channels: unbuffered, point to point, synchronised. The transfer happens when both ends are
 // ready. A soft channel joins two processes of one processor and is a memory copy on its CPU; a
 // hard channel is a direction of a link, and its DMA engine moves the bytes.
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -87,27 +88,32 @@ class ChannelBase : machine::Wait {
   ChannelUse use_;
 };
 
-// How a message goes over a channel: whole; or as occam's PROTOCOL with CASE, `channel ! tag;
-// contents`: first its tag, a byte, and then, if there are any, its contents: two communications.
-enum class Protocol : std::uint8_t { simple, variant };
+// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
+// contents`: first its tag, a byte, and then, if there are any, its contents: two communications;
+// or as a counted array, `channel ! size::message`: first its size, a word of its bytes.
+enum class Protocol : std::uint8_t { simple, variant, counted };
 
 template <class Message>
 class Channel : public ChannelBase {
  public:
-  explicit Channel(std::string name) : ChannelBase(std::move(name)) {}
+  explicit Channel(std::string name, Protocol protocol = Protocol::simple)
+      : ChannelBase(std::move(name)), protocol_(protocol) {}
   Channel(std::string name, machine::LinkDirection& link, Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), link), protocol_(protocol) {}
 
-  // `channel ! message`: blocks until the partner has it. The bytes are those after the tag.
+  // `channel ! message`: blocks until the partner has it. The bytes are those after the tag; those
+  // of a counted array include its size.
   void out(Message message) {
     outgoing_ = std::move(message);
     const std::uint64_t bytes = bytes_of(outgoing_);
-    if (protocol_ == Protocol::variant) {
-      contents_follow_ = bytes > 0;
-      output(1);
-      if (bytes == 0) return;
-    }
-    output(bytes);
+    const std::uint64_t first = protocol_ == Protocol::simple ? 0
+                                : protocol_ == Protocol::variant
+                                    ? 1
+                                    : std::min<std::uint64_t>(4, bytes);
+    const std::uint64_t rest = protocol_ == Protocol::counted ? bytes - first : bytes;
+    contents_follow_ = first > 0 && rest > 0;
+    if (first > 0) output(first);
+    if (rest > 0 || first == 0) output(rest);
   }
   // `channel ? message`
   Message in() {
@@ -117,13 +123,13 @@ class Channel : public ChannelBase {
   }
 
  private:
-  // Of a tag that contents follow nothing is moved yet.
+  // Of a tag or size that contents follow nothing is moved yet.
   void move_message() override {
     tag_alone_ = std::exchange(contents_follow_, false);
     if (!tag_alone_) incoming_ = std::move(outgoing_);
   }
   Protocol protocol_ = Protocol::simple;
-  bool contents_follow_ = false;  // the tag about to go is not all
+  bool contents_follow_ = false;  // the tag or size about to go is not all
   bool tag_alone_ = false;        // it has arrived
   Message outgoing_, incoming_;
 };

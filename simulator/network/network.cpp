@@ -1,0 +1,114 @@
+#include "simulator/network/network.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/network/routers.hpp"
+
+namespace network {
+
+void Client::send(Message message) {
+  message.from.processor = processor_;
+  message.sent = occam::this_process().now();
+  give_back(std::move(message));
+}
+
+void Client::give_back(Message message) { out(into_, Handed{std::move(message), pointers_}); }
+
+Routing make_routing(Method method, const topologies::Topology& topology,
+                     const topologies::RoutingTable& routes, const std::optional<TreeLinks>& tree) {
+  if (method == Method::acyclic) return make_acyclic_routing(topology, routes);
+  return {topology, routes, tree};
+}
+
+void Network::make_node(machine::Machine& machine, int id, machine::Processor& processor,
+                        const Params& params) {
+  const auto& model = machine.model();
+  const std::uint64_t bytes = params.buffers * (params.longest + Message::IDENTIFICATION);
+  auto& memory = processor.memory();
+  if (const auto left = memory.size() - memory.used(); bytes > left || params.longest > left)
+    throw machine::InvalidInput(fmt::format(
+        "{}: its router has room for {} messages of {} bytes and their identification, {} bytes: "
+        "found a memory with {} bytes left, expected more memory, shorter messages or fewer "
+        "buffers",
+        processor.name(), params.buffers, params.longest, bytes, left));
+  memory.allocate(bytes, "the router's buffers", {});
+  const auto compiled = [&](const char* operation) {
+    const auto cycles = static_cast<double>(get_operation(model, operation).value);
+    return occam::Cycles{std::llround(cycles * model.software.occam_factor)};
+  };
+  Node& node = nodes_.emplace_back();
+  node.id = id;
+  node.processor = &processor;
+  node.routing = &routing_;
+  node.buffers = params.buffers;
+  node.pointers = params.pointers;
+  node.look_up = compiled("route_found");
+  node.fifo_step = compiled("fifo_step");
+  node.buffer_step = compiled("buffer_shared");
+  node.copy_setup = get_instruction(model, "move_setup");
+  node.copy_word = model.channel.copy_word;
+  node.processes = params.processes.empty() ? std::vector{~0U} : params.processes.at(id);
+  machine::check_equal("at most MAX_CLIENTS clients", node.processes.size() <= MAX_CLIENTS, true);
+  auto& clients = clients_.emplace_back();
+  for (std::size_t n = 0; n < node.processes.size(); ++n) {
+    const auto name = fmt::format("{}.client{}", processor.name(), n);
+    clients.push_back(std::make_unique<Client>(id, name, params.pointers));
+    node.client_in.push_back(&clients.back()->into_);
+    node.client_out.push_back(&clients.back()->from_);
+  }
+}
+
+Network::Network(machine::Machine& machine, Routing routing, const Params& params, int first)
+    : routing_(std::move(routing)) {
+  const auto& topology = routing_.topology();
+  const auto at = [&](int id) { return machine.processors().at(first + id).get(); };
+  for (int id = 0; id < topology.processors; ++id) make_node(machine, id, *at(id), params);
+  for (const auto& link : topology.links) {
+    const int a = link.a.processor, b = link.b.processor;
+    machine.connect(*at(a), *at(b), switches_between(topology, a, b));
+    for (const auto& [from, to] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}}) {
+      auto& direction = machine.link(*at(from.processor), *at(to.processor));
+      auto& channel = links_.emplace_back(direction.name(), direction, occam::Protocol::counted);
+      nodes_[from.processor].link_out[from.port] = &channel;
+      nodes_[to.processor].link_in[to.port] = &channel;
+    }
+  }
+  for (Node& node : nodes_) switch (params.method) {
+      case Method::naive:
+        start_naive(node);
+        break;
+      case Method::chalmers:
+        start_chalmers(node);
+        break;
+      case Method::green:
+        start_green(node);
+        break;
+      case Method::acyclic:
+        start_acyclic(node);
+        break;
+    }
+}
+
+RouterUse Network::use() const {
+  RouterUse sum;
+  for (const Node& node : nodes_) {
+    sum.taken += node.use.taken;
+    sum.passed += node.use.passed;
+    sum.delivered += node.use.delivered;
+    sum.returned += node.use.returned;
+    sum.lost += node.use.lost;
+    sum.most_held = std::max(sum.most_held, node.use.most_held);
+  }
+  return sum;
+}
+
+int FairInputs::wait() {
+  std::array<Guard, WAYS> guards;
+  for (std::size_t i = 0; i < count(); ++i) guards.at(i) = guard(i);
+  const int chosen = way(occam::select({guards.data(), count()}));
+  next_turn();
+  return chosen;
+}
+
+}  // namespace network

@@ -1,0 +1,84 @@
+#pragma once
+// Any process to any other, over any topology: a router on every processor, and its clients, which
+// know addresses only (5.1.1). How routers avoid deadlock is a method: see deadlock.md.
+#include <deque>
+#include <memory>
+
+#include "simulator/machine/machine.hpp"
+#include "simulator/network/node.hpp"
+
+namespace network {
+
+enum class Method : std::uint8_t {
+  naive,     // takes a message, passes it on, takes the next: for the deadlock
+  chalmers,  // passes one message at a time, and memorises meanwhile all that come (figure 5.11)
+  green,     // senders towards processors of lower numbers, and for clients (5.12 to 5.14)
+  acyclic,   // every link waits for the next, and no chain of those closes (see Routing)
+};
+
+struct Params {
+  Method method = Method::green;
+  bool pointers = true;         // within a processor a pointer is passed, not the message
+  std::size_t buffers = 64;     // messages that a router has room for; at least 1
+  std::uint64_t longest = 512;  // bytes of the longest message's contents: what a buffer takes
+  // Of each processor, of each of its clients the processes it is, one bit each; at most
+  // MAX_CLIENTS. Empty: one client on each, which is every process.
+  std::vector<std::vector<std::uint32_t>> processes;
+};
+
+// What a process of the machine has of the network: its channels into its router and from it.
+// One process uses a client.
+class Client {
+ public:
+  Client(int processor, const std::string& name, bool pointers)
+      : processor_(processor),
+        pointers_(pointers),
+        into_(name + ".into", occam::Protocol::counted),
+        from_(name + ".from", occam::Protocol::counted) {}
+
+  int processor() const { return processor_; }
+  // `into.router ! message`. `from.processor` and `sent` are filled in.
+  void send(Message message);
+  // Gives back to the router, as it is, what it has offered (InPathTo).
+  void give_back(Message message);
+  // `from.router ? message`
+  Message receive() { return from_.in().message; }
+  // For ALT: wait for a message, then receive() it.
+  Channel<Handed>& from_router() { return from_; }
+
+ private:
+  friend class Network;
+  int processor_;
+  bool pointers_;
+  Channel<Handed> into_, from_;
+};
+
+class Network {
+ public:
+  // Joins the machine's processors `first`, `first` + 1, ... as the routing's topology says, and
+  // starts a router on each. The method `acyclic` needs routes that close no cycle: see
+  // make_routing. Throws machine::InvalidInput if buffers and messages do not fit the processors'
+  // memory.
+  Network(machine::Machine& machine, Routing routing, const Params& params, int first = 0);
+
+  Client& client(int processor, int number = 0) { return *clients_.at(processor).at(number); }
+  const Routing& routing() const { return routing_; }
+  const RouterUse& use(int processor) const { return nodes_.at(processor).use; }
+  RouterUse use() const;  // of all: sums, but of most_held the largest
+
+ private:
+  void make_node(machine::Machine& machine, int id, machine::Processor& processor,
+                 const Params& params);
+
+  Routing routing_;
+  std::deque<Node> nodes_;
+  std::deque<Channel<Message>> links_;
+  std::vector<std::vector<std::unique_ptr<Client>>> clients_;
+};
+
+// The routing that a method needs.
+Routing make_routing(Method method, const topologies::Topology& topology,
+                     const topologies::RoutingTable& routes,
+                     const std::optional<TreeLinks>& tree = std::nullopt);
+
+}  // namespace network
