@@ -32,6 +32,8 @@ TEST(Patterns, HaveUniqueNamesAndDefaultsInRange) {
       EXPECT_LE(p.value, p.high) << pattern.name << "." << p.name;
       EXPECT_TRUE(!p.whole || p.value == std::floor(p.value)) << pattern.name << "." << p.name;
     }
+    for (const auto& part : pattern.parts)
+      EXPECT_TRUE(parameters.insert(part).second) << pattern.name << "." << part;
   }
 }
 
@@ -70,7 +72,8 @@ TEST(Patterns, ANetworkDeliversToItsSender) {
     setup.topology = topologies::make_topology("line:1");
     setup.parameters["hops"] = 0;
     occam::Numbers numbers;
-    for (const auto& [name, value] : unicast->run(setup).rows.at(0)) numbers.push_back(value);
+    const Row row = unicast->run(setup).rows.at(0);
+    for (const auto& [name, value] : row) numbers.push_back(value);
     return numbers;
   });
   EXPECT_GT(columns.at(0), 0);
