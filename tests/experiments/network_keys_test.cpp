@@ -84,6 +84,17 @@ TEST(ExperimentsFaults, AreOfLinksOrProcessors) {
             (std::vector<Fault>{{0.5, 3, 0}, {0, 2, -1}}));
 }
 
+// What for_each_key visits enters the point's key.
+TEST(ExperimentsFaults, BelongToThePoint) {
+  const auto file = toml::parse("[[fault]]\nprocessor = 1\nat_s = 0.25\n");
+  std::string visited;
+  for_each_key(file, [&](const std::string& key, const toml::node& node) {
+    visited += key + " " + to_toml(node);
+  });
+  EXPECT_TRUE(visited.starts_with("fault [")) << visited;
+  EXPECT_NE(visited.find("at_s = 0.25"), std::string::npos) << visited;
+}
+
 TEST(ExperimentsFaults, MistakesAreNamed) {
   const std::string good = "[[fault]]\nprocessor = 0\nat_s = 1\n[[fault]]\n";  // four lines
   for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
@@ -153,7 +164,6 @@ TEST(ExperimentsRoutes, AreAnAxis) {
   EXPECT_EQ(table.rows[8][0], Value("r.csv"));
 }
 
-// As [[stage]] does, [[fault]] enters the key as the file spells it.
 TEST(ExperimentsRoutes, AndTreesEnterThePointsKey) {
   const auto key = [](const std::string& more) {
     return make_keys(load(CENSUS + more), std::numeric_limits<double>::infinity()).at(0);
