@@ -124,11 +124,12 @@ CheckResult eval_check(const CheckPlan::Comparison& c, const Rows& rows) {
 std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile& file,
                                      const Table& table) {
   if (plan.comparisons.empty()) return {};
-  machine::check_equal("rows of the results", table.rows.size(), file.points.size());
+  machine::check_equal("points of the results", table.count_points(), file.points.size());
   const auto complete = [&](const auto& row) { return is_complete_row(table, row); };
-  const auto first = std::ranges::find_if(table.rows, complete) - table.rows.begin();
-  if (first == std::ssize(table.rows)) return find_nothing(plan);
-  check_names(plan, file, static_cast<std::size_t>(first), table, table.rows[first]);
+  const auto first =
+      static_cast<std::size_t>(std::ranges::find_if(table.rows, complete) - table.rows.begin());
+  if (first == table.rows.size()) return find_nothing(plan);
+  check_names(plan, file, table.point_of(first), table, table.rows[first]);
   const Rows rows = make_rows(plan, file, table);
   std::vector<CheckResult> results;
   for (const auto& comparison : plan.comparisons) results.push_back(eval_check(comparison, rows));

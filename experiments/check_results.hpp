@@ -37,7 +37,7 @@ struct CheckResult {
   std::vector<std::string> notes;
 };
 
-// Of a table with a row per point. Throws as check_names does.
+// Of the table of all points. Throws as check_names does.
 std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile& file,
                                      const Table& table);
 

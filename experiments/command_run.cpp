@@ -6,6 +6,7 @@
 
 #include "experiments/commands.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/program.hpp"
 #include "experiments/run.hpp"
 #include "simulator/patterns/pattern.hpp"
 
@@ -26,8 +27,9 @@ const CLI::Validator SECONDS(
 
 std::string describe_keys() {
   std::string text =
-      "Keys of the experiment file (any but program.name and those of stage, order, let and check\n"
-      "can be an axis of [sweep]):\n";
+      "Keys of the experiment file (any but program.name and those of stage, order, fault, let "
+      "and\n"
+      "check can be an axis of [sweep]):\n";
   for (const auto& setting : settings())
     text += fmt::format("  {:<30} {}\n", setting.key, setting.help);
   return text;
@@ -39,8 +41,12 @@ std::string describe_programs() {
   for (const auto& pattern : patterns::all_patterns()) {
     text += fmt::format("  {:<30} {}\n", pattern.name, pattern.help);
     for (const auto& p : pattern.parameters)
-      text += fmt::format("    {:<28} {}; {}{}..{} [{}]\n", "program." + p.name, p.help,
-                          p.whole ? "whole, " : "", p.low, p.high, p.value);
+      if (!p.choices.empty())
+        text += fmt::format("    {:<28} {}; one of {} [{}]\n", "program." + p.name, p.help,
+                            fmt::join(p.choices, ", "), describe_value(p, p.value));
+      else
+        text += fmt::format("    {:<28} {}; {}{}..{} [{}]\n", "program." + p.name, p.help,
+                            p.whole ? "whole, " : "", p.low, p.high, p.value);
   }
   return text;
 }

@@ -11,8 +11,15 @@
 #include "experiments/figures.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/farm.hpp"
+#include "simulator/patterns/pattern.hpp"
 
 namespace experiments {
+
+// A [[fault]], and where it stands: "e.toml:12: [[fault]] 2".
+struct FaultSpec {
+  patterns::PlannedFault fault;
+  std::string place;
+};
 
 // One run, with every key of the file at its value or default.
 struct Experiment {
@@ -26,7 +33,11 @@ struct Experiment {
   std::int64_t workers = 7;
   int switches = 0;  // C004 link switches on every link between workers, but on those of
   std::vector<std::array<int, 3>> switches_between;  // these: two workers, from 0, and how many
-  std::string scene = "spheres";  // [scene]: "spheres" made of `objects`, or a file
+  std::string routes;                // a file with some of the routes; "": the shortest
+  std::string tree;                  // of messages to all: per_root, single; "": as tree_links say
+  topologies::TreeLinks tree_links;  // of the single tree; none: breadth first from the root
+  std::vector<FaultSpec> faults;     // [[fault]]
+  std::string scene = "spheres";     // [scene]: "spheres" made of `objects`, or a file
   std::int64_t objects = 200;
   farm::Params farm;             // [image], [farm], [[stage]], [[order]]
   std::string cost = "counted";  // [run]

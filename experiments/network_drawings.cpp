@@ -77,7 +77,7 @@ std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
   const std::size_t column = *s.table.find("workers");
   const auto workers = [&](std::size_t i) {
-    return as_number(s.table.rows[i][column]).value_or(0);
+    return as_number(s.table.rows[s.table.row_of(i)][column]).value_or(0);
   };
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     std::string key;

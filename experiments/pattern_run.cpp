@@ -1,41 +1,94 @@
 #include "experiments/pattern_run.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <ctime>
+#include <set>
 
 #include "experiments/farm_run.hpp"
 #include "experiments/machine_model.hpp"
+#include "experiments/network_setup.hpp"
 #include "experiments/program.hpp"
+#include "simulator/machine/faults.hpp"
 #include "topologies/generators.hpp"
 
 namespace experiments {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+patterns::Setup make_setup(const Experiment& experiment, const patterns::Pattern& pattern,
+                           const machine::Model& model, observe::Watch& watch) {
+  patterns::Setup setup{model,
+                        pattern.uses_topology ? make_workers(experiment) : topologies::make_line(1),
+                        experiment.parameters, &watch, &pattern};
+  if (pattern.uses_routes) {
+    setup.routes = find_routes(experiment, setup.topology);
+    setup.tree = find_tree(experiment, setup.topology);
+  }
+  setup.faults = find_faults(experiment, setup.topology);
+  return setup;
+}
+
+ordered_json to_json(const patterns::Row& row, std::string& ended) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [name, value] : row) {
+    json[name] = std::isfinite(value) ? ordered_json(value) : ordered_json();
+    if (name == "saturated" && value != 0) ended = "saturated";
+  }
+  return json;
+}
+
+// One row without parts; with them any number, each of its own.
+void check_rows(const patterns::Pattern& pattern, const std::vector<ordered_json>& rows) {
+  if (pattern.parts.empty()) return machine::check_equal("rows of a point", rows.size(), 1u);
+  std::set<std::string> known;
+  for (const auto& row : rows) {
+    std::string key;
+    for (const auto& part : pattern.parts) key += row.value(part, ordered_json()).dump() + " ";
+    if (key.find("null") != std::string::npos || !known.insert(key).second)
+      throw machine::InvariantBroken(fmt::format("the program {} has two rows of {} {}",
+                                                 pattern.name, fmt::join(pattern.parts, ", "),
+                                                 key));
+  }
+  if (rows.empty())
+    throw machine::InvariantBroken(fmt::format("the program {} has no row", pattern.name));
+}
+
+}  // namespace
+
 ordered_json run_pattern_point(const Experiment& experiment, observe::Watch& watch) {
   const auto start = std::clock();
   const auto& pattern = *find_pattern(experiment.program);
   const auto model = make_model(experiment);
-  const patterns::Setup setup{
-      model, pattern.uses_topology ? make_workers(experiment) : topologies::make_line(1),
-      experiment.parameters, &watch};
-  ordered_json result = ordered_json::object(), row = ordered_json::object();
+  const auto setup = make_setup(experiment, pattern, model, watch);
+  ordered_json result = ordered_json::object();
   if (pattern.uses_topology) {
     result["topology"] = setup.topology.name;
     result["processors"] = setup.topology.processors;
   }
   std::string ended = "done";
+  std::vector<ordered_json> rows;
+  std::vector<std::string> notes;
   try {
-    for (const auto& [name, value] : pattern.run(setup)) {
-      row[name] = std::isfinite(value) ? ordered_json(value) : ordered_json();
-      if (name == "saturated" && value != 0) ended = "saturated";
-    }
+    auto found = pattern.run(setup);
+    for (const auto& row : found.rows) rows.push_back(to_json(row, ended));
+    notes = std::move(found.notes);
+    check_rows(pattern, rows);
   } catch (const patterns::Unfinished&) {
     ended = machine::to_string(watch.end);
-    row = ordered_json::object();
   }
   result["ended"] = ended;
-  result["row"] = std::move(row);
+  if (rows.empty())
+    result["row"] = ordered_json::object();
+  else if (pattern.parts.empty())
+    result["row"] = std::move(rows[0]);
+  else
+    result["rows"] = std::move(rows);
+  if (!notes.empty()) result["notes"] = std::move(notes);
   result["host"] = {{"total_s", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC}};
   return result;
 }

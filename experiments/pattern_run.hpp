@@ -10,8 +10,11 @@ namespace experiments {
 // Runs the pattern and returns
 //   "topology", "processors": the network, where the pattern uses one;
 //   "row": name -> number, the columns of results.csv after axes and parameters, in order; null
-//          for what is no finite number;
-//   "ended": done, saturated (queues grow without bound), limit or interrupt: then "row" is empty;
+//          for what is no finite number; of a pattern with parts instead
+//   "rows": an array of such rows, the parts in each;
+//   "notes": sentences about the run, where there are any;
+//   "ended": done, saturated (queues grow without bound), limit or interrupt: then there is an
+//            empty "row";
 //   "host": what the run cost the host, in seconds of CPU time: never part of a result.
 // `watch`: its limit, and what is traced.
 nlohmann::ordered_json run_pattern_point(const Experiment& experiment, observe::Watch& watch);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "experiments/point_result.hpp"
 #include "experiments/program.hpp"
 #include "experiments/results.hpp"
 #include "simulator/machine/faults.hpp"
@@ -37,7 +38,9 @@ void put_inputs(Table& table, std::vector<Value>& row, const Experiment& experim
     put(table, row, "processors", to_value(result["processors"]));
   }
   for (const auto& p : pattern.parameters)
-    put(table, row, p.name, experiment.parameters.at(p.name));
+    put(table, row, p.name,
+        p.choices.empty() ? Value(experiment.parameters.at(p.name))
+                          : Value(describe_value(p, experiment.parameters.at(p.name))));
 }
 
 // Whole numbers are written without a point, if a column holds nothing else.
@@ -58,18 +61,23 @@ void make_whole(Table& table) {
 Table make_pattern_table(const ExperimentFile& file, const std::vector<ordered_json>& results) {
   Table table;
   table.columns = axis_columns(file);
+  const auto& parts = find_pattern(file.points[0].experiment.program)->parts;
+  table.columns.insert(table.columns.end(), parts.begin(), parts.end());
   table.axes = table.columns.size();
   const auto& longest = longest_row(results);
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    std::vector<Value> row;
-    for (const auto& at : file.points[i].at) row.push_back(to_value(at));
-    put_inputs(table, row, file.points[i].experiment, results[i]);
-    for (const auto& [name, ignored] : longest.items())
-      put(table, row, name, to_value(results[i]["row"].value(name, ordered_json())));
-    put(table, row, "ended", to_value(results[i]["ended"]));
-    machine::check_equal("columns of a pattern", row.size(), table.columns.size());
-    table.rows.push_back(std::move(row));
-  }
+  for (std::size_t i = 0; i < results.size(); ++i)
+    for (const auto* measured : rows_of(results[i])) {
+      std::vector<Value> row;
+      for (const auto& at : file.points[i].at) row.push_back(to_value(at));
+      for (const auto& part : parts) row.push_back(to_value(measured->value(part, ordered_json())));
+      put_inputs(table, row, file.points[i].experiment, results[i]);
+      for (const auto& [name, ignored] : longest.items())
+        put(table, row, name, to_value(measured->value(name, ordered_json())));
+      put(table, row, "ended", to_value(results[i]["ended"]));
+      machine::check_equal("columns of a pattern", row.size(), table.columns.size());
+      table.rows.push_back(std::move(row));
+      table.points.push_back(i);
+    }
   make_whole(table);
   return table;
 }

@@ -7,10 +7,11 @@
 
 namespace experiments {
 
-// One row per point: the axes of the sweep in the order of the file; where the pattern uses a
-// network, topology and processors unless they are axes; its parameters that are no axes; then
-// `results[i]["row"]`. A result that is an input as well ("processors") has one column; throws
-// machine::InvariantBroken where the two differ.
+// A row for each of rows_of(results[i]): the axes of the sweep in the order of the file; the
+// pattern's parts, which count as axes; where the pattern uses a network, topology and processors
+// unless they are axes; its parameters that are no axes; then what the row holds. Of a point that
+// did not end there is one row, its parts empty. A result that is an input as well ("processors")
+// has one column; throws machine::InvariantBroken where the two differ.
 Table make_pattern_table(const ExperimentFile& file,
                          const std::vector<nlohmann::ordered_json>& results);
 

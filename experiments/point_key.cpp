@@ -37,7 +37,7 @@ class Keys {
     std::string text = start_;
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
     text += "model " + find(models_, model_key(e), [&] { return hash_of(describe_entries(e)); });
-    for (const auto& source : {e.scene, e.topology})
+    for (const auto& source : {e.scene, e.topology, e.routes})
       text += "\nfile " + find(files_, source, [&] { return hash_file(source); });
     return hash_of(text);
   }

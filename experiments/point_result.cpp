@@ -35,6 +35,23 @@ bool is_complete(const ordered_json& result) {
 
 bool is_failed(const ordered_json& result) { return result.contains("message"); }
 
+std::vector<const ordered_json*> rows_of(const ordered_json& result) {
+  if (!result.contains("rows")) return {&result.at("row")};
+  std::vector<const ordered_json*> rows;
+  for (const auto& row : result["rows"]) rows.push_back(&row);
+  return rows;
+}
+
+std::vector<std::string> notes_of(const ExperimentFile& file, const Results& results) {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i].contains("notes")) continue;
+    const auto prefix = results.size() > 1 ? name_of(file.points[i]) + ": " : "";
+    for (const auto& note : results[i]["notes"]) notes.push_back(prefix + note.get<std::string>());
+  }
+  return notes;
+}
+
 std::vector<std::size_t> all_points(const ExperimentFile& file) {
   std::vector<std::size_t> all(file.points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});

@@ -16,6 +16,11 @@ using Results = std::vector<nlohmann::ordered_json>;
 // Whether a point came to its end.
 bool is_complete(const nlohmann::ordered_json& result);
 bool is_failed(const nlohmann::ordered_json& result);
+// Its rows: "rows" of a program with several a point, else "row" alone.
+std::vector<const nlohmann::ordered_json*> rows_of(const nlohmann::ordered_json& result);
+// What the programs say of their runs, each sentence behind its point's name where there are
+// several points.
+std::vector<std::string> notes_of(const ExperimentFile& file, const Results& results);
 // The numbers of all points, and of those without a result.
 std::vector<std::size_t> all_points(const ExperimentFile& file);
 std::vector<std::size_t> missing_points(const Results& results);

@@ -9,6 +9,7 @@
 
 #include "experiments/farm_run.hpp"
 #include "experiments/machine_model.hpp"
+#include "experiments/network_setup.hpp"
 #include "experiments/results.hpp"
 #include "experiments/simulate.hpp"
 #include "experiments/trace_files.hpp"
@@ -51,12 +52,6 @@ void check_in(const ExperimentFile& file, const Check& check) {
   }
 }
 
-std::string network_key(const Experiment& e) {
-  auto key = fmt::format("{} {} {}", e.topology, e.workers, e.switches);
-  for (const auto& [a, b, count] : e.switches_between) key += fmt::format(" {} {} {}", a, b, count);
-  return key;
-}
-
 }  // namespace
 
 void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
@@ -68,7 +63,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
       const Experiment& e = point.experiment;
       if (is_farm(file)) check_farm_point(e, scenes);
       if (models.insert(model_key(e)).second) make_model(e);
-      if (networks.insert(network_key(e)).second) make_workers(e);
+      if (networks.insert(network_key(e)).second) check_network(e);
     });
 }
 

@@ -29,6 +29,25 @@ std::string read_program(const toml::table& file, const std::string& origin) {
                         topologies::nearest_name(name, known)));
 }
 
+std::string describe_value(const Parameter& parameter, double value) {
+  return parameter.choices.empty() ? fmt::format("{}", value)
+                                   : parameter.choices.at(static_cast<std::size_t>(value));
+}
+
+namespace {
+
+double read_choice(const std::vector<std::string>& choices, const Place& at) {
+  const auto text = at.node.value_exact<std::string>();
+  const auto found = text ? std::ranges::find(choices, *text) : choices.end();
+  if (found != choices.end()) return static_cast<double>(found - choices.begin());
+  at.refuse(fmt::format(
+      "one of {}{}", fmt::join(choices, ", "),
+      text ? fmt::format(" (did you mean \"{}\"?)", topologies::nearest_name(*text, choices))
+           : ""));
+}
+
+}  // namespace
+
 void bind_parameter(Experiment& experiment, const Pattern& pattern, const Place& at) {
   const auto name = at.key.substr(at.key.find('.') + 1);
   const auto found = std::ranges::find(pattern.parameters, name, &Parameter::name);
@@ -40,6 +59,10 @@ void bind_parameter(Experiment& experiment, const Pattern& pattern, const Place&
                     known.empty() ? fmt::format("the program {} has no parameters", pattern.name)
                                   : fmt::format("the nearest valid key is \"{}\"",
                                                 topologies::nearest_name(at.key, known))));
+  }
+  if (!found->choices.empty()) {
+    experiment.parameters[name] = read_choice(found->choices, at);
+    return;
   }
   const auto value = at.node.is_number() ? at.node.value<double>() : std::nullopt;
   if (!value || !(*value >= found->low && *value <= found->high) ||
@@ -79,6 +102,22 @@ void check_belongs(const Pattern& pattern, const Place& at) {
     if (section == farms)
       throw InvalidInput(fmt::format("{}: {} is a key of the farm, but program.name is \"{}\"",
                                      at.where(), key, pattern.name));
+}
+
+void check_used(const Pattern* pattern, const Place& at) {
+  const auto refuse = [&](const char* what, bool Pattern::*uses) {
+    if (pattern && pattern->*uses) return;
+    std::vector<std::string> users;
+    for (const auto& other : patterns::all_patterns())
+      if (other.*uses) users.push_back(other.name);
+    throw InvalidInput(fmt::format(
+        "{}: {}: the program {} has no use for {}, expected {}", at.where(), at.key,
+        pattern ? pattern->name : "farm", what,
+        users.empty() ? "nothing of the kind" : fmt::format("one of {}", fmt::join(users, ", "))));
+  };
+  for (const char* key : {"network.routes", "network.tree", "network.tree_links"})
+    if (at.key == key) refuse("routes and trees", &Pattern::uses_routes);
+  if (at.key == "fault") refuse("faults", &Pattern::uses_faults);
 }
 
 }  // namespace experiments

@@ -15,8 +15,11 @@ const patterns::Pattern* find_pattern(std::string_view program);
 // program.name of a file. Throws machine::InvalidInput for an unknown program, with the nearest.
 std::string read_program(const toml::table& file, const std::string& origin);
 
+// The choice that a value stands for, or the number.
+std::string describe_value(const patterns::Parameter& parameter, double value);
+
 // Sets "program.bytes". Throws machine::InvalidInput for a parameter that the pattern does not
-// have, with the nearest, and for a value out of its range.
+// have, with the nearest, and for a value out of its range or a text that is no choice.
 void bind_parameter(Experiment& experiment, const patterns::Pattern& pattern, const Place& at);
 
 // Sets "model.link.one_way_rate"; the entry's name is checked when the model is made.
@@ -24,5 +27,7 @@ void bind_model_entry(Experiment& experiment, const Place& at);
 
 // Throws machine::InvalidInput for a key that says nothing to this pattern: those of the farm.
 void check_belongs(const patterns::Pattern& pattern, const Place& at);
+// The same for routes, tree and faults; null is the farm, which has none.
+void check_used(const patterns::Pattern* pattern, const Place& at);
 
 }  // namespace experiments

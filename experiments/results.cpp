@@ -8,6 +8,7 @@
 #include "experiments/farm_run.hpp"
 #include "experiments/laws.hpp"
 #include "experiments/pattern_table.hpp"
+#include "experiments/point_result.hpp"
 
 namespace experiments {
 
@@ -96,8 +97,10 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 }
 
 const ordered_json& longest_row(const std::vector<ordered_json>& results) {
-  return std::ranges::max_element(results, {}, [](const auto& r) { return r["row"].size(); })
-      ->at("row");
+  std::vector<const ordered_json*> all;
+  for (const auto& result : results)
+    for (const auto* row : rows_of(result)) all.push_back(row);
+  return **std::ranges::max_element(all, {}, [](const auto* row) { return row->size(); });
 }
 
 std::vector<std::string> axis_columns(const ExperimentFile& file) {

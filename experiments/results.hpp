@@ -16,10 +16,11 @@ std::vector<std::string> axis_columns(const ExperimentFile& file);
 // none do.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
-// One row per point: the axes, of a pattern its network and all its parameters too, then what
-// `results[i]["row"]` of point i holds. Speed-up and efficiency of the farm are relative to the row
-// with one worker and otherwise the same axes; they stay empty where there is none. Beside them,
-// where they are not empty and there is more than one worker, the serial fractions of laws.hpp.
+// A row for each that the result of a point has: the axes, of a pattern its parts, its network and
+// all its parameters too, then what the row holds. Speed-up and efficiency of the farm are relative
+// to the row with one worker and otherwise the same axes; they stay empty where there is none.
+// Beside them, where they are not empty and there is more than one worker, the serial fractions of
+// laws.hpp.
 Table make_table(const ExperimentFile& file, const std::vector<nlohmann::ordered_json>& results);
 
 // Points that failed or were cut short may have a shorter row than others, or none.

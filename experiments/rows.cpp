@@ -26,13 +26,14 @@ std::string add_condition(const RowReference& reference, const std::string& axis
 }  // namespace
 
 Rows::Rows(const ExperimentFile& file, const Table& table) : file_(file), table_(table) {
-  machine::check_equal("rows of the results", table.rows.size(), file.points.size());
+  machine::check_equal("points of the results", table.count_points(), file.points.size());
   std::map<std::string, machine::Model> models;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& experiment = file.points[i].experiment;
+    const auto& point = file.points[table.point_of(i)];
+    const auto& experiment = point.experiment;
     const auto key = model_key(experiment);
     if (!models.contains(key)) models.emplace(key, make_model(experiment));
-    variables_.emplace_back(file.points[i], models.at(key)).add_row(table, table.rows[i]);
+    variables_.emplace_back(point, models.at(key)).add_row(table, table.rows[i]);
   }
   missing_.resize(table.rows.size());
 }

@@ -10,8 +10,8 @@
 
 namespace experiments {
 
-// The table of results with the names that its file and its models add: a row is a point. The file
-// and the table must outlive it.
+// The table of results with the names that its file and its models add; each row is of a point. The
+// file and the table must outlive it.
 class Rows {
  public:
   Rows(const ExperimentFile& file, const Table& table);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "experiments/jobs.hpp"
 #include "experiments/origin.hpp"
@@ -16,19 +17,28 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+constexpr std::size_t MOST_NOTES = 20;
+
 void print_profile(const Table& table, const std::vector<ordered_json>& results) {
   fmt::print("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (is_failed(results[i])) continue;
     const auto& host = results[i]["host"];
+    const auto& row = table.rows[table.row_of(i)];
     const double rays = results[i]["row"]["rays"].get<double>();
     if (rays == 0) continue;
     const double run = host["run_s"].get<double>(), kernel = host["kernel_s"].get<double>();
     fmt::print(
         "  {:>6} {:>3} workers {:>7} objects: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n",
-        to_string(table.rows[i][0]), to_string(table.rows[i][1]), to_string(table.rows[i][2]),
-        (run - kernel) / rays * 1e6, kernel / rays * 1e6, host["events"].get<double>() / rays);
+        to_string(row[0]), to_string(row[1]), to_string(row[2]), (run - kernel) / rays * 1e6,
+        kernel / rays * 1e6, host["events"].get<double>() / rays);
   }
+}
+
+void print_notes(const Simulation& s) {
+  const auto notes = notes_of(s.file, s.results);
+  for (const auto& note : notes | std::views::take(MOST_NOTES)) fmt::print("note: {}\n", note);
+  if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
 void print_paths(const fs::path& output, const std::vector<std::string>& images) {
@@ -42,6 +52,7 @@ void print_paths(const fs::path& output, const std::vector<std::string>& images)
 void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
   fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, shown_columns(s.file, s.table)));
+  print_notes(s);
   if (options.profile && !s.images.empty() && s.results[0]["host"].contains("kernel_s"))
     print_profile(s.table, s.results);
   for (const auto& [model, speed] : s.host_speeds)

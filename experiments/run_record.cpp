@@ -40,11 +40,12 @@ ordered_json models_json(const ExperimentFile& file) {
   return models;
 }
 
-// Scenes and networks that are files.
+// Scenes, networks and routes that are files.
 ordered_json inputs_json(const ExperimentFile& file) {
   std::set<std::string> paths;
   for (const auto& point : file.points)
-    for (const auto& source : {point.experiment.scene, point.experiment.topology})
+    for (const auto& source :
+         {point.experiment.scene, point.experiment.topology, point.experiment.routes})
       if (fs::is_regular_file(source)) paths.insert(source);
   ordered_json inputs = ordered_json::object();
   for (const auto& path : paths) inputs[path] = hash_of(read_file(path));
@@ -62,12 +63,13 @@ ordered_json speeds_json(const HostSpeeds& speeds) {
 
 ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t i) {
   ordered_json at = ordered_json::object();
-  for (std::size_t c = 0; c < s.table.axes; ++c)
-    at[s.table.columns[c]] = to_string(s.table.rows[i][c]);
+  const auto& row = s.table.rows[s.table.row_of(i)];
+  const auto axes = axis_columns(s.file);
+  for (std::size_t c = 0; c < axes.size(); ++c) at[axes[c]] = to_string(row[c]);
   ordered_json point = {{"at", at}, {"record", s.records[i].string()}};
   if (!s.images[i].empty()) point["image"] = s.images[i];
   if (is_farm(s.file)) point["seed"] = s.file.points[i].experiment.farm.seed;
-  for (const char* key : {"topology", "key_images", "host", "ended", "message"})
+  for (const char* key : {"topology", "key_images", "host", "ended", "message", "notes"})
     if (s.results[i].contains(key)) point[key] = s.results[i][key];
   auto record = load_record(folder / s.records[i]);
   if (record.contains("use")) point["use"] = std::move(record["use"]);

@@ -68,7 +68,7 @@ Facts make_pattern_facts(const ExperimentFile& file) {
   for (const auto& p : pattern.parameters)
     facts.push_back({p.name, fmt::format("{} ({})",
                                          values_of(file, p.name.c_str(),
-                                                   fmt::format("{}", e.parameters.at(p.name))),
+                                                   describe_value(p, e.parameters.at(p.name))),
                                          p.help)});
   facts.push_back({"Points", fmt::format("{}", file.points.size())});
   return facts;
@@ -215,6 +215,7 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   report.facts = make_facts(s.file);
   report.facts.push_back({"Ended", s.ended});
   add_plots(report, folder, s);
+  append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
   report.drawings = draw_networks(folder, s);
   for (const auto& check : s.checks) {

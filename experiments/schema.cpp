@@ -1,10 +1,12 @@
 #include "experiments/schema.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <ranges>
 
 #include "experiments/binding.hpp"
 #include "experiments/image_names.hpp"
+#include "experiments/network_schema.hpp"
 #include "experiments/program.hpp"
 #include "simulator/machine/faults.hpp"
 #include "topologies/spelling.hpp"
@@ -95,6 +97,17 @@ const std::vector<Binding<Experiment>>& bindings() {
       {"network.switches",
        "C004 link switches on every link: a number; or on some, [[a, b, n], ...]",
        [](E& e, const P& at) { read_switches(at, e.switches, e.switches_between); }},
+      {"network.routes", "a CSV file with routes, from,to,path; others are the shortest",
+       [](E& e, const P& at) {
+         const auto name = read_text(at);
+         e.routes = name.empty() ? "" : (std::filesystem::path(at.folder) / name).string();
+       }},
+      {"network.tree", "of messages to all: per_root, breadth first from each; or single",
+       [](E& e, const P& at) {
+         e.tree = read_name(at, Names<std::string>{{"per_root", "per_root"}, {"single", "single"}});
+       }},
+      {"network.tree_links", "the links of the single tree, [[a, b], ...]",
+       [](E& e, const P& at) { e.tree_links = read_tree_links(at); }},
       {"scene.source", "spheres (made of `objects`), a spec, spheres:200; or an NFF file",
        [](E& e, const P& at) { e.scene = read_source(at); }},
       {"scene.objects", "spheres in a generated scene",
@@ -144,6 +157,8 @@ const std::vector<Binding<Experiment>>& bindings() {
          e.farm.script.clear();
          for (const auto& table : read_tables(at)) e.farm.script.push_back(bind_order(*table, at));
        }},
+      {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
+       [](E& e, const P& at) { e.faults = read_faults(at); }},
       // Of the file, not of a point: read_checks, read_plots and others read them.
       {"let", "[let]: names for expressions, to be used in checks",
        [](E&, const P& at) { at.refuse("no axis of this name"); }},
@@ -169,6 +184,7 @@ const std::vector<Setting>& settings() {
       list.push_back({"stage." + b.key, b.help + " (also in [[order]])"});
     list.push_back({"order.at_s", "when the user orders it, from the start of the program; s"});
     list.push_back({"order.non_interactive", "true: the user leaves the interactive phase"});
+    for (const auto& setting : fault_settings()) list.push_back(setting);
     list.push_back({"model.SECTION.NAME", "takes the place of a number of the machine model"});
     for (const auto& setting : check_settings()) list.push_back(setting);
     for (const auto& setting : figure_settings()) list.push_back(setting);
@@ -211,11 +227,13 @@ namespace {
 
 void bind_key(Experiment& experiment, const Place& at) {
   if (at.key.starts_with("model.")) return bind_model_entry(experiment, at);
-  if (const auto* pattern = find_pattern(experiment.program)) {
+  const auto* pattern = find_pattern(experiment.program);
+  if (pattern) {
     if (at.key.starts_with("program.") && at.key != "program.name")
       return bind_parameter(experiment, *pattern, at);
     check_belongs(*pattern, at);
   }
+  check_used(pattern, at);
   bind_one(experiment, bindings(), at);
 }
 

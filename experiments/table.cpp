@@ -54,6 +54,15 @@ std::optional<std::size_t> Table::find(std::string_view column) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+std::size_t Table::point_of(std::size_t row) const { return points.empty() ? row : points.at(row); }
+
+std::size_t Table::row_of(std::size_t point) const {
+  if (points.empty()) return point;
+  return static_cast<std::size_t>(std::ranges::lower_bound(points, point) - points.begin());
+}
+
+std::size_t Table::count_points() const { return points.empty() ? rows.size() : points.back() + 1; }
+
 std::optional<double> as_number(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
   if (const auto* number = std::get_if<double>(&value)) return *number;

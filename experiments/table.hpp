@@ -1,4 +1,4 @@
-// Results as a table: named columns, one row per sweep point, cells that know their type.
+// Results as a table: named columns, one row or more per sweep point, cells that know their type.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,12 @@ struct Table {
   std::vector<std::string> columns;  ///< different from each other, none empty
   std::size_t axes = 0;              ///< the first `axes` columns are the sweep's axes
   std::vector<std::vector<Value>> rows;
+  std::vector<std::size_t> points = {};  ///< of each row the sweep's point, ascending; none: row i
+                                         ///< is point i
 
+  std::size_t point_of(std::size_t row) const;
+  std::size_t row_of(std::size_t point) const;  ///< the first; every point has one
+  std::size_t count_points() const;
   std::optional<std::size_t> find(std::string_view column) const;
 };
 

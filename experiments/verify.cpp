@@ -83,7 +83,7 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   run.jobs = options.jobs;
   const Simulation s = simulate(run, file, plan);
   if (was_interrupted()) throw Interrupted();
-  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.table.rows.size(),
+  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
              s.there == s.results.size() ? "were in" : "are now in", run.output);
   for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
   throw_failures(s.file, s.results, "the others are in " + run.output);

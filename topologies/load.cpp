@@ -11,9 +11,8 @@
 #include "topologies/raw_graph.hpp"
 
 namespace topologies {
-namespace {
 
-std::string read_file(const std::string& path) {
+std::string load_text(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) fail_reading(path, "no such file");
@@ -29,10 +28,8 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
-}  // namespace
-
 Topology load_topology(const std::string& path) {
-  const auto text = read_file(path);
+  const auto text = load_text(path);
   return path.ends_with(".graphml") ? read_graphml(text, path) : read_dot(text, path);
 }
 

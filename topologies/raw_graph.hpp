@@ -27,6 +27,9 @@ struct RawGraph {
 // By the rules of formats.hpp; the result has passed `check`. Throws InvalidTopology.
 Topology make_topology(const RawGraph& graph, const std::string& name);
 
+// What a file holds. Throws InvalidTopology with the path.
+std::string load_text(const std::string& path);
+
 [[noreturn]] void fail_reading(const std::string& file, const std::string& what);
 
 }  // namespace topologies

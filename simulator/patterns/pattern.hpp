@@ -2,7 +2,9 @@
 // Patterns: small synthetic programs that show one property of the machine, to be compared with a
 // formula. One file each: its processes, what it measures, and make_NAME() for the list.
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +13,9 @@
 #include "simulator/machine/faults.hpp"
 #include "simulator/machine/model.hpp"
 #include "simulator/observe/watch.hpp"
+#include "topologies/routes.hpp"
 #include "topologies/topology.hpp"
+#include "topologies/tree_links.hpp"
 
 namespace patterns {
 
@@ -22,28 +26,68 @@ struct Parameter {
   double low, high;  // its range, ends included
   bool whole;        // no fractions
   std::string help;  // what it is, with its unit
+  // A named choice: a text of these in the experiment file, whose index is the value. Empty: a
+  // number.
+  std::vector<std::string> choices = {};
 };
+
+// A named choice; the first is the default.
+Parameter make_choice(const std::string& name, const std::vector<std::string>& choices,
+                      const std::string& help);
 
 // What a run measured: columns of results.csv, their units in their names.
 using Row = std::vector<std::pair<std::string, double>>;
+
+// What a run gives: a row; or several, told apart by the columns of Pattern::parts, which are in
+// each of them.
+struct Rows {
+  std::vector<Row> rows;
+  std::vector<std::string> notes = {};  // sentences about the run
+
+  Rows() = default;
+  Rows(Row row) : rows{std::move(row)} {}
+  explicit Rows(std::vector<Row> rows, std::vector<std::string> notes = {})
+      : rows(std::move(rows)), notes(std::move(notes)) {}
+};
+
+// What breaks while the program runs: the link between two processors, or a processor.
+struct PlannedFault {
+  double at_s = 0;
+  int a = 0;
+  int b = -1;  // none: the processor a
+
+  bool operator==(const PlannedFault&) const = default;
+};
+
+struct Pattern;
 
 // What a pattern runs on. Every parameter has a value, and it is in range.
 struct Setup {
   const machine::Model& model;
   topologies::Topology topology;  // of one processor where the pattern uses none
   std::map<std::string, double, std::less<>> parameters;
-  observe::Watch* watch = nullptr;  // its limit and trace, if there is one
+  observe::Watch* watch = nullptr;   // its limit and trace, if there is one
+  const Pattern* pattern = nullptr;  // whose parameters these are, for `choice`
+  // Where the pattern uses routes.
+  topologies::RoutingTable routes = {};
+  std::optional<topologies::TreeLinks> tree = {};  // for messages to all; none: one of each sender
+  std::vector<PlannedFault> faults = {};           // where the pattern uses them
 
-  // Throw machine::InvariantBroken for a parameter that the pattern does not have.
+  // Throw machine::InvariantBroken for a parameter that the pattern does not have, and for a
+  // number that is no choice.
   double operator[](std::string_view name) const;
   std::int64_t whole(std::string_view name) const;
+  std::string choice(std::string_view name) const;
 };
 
 struct Pattern {
   std::string name, help;
   bool uses_topology;  // else the experiment may not name a network
   std::vector<Parameter> parameters;
-  Row (*run)(const Setup&);  // throws what the simulation throws
+  std::function<Rows(const Setup&)> run;  // throws what the simulation throws
+  std::vector<std::string> parts = {};    // columns that tell the rows of a run apart
+  bool uses_routes = false;               // else it may not name routes and tree of the network
+  bool uses_faults = false;               // else it may have no [[fault]]
 };
 
 // A run was cut short: nothing was measured.

@@ -1,4 +1,5 @@
 // The list of patterns, and how they read their parameters.
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/machine/faults.hpp"
@@ -23,6 +24,7 @@ Pattern make_law();
 Pattern make_commstime();
 Pattern make_flops();
 Pattern make_metrics();
+Pattern make_census();
 Pattern make_deadlock();
 
 const std::vector<Pattern>& all_patterns() {
@@ -30,7 +32,7 @@ const std::vector<Pattern>& all_patterns() {
       make_message(), make_soft(),      make_both_ways(), make_unicast(),     make_pipeline(),
       make_sources(), make_broadcast(), make_request(),   make_alternative(), make_interrupt(),
       make_traffic(), make_task_farm(), make_law(),       make_commstime(),   make_flops(),
-      make_metrics(), make_deadlock(),
+      make_metrics(), make_census(),    make_deadlock(),
   };
   return all;
 }
@@ -52,5 +54,19 @@ double Setup::operator[](std::string_view name) const {
 }
 
 std::int64_t Setup::whole(std::string_view name) const { return std::llround((*this)[name]); }
+
+std::string Setup::choice(std::string_view name) const {
+  const auto value = static_cast<std::size_t>(whole(name));
+  if (pattern)
+    if (const auto found = std::ranges::find(pattern->parameters, name, &Parameter::name);
+        found != pattern->parameters.end() && value < found->choices.size())
+      return found->choices[value];
+  throw machine::InvariantBroken(fmt::format("the pattern has no choice {}", name));
+}
+
+Parameter make_choice(const std::string& name, const std::vector<std::string>& choices,
+                      const std::string& help) {
+  return {name, 0, 0, static_cast<double>(choices.size()) - 1, true, help, choices};
+}
 
 }  // namespace patterns

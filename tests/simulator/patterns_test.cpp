@@ -16,6 +16,8 @@ namespace {
 Setup make_setup(const machine::Model& model, const Pattern& pattern) {
   Setup setup{model, topologies::make_topology(pattern.uses_topology ? "tree:4" : "line:1"), {}};
   for (const auto& p : pattern.parameters) setup.parameters[p.name] = p.value;
+  setup.pattern = &pattern;
+  if (pattern.uses_routes) setup.routes = topologies::make_routes(setup.topology);
   return setup;
 }
 
@@ -30,6 +32,8 @@ TEST(Patterns, HaveUniqueNamesAndDefaultsInRange) {
       EXPECT_LE(p.value, p.high) << pattern.name << "." << p.name;
       EXPECT_TRUE(!p.whole || p.value == std::floor(p.value)) << pattern.name << "." << p.name;
     }
+    for (const auto& part : pattern.parts)
+      EXPECT_TRUE(parameters.insert(part).second) << pattern.name << "." << part;
   }
 }
 
@@ -38,7 +42,7 @@ TEST(Patterns, RunAtTheirDefaults) {
   for (const auto& pattern : all_patterns()) {
     if (pattern.name == "deadlock") continue;  // see ExperimentsDeadlock
     const auto columns = occam::isolated(
-        [&] { return std::to_string(pattern.run(make_setup(model, pattern)).size()); });
+        [&] { return std::to_string(pattern.run(make_setup(model, pattern)).rows.at(0).size()); });
     EXPECT_NE(columns, "0") << pattern.name;
   }
 }
@@ -51,7 +55,7 @@ TEST(Patterns, AMessageTakesItsStartAndItsBytes) {
       const Pattern& message = all_patterns().at(0);
       patterns::Setup setup = make_setup(model, message);
       setup.parameters["bytes"] = bytes;
-      return occam::Numbers{message.run(setup).at(0).second};
+      return occam::Numbers{message.run(setup).rows.at(0).at(0).second};
     });
     EXPECT_NEAR(found.at(0) * model.cpu.clock.value,
                 static_cast<double>(model.channel.blocked.value) + 16 * bytes, 1e-3);
@@ -68,7 +72,8 @@ TEST(Patterns, ANetworkDeliversToItsSender) {
     setup.topology = topologies::make_topology("line:1");
     setup.parameters["hops"] = 0;
     occam::Numbers numbers;
-    for (const auto& [name, value] : unicast->run(setup)) numbers.push_back(value);
+    const Row row = unicast->run(setup).rows.at(0);
+    for (const auto& [name, value] : row) numbers.push_back(value);
     return numbers;
   });
   EXPECT_GT(columns.at(0), 0);

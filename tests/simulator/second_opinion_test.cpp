@@ -148,7 +148,7 @@ TEST(QueueingTheory, ASaturatedNetworkSaysSo) {
     setup.parameters["bytes"] = BYTES;
     setup.parameters["load"] = share * full;
     const auto saturated = occam::isolated_numbers([&] {
-      const Row row = pattern->run(setup);
+      const Row row = pattern->run(setup).rows.at(0);
       return occam::Numbers{std::ranges::find(row, "saturated", &Row::value_type::first)->second};
     });
     EXPECT_EQ(saturated.at(0), share > 1 ? 1 : 0) << share << " of the saturating load";
