@@ -26,9 +26,24 @@ void Machine::plan(const Failure& failure) {
   planned_.push_back(failure);
 }
 
+// Those of one date happen together, before any process can react.
 void Machine::expect(const Failure& failure) {
   if (failure.at > *runs_until_) return;
-  engine_.first_at(failure.at, [this, a = failure.a, b = failure.b] { happen({now(), a, b}); });
+  auto& together = failures_[failure.at];
+  if (together.empty()) engine_.first_at(failure.at, [this] { happen_now(); });
+  together.push_back(failure);
+}
+
+// It is an event of use only if it changes what happens: else it does not put off the end.
+void Machine::happen_now() {
+  auto& together = failures_.at(now());
+  bool matters = false;
+  for (std::size_t i = 0; i < together.size(); ++i) {  // an observer may add to them
+    const Failure failure = together[i];
+    matters |= happen(failure);
+  }
+  failures_.erase(now());
+  if (!matters) engine_.ignore_event();
 }
 
 // Everything has ended, no message is under way, and no process is ahead of the clock.
@@ -47,11 +62,10 @@ bool Machine::cut_both_ways(LinkDirection& link) {
   return there || back;
 }
 
-// It is an event of use only if it changes what happens: else it does not put off the end.
-void Machine::happen(const Failure& failure) {
+// Returns whether it changes what happens.
+bool Machine::happen(const Failure& failure) {
   Processor& a = *failure.a;
-  if (is_over() || (failure.b ? link(a, *failure.b).is_cut() : a.stopped()))
-    return engine_.ignore_event();
+  if (is_over() || (failure.b ? link(a, *failure.b).is_cut() : a.stopped())) return false;
   const auto asked = engine_.asked();
   bool matters = false;
   std::vector<Processor*> ends;  // that hear of it
@@ -70,7 +84,7 @@ void Machine::happen(const Failure& failure) {
   for (const auto& observer : failure_observers_) observer(failure);
   for (const Processor* end : ends)
     for (const auto& process : end->processes()) process->tell_cut();
-  if (!matters && engine_.asked() == asked) engine_.ignore_event();
+  return matters || engine_.asked() != asked;
 }
 
 }  // namespace machine

@@ -63,7 +63,8 @@ class Machine {
  private:
   void plan(const Failure& failure);
   void expect(const Failure& failure);
-  void happen(const Failure& failure);
+  void happen_now();
+  bool happen(const Failure& failure);
   bool cut_both_ways(LinkDirection& link);
   bool is_over() const;
 
@@ -74,8 +75,9 @@ class Machine {
   std::vector<std::unique_ptr<LinkDirection>> links_;
   std::vector<std::size_t> ports_;  // in use, by processor
   std::map<std::pair<int, int>, LinkDirection*> link_of_;
-  std::vector<Failure> planned_;       // before the run
-  std::optional<Seconds> runs_until_;  // once it has begun
+  std::vector<Failure> planned_;                      // before the run
+  std::map<Seconds, std::vector<Failure>> failures_;  // still to come
+  std::optional<Seconds> runs_until_;                 // once the run has begun
   std::vector<std::function<void(const Failure&)>> failure_observers_;
 };
 

@@ -177,7 +177,7 @@ TEST(ProcessorStop, IsToldBeforeAnythingElseHappens) {
     machine.run();
     return log;
   });
-  EXPECT_EQ(log, "cpu 1 stoppedtrue; cpu 0 cpu 2true; computed; told; ");
+  EXPECT_EQ(log, "cpu 1 stoppedtrue; cpu 0 cpu 2true; told; computed; ");
 }
 
 TEST(ProcessorStop, MayBeAfterTheEnd) {
