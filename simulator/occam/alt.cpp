@@ -33,6 +33,10 @@ bool has_timer(std::span<const Guard> guards) {
   return std::ranges::any_of(guards, [](const Guard& g) { return g.kind == Kind::timer; });
 }
 
+bool any_cut(std::span<const Guard> guards) {
+  return std::ranges::any_of(guards, [](const Guard& g) { return g.channel && g.channel->cut(); });
+}
+
 // What a deadlock report says of a process that waits for any of these.
 struct Guards : machine::Wait {
   explicit Guards(std::span<const Guard> guards) : guards(guards) {}
@@ -85,8 +89,7 @@ std::optional<std::size_t> choose(const Process& self, std::span<const Guard> gu
     const Seconds turn = self.processor().duration(spent);
     if (is_ready(self, guards[i], from + factor * turn)) return i;
   }
-  const auto is_cut = [](const Guard& g) { return g.channel && g.channel->cut(); };
-  if (std::ranges::any_of(guards, is_cut)) return {};
+  if (any_cut(guards)) return {};
   throw machine::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
 }
 
@@ -126,7 +129,7 @@ std::size_t select(std::span<const Guard> guards) {
   Cycles enabled{};
   const auto spend_enabling = [&] {
     const Cycles known = cost_to_enable_all(self, guards, begin);
-    if (known <= enabled) return;  // (less: a link was cut meanwhile)
+    if (known < enabled && any_cut(guards)) return;  // what was ready is not any more
     charge({known.value - enabled.value});
     enabled = known;
   };
