@@ -122,28 +122,16 @@ class Channel : public ChannelBase {
   // `channel ! message`: blocks until the partner has it. The bytes are those after the tag; those
   // of a counted array include its size.
   void out(Message message) {
-    outgoing_ = std::move(message);
-    const std::uint64_t bytes = bytes_of(outgoing_);
-    const std::uint64_t first = protocol_ == Protocol::simple ? 0
-                                : protocol_ == Protocol::variant
-                                    ? 1
-                                    : std::min<std::uint64_t>(4, bytes);
-    const std::uint64_t rest = protocol_ == Protocol::counted ? bytes - first : bytes;
-    contents_follow_ = first > 0 && rest > 0;
-    if (first > 0) output(first);
-    if (rest > 0 || first == 0) output(rest);
+    const Parts parts = prepare(std::move(message));
+    if (parts.first > 0) output(parts.first);
+    if (parts.first == 0 || parts.rest > 0) output(parts.rest);
   }
   // The same, but false if the link is cut before the partner has all of it: the partner does not
   // get it. (InputOrFail and OutputOrFail of occam's library.)
   bool out_or_fail(Message message) {
-    outgoing_ = std::move(message);
-    const std::uint64_t bytes = bytes_of(outgoing_);
-    if (protocol_ == Protocol::variant) {
-      contents_follow_ = bytes > 0;
-      if (!output_or_fail(1)) return false;
-      if (bytes == 0) return true;
-    }
-    return output_or_fail(bytes);
+    const Parts parts = prepare(std::move(message));
+    if (parts.first > 0 && !output_or_fail(parts.first)) return false;
+    return (parts.first > 0 && parts.rest == 0) || output_or_fail(parts.rest);
   }
   // `channel ? message`
   Message in() {
@@ -159,6 +147,19 @@ class Channel : public ChannelBase {
   }
 
  private:
+  struct Parts {
+    std::uint64_t first, rest;  // bytes of the tag or size, if there is one; of what follows
+  };
+  Parts prepare(Message message) {
+    outgoing_ = std::move(message);
+    const std::uint64_t bytes = bytes_of(outgoing_);
+    Parts parts{0, bytes};
+    if (protocol_ == Protocol::variant) parts.first = 1;
+    if (protocol_ == Protocol::counted) parts = {std::min<std::uint64_t>(4, bytes), bytes};
+    if (protocol_ == Protocol::counted) parts.rest -= parts.first;
+    contents_follow_ = parts.first > 0 && parts.rest > 0;
+    return parts;
+  }
   // Of a tag or size that contents follow nothing is moved yet.
   void move_message() override {
     tag_alone_ = std::exchange(contents_follow_, false);
