@@ -2,8 +2,7 @@
  * a FIFO before each; the main process outputs to higher-numbered neighbours itself.
  * -DLINK_FIFO, -DCLIENT_FIFO: messages that fit before a link's sender and before the client's.
  * -DREFUSE: main listens to no input while any FIFO is full.
- * -DHOLD_LINKS: main does not listen to its client while a link's FIFO is full.
- * -DHOLD_ALL: the same while any FIFO is full, the client's own too. */
+ * -DHOLD_ALL: main does not listen to its client while any FIFO is full, the client's own too. */
 #include "network.pml"
 
 #define CLIENT 2 /* the client's way out, beside links 0 and 1 */
@@ -20,16 +19,14 @@ chan from_sender[N * WAYS] = [0] of { bit };
 chan to_sender[N * WAYS] = [0] of { byte };
 
 #define ROOM(p, k) (len(fifo[WAYS * p + (k)]) < ((k) == CLIENT -> CLIENT_FIFO : LINK_FIFO))
-#define LINKS_HAVE_ROOM(p) (ROOM(p, 0) && ROOM(p, 1))
+#define ALL_HAVE_ROOM(p) (ROOM(p, 0) && ROOM(p, 1) && ROOM(p, CLIENT))
 #ifdef REFUSE
-#define LISTENS(p) (LINKS_HAVE_ROOM(p) && ROOM(p, CLIENT))
+#define LISTENS(p) ALL_HAVE_ROOM(p)
 #else
 #define LISTENS(p) true
 #endif
 #if defined(HOLD_ALL) || defined(REFUSE)
-#define LISTENS_TO_CLIENT(p) (LINKS_HAVE_ROOM(p) && ROOM(p, CLIENT))
-#elif defined(HOLD_LINKS)
-#define LISTENS_TO_CLIENT(p) LINKS_HAVE_ROOM(p)
+#define LISTENS_TO_CLIENT(p) ALL_HAVE_ROOM(p)
 #else
 #define LISTENS_TO_CLIENT(p) true
 #endif
