@@ -55,10 +55,10 @@ inline std::vector<int> plain_distances(const Topology& t, int start) {
 }
 
 // Connected, at most four links each, on random ports: a random tree and some links more.
-inline Topology random_topology(unsigned seed) {
+inline Topology random_topology(unsigned seed, int largest = 31) {
   std::mt19937 random(seed);
   const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
-  Topology t{"random", 2 + below(30), 0, {}, {}, {}};
+  Topology t{"random", 2 + below(static_cast<size_t>(largest - 1)), 0, {}, {}, {}};
   t.root = below(t.processors);
   std::vector<std::vector<int>> ports(t.processors, {0, 1, 2, 3});
   for (auto& p : ports) std::ranges::shuffle(p, random);
