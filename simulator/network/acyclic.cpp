@@ -12,7 +12,7 @@ namespace network {
 
 namespace {
 
-// Messages whose link has been cut come back on a way of their own.
+// Messages that turn back here, or whose link has been cut, come on a way of their own.
 constexpr int AGAIN = WAYS;
 
 class Router {
@@ -66,7 +66,11 @@ class Router {
 
   // To the senders of the ways that it takes; `as` is whose channels into them are used.
   void hand_on(Message message, int came_by, int as) {
-    for (const int out_by : node_.find_ways_out(message, came_by))
+    const Returned before = message.returned;
+    const WaysOut ways = node_.find_ways_out(message, came_by);
+    const bool turns_back = came_by >= 0 && came_by < CLIENT && message.returned != before;
+    if (turns_back && ways.count > 0) return send_later(std::move(message));
+    for (const int out_by : ways)
       for (Input& input : inputs_.at(out_by)->from)
         if (input.came_by == as) out(input.channel, Handed{message, node_.pointers});
   }
@@ -89,7 +93,8 @@ class Router {
     std::array<Guard, WAYS + 1> guards;
     for (;;) {
       const Message message = take(inputs, wait(inputs, guards, 0));
-      if (!node_.pass(way, message)) send_again(message, way);
+      if (node_.pass(way, message)) continue;
+      for (auto& again : node_.send_around(message, way)) send_later(std::move(again));
     }
   }
 
@@ -125,14 +130,17 @@ class Router {
     }
   }
 
-  // No sender may wait for another: a process of its own does, as long as there are any.
-  void send_again(const Message& message, int way) {
-    for (auto& again : node_.send_around(message, way)) again_.push_back(std::move(again));
-    if (std::exchange(sends_again_, !again_.empty()) || again_.empty()) return;
+  // By a process of its own, as long as there are any, for which nothing waits: no sender may wait
+  // for another, nor a link in for a link out that no route takes after it.
+  void send_later(Message message) {
+    node_.hold(message);
+    again_.push_back(std::move(message));
+    if (std::exchange(sends_again_, true)) return;
     start_server(node_, "again", [this] {
       while (!again_.empty()) {
         Message next = std::move(again_.front());
         again_.pop_front();
+        node_.release(next);
         hand_on(std::move(next), NO_WAY, AGAIN);
       }
       sends_again_ = false;

@@ -1,6 +1,7 @@
 /* What the routers' models share: four processors of two links each, the routes, the clients.
  * -DRING or -DMESH; -DW=messages that each client sends; -DRECEPTIVE: clients receive while they send;
- * -DOPPOSITE: to the opposite corner only, else to any other processor.
+ * -DOPPOSITE: to the opposite corner only, else to any other processor; -DUP_DOWN: on the ring, routes
+ * go up and then down (root 0), which changes one of them: from 1 to 3 over 0, not over 2.
  *
  * RING  0 - 1     routes go the shorter way,     MESH  0 - 1     routes go along the row,
  *       |   |     clockwise (0 1 2 3) between          |   |     then along the column
@@ -15,7 +16,11 @@
 #ifdef RING
 #define NEXT(p, k) ((p + 1 + 2 * (k)) % N)
 #define IN(p, k) (2 * NEXT(p, k) + 1 - (k))
+#ifdef UP_DOWN
+#define LINK(p, d) ((d + N - p) % N == 3 || (p == 1 && d == 3))
+#else
 #define LINK(p, d) ((d + N - p) % N == 3)
+#endif
 #else
 #define NEXT(p, k) (p ^ (1 + (k)))
 #define IN(p, k) (2 * NEXT(p, k) + (k))
