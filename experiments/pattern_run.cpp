@@ -33,10 +33,15 @@ patterns::Setup make_setup(const Experiment& experiment, const patterns::Pattern
   return setup;
 }
 
-ordered_json to_json(const patterns::Row& row, std::string& ended) {
+// A processor is called by its label, where the topology has labels.
+ordered_json to_json(const patterns::Row& row, const topologies::Topology& topology,
+                     std::string& ended) {
   ordered_json json = ordered_json::object();
   for (const auto& [name, value] : row) {
-    json[name] = std::isfinite(value) ? ordered_json(value) : ordered_json();
+    if (name == "processor" && !topology.labels.empty())
+      json[name] = topology.labels.at(static_cast<std::size_t>(value));
+    else
+      json[name] = std::isfinite(value) ? ordered_json(value) : ordered_json();
     if (name == "saturated" && value != 0) ended = "saturated";
   }
   return json;
@@ -75,7 +80,7 @@ ordered_json run_pattern_point(const Experiment& experiment, observe::Watch& wat
   std::vector<std::string> notes;
   try {
     auto found = pattern.run(setup);
-    for (const auto& row : found.rows) rows.push_back(to_json(row, ended));
+    for (const auto& row : found.rows) rows.push_back(to_json(row, setup.topology, ended));
     notes = std::move(found.notes);
     check_rows(pattern, rows);
   } catch (const patterns::Unfinished&) {

@@ -6,15 +6,23 @@
 #include <numeric>
 #include <set>
 
-#include "topologies/routes.hpp"
+#include "topologies/search.hpp"
 
 namespace topologies {
 
 TreeLinks make_tree_links(const Topology& topology) {
-  const auto tree = make_spanning_tree(topology, topology.root);
+  std::vector<bool> joined(topology.processors);
   TreeLinks links;
+  const auto grow = [&](int root) {
+    const auto search = make_search(topology, root);
+    for (const int p : search.order) {
+      joined[p] = true;
+      if (p != root) links.push_back(std::minmax(p, int{search.parent[p]}));
+    }
+  };
+  grow(topology.root);
   for (int p = 0; p < topology.processors; ++p)
-    if (p != tree.root) links.push_back(std::minmax(p, int{tree.parent[p]}));
+    if (!joined[p]) grow(p);
   std::ranges::sort(links);
   return links;
 }

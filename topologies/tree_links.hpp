@@ -11,7 +11,8 @@ namespace topologies {
 // Pairs of neighbours, the lower number first, sorted.
 using TreeLinks = std::vector<std::pair<int, int>>;
 
-// Those of make_spanning_tree from the topology's root.
+// Those of make_spanning_tree from the topology's root. Of a topology in pieces one tree each, the
+// others from their lowest processor.
 TreeLinks make_tree_links(const Topology& topology);
 
 // Given pairs in any order. Throws InvalidTopology, naming the culprit, unless each is a link of

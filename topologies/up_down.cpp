@@ -12,19 +12,16 @@ namespace topologies {
 
 namespace {
 
-// Distance from the root of its piece.
-std::vector<int> find_depths(const Topology& topology, TreeLinks* tree) {
+// Distance from the root of the tree that one is in.
+std::vector<int> find_depths(const Topology& topology) {
   std::vector<int> depth(topology.processors, -1);
-  const auto grow = [&](int root) {
+  const auto fill = [&](int root) {
     const auto search = make_search(topology, root);
-    for (const int p : search.order) {
-      depth[p] = search.distance[p];
-      if (tree && p != root) tree->emplace_back(search.parent[p], p);
-    }
+    for (const int p : search.order) depth[p] = search.distance[p];
   };
-  grow(topology.root);
+  fill(topology.root);
   for (int p = 0; p < topology.processors; ++p)
-    if (depth[p] < 0) grow(p);
+    if (depth[p] < 0) fill(p);
   return depth;
 }
 
@@ -38,7 +35,7 @@ struct Way {
 class UpDown {
  public:
   explicit UpDown(const Topology& topology)
-      : around_(neighbours(topology)), depth_(find_depths(topology, nullptr)) {
+      : around_(neighbours(topology)), depth_(find_depths(topology)) {
     for (int p = 0; p < topology.processors; ++p) downwards_.push_back(p);
     std::ranges::sort(downwards_, [&](int a, int b) { return is_above(a, b); });
   }
@@ -69,12 +66,6 @@ class UpDown {
 };
 
 }  // namespace
-
-TreeLinks make_tree_links(const Topology& topology) {
-  TreeLinks tree;
-  find_depths(topology, &tree);
-  return tree;
-}
 
 RoutingTable make_up_down_routes(const Topology& topology) {
   const int n = topology.processors;

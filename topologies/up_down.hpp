@@ -2,17 +2,10 @@
 // "Autonet", IEEE JSAC 9(8), 1991), and the check that tells whether given routes do.
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "topologies/routes.hpp"
+#include "topologies/tree_links.hpp"
 
 namespace topologies {
-
-using TreeLinks = std::vector<std::pair<int, int>>;  // links of a spanning tree, parent first
-
-// The breadth-first tree of the root; of a topology in pieces one for each, rooted at the lowest.
-TreeLinks make_tree_links(const Topology& topology);
 
 // Every link has an upper end: the one nearer to the root of make_tree_links, the lower number of
 // two at the same distance. A route goes up some links, or none, and then down: since no link down

@@ -10,7 +10,7 @@ namespace machine {
 
 namespace {
 
-// The processes that have not ended.
+// The processes that have not ended, of processors that run.
 using Blocked = std::map<ProcessId, const Process*>;
 // Whom each of them waits for.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
@@ -30,7 +30,7 @@ Blocked find_blocked(const Machine& machine) {
   Blocked blocked;
   for (const auto& processor : machine.processors())
     for (const auto& process : processor->processes())
-      if (!has_ended(*process)) blocked[process->id()] = process.get();
+      if (!processor->stopped() && !has_ended(*process)) blocked[process->id()] = process.get();
   return blocked;
 }
 
@@ -78,7 +78,14 @@ std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
 
 }  // namespace
 
-bool all_have_ended(const Machine& machine) { return find_blocked(machine).empty(); }
+bool has_unfinished(const Processor& processor) {
+  return !std::ranges::all_of(processor.processes(), [](const auto& p) { return has_ended(*p); });
+}
+
+bool all_have_ended(const Machine& machine) {
+  return std::ranges::all_of(machine.processors(),
+                             [](const auto& p) { return p->stopped() || !has_unfinished(*p); });
+}
 
 void throw_if_deadlocked(const Machine& machine) {
   const Blocked blocked = find_blocked(machine);

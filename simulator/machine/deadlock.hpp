@@ -4,7 +4,9 @@
 
 namespace machine {
 
-// Whether every process has ended, or is a server that waits for input.
+// Whether a process of the processor has not ended, and is no server that waits for input.
+bool has_unfinished(const Processor& processor);
+// Whether there is none on any processor that runs.
 bool all_have_ended(const Machine& machine);
 
 // Throws Deadlock if some processes have not ended: each with its processor, what it waits for and

@@ -50,6 +50,8 @@ class KeptSignals {
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
+constexpr std::uint64_t FIRST = 1u << 31;  // the order of what is not asked for as first
+
 struct Event {
   double date;
   std::uint64_t order;  // events of one date happen in the order they were asked for
@@ -73,7 +75,7 @@ struct Engine::Impl {
   double now = 0;  // may be ahead of SimGrid's clock
   std::vector<Event> heap;
   std::vector<Callback> soon, soon_now;
-  std::uint64_t asked = 0, handled = 0;
+  std::uint64_t asked_first = 0, asked = FIRST, handled = 0;
   double wake_up = std::numeric_limits<double>::infinity();  // a SimGrid timer is set for then
   bool stopped = false, ignored = false;
   double last_useful = 0;  // date
@@ -86,6 +88,7 @@ struct Engine::Impl {
     s4u::CommPtr comm;  // under way
     std::uint64_t bytes = 0;
     Callback arrived;
+    bool cut = false;  // what SimGrid still says of it is not heard
   };
   std::vector<Direction> directions;
   std::vector<std::vector<std::size_t>> leaving;  // by processor
@@ -141,6 +144,7 @@ struct Engine::Impl {
 
   void start(std::size_t number) {
     Direction& direction = directions[number];
+    if (direction.cut) return;
     direction.comm = s4u::Comm::sendto_init(hosts[direction.from], hosts[direction.to]);
     direction.comm->set_payload_size(direction.bytes);
     direction.comm->set_data(reinterpret_cast<void*>(number));
@@ -158,10 +162,19 @@ struct Engine::Impl {
     });
   }
 
+  std::size_t number_of(int from, int to) const {
+    return *std::ranges::find(leaving[from], to, [&](std::size_t n) { return directions[n].to; });
+  }
+
+  void ask(double date, std::uint64_t order, Callback callback) {
+    heap.push_back({date, order, callback});
+    std::ranges::push_heap(heap, std::less<>());
+  }
+
   void end(std::size_t number) {
     Direction& direction = directions[number];
     last_ended = std::move(direction.comm);  // SimGrid still uses it when we return
-    if (stopped) return;
+    if (stopped || direction.cut) return;
     now = std::max(now, s4u::Engine::get_clock());
     forecast.end(number, now);
     handle(direction.arrived);
@@ -202,8 +215,8 @@ void Engine::add_link(int a, int b, LinkRates rates) {
   const std::size_t number = impl_->forecast.add_link(rates.one_way, rates.both_ways);
   impl_->leaving[a].push_back(number);
   impl_->leaving[b].push_back(number + 1);
-  impl_->directions.push_back({a, b, {}, 0, {}});
-  impl_->directions.push_back({b, a, {}, 0, {}});
+  impl_->directions.push_back({a, b, {}, 0, {}, false});
+  impl_->directions.push_back({b, a, {}, 0, {}, false});
   const auto name = fmt::format("{}-{}", a, b);
   const auto rate = [rates](double, int messages) {
     return messages > 1 ? rates.both_ways : rates.one_way;
@@ -218,16 +231,18 @@ void Engine::add_link(int a, int b, LinkRates rates) {
 Seconds Engine::now() const { return {impl_->now}; }
 
 void Engine::at(Seconds date, Callback callback) {
-  impl_->heap.push_back({date.value, impl_->asked++, std::move(callback)});
-  std::ranges::push_heap(impl_->heap, std::less<>());
+  impl_->ask(date.value, impl_->asked++, callback);
+}
+
+void Engine::first_at(Seconds date, Callback callback) {
+  impl_->ask(date.value, impl_->asked_first++, callback);
 }
 
 void Engine::soon(Callback callback) { impl_->soon.push_back(std::move(callback)); }
 
 void Engine::transfer(int from, int to, std::uint64_t bytes, Callback arrived) {
   Impl& impl = *impl_;
-  const std::size_t number = *std::ranges::find(
-      impl.leaving[from], to, [&](std::size_t n) { return impl.directions[n].to; });
+  const std::size_t number = impl.number_of(from, to);
   impl.directions[number].bytes = bytes;
   impl.directions[number].arrived = arrived;
   impl.forecast.start(number, static_cast<double>(bytes), impl.now);
@@ -235,6 +250,13 @@ void Engine::transfer(int from, int to, std::uint64_t bytes, Callback arrived) {
     impl.start_later(number);
   else
     impl.start(number);
+}
+
+void Engine::cut(int a, int b) {
+  for (const std::size_t number : {impl_->number_of(a, b), impl_->number_of(b, a)}) {
+    impl_->directions[number].cut = true;
+    impl_->forecast.end(number, impl_->now);
+  }
 }
 
 Engine::End Engine::run(Seconds until) {
@@ -257,6 +279,8 @@ void Engine::ignore_event() { impl_->ignored = true; }
 void Engine::stop() { impl_->stop(End::stopped); }
 
 std::uint64_t Engine::handled() const { return impl_->handled; }
+
+std::uint64_t Engine::asked() const { return impl_->asked + impl_->soon.size(); }
 
 void request_stop() { stop_requested = 1; }
 

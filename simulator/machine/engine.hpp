@@ -61,11 +61,15 @@ class Engine {
   Seconds now() const;
   // Calls back at simulated time `date` (not before now). Callbacks never nest.
   void at(Seconds date, Callback callback);
+  // The same, before all that at() has asked for at that instant.
+  void first_at(Seconds date, Callback callback);
   // Calls back when the event being handled is over, at the same simulated instant.
   void soon(Callback callback);
   // Moves `bytes` (> 0) over the link from one processor to its neighbour, then calls back. One
   // message at a time in each direction.
   void transfer(int from, int to, std::uint64_t bytes, Callback arrived);
+  // What moves over the link, in both directions, never arrives. Nothing may move there any more.
+  void cut(int a, int b);
 
   // Runs until no event is left, until the clock would pass `until`, or until stop() or
   // request_stop(). The clock stays at the last event, or at `until`.
@@ -79,6 +83,7 @@ class Engine {
   // Drops all events still to come.
   void stop();
   std::uint64_t handled() const;  // events
+  std::uint64_t asked() const;    // grows with every event that is asked for, while one is handled
 
  private:
   struct Impl;

@@ -19,6 +19,7 @@ void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
 }
 
 void LinkDirection::move() {
+  if (cut_) return engine_.ignore_event();
   cable_->begin_transfer();
   if (bytes_ == 0)
     engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
@@ -27,6 +28,7 @@ void LinkDirection::move() {
 }
 
 void LinkDirection::end() {
+  if (cut_) return;
   use_.busy += engine_.now() - since_;
   ++use_.messages;
   use_.bytes += bytes_;
@@ -34,6 +36,17 @@ void LinkDirection::end() {
   cable_->end_transfer();
   if (observer_) observer_->moved(*this, *channel_, bytes_, since_, engine_.now());
   arrived_();
+}
+
+bool LinkDirection::cut() {
+  cut_ = true;
+  cable_->end_all();
+  if (!busy_) return false;
+  flush_observer();
+  busy_ = false;
+  use_.busy += engine_.now() - since_;
+  use_.bytes_cut = bytes_;
+  return true;
 }
 
 void LinkDirection::flush_observer() {

@@ -11,6 +11,7 @@ struct LinkUse {
   Seconds busy{};
   std::uint64_t messages = 0, bytes = 0;  // that have arrived
   std::uint64_t bytes_sent = 0;           // that have been put on the link
+  std::uint64_t bytes_cut = 0;            // of a message that was under way when the link was cut
 };
 
 // What the two directions share: while messages move, the DMA at both ends takes memory cycles from
@@ -25,6 +26,7 @@ class Cable {
   Cable(End a, End b, std::array<double, 2> shares) : ends_{a, b}, shares_(shares) {}
   void begin_transfer() { set(busy_ + 1); }
   void end_transfer() { set(busy_ - 1); }
+  void end_all() { set(0); }
 
  private:
   void set(int busy) {
@@ -51,7 +53,12 @@ class LinkDirection {
 
   Processor& from() const { return from_; }
   Processor& to() const { return to_; }
-  LinkUse use() const;  // up to now; a message counts when it has arrived
+  // Nothing arrives any more, and nothing may be sent; the link's other direction is cut at the
+  // same instant. Returns whether a message was under way: its callback is not called.
+  bool cut();
+  const bool& is_cut() const { return cut_; }
+  bool is_busy() const { return busy_; }  // a message is under way
+  LinkUse use() const;                    // up to now; a message counts when it has arrived
   std::string name() const { return from_.name() + " > " + to_.name(); }
   void set_observer(Observer* observer) { observer_ = observer; }
   void flush_observer();  // a message that is still on its way, up to now
@@ -66,7 +73,7 @@ class LinkDirection {
   std::shared_ptr<Cable> cable_;
   Seconds delay_;
   LinkUse use_;
-  bool busy_ = false;
+  bool busy_ = false, cut_ = false;
   Seconds since_{};  // of the transfer under way: its start,
   std::uint64_t bytes_ = 0;
   const std::string* channel_ = nullptr;

@@ -67,6 +67,8 @@ void Machine::set_observer(Observer& observer) {
 }
 
 End Machine::run(Seconds until) {
+  runs_until_ = until;
+  for (const Failure& failure : planned_) expect(failure);
   const Engine::End why = engine_.run(until);
   for (const auto& processor : processors_)
     if (processor->failure()) std::rethrow_exception(processor->failure());
@@ -76,7 +78,8 @@ End Machine::run(Seconds until) {
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
   for (const auto& link : links_)
-    check_equal("bytes out of a link", link->use().bytes, link->use().bytes_sent);
+    check_equal("bytes out of a link", link->use().bytes + link->use().bytes_cut,
+                link->use().bytes_sent);
   throw_if_deadlocked(*this);
   return End::done;
 }

@@ -1,8 +1,10 @@
 #pragma once
 // A machine: processors joined by links, run until every process has ended.
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "simulator/machine/link.hpp"
@@ -12,6 +14,13 @@ namespace machine {
 // Why a run ended: every process did, its time was up, or the user wanted no more.
 enum class End { done, limit, interrupt };
 std::string_view to_string(End end);
+
+// A link was cut, or a processor stopped.
+struct Failure {
+  Seconds at;
+  Processor* a;
+  Processor* b;  // the link's other end; null: `a` stopped
+};
 
 class Machine {
  public:
@@ -27,6 +36,17 @@ class Machine {
   void connect(Processor& a, Processor& b, int switches = 0);
   LinkDirection& link(const Processor& from, const Processor& to);
 
+  // From the date on the link carries nothing, in either direction: a message under way is lost.
+  // For its channels see occam::ChannelBase. A date after the end of the run, or a link that is cut
+  // already: nothing happens. The date must not be over.
+  void cut_link(Processor& a, Processor& b, Seconds at);
+  // From the date on none of its processes runs, and all its links are cut. The processes count
+  // neither as ended nor as blocked: the run is done when those of the other processors have ended.
+  void stop_processor(Processor& processor, Seconds at);
+  // Calls back at every cut and stop, once the machine is so and before anything else happens at
+  // that instant. (The links of a processor that stops are not told one by one.)
+  void on_failure(std::function<void(const Failure&)> observer);
+
   // Who is told what processors and links do; before run().
   void set_observer(Observer& observer);
 
@@ -41,6 +61,13 @@ class Machine {
   const std::vector<std::unique_ptr<LinkDirection>>& links() const { return links_; }
 
  private:
+  void plan(const Failure& failure);
+  void expect(const Failure& failure);
+  void happen_now();
+  bool happen(const Failure& failure);
+  bool cut_both_ways(LinkDirection& link);
+  bool is_over() const;
+
   const Model model_;
   double software_factor_;
   Engine engine_;
@@ -48,6 +75,10 @@ class Machine {
   std::vector<std::unique_ptr<LinkDirection>> links_;
   std::vector<std::size_t> ports_;  // in use, by processor
   std::map<std::pair<int, int>, LinkDirection*> link_of_;
+  std::vector<Failure> planned_;                      // before the run
+  std::map<Seconds, std::vector<Failure>> failures_;  // still to come
+  std::optional<Seconds> runs_until_;                 // once the run has begun
+  std::vector<std::function<void(const Failure&)>> failure_observers_;
 };
 
 }  // namespace machine

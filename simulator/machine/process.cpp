@@ -121,7 +121,7 @@ void Process::sync() {
   if (debt_.value > 0 || processor_.has_lost_cpu(*this)) suspend();
 }
 
-void Process::block(const Wait& wait) {
+void Process::block(Wait& wait) {
   wait_ = &wait;
   waits_for_ = wait.kind();
   blocked_since_ = now();
@@ -133,7 +133,8 @@ void Process::block(const Wait& wait) {
 Seconds Process::blocked(Wait::Kind kind) const {
   const Seconds over = blocked_[static_cast<std::size_t>(kind)];
   const bool is_under_way = state_ == State::blocked && wait_ && waits_for_ == kind;
-  return is_under_way ? over + std::max(Seconds{}, processor_.now() - blocked_since_) : over;
+  return is_under_way ? over + std::max(Seconds{}, processor_.lived_until() - blocked_since_)
+                      : over;
 }
 
 Seconds Process::now() const {

@@ -25,6 +25,9 @@ struct Wait {
   // The processes any of which could end the wait, as far as they are known; they may have ended.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
   virtual Kind kind() const { return Kind::other; }
+  // A link of the processor has been cut. If it is the one that `process` waits for, and it is to
+  // be told, its wait ends.
+  virtual void on_cut(Process& process) { static_cast<void>(process); }
 
  protected:
   ~Wait() = default;
@@ -58,7 +61,7 @@ class Process {
     if (priority_ == Priority::low || debt_ > LONG_DEBT) sync();
   }
   // Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
-  void block(const Wait& wait);
+  void block(Wait& wait);
   // The process's own time: the clock plus its debt.
   Seconds now() const;
 
@@ -75,6 +78,13 @@ class Process {
   // Counts the times it has blocked: tells one wait from the next.
   std::uint64_t waits() const { return waits_; }
   const Wait* wait() const { return wait_; }  // of a blocked process; null before its start
+  // Tells a blocked process that a link has been cut.
+  void tell_cut() {
+    if (state_ == State::blocked && wait_) wait_->on_cut(*this);
+  }
+  // From now on the blocked process waits for something else.
+  void wait_instead_for(Wait& wait) { wait_ = &wait; }
+  Seconds blocked_since() const { return blocked_since_; }  // in its last wait, by its own time
   // How long it has been blocked so far in waits of this kind, the one under way included.
   Seconds blocked(Wait::Kind kind) const;
   std::uint32_t trace_id() const { return trace_id_; }  // see Observer
@@ -97,7 +107,7 @@ class Process {
   Wait::Kind waits_for_{};
   Seconds blocked_since_{};
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
-  const Wait* wait_ = nullptr;
+  Wait* wait_ = nullptr;
   int wake_ups_ = 0;  // Processor::wake_at still to come
   boost::context::fiber fiber_, scheduler_;
   bool cancelled_ = false, is_server_ = false;

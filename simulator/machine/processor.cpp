@@ -45,13 +45,14 @@ void Processor::remove(const Process& process) {
   processes_.erase(place);
 }
 
-void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait) {
+void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait, const bool* unless) {
   ++process.wake_ups_;
-  engine_.at(date, [&process, date, wait] {
+  engine_.at(date, [&process, wait, unless] {
     --process.wake_ups_;
     Processor& self = process.processor();
-    if (process.state() == Process::State::blocked && process.waits() == wait)
-      self.make_ready(process, date);
+    const bool waits = process.state() == Process::State::blocked && process.waits() == wait;
+    if (waits && !self.stopped() && !(unless && *unless))
+      self.make_ready(process, self.now());
     else
       self.engine_.ignore_event();
   });
@@ -60,6 +61,7 @@ void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait) {
 void Processor::make_ready(Process& process, Seconds at) {
   if (process.state_ != Process::State::blocked)
     throw InvariantBroken(fmt::format("{} was made ready but is not waiting", process.name()));
+  if (stopped()) return;
   process.state_ = Process::State::ready;
   process.ready_at_ = at;
   if (process.wait_)
@@ -86,6 +88,7 @@ void Processor::dispatch_at(Seconds date) {
 
 void Processor::dispatch() {
   dispatching_ = false;
+  if (stopped()) return engine_.ignore_event();
   if (!high_.empty()) {
     Process& next = *high_.front();
     high_.pop_front();
@@ -98,6 +101,7 @@ void Processor::dispatch() {
 }
 
 void Processor::execute(Process& process) {
+  if (stopped()) return engine_.ignore_event();
   running_ = &process;
   if (process.state_ == Process::State::ready) ++use_.dispatches;
   process.state_ = Process::State::running;

@@ -4,6 +4,7 @@
 // High-priority processes run until they block. Low-priority ones run when no high one can, are
 // pre-empted by them, and share the CPU in time slices: a low process gives way after one to two
 // slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <exception>
@@ -40,8 +41,17 @@ class Processor {
   // processor, that process's own time).
   void make_ready(Process& process, Seconds at);
 
-  // The same at a date to come, if the process is in its wait number `wait` then.
-  void wake_at(Seconds date, Process& process, std::uint64_t wait);
+  // The same at a date to come, if the process is in its wait number `wait` then; not if `unless`
+  // has become true.
+  void wake_at(Seconds date, Process& process, std::uint64_t wait, const bool* unless = nullptr);
+
+  // From now on no process runs here: they stay where they are, and what was charged ahead is not
+  // executed. Its links are to be cut too, see Machine::stop_processor.
+  void stop();
+  bool stopped() const { return stopped_at_ < NEVER; }
+  Seconds lived_until() const { return std::min(now(), stopped_at_); }
+  // Whether the CPU is taken up to a date to come: a process's own time may be ahead.
+  bool is_ahead() const { return high_until_ > now(); }
 
   int id() const { return id_; }
   const std::string& name() const { return name_; }
@@ -132,6 +142,7 @@ class Processor {
   std::uint64_t high_id_ = 0;    // ends with another id are stale
   Seconds high_until_{};         // up to when use_ already counts high-priority time
   std::exception_ptr failure_;
+  Seconds stopped_at_ = NEVER;
 };
 
 }  // namespace machine

@@ -61,7 +61,7 @@ class Router {
   };
 
   void receive(int way) {
-    for (;;) hand_on(node_.take(way), way, way);
+    while (auto message = node_.take(way)) hand_on(std::move(*message), way, way);
   }
 
   // To the senders of the ways that it takes; `as` is whose channels into them are used.

@@ -72,7 +72,9 @@ class Router {
     in(to_handle_input);
   }
 
-  void memorise(int way) { put(node_.take(way), way); }
+  void memorise(int way) {
+    if (auto message = node_.take(way)) put(std::move(*message), way);
+  }
 
   void put(Message message, int came_by) {
     const WaysOut ways = node_.find_ways_out(message, came_by);

@@ -33,7 +33,7 @@ class Router {
       } else {
         const int way = inputs_.way(chosen - n);
         inputs_.next_turn();
-        route(node_.take(way), way);
+        if (auto message = node_.take(way)) route(std::move(*message), way);
       }
     }
   }

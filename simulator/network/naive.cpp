@@ -10,7 +10,9 @@ void route(Node& node) {
   FairInputs inputs(node);
   for (;;) {
     const int came_by = inputs.wait();
-    std::vector<Message> to_send{node.take(came_by)};
+    auto taken = node.take(came_by);
+    if (!taken) continue;
+    std::vector<Message> to_send{std::move(*taken)};
     for (int by = came_by; !to_send.empty(); by = NO_WAY) {
       Message message = std::move(to_send.back());
       to_send.pop_back();

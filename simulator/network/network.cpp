@@ -74,6 +74,14 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
       nodes_[to.processor].link_in[to.port] = &channel;
     }
   }
+  // A service outside of the machine knows at once, and all routers from it.
+  machine.on_failure([this, &machine, first](const machine::Failure& failure) {
+    const auto number = [first](const machine::Processor* p) { return p->id() - first; };
+    if (failure.b) return routing_.cut(number(failure.a), number(failure.b));
+    for (const auto& link : topologies::Topology(routing_.topology()).links)
+      if (link.a.processor == number(failure.a) || link.b.processor == number(failure.a))
+        routing_.cut(link.a.processor, link.b.processor);
+  });
   for (Node& node : nodes_) switch (params.method) {
       case Method::naive:
         start_naive(node);

@@ -33,21 +33,18 @@ occam::ChannelBase& Node::channel_in(int way) const {
   return *client_in[way - CLIENT];
 }
 
-Message Node::take(int way) {
+std::optional<Message> Node::take(int way) {
   if (way >= CLIENT) {
     ++use.taken;
     return client_in[way - CLIENT]->in().message;
   }
-  Message message = link_in[way]->in();
-  ++message.links;
+  auto message = in_or_fail(*link_in[way]);
+  if (message) ++message->links;
   return message;
 }
 
 bool Node::pass(int way, const Message& message) {
-  if (way < CLIENT) {
-    out(*link_out[way], message);
-    return true;
-  }
+  if (way < CLIENT) return out_or_fail(*link_out[way], message);
   ++(message.returned == Returned::no ? use.delivered : use.returned);
   out(*client_out[way - CLIENT], Handed{message, pointers});
   return true;

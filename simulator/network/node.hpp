@@ -66,8 +66,8 @@ struct Node {
   std::vector<int> ways_out() const;
   occam::ChannelBase& channel_in(int way) const;
 
-  // `channel ? message`
-  Message take(int way);
+  // `channel ? message`; none if the link is cut.
+  std::optional<Message> take(int way);
   // `channel ! message`; false if the link is cut.
   bool pass(int way, const Message& message);
   // determ.ways.out of figure 5.14: where the message that came by this way goes from here. A

@@ -33,6 +33,10 @@ bool has_timer(std::span<const Guard> guards) {
   return std::ranges::any_of(guards, [](const Guard& g) { return g.kind == Kind::timer; });
 }
 
+bool any_cut(std::span<const Guard> guards) {
+  return std::ranges::any_of(guards, [](const Guard& g) { return g.channel && g.channel->cut(); });
+}
+
 // What a deadlock report says of a process that waits for any of these.
 struct Guards : machine::Wait {
   explicit Guards(std::span<const Guard> guards) : guards(guards) {}
@@ -40,13 +44,15 @@ struct Guards : machine::Wait {
     std::string names;
     for (const Guard& guard : guards)
       if (guard.condition && guard.channel)
-        names += (names.empty() ? "alt on " : ", ") + guard.channel->name();
+        names += (names.empty() ? "alt on " : ", ") + guard.channel->name() +
+                 (guard.channel->cut() ? " (link cut)" : "");
     return names;
   }
   std::vector<machine::ProcessId> waits_for() const override {
     std::vector<machine::ProcessId> writers;
     for (const Guard& guard : guards)
-      if (guard.condition && guard.channel && guard.channel->last_writer() != 0)
+      if (guard.condition && guard.channel && !guard.channel->cut() &&
+          guard.channel->last_writer() != 0)
         writers.push_back(guard.channel->last_writer());
     return writers;
   }
@@ -65,13 +71,16 @@ void wait_for_any(Process& self, std::span<const Guard> guards) {
       self.processor().wake_at(date_of(self, guard.tick), self, self.waits() + 1);
   }
   if (!some_open) throw machine::InvariantBroken(self.name() + ": an ALT without an open guard");
-  self.block(Guards(guards));
+  Guards wait(guards);
+  self.block(wait);
   for (const Guard& guard : guards)
     if (guard.channel) guard.channel->disable();
 }
 
 // The guards are disabled again in order, and the first that is ready when its turn comes is taken.
-std::size_t choose(const Process& self, std::span<const Guard> guards, Seconds from) {
+// None if the link of the one that was ready has been cut.
+std::optional<std::size_t> choose(const Process& self, std::span<const Guard> guards,
+                                  Seconds from) {
   const auto& costs = self.processor().model().alternative;
   const double factor = self.processor().software_factor();
   Cycles spent{};
@@ -80,6 +89,7 @@ std::size_t choose(const Process& self, std::span<const Guard> guards, Seconds f
     const Seconds turn = self.processor().duration(spent);
     if (is_ready(self, guards[i], from + factor * turn)) return i;
   }
+  if (any_cut(guards)) return {};
   throw machine::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
 }
 
@@ -119,6 +129,7 @@ std::size_t select(std::span<const Guard> guards) {
   Cycles enabled{};
   const auto spend_enabling = [&] {
     const Cycles known = cost_to_enable_all(self, guards, begin);
+    if (known < enabled && any_cut(guards)) return;  // what was ready is not any more
     charge({known.value - enabled.value});
     enabled = known;
   };
@@ -134,14 +145,16 @@ std::size_t select(std::span<const Guard> guards) {
   else
     charge(ready ? costs.wait_ready : costs.wait_not);
   settle();
-  if (!ready && !some_ready()) wait_for_any(self, guards);
-  spend_enabling();
-  const Seconds from = self.now();
   Cycles disabling = costs.end;
   for (const Guard& guard : guards) disabling += cost_to_disable(costs, guard);
-  charge(disabling);
-  settle();
-  return choose(self, guards, from);
+  for (;; ready = false) {
+    if (!ready && !some_ready()) wait_for_any(self, guards);
+    spend_enabling();
+    const Seconds from = self.now();
+    charge(disabling);
+    settle();
+    if (const auto chosen = choose(self, guards, from)) return *chosen;
+  }
 }
 
 }  // namespace occam

@@ -39,7 +39,8 @@ struct Guard {
 
 // Waits until a guard is ready, and returns its index; the input is still to be done, with
 // Channel::in(). At least one condition must hold. Source: the instructions alt, enbc, altwt,
-// disc, altend, with timers talt, enbt, taltwt, dist.
+// disc, altend, with timers talt, enbt, taltwt, dist. A guard whose link is cut is never ready; the
+// link of the one chosen can be cut before the input, or during it.
 std::size_t select(std::span<const Guard> guards);
 
 constexpr std::size_t MAX_REPLICAS = 8;
@@ -68,6 +69,18 @@ struct InputGuard : Guard {
   }
 };
 
+// Then without a message if the link is cut before it is here.
+template <class Message, class Then>
+struct FallibleInputGuard : Guard {
+  Channel<Message>& from;
+  std::optional<Message>& into;
+  Then then;
+  void take() {
+    into = from.in_or_fail();
+    then();
+  }
+};
+
 // SKIP and timers: nothing to input.
 template <class Then>
 struct PlainGuard : Guard {
@@ -81,6 +94,14 @@ auto when(bool condition, Channel<Message>& from, Message& into, Then then) {
 }
 template <class Message, class Then>
 auto when(Channel<Message>& from, Message& into, Then then) {
+  return when(true, from, into, std::move(then));
+}
+template <class Message, class Then>
+auto when(bool condition, Channel<Message>& from, std::optional<Message>& into, Then then) {
+  return FallibleInputGuard<Message, Then>{Guard(&from, condition), from, into, std::move(then)};
+}
+template <class Message, class Then>
+auto when(Channel<Message>& from, std::optional<Message>& into, Then then) {
   return when(true, from, into, std::move(then));
 }
 // condition & SKIP

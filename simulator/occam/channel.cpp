@@ -58,6 +58,7 @@ std::vector<machine::ProcessId> ChannelBase::waits_for() const {
 void ChannelBase::output(std::uint64_t bytes) {
   Process& self = this_process();
   arrive(writer, bytes, reader_);
+  if (cut()) return refuse(self, writer);
   if (writer_.process) throw machine::InvariantBroken("two processes output on channel " + name_);
   if (reader_.process) return meet(std::exchange(reader_, {}), bytes);
   writer_ = {&self, self.now()};
@@ -69,6 +70,7 @@ void ChannelBase::output(std::uint64_t bytes) {
 void ChannelBase::input() {
   Process& self = this_process();
   arrive(reader, bytes_, writer_);
+  if (cut()) return refuse(self, reader);
   if (reader_.process) throw machine::InvariantBroken("two processes input on channel " + name_);
   if (writer_.process) return meet(std::exchange(writer_, {}), bytes_);
   reader_ = {&self, self.now()};
@@ -99,19 +101,23 @@ void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
 }
 
 void ChannelBase::start_transfer() {
+  if (cut()) return link_->from().engine().ignore_event();
   link_->transfer(bytes_, name_, [this] { end_transfer(); });
 }
 
 void ChannelBase::end_transfer() {
   move_message();
-  for (Process* end : ends_) end->processor().make_ready(*end, end->processor().now());
+  for (Process*& end : ends_) {
+    Process& process = *std::exchange(end, nullptr);
+    process.processor().make_ready(process, process.processor().now());
+  }
 }
 
 void ChannelBase::enable(Process& process) {
   alternative_ = {&process, process.now()};
   users_[reader] = process.id();
-  alternative_wait_ = process.waits() + 1;               // the wait about to begin
-  if (writer_.process) wake_alternative(writer_.since);  // an output ahead of the clock
+  alternative_wait_ = process.waits() + 1;                         // the wait about to begin
+  if (writer_.process && !cut()) wake_alternative(writer_.since);  // an output ahead of the clock
 }
 
 // An output waits from `at` on. Another guard may wake the process before.
@@ -120,7 +126,7 @@ void ChannelBase::wake_alternative(Seconds at) {
   at = std::max(at, alternative_.since);
   machine::Processor& processor = waiting.processor();
   if (hard() && at > processor.now())
-    processor.wake_at(at, waiting, alternative_wait_);
+    processor.wake_at(at, waiting, alternative_wait_, &link_->is_cut());
   else if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     processor.make_ready(waiting, at);
 }

@@ -4,6 +4,8 @@
 // hard channel is a direction of a link, and its DMA engine moves the bytes.
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,11 +44,17 @@ class ChannelBase : machine::Wait {
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
+  // Whether its link has been cut, as far as the clock has come: nothing goes over it any more. A
+  // process that inputs or outputs blocks for ever, unless it does so `_or_fail`; a guard is never
+  // ready.
+  bool cut() const { return link_ && link_->is_cut(); }
 
   // Who would have to output for an ALT on it to go on; 0 if that is not known.
   machine::ProcessId last_writer() const { return users_[writer]; }
   // For ALT. Whether an output is waiting at time `at`.
-  bool output_waits(machine::Seconds at) const { return writer_.process && writer_.since <= at; }
+  bool output_waits(machine::Seconds at) const {
+    return writer_.process && writer_.since <= at && !cut();
+  }
   // The process waits in an ALT, since its own time: the next output wakes it.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
@@ -55,6 +63,10 @@ class ChannelBase : machine::Wait {
   // Each returns when the message has been moved (by the end that `move_message` runs in).
   void output(std::uint64_t bytes);
   void input();
+  // The same, but false if the link is cut before the message has been moved: at that instant, or
+  // at once. It costs what an operation that has to wait does.
+  bool output_or_fail(std::uint64_t bytes);
+  bool input_or_fail();
   virtual void move_message() = 0;
   virtual ~ChannelBase() = default;
 
@@ -69,6 +81,9 @@ class ChannelBase : machine::Wait {
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
   std::vector<machine::ProcessId> waits_for() const override;
+  void on_cut(Process& process) override;
+  void refuse(Process& self, Side side);
+  machine::Wait& wait_for_ever(Side side);
   Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
@@ -77,15 +92,18 @@ class ChannelBase : machine::Wait {
 
   std::string name_;
   machine::LinkDirection* link_ = nullptr;
-  Party writer_, reader_;               // waits in output, in input
-  Party alternative_;                   // waits in an ALT with a guard on this channel
-  std::uint64_t alternative_wait_ = 0;  // which of the process's waits that is
-  std::uint64_t bytes_ = 0;             // of the output that waits or is under way
-  Process* ends_[2] = {};               // of a transfer under way
-  const char* doing_ = "";              // "in", "out" or "transfer": what its blocked process does
-  machine::ProcessId users_[2] = {};    // who has written and read it last, for a deadlock report
-  Side waiting_ = writer;               // which of them is blocked
+  Party writer_, reader_;                   // waits in output, in input
+  Party alternative_;                       // waits in an ALT with a guard on this channel
+  std::uint64_t alternative_wait_ = 0;      // which of the process's waits that is
+  std::uint64_t bytes_ = 0;                 // of the output that waits or is under way
+  Process* ends_[2] = {};                   // of a transfer under way; else null
+  bool may_fail_[2] = {}, failed_[2] = {};  // by side
+  const char* doing_ = "";            // "in", "out" or "transfer": what its blocked process does
+  machine::ProcessId users_[2] = {};  // who has written and read it last, for a deadlock report
+  Side waiting_ = writer;             // which of them is blocked
   ChannelUse use_;
+  struct WaitForEver;
+  std::shared_ptr<machine::Wait> for_ever_[2];  // by side, once its link is cut
 };
 
 // How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
@@ -104,16 +122,16 @@ class Channel : public ChannelBase {
   // `channel ! message`: blocks until the partner has it. The bytes are those after the tag; those
   // of a counted array include its size.
   void out(Message message) {
-    outgoing_ = std::move(message);
-    const std::uint64_t bytes = bytes_of(outgoing_);
-    const std::uint64_t first = protocol_ == Protocol::simple ? 0
-                                : protocol_ == Protocol::variant
-                                    ? 1
-                                    : std::min<std::uint64_t>(4, bytes);
-    const std::uint64_t rest = protocol_ == Protocol::counted ? bytes - first : bytes;
-    contents_follow_ = first > 0 && rest > 0;
-    if (first > 0) output(first);
-    if (rest > 0 || first == 0) output(rest);
+    const Parts parts = prepare(std::move(message));
+    if (parts.first > 0) output(parts.first);
+    if (parts.first == 0 || parts.rest > 0) output(parts.rest);
+  }
+  // The same, but false if the link is cut before the partner has all of it: the partner does not
+  // get it. (InputOrFail and OutputOrFail of occam's library.)
+  bool out_or_fail(Message message) {
+    const Parts parts = prepare(std::move(message));
+    if (parts.first > 0 && !output_or_fail(parts.first)) return false;
+    return (parts.first > 0 && parts.rest == 0) || output_or_fail(parts.rest);
   }
   // `channel ? message`
   Message in() {
@@ -121,8 +139,27 @@ class Channel : public ChannelBase {
     if (std::exchange(tag_alone_, false)) input();
     return std::move(incoming_);
   }
+  // None if the link is cut before all of the message is here.
+  std::optional<Message> in_or_fail() {
+    if (!input_or_fail()) return {};
+    if (std::exchange(tag_alone_, false) && !input_or_fail()) return {};
+    return std::move(incoming_);
+  }
 
  private:
+  struct Parts {
+    std::uint64_t first, rest;  // bytes of the tag or size, if there is one; of what follows
+  };
+  Parts prepare(Message message) {
+    outgoing_ = std::move(message);
+    const std::uint64_t bytes = bytes_of(outgoing_);
+    Parts parts{0, bytes};
+    if (protocol_ == Protocol::variant) parts.first = 1;
+    if (protocol_ == Protocol::counted) parts = {std::min<std::uint64_t>(4, bytes), bytes};
+    if (protocol_ == Protocol::counted) parts.rest -= parts.first;
+    contents_follow_ = parts.first > 0 && parts.rest > 0;
+    return parts;
+  }
   // Of a tag or size that contents follow nothing is moved yet.
   void move_message() override {
     tag_alone_ = std::exchange(contents_follow_, false);
@@ -144,6 +181,15 @@ void in(Channel<Message>& channel, Message& message) {
   message = channel.in();
 }
 inline void in(Channel<Signal>& channel) { channel.in(); }
+// False, or none, if the link is cut before the whole message has been moved.
+template <class Message>
+[[nodiscard]] bool out_or_fail(Channel<Message>& channel, Message message) {
+  return channel.out_or_fail(std::move(message));
+}
+template <class Message>
+[[nodiscard]] std::optional<Message> in_or_fail(Channel<Message>& channel) {
+  return channel.in_or_fail();
+}
 
 // Spends the cycles of instructions of compiled occam, times the machine's software factor.
 void charge(Cycles instructions);

@@ -101,7 +101,8 @@ void wait_until(std::int64_t tick) {
   self.sync();
   if (self.now() >= date) return;
   processor.wake_at(date, self, self.waits() + 1);
-  self.block(TimerWait());
+  TimerWait timer;
+  self.block(timer);
 }
 
 std::int64_t ticks(Seconds duration) {

@@ -1,0 +1,85 @@
+/* What the routers' models share: four processors of two links each, the routes, the clients.
+ * -DRING or -DMESH; -DW=messages that each client sends; -DRECEPTIVE: clients receive while they send;
+ * -DOPPOSITE: to the opposite corner only, else to any other processor.
+ *
+ * RING  0 - 1     routes go the shorter way,     MESH  0 - 1     routes go along the row,
+ *       |   |     clockwise (0 1 2 3) between          |   |     then along the column
+ *       3 - 2     opposite corners                     2 - 3
+ *
+ * Link k of processor p leads to NEXT(p, k) and is left by LINK(p, d) towards processor d;
+ * wire[2 * p + k] carries what p sends there, wire[IN(p, k)] what p hears from there. Wires are links
+ * of transputers: rendezvous. wire[CLOSED] is no wire: it stands for an input that is not listened to.
+ */
+#define N 4
+#define CLOSED 8
+#ifdef RING
+#define NEXT(p, k) ((p + 1 + 2 * (k)) % N)
+#define IN(p, k) (2 * NEXT(p, k) + 1 - (k))
+#define LINK(p, d) ((d + N - p) % N == 3)
+#else
+#define NEXT(p, k) (p ^ (1 + (k)))
+#define IN(p, k) (2 * NEXT(p, k) + (k))
+#define LINK(p, d) (((p ^ d) & 1) == 0)
+#endif
+
+chan wire[CLOSED + 1] = [0] of { byte };   /* a message is its destination */
+chan from_client[N + 1] = [0] of { byte }; /* from_client[N]: not listened to */
+chan to_client[N] = [0] of { byte };
+byte delivered; /* messages, in all */
+bool failed;    /* a buffer overflowed */
+
+/* Where a full buffer ends: a fault, not a deadlock. The assertion reports it (pan -A: not), and the
+ * loop keeps what follows from being taken for a deadlock. */
+#define OVERFLOW \
+  overflow: \
+    failed = true; \
+    assert(!failed); \
+    do \
+    :: failed \
+    od
+
+/* Clients end when every message has been delivered: nowhere else may they be found waiting. */
+#define RECEIVE atomic { to_client[p]?eval(p) -> delivered++; assert(delivered <= N * W) }
+#ifdef OPPOSITE
+#ifdef RING
+#define SEND from_client[p]!((p + 2) % N)
+#else
+#define SEND from_client[p]!(3 - p)
+#endif
+#else
+#define SEND \
+  if \
+  :: from_client[p]!((p + 1) % N) \
+  :: from_client[p]!((p + 2) % N) \
+  :: from_client[p]!((p + 3) % N) \
+  fi
+#endif
+
+#ifdef RECEPTIVE
+proctype client_sends(byte p) {
+  byte sent;
+  do
+  :: atomic { sent < W -> sent++ }; SEND
+  :: sent == W -> break
+  od
+}
+
+proctype client_receives(byte p) {
+  do
+  :: RECEIVE
+  :: delivered == N * W -> break
+  od
+}
+#define START_CLIENT(p) run client_sends(p); run client_receives(p)
+#else
+/* Sends or receives, in any order; while it sends, it does not receive. */
+proctype client(byte p) {
+  byte sent;
+  do
+  :: RECEIVE
+  :: atomic { sent < W -> sent++ }; SEND
+  :: delivered == N * W -> break
+  od
+}
+#define START_CLIENT(p) run client(p)
+#endif
