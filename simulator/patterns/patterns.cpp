@@ -30,6 +30,8 @@ Pattern make_global_messages();
 Pattern make_random_traffic();
 Pattern make_router_load();
 Pattern make_soak();
+Pattern make_in_path();
+Pattern make_data();
 
 const std::vector<Pattern>& all_patterns() {
   static const std::vector<Pattern> all = {
@@ -38,7 +40,7 @@ const std::vector<Pattern>& all_patterns() {
       make_alternative(), make_interrupt(), make_traffic(),         make_task_farm(),
       make_law(),         make_commstime(), make_flops(),           make_metrics(),
       make_census(),      make_deadlock(),  make_global_messages(), make_random_traffic(),
-      make_router_load(), make_soak(),
+      make_router_load(), make_soak(),      make_in_path(),         make_data(),
   };
   return all;
 }
