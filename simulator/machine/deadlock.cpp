@@ -16,7 +16,7 @@ using Blocked = std::map<ProcessId, const Process*>;
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {
-  if (!process.wait()) return false;
+  if (process.state() != Process::State::blocked || !process.wait()) return false;
   const auto kind = process.wait()->kind();
   return kind == Wait::Kind::input || kind == Wait::Kind::alternative;
 }
