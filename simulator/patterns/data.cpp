@@ -50,6 +50,7 @@ DataLoad make_load(const Setup& setup) {
   load.item_bytes = static_cast<std::uint64_t>(setup.whole("item_bytes"));
   load.accesses = static_cast<int>(setup.whole("accesses"));
   load.passes = static_cast<int>(setup.whole("passes"));
+  load.zipf = setup["zipf"];
   load.together = setup.choice("between_passes") == "wait";
   load.coordinator_too = setup.choice("coordinator_is") == "working";
   load.seed = static_cast<std::uint64_t>(setup.whole("seed"));
@@ -102,6 +103,8 @@ Pattern make_data() {
                {"item_bytes", 64, 1, 1e6, true, "size of an item"},
                {"accesses", 1000, 1, 1e7, true, "of each processor in each pass"},
                {"passes", 1, 1, 1000, true, "one after the other"},
+               {"zipf", 0, 0, 10, false,
+                "Zipf's exponent: item k is wanted in proportion to 1 / k^zipf; 0: all alike"},
                {"cache_percent", 9, 0, 100, false, "of the items, that a cache has room for"},
                {"server_cache_percent", 0, 0, 100, false,
                 "the same of the coordinator's cache; 0: as the others"},

@@ -11,6 +11,7 @@ struct DataLoad {
   iirra::DataParams data;
   int items = 1000;
   std::uint64_t item_bytes = 64;
+  double zipf = 0;  // item k is wanted in proportion to 1 / (k + 1)^zipf; 0: all alike
   int accesses = 1000, passes = 1;  // accesses of each processor in each pass
   // All wait for the last one before the next pass; else each goes on when it is ready.
   bool together = true;

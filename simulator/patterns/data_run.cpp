@@ -28,7 +28,10 @@ class Test {
         routing_(routing),
         memory_(memory),
         marks_(static_cast<std::size_t>(load.passes),
-               std::vector<Mark>(static_cast<std::size_t>(routing.processors()))) {}
+               std::vector<Mark>(static_cast<std::size_t>(routing.processors()))) {
+    double sum = 0;
+    for (int k = 0; k < load.items; ++k) wanted_.push_back(sum += std::pow(k + 1, -load.zipf));
+  }
 
   // The process of one processor.
   void live(int id) {
@@ -84,7 +87,8 @@ class Test {
   void make_accesses(DataManager& data, std::mt19937_64& random) const {
     for (int i = 0; i < load_.accesses; ++i) {
       const double uniform = static_cast<double>(random() >> 11) * 0x1p-53;
-      data.access({0, static_cast<int>(uniform * load_.items)});
+      const auto item = std::ranges::upper_bound(wanted_, uniform * wanted_.back());
+      data.access({0, std::min(static_cast<int>(item - wanted_.begin()), load_.items - 1)});
     }
   }
 
@@ -107,6 +111,7 @@ class Test {
   const network::Routing& routing_;
   iirra::VirtualMemory& memory_;
   std::vector<std::vector<Mark>> marks_;  // by pass and processor
+  std::vector<double> wanted_;            // how often an item up to this one is
 };
 
 }  // namespace
