@@ -1,5 +1,7 @@
 #include "renderer/intersect.hpp"
 
+#include <utility>
+
 #include "renderer/kernels.hpp"
 
 namespace renderer {
@@ -19,6 +21,36 @@ struct Walk {
   Nearest best;
   std::uint32_t boxes = 0;
   std::uint32_t tests[4] = {}, roots = 0, edges = 0;
+};
+
+void count(Walk& walk, Work& work) {
+  work[Op::box_test] += std::exchange(walk.boxes, 0);
+  work[Op::sphere_test] += std::exchange(walk.tests[0], 0);
+  work[Op::polygon_test] += std::exchange(walk.tests[1], 0);
+  work[Op::patch_test] += std::exchange(walk.tests[2], 0);
+  work[Op::sphere_root] += std::exchange(walk.roots, 0);
+  work[Op::polygon_edges] += std::exchange(walk.edges, 0);
+  work[Op::cone_test] += std::exchange(walk.tests[3], 0);
+}
+
+// Who is told what a walk reads: nobody, at no cost,
+struct Nobody {
+  static constexpr bool LISTENS = false;
+};
+// or somebody, who also gets up-to-date counts.
+struct Somebody {
+  static constexpr bool LISTENS = true;
+  Access& access;
+  Work& work;
+
+  void box(Walk& walk, std::uint32_t index) const {
+    count(walk, work);
+    access.box(index, work);
+  }
+  void object(Walk& walk, Place place) const {
+    count(walk, work);
+    access.object(place, work);
+  }
 };
 
 // Inlined into every walk: some 8 % of a rendering.
@@ -52,7 +84,9 @@ struct Walk {
   return NO_HIT;
 }
 
-[[gnu::always_inline]] inline void consider(Walk& walk, Place place) {
+template <class Told>
+[[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Told& told) {
+  if constexpr (Told::LISTENS) told.object(walk, place);
   ++walk.tests[static_cast<int>(place.kind())];
   Tag tag;
   const double distance = test(walk, place, tag);
@@ -62,13 +96,14 @@ struct Walk {
     best = {distance, tag.object, place};
 }
 
-void walk_linear(Walk& walk) {
-  for (const Place place : walk.scene.objects) consider(walk, place);
+template <class Told>
+void walk_linear(Walk& walk, const Told& told) {
+  for (const Place place : walk.scene.objects) consider(walk, place, told);
 }
 
 // Depth first along the stored order. CLIP: boxes end at the nearest hit so far; ANY: stop at one.
-template <bool CLIP, bool ANY>
-void walk_boxes(Walk& walk) {
+template <bool CLIP, bool ANY, class Told>
+void walk_boxes(Walk& walk, const Told& told) {
   const Box* boxes = walk.scene.hierarchy.boxes.data();
   const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
   const Vec o = walk.ray.origin;
@@ -84,12 +119,14 @@ void walk_boxes(Walk& walk) {
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
+    if constexpr (Told::LISTENS) walk.boxes = std::exchange(tested, 0);
     if (box.item != Box::INNER) {
-      consider(walk, Place{box.item});
+      consider(walk, Place{box.item}, told);
       if (ANY && walk.best.object != NO_OBJECT) break;
       ++i;
       continue;
     }
+    if constexpr (Told::LISTENS) told.box(walk, i);
     ++tested;
     // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
     // compares false and leaves the interval as it is.
@@ -148,35 +185,40 @@ Hit make_hit(const Walk& walk) {
   return hit;
 }
 
-}  // namespace
-
-std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work) {
+template <class Told>
+std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
+                        const Told& told) {
   Walk walk{scene, ray, {ray.reach, NO_OBJECT, {}}};
   switch (traversal) {
     case Traversal::linear:
-      walk_linear(walk);
+      walk_linear(walk, told);
       break;
     case Traversal::exhaustive:
-      walk_boxes<false, false>(walk);
+      walk_boxes<false, false>(walk, told);
       break;
     case Traversal::nearest:
       if (ray.kind == RayKind::shadow)
-        walk_boxes<true, true>(walk);
+        walk_boxes<true, true>(walk, told);
       else
-        walk_boxes<true, false>(walk);
+        walk_boxes<true, false>(walk, told);
       break;
   }
   work[Op::ray_intersected] += 1;
-  work[Op::box_test] += walk.boxes;
-  work[Op::sphere_test] += walk.tests[0];
-  work[Op::polygon_test] += walk.tests[1];
-  work[Op::patch_test] += walk.tests[2];
-  work[Op::sphere_root] += walk.roots;
-  work[Op::polygon_edges] += walk.edges;
-  work[Op::cone_test] += walk.tests[3];
+  count(walk, work);
   if (walk.best.object == NO_OBJECT) return std::nullopt;
   work[Op::hit_made] += ray.kind != RayKind::shadow;
   return make_hit(walk);
+}
+
+}  // namespace
+
+std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work) {
+  return find(scene, ray, traversal, work, Nobody{});
+}
+
+std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
+                             Access& access) {
+  return find(scene, ray, traversal, work, Somebody{access, work});
 }
 
 }  // namespace renderer
