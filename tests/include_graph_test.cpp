@@ -74,7 +74,7 @@ const Edges& allowed() {
         {"simulator/observe", {"topologies", "simulator/machine"}},
         {"simulator/patterns",
          {"topologies", "simulator/machine", "simulator/occam", "simulator/network",
-          "simulator/observe"}},
+          "simulator/observe", "simulator/iirra"}},
         {"simulator/farm", below_systems},
         {"simulator/iirra", below_systems},
         {"experiments", below_systems},

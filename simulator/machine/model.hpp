@@ -75,7 +75,12 @@ struct Model {
   } timer;
   struct Software {
     double occam_factor;  // what the thesis's compiled occam adds to channel instructions
+    double idle_period;   // s; an application without work looks for messages so often; 0: at once
   } software;
+  struct Disk {
+    double seek;  // s, for each record that is asked for
+    double rate;  // bytes/s
+  } disk;
 
   NamedNumbers instruction;  // cycles of an instruction, "instruction.lend"
   // Cycles of a kernel's operation, "operation.box_test", times the scale of its kernel.

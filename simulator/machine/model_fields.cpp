@@ -98,6 +98,9 @@ const std::vector<Field>& fields() {
       field("timer.high_tick", "s", &M::timer, &M::Timer::high_tick),
       field("timer.low_tick", "s", &M::timer, &M::Timer::low_tick),
       field("software.occam_factor", "1", &M::software, &M::Software::occam_factor),
+      field("software.idle_period", "s", &M::software, &M::Software::idle_period),
+      field("disk.seek", "s", &M::disk, &M::Disk::seek),
+      field("disk.rate", "bytes/s", &M::disk, &M::Disk::rate),
   };
   return all;
 }
@@ -132,7 +135,7 @@ constexpr Range RANGES[] = {
     {"timer.high_tick", 1e-12, 1e3},     {"timer.low_tick", 1e-12, 1e3},
     {"memory.on_chip_word", 1, 1e6},     {"memory.workspace_word", 1, 1e6},
     {"memory.least_share", 0.001, 1},    {"memory.data_word", 1, 1e6},
-    {"memory.external_word", 1, 1e6},
+    {"memory.external_word", 1, 1e6},    {"disk.rate", 1, LARGEST},
 };
 
 void check_value(const Entry& entry) {

@@ -1,0 +1,27 @@
+#include "simulator/iirra/disk.hpp"
+
+#include "simulator/machine/processor.hpp"
+
+namespace iirra {
+
+namespace {
+
+struct DiskWait : machine::Wait {
+  std::string describe() const override { return "the disk"; }
+};
+
+}  // namespace
+
+machine::Seconds Disk::time(std::uint64_t bytes) const {
+  return seek_ + machine::Seconds{static_cast<double>(bytes) / rate_};
+}
+
+void Disk::read(std::uint64_t bytes) {
+  auto& self = machine::this_process();
+  ++reads_;
+  self.sync();
+  self.processor().wake_at(self.now() + time(bytes), self, self.waits() + 1);
+  self.block(DiskWait());
+}
+
+}  // namespace iirra

@@ -1,0 +1,30 @@
+#pragma once
+// Random accesses to common data from all over a network (5.1.2.4): how long each pass takes, and
+// where the items were.
+#include "simulator/iirra/virtual_memory.hpp"
+#include "simulator/patterns/pattern.hpp"
+
+namespace patterns {
+
+struct DataLoad {
+  network::Params network;
+  iirra::DataParams data;
+  int items = 1000;
+  std::uint64_t item_bytes = 64;
+  int accesses = 1000, passes = 1;  // accesses of each processor in each pass
+  // All wait for the last one before the next pass; else each goes on when it is ready.
+  bool together = true;
+  bool coordinator_too = false;  // it makes accesses as the others do
+  std::uint64_t seed = 1;
+};
+
+struct DataPass {
+  double time_s = 0;   // until the last processor has finished it, from the end of the one before
+  iirra::DataUse use;  // of all who made accesses
+  std::uint64_t server_seen = 0;  // requests that came to the coordinator
+};
+
+std::vector<DataPass> run_data(const machine::Model& model, const network::Routing& routing,
+                               const DataLoad& load, observe::Watch* watch = nullptr);
+
+}  // namespace patterns
