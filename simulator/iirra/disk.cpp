@@ -21,7 +21,8 @@ void Disk::read(std::uint64_t bytes) {
   ++reads_;
   self.sync();
   self.processor().wake_at(self.now() + time(bytes), self, self.waits() + 1);
-  self.block(DiskWait());
+  DiskWait wait;
+  self.block(wait);
 }
 
 }  // namespace iirra

@@ -55,7 +55,7 @@ Rows run(const Setup& setup) {
   observe::Watch own, &watch = setup.watch ? *setup.watch : own;
   if (watch.until.value > window.value) {
     const Seconds asked = std::exchange(watch.until, window);
-    const auto end = observe::run(on.machine, watch);
+    observe::run(on.machine, watch);
     watch.until = asked;
   }
   std::vector<Row> rows;
