@@ -20,6 +20,7 @@ struct DataLoad {
 
 struct DataPass {
   double time_s = 0;   // until the last processor has finished it, from the end of the one before
+  double mean_s = 0;   // that a processor was at it, on average
   iirra::DataUse use;  // of all who made accesses
   std::uint64_t server_seen = 0;  // requests that came to the coordinator
 };

@@ -26,6 +26,7 @@ Pattern make_flops();
 Pattern make_metrics();
 Pattern make_census();
 Pattern make_deadlock();
+Pattern make_in_path();
 Pattern make_data();
 
 const std::vector<Pattern>& all_patterns() {
@@ -33,7 +34,7 @@ const std::vector<Pattern>& all_patterns() {
       make_message(), make_soft(),      make_both_ways(), make_unicast(),     make_pipeline(),
       make_sources(), make_broadcast(), make_request(),   make_alternative(), make_interrupt(),
       make_traffic(), make_task_farm(), make_law(),       make_commstime(),   make_flops(),
-      make_metrics(), make_census(),    make_deadlock(), make_data(),
+      make_metrics(), make_census(),    make_deadlock(),  make_in_path(),     make_data(),
   };
   return all;
 }
