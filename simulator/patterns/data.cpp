@@ -65,7 +65,7 @@ Row make_row(int number, const DataPass& pass) {
   return {{"pass", number},
           {"time_s", pass.time_s},
           {"time_mean_s", pass.mean_s},
-          {"accesses", static_cast<double>(use.accesses())},
+          {"accesses_made", static_cast<double>(use.accesses())},
           {"local", share(Level::local)},
           {"on_path", share(Level::path)},
           {"by_queue", share(Level::queue)},
@@ -100,7 +100,6 @@ Pattern make_data() {
           .parameters = router_parameters(
               {{"items", 1000, 1, 1e6, true, "that there are"},
                {"item_bytes", 64, 1, 1e6, true, "size of an item"},
-               {"time_mean_s", pass.mean_s},
                {"accesses", 1000, 1, 1e7, true, "of each processor in each pass"},
                {"passes", 1, 1, 1000, true, "one after the other"},
                {"cache_percent", 9, 0, 100, false, "of the items, that a cache has room for"},

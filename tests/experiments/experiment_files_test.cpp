@@ -32,6 +32,8 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
         "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 8], [\"amp\", 1], "
         "[\"amp\", 8]]"}},
       {"amdahl", {"sweep.width, height=[[16, 16], [32, 32]]", "sweep.workers=[1, 4, 16]"}},
+      {"thesis/figure-5.8", {"sweep.s_p=[0.1, 0.5, 1]", "sweep.n=[2, 10]"}},
+      {"thesis/table-5.4", {"sweep.cache_percent=[1, 36, 100]"}},
       {"latency/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
   };
   return all;
