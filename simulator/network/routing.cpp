@@ -27,6 +27,14 @@ Routing::Routing(const topologies::Topology& topology, topologies::RoutingTable 
   }
 }
 
+double Routing::mean_distance() const {
+  double sum = 0, pairs = 0;
+  for (int from = 0; from < processors(); ++from)
+    for (int to = 0; to < processors(); ++to)
+      if (const int links = distance(from, to); links > 0) sum += links, ++pairs;
+  return pairs > 0 ? sum / pairs : 0;
+}
+
 void Routing::cut(int a, int b) {
   Epoch next{topology(), {}};
   std::erase_if(next.topology.links, [&](const topologies::Link& link) {

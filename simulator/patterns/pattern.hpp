@@ -97,6 +97,8 @@ struct Unfinished : machine::Fault {
 
 // Runs a pattern's machine to its end. Throws Unfinished, and what the simulation throws.
 void run_machine(const Setup& setup, machine::Machine& machine);
+// The same of a program without an end, up to a date.
+void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date);
 
 // In the order of a help text.
 const std::vector<Pattern>& all_patterns();

@@ -26,26 +26,50 @@ Pattern make_flops();
 Pattern make_metrics();
 Pattern make_census();
 Pattern make_deadlock();
+Pattern make_global_messages();
+Pattern make_random_traffic();
+Pattern make_router_load();
+Pattern make_soak();
 Pattern make_in_path();
 Pattern make_data();
 
 const std::vector<Pattern>& all_patterns() {
   static const std::vector<Pattern> all = {
-      make_message(), make_soft(),      make_both_ways(), make_unicast(),     make_pipeline(),
-      make_sources(), make_broadcast(), make_request(),   make_alternative(), make_interrupt(),
-      make_traffic(), make_task_farm(), make_law(),       make_commstime(),   make_flops(),
-      make_metrics(), make_census(),    make_deadlock(),  make_in_path(),     make_data(),
+      make_message(),     make_soft(),      make_both_ways(),       make_unicast(),
+      make_pipeline(),    make_sources(),   make_broadcast(),       make_request(),
+      make_alternative(), make_interrupt(), make_traffic(),         make_task_farm(),
+      make_law(),         make_commstime(), make_flops(),           make_metrics(),
+      make_census(),      make_deadlock(),  make_global_messages(), make_random_traffic(),
+      make_router_load(), make_soak(),      make_in_path(),         make_data(),
   };
   return all;
 }
 
+namespace {
+
+[[noreturn]] void throw_unfinished(const machine::Machine& machine, machine::End end) {
+  throw Unfinished(
+      "machine", machine.now(),
+      fmt::format("the run was ended at {:.6f} s ({})", machine.now().value, to_string(end)));
+}
+
+}  // namespace
+
 void run_machine(const Setup& setup, machine::Machine& machine) {
   observe::Watch none;
   const machine::End end = observe::run(machine, setup.watch ? *setup.watch : none);
-  if (end != machine::End::done)
-    throw Unfinished(
-        "machine", machine.now(),
-        fmt::format("the run was ended at {:.6f} s ({})", machine.now().value, to_string(end)));
+  if (end != machine::End::done) throw_unfinished(machine, end);
+}
+
+void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date) {
+  observe::Watch none, &watch = setup.watch ? *setup.watch : none;
+  const auto asked = watch.until;
+  watch.until = std::min(asked, date);
+  const machine::End end = observe::run(machine, watch);
+  watch.until = asked;
+  const bool reached = end == machine::End::limit && machine.now() >= date;
+  if (end != machine::End::done && !reached) throw_unfinished(machine, end);
+  watch.end = machine::End::done;
 }
 
 double Setup::operator[](std::string_view name) const {

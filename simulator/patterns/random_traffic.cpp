@@ -51,13 +51,7 @@ Rows run(const Setup& setup) {
   for (int id = 0; id < n; ++id)
     on.machine.processors()[id]->start("application", Priority::low,
                                        [&, id] { talk.run(on.network->client(id)); });
-  const Seconds window{setup["window_s"]};
-  observe::Watch own, &watch = setup.watch ? *setup.watch : own;
-  if (watch.until.value > window.value) {
-    const Seconds asked = std::exchange(watch.until, window);
-    observe::run(on.machine, watch);
-    watch.until = asked;
-  }
+  run_machine_until(setup, on.machine, {setup["window_s"]});
   std::vector<Row> rows;
   for (int id = 0; id < n; ++id) {
     const auto& use = on.network->use(id);

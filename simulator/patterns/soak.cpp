@@ -1,11 +1,14 @@
 #include "simulator/patterns/soak.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
-#include "simulator/patterns/support.hpp"
+#include "simulator/patterns/router_support.hpp"
 
 namespace patterns {
 
@@ -19,8 +22,7 @@ struct Planned {
   int from = 0, to = 0;
   Mode mode{};
   std::uint64_t length = 0;
-  double pause_s = 0;         // before it
-  bool answers_half = false;  // an InPathTo message: who answers it is drawn on its way
+  double pause_s = 0;  // before it
 };
 
 // What is sent, the same for the same seed on any machine.
@@ -50,12 +52,20 @@ bool answers(const Message& message, int here) {
 class Account {
  public:
   Account(const network::Routing& routing, const std::vector<Planned>& plan)
-      : routing_(routing), plan_(plan), deliveries_(plan.size()) {}
+      : routing_(routing), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
+
+  void send(std::size_t number) {
+    ++result.sent;
+    const bool is_global = plan_[number].mode == Mode::global;
+    result.expected += is_global ? static_cast<unsigned>(routing_.processors()) - 1 : 1;
+    was_sent_.insert(number);
+  }
 
   void receive(int here, const Message& message) {
     const Planned& sent = plan_.at(message.number);
     if (message.returned != network::Returned::no) {
       ++result.returned;
+      returns_.at(message.number).push_back(message.from.processor);
       return;
     }
     const bool right = sent.mode == Mode::global    ? here != sent.from
@@ -68,17 +78,17 @@ class Account {
     if (twice) ++result.duplicated;
     if (right && !twice) ++result.delivered;
     got.push_back(here);
+    links_ += static_cast<std::uint64_t>(message.links);
     auto& last = last_[{sent.from, here, static_cast<int>(sent.mode)}];
     if (message.number + 1 < last) ++result.reordered;
     last = std::max(last, message.number + 1);
   }
 
   SoakResult finish() {
-    result.sent = plan_.size();
-    for (const auto& p : plan_)
-      result.expected +=
-          p.mode == Mode::global ? static_cast<unsigned>(routing_.processors()) - 1 : 1;
-    result.lost = result.expected - std::min(result.expected, result.delivered);
+    result.lost = result.expected - std::min(result.expected, result.delivered + result.returned);
+    result.links_mean = static_cast<double>(links_) /
+                        static_cast<double>(std::max<std::uint64_t>(1, result.delivered));
+    name_lost();
     return result;
   }
 
@@ -93,9 +103,35 @@ class Account {
     return false;
   }
 
+  // Pairs of sender and receiver, and the numbers of their messages.
+  void name_lost() {
+    std::map<std::pair<int, int>, std::vector<std::size_t>> lost;
+    for (const std::size_t number : was_sent_) {
+      const Planned& p = plan_[number];
+      const auto gone = [&](int to) {
+        const auto &got = deliveries_[number], &back = returns_[number];
+        return std::ranges::find(got, to) == got.end() && std::ranges::find(back, to) == back.end();
+      };
+      if (p.mode != Mode::global) {
+        if (deliveries_[number].empty() && returns_[number].empty())
+          lost[{p.from, p.to}].push_back(number);
+        continue;
+      }
+      for (int to = 0; to < routing_.processors(); ++to)
+        if (to != p.from && gone(to)) lost[{p.from, to}].push_back(number);
+    }
+    for (const auto& [pair, numbers] : lost)
+      result.notes.push_back(fmt::format("lost from p{} to p{}: {} message(s), number {}",
+                                         pair.first, pair.second, numbers.size(),
+                                         fmt::join(numbers, ", ")));
+  }
+
   const network::Routing& routing_;
   const std::vector<Planned>& plan_;
+  std::set<std::size_t> was_sent_;
+  std::uint64_t links_ = 0;
   std::vector<std::vector<int>> deliveries_;                 // of each message, where
+  std::vector<std::vector<int>> returns_;                    // of each, from whom it came back
   std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number + 1
 };
 
@@ -121,6 +157,7 @@ void live(Client& client, const std::vector<Planned>& plan, Account& account) {
     message.to = {plan[i].to, 0, plan[i].mode};
     message.length = plan[i].length;
     message.number = i;
+    account.send(i);
     client.send(std::move(message));
   }
   this_process().set_server();
@@ -132,24 +169,71 @@ void live(Client& client, const std::vector<Planned>& plan, Account& account) {
 
 }  // namespace
 
-SoakResult run_soak(const machine::Model& model, const network::Routing& routing,
-                    const SoakParams& params, observe::Watch* watch) {
-  const int n = routing.processors();
-  machine::Machine machine(model);
+SoakResult run_soak(const Setup& setup, const SoakParams& params) {
+  const int n = setup.topology.processors;
+  if (n < 2)
+    throw machine::InvalidInput("network.topology: found one processor, expected at least two");
+  RouterMachine on(setup, network_params(setup, params.longest));
+  const auto plan = make_plan(n, params);
+  const network::Routing before = routing_of(setup);  // links that are cut change the network's
+  Account account(before, plan);
   for (int id = 0; id < n; ++id)
-    machine.add_processor(fmt::format("p{}", id), get_bytes(model, "worker_memory"));
-  network::Network network(machine, routing, params.network);
-  const auto plan = n > 1 ? make_plan(n, params) : std::vector<Planned>{};
-  Account account(network.routing(), plan);
-  for (int id = 0; id < n; ++id)
-    machine.processors()[id]->start("application", Priority::low,
-                                    [&, id] { live(network.client(id), plan, account); });
-  observe::Watch none;
-  observe::run(machine, watch ? *watch : none);
+    on.machine.processors()[id]->start("application", Priority::low,
+                                       [&, id] { live(on.network->client(id), plan, account); });
+  run_machine(setup, on.machine);
   SoakResult result = account.finish();
-  result.time_s = machine.now().value;
-  result.use = network.use();
+  result.time_s = on.machine.now().value;
+  result.most_held = on.network->use().most_held;
   return result;
+}
+
+namespace {
+
+Rows run(const Setup& setup) {
+  SoakParams params;
+  params.messages = static_cast<std::uint64_t>(setup.whole("messages"));
+  params.longest = static_cast<std::uint64_t>(setup.whole("message_bytes"));
+  params.pause_s = setup["pause_s"];
+  params.global = setup["global_share"];
+  params.in_path = setup["in_path_share"];
+  params.seed = static_cast<std::uint64_t>(setup.whole("seed"));
+  const auto r = run_soak(setup, params);
+  const auto number = [](std::uint64_t n) { return static_cast<double>(n); };
+  return Rows({Row{{"time_s", r.time_s},
+                   {"sent", number(r.sent)},
+                   {"expected", number(r.expected)},
+                   {"delivered", number(r.delivered)},
+                   {"returned", number(r.returned)},
+                   {"lost", number(r.lost)},
+                   {"duplicated", number(r.duplicated)},
+                   {"misdelivered", number(r.misdelivered)},
+                   {"reordered", number(r.reordered)},
+                   {"links_mean", r.links_mean},
+                   {"most_held", number(r.most_held)}}},
+              r.notes);
+}
+
+}  // namespace
+
+Pattern make_soak() {
+  const SoakParams usual;
+  return {.name = "soak",
+          .help =
+              "random messages of every kind between all processors: how many were delivered, "
+              "lost, duplicated, reordered",
+          .uses_topology = true,
+          .parameters = router_parameters(
+              {{"message_bytes", 100, 0, 1e9, true, "contents of the longest message"},
+               {"messages", 1000, 1, 1e7, true, "sent, by all together"},
+               {"pause_s", usual.pause_s, 1e-6, 1e3, false,
+                "between two messages of one sender, on average"},
+               {"global_share", usual.global, 0, 1, false, "of the messages, to all"},
+               {"in_path_share", usual.in_path, 0, 1, false,
+                "of the messages, offered to all on their way"},
+               {"seed", 1, 0, 1e15, true, "of all that is random"}}),
+          .run = &run,
+          .uses_routes = true,
+          .uses_faults = true};
 }
 
 }  // namespace patterns

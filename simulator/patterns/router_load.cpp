@@ -1,0 +1,150 @@
+// The usual load-latency curve of routers: all processors offer messages to others at a rate, and
+// sinks take them at once; up to the load at which queues grow without bound, or out of their
+// buffers.
+#include <random>
+
+#include "simulator/patterns/router_support.hpp"
+
+namespace patterns {
+
+namespace {
+
+using network::Client;
+using network::Message;
+
+struct Seen {
+  double sum_s = 0;
+  std::uint64_t count = 0, in_window = 0;
+};
+
+struct Load {
+  double rate_per_s, warm_up_s, window_s;
+  std::uint64_t bytes, seed;
+  int processors;
+
+  // A Poisson stream; a message that must wait for the router has been offered all the same.
+  void offer(Client& client) const {
+    std::mt19937_64 random(seed * 1'000'003 + static_cast<std::uint64_t>(client.processor()));
+    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+    const double end_s = warm_up_s + window_s;
+    for (double at_s = 0; (at_s -= std::log(uniform()) / rate_per_s) < end_s;) {
+      occam::wait_until(occam::ticks({at_s}));
+      Message message;
+      message.to.processor =
+          (client.processor() + 1 + static_cast<int>(uniform() * (processors - 1))) % processors;
+      message.length = bytes;
+      message.number = static_cast<std::uint64_t>(at_s * 1e9);
+      client.send(std::move(message));
+    }
+  }
+
+  void take(Client& client, Seen& seen) const {
+    for (;;) {
+      const double sent_s = static_cast<double>(client.receive().number) * 1e-9;
+      const double here_s = now().value;
+      if (here_s >= warm_up_s && here_s < warm_up_s + window_s) ++seen.in_window;
+      if (sent_s < warm_up_s) continue;
+      seen.sum_s += here_s - sent_s;
+      ++seen.count;
+    }
+  }
+};
+
+Load make_load(const Setup& setup) {
+  const double link = setup.model.link.one_way_rate;
+  const auto bytes = setup.whole("message_bytes");
+  const double whole = static_cast<double>(bytes + std::int64_t{Message::IDENTIFICATION});
+  return {setup["load"] * link / whole,
+          setup["warm_up_s"],
+          setup["window_s"],
+          static_cast<std::uint64_t>(bytes),
+          static_cast<std::uint64_t>(setup.whole("seed")),
+          setup.topology.processors};
+}
+
+constexpr double MOST_MESSAGES = 1e7;
+
+void check_load(const Load& load) {
+  if (load.processors < 2)
+    throw machine::InvalidInput("network.topology: found one processor, expected at least two");
+  const double messages = load.rate_per_s * (load.warm_up_s + load.window_s) * load.processors;
+  if (messages > MOST_MESSAGES)
+    throw machine::InvalidInput(
+        fmt::format("program.load, warm_up_s and window_s: found {:.3g} messages, expected at most "
+                    "{:.3g}",
+                    messages, MOST_MESSAGES));
+}
+
+Rows run(const Setup& setup) {
+  const Load load = make_load(setup);
+  check_load(load);
+  auto params = network_params(setup, load.bytes);
+  // The source has a channel of its own into the router, the sink one from it.
+  params.processes.assign(static_cast<std::size_t>(load.processors), {~0U, 0});
+  RouterMachine on(setup, params);
+  std::vector<Seen> seen(static_cast<std::size_t>(load.processors));
+  for (int id = 0; id < load.processors; ++id) {
+    auto& processor = *on.machine.processors()[id];
+    processor.start("source", Priority::high, [&, id] { load.offer(on.network->client(id, 1)); });
+    processor
+        .start("sink", Priority::high, [&, id] { load.take(on.network->client(id), seen[id]); })
+        .set_server();
+  }
+  std::vector<std::string> notes;
+  bool overflowed = false;
+  try {
+    run_machine(setup, on.machine);
+  } catch (const network::Overflow& overflow) {
+    overflowed = true;
+    notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));
+  }
+  Seen all;
+  double busy = 0;
+  for (const auto& s : seen) {
+    all.sum_s += s.sum_s;
+    all.count += s.count;
+    all.in_window += s.in_window;
+  }
+  for (const auto& processor : on.machine.processors())
+    busy = std::max(busy, processor->use().busy() / on.machine.now());
+  double link_busy = 0;
+  for (const auto& link : on.machine.links())
+    link_busy = std::max(link_busy, link->use().busy / on.machine.now());
+  const double accepted = static_cast<double>(all.in_window) / load.window_s / load.processors;
+  const double late_s = on.machine.now().value - load.warm_up_s - load.window_s;
+  const bool saturated = overflowed || accepted < 0.95 * load.rate_per_s || late_s > load.window_s;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return Rows(
+      {Row{{"offered_per_s", load.rate_per_s},
+           {"accepted_per_s", overflowed ? none : accepted},
+           {"latency_s",
+            overflowed || all.count == 0 ? none : all.sum_s / static_cast<double>(all.count)},
+           {"links_mean", routing_of(setup).mean_distance()},
+           {"most_held", static_cast<double>(on.network->use().most_held)},
+           {"cpu_busy_max", busy},
+           {"link_busy_max", link_busy},
+           {"overflowed", overflowed ? 1.0 : 0.0},
+           {"saturated", saturated ? 1.0 : 0.0}}},
+      notes);
+}
+
+}  // namespace
+
+Pattern make_router_load() {
+  return {.name = "router_load",
+          .help =
+              "random messages at a rate: latency_s and accepted_per_s of each processor, up to "
+              "saturation; overflowed, where a router ran out of buffers",
+          .uses_topology = true,
+          .parameters = router_parameters(
+              {message_bytes_parameter(),
+               {"load", 0.01, 1e-6, 100, false,
+                "bytes that each processor offers, over what a link direction carries"},
+               {"warm_up_s", 0.02, 0, 1e4, false, "before anything is measured"},
+               {"window_s", 0.1, 1e-4, 1e4, false, "how long messages are offered then"},
+               {"seed", 1, 0, 1e15, true, "of times and destinations"}}),
+          .run = &run,
+          .uses_routes = true};
+}
+
+}  // namespace patterns
