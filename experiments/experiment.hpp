@@ -11,6 +11,7 @@
 #include "experiments/figures.hpp"
 #include "renderer/shade.hpp"
 #include "simulator/farm/farm.hpp"
+#include "simulator/iirra/shared_farm.hpp"
 #include "simulator/patterns/pattern.hpp"
 
 namespace experiments {
@@ -40,6 +41,8 @@ struct Experiment {
   std::string scene = "spheres";     // [scene]: "spheres" made of `objects`, or a file
   std::int64_t objects = 200;
   farm::Params farm;             // [image], [farm], [[stage]], [[order]]
+  iirra::SharedParams data;      // [data]
+  bool has_data = false;         // whether the file has any of its keys
   std::string cost = "counted";  // [run]
 };
 

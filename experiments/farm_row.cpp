@@ -61,7 +61,11 @@ ordered_json stage_columns(const farm::Result& r) {
 
 ordered_json load_columns(const farm::Result& r) {
   const auto& use = r.use;
-  auto busy = [&](const char* name) { return find_cpu(use, name).busy_s / use.time_s; };
+  // Empty for a processor that the machine does not have.
+  auto busy = [&](const char* name) {
+    const auto cpu = std::ranges::find(use.cpus, name, &observe::CpuRow::name);
+    return cpu != use.cpus.end() ? ordered_json(cpu->busy_s / use.time_s) : ordered_json();
+  };
   const Workers workers = look_at_workers(use);
   const auto busiest = std::ranges::max_element(use.cpus, {}, &observe::CpuRow::busy_s);
   const auto link = std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "experiments/data_row.hpp"
 #include "experiments/farm_row.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/machine_model.hpp"
@@ -115,17 +116,26 @@ ordered_json run_farm_point(const Experiment& experiment, const std::filesystem:
   params.watch = &watch;
 
   const double run_start_s = process_cpu_s();
-  const farm::Result result = farm::run_farm(model, topology, scene, params);
+  const bool shares = experiment.data.cache_percent > 0;
+  ordered_json data_row = experiment.has_data ? make_empty_data_row() : ordered_json::object();
+  const farm::Result result = [&] {
+    if (!shares) return farm::run_farm(model, topology, scene, params);
+    auto shared = iirra::run_shared_farm(model, topology, scene, params, experiment.data);
+    data_row = make_data_row(shared);
+    return std::move(shared.farm);
+  }();
   const double run_s = process_cpu_s() - run_start_s;
 
   ordered_json keys = ordered_json::array();
   for (const auto& key : result.key_images)
     keys.push_back(
         {{"file", save_image(images, key.samples)}, {"at_s", key.at.value - result.setup_s}});
+  ordered_json row = make_farm_row(result);
+  row.update(data_row);
   return {{"topology", topology.name},
           {"workers", topology.processors},
           {"objects", scene_objects(experiment, scene)},
-          {"row", make_farm_row(result)},
+          {"row", row},
           {"ended", machine::to_string(result.end)},
           {"key_images", keys},
           {"use", make_farm_use(result)},
@@ -133,7 +143,7 @@ ordered_json run_farm_point(const Experiment& experiment, const std::filesystem:
           {"host",
            {{"total_s", process_cpu_s() - start_s},
             {"run_s", run_s},
-            {"kernel_s", profile ? ordered_json(result.kernel_host_s) : ordered_json()},
+            {"kernel_s", profile && !shares ? ordered_json(result.kernel_host_s) : ordered_json()},
             {"events", result.events}}}};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -10,6 +11,7 @@
 #include "experiments/farm_run.hpp"
 #include "experiments/machine_model.hpp"
 #include "experiments/network_setup.hpp"
+#include "experiments/point_key.hpp"
 #include "experiments/results.hpp"
 #include "experiments/simulate.hpp"
 #include "experiments/trace_files.hpp"
@@ -31,10 +33,22 @@ void check_axes(const ExperimentFile& file) {
             "{}: [sweep] has an axis {}, but {} says how many itself", file.path, axis, key));
 }
 
-void check_farm_point(const Experiment& e, std::set<std::string>& scenes) {
+using SceneSizes = std::map<std::string, iirra::SceneSize>;  // by source
+
+// What [data] says, also where a point has none of its scene's data to share.
+void check_data(const Experiment& e, const iirra::SceneSize& scene) {
+  farm::Params params = e.farm;
+  if (is_timed(e)) params.cycles_per_host_s = 1;
+  iirra::check(make_model(e), scene, params, e.data);
+}
+
+void check_farm_point(const Experiment& e, SceneSizes& scenes) {
   renderer::check(e.farm.image);
   farm::check(e.farm);
-  if (scenes.insert(scene_source(e)).second) renderer::load_scene(scene_source(e));
+  if (e.has_data) iirra::check_task(e.farm);
+  const auto source = scene_source(e);
+  if (!scenes.contains(source)) scenes[source] = iirra::size_of(renderer::load_scene(source));
+  if (e.data.cache_percent > 0) check_data(e, scenes[source]);
 }
 
 // What is wrong with it, whichever room says so, is said of the file.
@@ -57,7 +71,8 @@ void check_in(const ExperimentFile& file, const Check& check) {
 void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
   check_trace_files(options, chosen, results_folder(options));
   check_axes(file);
-  std::set<std::string> models, scenes, networks;
+  std::set<std::string> models, networks;
+  SceneSizes scenes;
   for (const auto& point : file.points)
     check_in(file, [&] {
       const Experiment& e = point.experiment;

@@ -98,7 +98,7 @@ void check_belongs(const Pattern& pattern, const Place& at) {
   if (key.starts_with("machine.") && key != "machine.model")
     throw InvalidInput(fmt::format("{}: {} is a key of the farm, but program.name is \"{}\"",
                                    at.where(), key, pattern.name));
-  for (const char* farms : {"scene", "image", "farm", "stage", "order"})
+  for (const char* farms : {"scene", "image", "farm", "data", "stage", "order"})
     if (section == farms)
       throw InvalidInput(fmt::format("{}: {} is a key of the farm, but program.name is \"{}\"",
                                      at.where(), key, pattern.name));

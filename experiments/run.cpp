@@ -26,7 +26,7 @@ void print_profile(const Table& table, const std::vector<ordered_json>& results)
     const auto& host = results[i]["host"];
     const auto& row = table.rows[table.row_of(i)];
     const double rays = results[i]["row"]["rays"].get<double>();
-    if (rays == 0) continue;
+    if (rays == 0 || host["kernel_s"].is_null()) continue;
     const double run = host["run_s"].get<double>(), kernel = host["kernel_s"].get<double>();
     fmt::print(
         "  {:>6} {:>3} workers {:>7} objects: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n",

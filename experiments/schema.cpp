@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "experiments/binding.hpp"
+#include "experiments/data_schema.hpp"
 #include "experiments/image_names.hpp"
 #include "experiments/network_schema.hpp"
 #include "experiments/program.hpp"
@@ -71,10 +72,10 @@ farm::Order bind_order(const toml::table& table, const Place& at) {
   return {{order.at_s}, command};
 }
 
-const std::vector<Binding<Experiment>>& bindings() {
+std::vector<Binding<Experiment>> make_bindings() {
   using E = Experiment;
   using P = Place;
-  static const std::vector<Binding<E>> all = {
+  std::vector<Binding<E>> all = {
       {"title", "what the experiment is called",
        [](E& e, const P& at) { e.title = read_text(at); }},
       {"question", "what it answers", [](E& e, const P& at) { e.question = read_text(at); }},
@@ -171,6 +172,13 @@ const std::vector<Binding<Experiment>>& bindings() {
       {"report", "[report]: what else is in the report",
        [](E&, const P& at) { at.refuse("no axis of this name"); }},
   };
+  const auto run = std::ranges::find(all, "run.cost", &Binding<E>::key);
+  all.insert(run, data_bindings().begin(), data_bindings().end());
+  return all;
+}
+
+const std::vector<Binding<Experiment>>& bindings() {
+  static const auto all = make_bindings();
   return all;
 }
 

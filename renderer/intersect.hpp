@@ -3,9 +3,8 @@
 
 #include <optional>
 
+#include "renderer/access.hpp"
 #include "renderer/ray.hpp"
-#include "renderer/scene.hpp"
-#include "renderer/work.hpp"
 
 namespace renderer {
 
@@ -24,5 +23,9 @@ enum class Traversal : std::uint8_t {
 /// a unit vector. Where it starts (on object `ray.from`, and within the scene's epsilon) it meets
 /// nothing: see kernels.hpp. Adds to `work`; no errors. Thread-safe.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work);
+
+/// The same hit and the same work; `access` is told of every part of the scene that is read.
+std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
+                             Access& access);
 
 }  // namespace renderer

@@ -19,6 +19,7 @@ struct Tracer {
   const Scene& scene;
   const Params& params;
   Samples& samples;
+  Access* access = nullptr;  // who is told what is read, if anybody
   RayCounts rays{};
   Work work{};
   Children stack{};
@@ -29,7 +30,8 @@ struct Tracer {
     while (!stack.empty()) {
       const Ray ray = stack.back();
       stack.pop_back();
-      const std::optional<Hit> hit = intersect(scene, ray, params.traversal, work);
+      const std::optional<Hit> hit = access ? intersect(scene, ray, params.traversal, work, *access)
+                                            : intersect(scene, ray, params.traversal, work);
       rays.add(ray.kind, hit.has_value());
       samples.add(at, eval_contribution(scene, params, ray, hit, work));
       if (hit) make_children(scene, params, ray, *hit, stack, work);
@@ -90,15 +92,24 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
   return *this;
 }
 
-Block render_block(const Scene& scene, const Params& params, const Area& area) {
+static Block render_pixels(const Scene& scene, const Params& params, const Area& area,
+                           Access* access) {
   Block block{area, Samples(area.width, area.height), {}, {}};
-  Tracer tracer{scene, params, block.samples};
+  Tracer tracer{scene, params, block.samples, access};
   std::uint32_t at = 0;
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x) tracer.trace(x, y, at++);
   block.rays = tracer.rays;
   block.work = tracer.work;
   return block;
+}
+
+Block render_block(const Scene& scene, const Params& params, const Area& area) {
+  return render_pixels(scene, params, area, nullptr);
+}
+
+Block render_block(const Scene& scene, const Params& params, const Area& area, Access& access) {
+  return render_pixels(scene, params, area, &access);
 }
 
 Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {

@@ -36,6 +36,8 @@ struct Block {
 /// Traces every ray of `area`, which lies within the image of `params`. The sums are those that
 /// render() finds there.
 Block render_block(const Scene& scene, const Params& params, const Area& area);
+/// The same; `access` is told of every part of the scene that is read.
+Block render_block(const Scene& scene, const Params& params, const Area& area, Access& access);
 
 /// Called with the rows done and the rows there are, after every row, by one thread at a time.
 using Progress = std::function<void(int done, int rows)>;

@@ -79,6 +79,7 @@ const Edges& allowed() {
         {"simulator/iirra", below_systems},
         {"experiments", below_systems},
     };
+    all["simulator/iirra"].insert("simulator/farm");
     all["experiments"].insert({"simulator/farm", "simulator/iirra", "simulator/patterns"});
     return all;
   }();

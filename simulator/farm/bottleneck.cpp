@@ -47,6 +47,10 @@ Load load_of_cpu(const observe::Use& use, const char* name) {
   return {name, find_cpu(use, name).busy_s / use.time_s, "its CPU"};
 }
 
+bool has_cpu(const observe::Use& use, const char* name) {
+  return std::ranges::find(use.cpus, name, &observe::CpuRow::name) != use.cpus.end();
+}
+
 Load load_of_links(const observe::Use& use) {
   const auto& link = *std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
   return {fmt::format("link {}>{}", link.from, link.to), link.busy_s / use.time_s,
@@ -58,14 +62,12 @@ Load load_of_links(const observe::Use& use) {
 std::vector<Load> find_loads(const Result& result) {
   const auto& use = result.use;
   if (use.time_s <= 0) return {};
-  std::vector<Load> loads{
-      load_of_workers(use),
-      load_of_routing(use),
-      load_of_coordination(use),
-      load_of_cpu(use, "database"),
-      load_of_cpu(use, "display"),
-      load_of_links(use),
-      {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)}};
+  std::vector<Load> loads{load_of_workers(use), load_of_routing(use), load_of_coordination(use)};
+  for (const char* central : {"database", "display"})
+    if (has_cpu(use, central)) loads.push_back(load_of_cpu(use, central));
+  loads.push_back(load_of_links(use));
+  loads.push_back(
+      {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)});
   std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy);
   return loads;
 }

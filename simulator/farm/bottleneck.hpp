@@ -20,7 +20,7 @@ struct Load {
 // - "workerN (routing)": the routers of the one that routes most, at high priority;
 // - "coordination": the process, whenever it was not waiting for its workers: it takes turns with
 //   the ray database and the display, so that it can be the limit while its CPU is idle;
-// - "database", "display": their CPUs;
+// - "database", "display": their CPUs, where they have processors of their own;
 // - "link A>B": the busiest direction of a link;
 // - "tasks": the share of the time after the last task was handed out, when workers end one after
 //   the other.

@@ -27,7 +27,8 @@ Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Pro
   return &pool.emplace_back(fmt::format("{}.{}", to.name(), name), machine.link(from, to));
 }
 
-// Makes room for the coordinator's link at the root.
+}  // namespace
+
 topologies::Topology free_root_port(topologies::Topology topology) {
   const auto around = topologies::neighbours(topology)[topology.root];
   if (topologies::free_port(topology, topology.root) >= 0) return topology;
@@ -45,8 +46,6 @@ topologies::Topology free_root_port(topologies::Topology topology) {
       "coordinator",
       topology.name));
 }
-
-}  // namespace
 
 void start(Processor& on, const char* name, Priority priority, machine::Process::Body body) {
   on.start(fmt::format("{}.{}", on.name(), name), priority, std::move(body));

@@ -40,8 +40,12 @@ struct Workers {
   std::vector<Channel<Intersection>*> results;  // out of each worker
 };
 
-// The coordinator's link goes to the root, which must have a port free: a root with four links
-// (a torus) gives up the link on its highest port that the machine stays connected without.
+// The topology with a port free at its root, for the coordinator: a root with four links (a torus)
+// gives up the link on its highest port that the machine stays connected without. Throws
+// machine::InvalidInput if there is none.
+topologies::Topology free_root_port(topologies::Topology topology);
+
+// The coordinator's link goes to the root's free port.
 Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
                      machine::Processor& coordinator, std::uint64_t memory);
 
