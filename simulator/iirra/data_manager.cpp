@@ -74,8 +74,8 @@ void DataManager::look() {
 
 // Who is idle looks every period: what is there by then is found. (Looks that find nothing are not
 // simulated.)
-void DataManager::wait_for_message() {
-  const Seconds since = this_process().now(), period = costs_.idle_period;
+void DataManager::wait_for_message(Seconds period) {
+  const Seconds since = this_process().now();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};
   occam::select(guards);
   if (period.value <= 0) return;
@@ -83,8 +83,8 @@ void DataManager::wait_for_message() {
   occam::wait_until(occam::ticks(since + periods * period));
 }
 
-Message DataManager::serve() {
-  for (look(); others_.empty(); look()) wait_for_message();
+Message DataManager::serve_every(Seconds period) {
+  for (look(); others_.empty(); look()) wait_for_message(period);
   Message message = std::move(others_.front());
   others_.pop_front();
   return message;

@@ -52,7 +52,9 @@ class DataManager {
   void look();
   // For an application without work: serves others until a message comes that is for no data
   // manager, and returns that. Looks at the channel every idle period.
-  network::Message serve();
+  network::Message serve() { return serve_every(costs_.idle_period); }
+  // The same for one that waits in an ALT until something comes: serves at once.
+  network::Message serve_at_once() { return serve_every({}); }
   // The same for an application that has ended: its process becomes a server, and never returns.
   [[noreturn]] void serve_for_ever();
 
@@ -78,7 +80,8 @@ class DataManager {
 
  private:
   void take();
-  void wait_for_message();
+  void wait_for_message(Seconds period);
+  network::Message serve_every(Seconds period);
 
   network::Client& client_;
   bool has_reply_ = false;

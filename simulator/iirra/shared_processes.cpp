@@ -46,7 +46,7 @@ void coordinate(const CoordinatorSetup& setup, DataManager& manager, renderer::S
       feed(worker);
     }
   while (in_farm > 0) {
-    const Message message = manager.serve();
+    const Message message = manager.serve_at_once();
     const auto& block = std::get<renderer::Block>(read(message));
     --in_farm;
     feed(message.from.processor);
@@ -79,7 +79,7 @@ renderer::Block render(WorkerSetup& setup, DataManager& manager, const renderer:
 
 void work(WorkerSetup& setup, DataManager& manager) {
   for (;;) {
-    const Message message = manager.serve();
+    const Message message = manager.serve_at_once();
     const auto* area = std::get_if<renderer::Area>(&read(message));
     if (!area) return;
     send(manager, {message.from.processor, FARM_PROCESS},

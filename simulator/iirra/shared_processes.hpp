@@ -24,7 +24,8 @@ struct CoordinatorSetup {
   std::function<void()> on_begin, on_end;
 };
 // Hands out the blocks, adds what comes back to `samples`, and serves data at any time between.
-// `result` is always up to date.
+// (Who has nothing to do here waits for messages; it does not look every idle_period.) `result` is
+// always up to date.
 void coordinate(const CoordinatorSetup& setup, DataManager& manager, renderer::Samples& samples,
                 farm::CoordinationResult& result);
 
