@@ -53,11 +53,16 @@ void check_rows(const patterns::Pattern& pattern, const std::vector<ordered_json
   std::set<std::string> known;
   for (const auto& row : rows) {
     std::string key;
-    for (const auto& part : pattern.parts) key += row.value(part, ordered_json()).dump() + " ";
-    if (key.find("null") != std::string::npos || !known.insert(key).second)
-      throw machine::InvariantBroken(fmt::format("the program {} has two rows of {} {}",
-                                                 pattern.name, fmt::join(pattern.parts, ", "),
-                                                 key));
+    bool missing = false;
+    for (const auto& part : pattern.parts) {
+      const auto value = row.value(part, ordered_json());
+      missing |= value.is_null();
+      key += value.dump() + " ";
+    }
+    if (missing || !known.insert(key).second)
+      throw machine::InvariantBroken(
+          fmt::format("the program {} has two rows of, or one without, {} {}", pattern.name,
+                      fmt::join(pattern.parts, ", "), key));
   }
   if (rows.empty())
     throw machine::InvariantBroken(fmt::format("the program {} has no row", pattern.name));

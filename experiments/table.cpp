@@ -97,10 +97,10 @@ std::string join_texts(const std::vector<std::string>& texts, std::string_view s
 
 std::string make_label(std::string_view column) {
   static constexpr std::pair<std::string_view, std::string_view> UNITS[] = {
-      {"_s", "s"},           {"_ms", "ms"},        {"_us", "µs"},       {"_ns", "ns"},
-      {"_hz", "Hz"},         {"_mhz", "MHz"},      {"_bytes", "bytes"}, {"_kb", "kB"},
-      {"_mb", "MB"},         {"_bits", "bits"},    {"_bit_s", "bit/s"}, {"_mbit", "Mbit/s"},
-      {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}};
+      {"_s", "s"},           {"_ms", "ms"},         {"_us", "µs"},       {"_ns", "ns"},
+      {"_hz", "Hz"},         {"_mhz", "MHz"},       {"_bytes", "bytes"}, {"_kb", "kB"},
+      {"_mb", "MB"},         {"_bits", "bits"},     {"_bit_s", "bit/s"}, {"_mbit", "Mbit/s"},
+      {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}, {"_per_s", "1/s"}};
   if (column == "speedup") return "speed-up";
   if (column == "serial_karp_flatt") return "serial fraction (Karp-Flatt)";
   if (column == "serial_gustafson") return "serial fraction (Gustafson)";

@@ -51,7 +51,7 @@ VirtualMemory::VirtualMemory(machine::Machine& machine, network::Network& networ
     auto& processor = *machine.processors().at(static_cast<std::size_t>(first + id));
     auto& client = network.client(id);
     const bool serves = params.scheme == Scheme::items && id == params.coordinator;
-    const std::string key = serves ? "data.server_cache" : "data.cache";
+    const std::string key = serves ? "server_cache_percent" : "cache_percent";
     const auto bytes = serves ? params.server_cache_bytes : params.cache_bytes;
     if (params.scheme == Scheme::pages) {
       const Pages pages(catalogue, params.page_items, n);

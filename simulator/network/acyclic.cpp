@@ -66,10 +66,13 @@ class Router {
 
   // To the senders of the ways that it takes; `as` is whose channels into them are used.
   void hand_on(Message message, int came_by, int as) {
+    if (node_.pointers)  // a buffer taken from those that all share, and given back
+      occam::this_process().charge(node_.buffer_step + node_.buffer_step);
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);
     const bool turns_back = came_by >= 0 && came_by < CLIENT && message.returned != before;
     if (turns_back && ways.count > 0) return send_later(std::move(message));
+    for (auto& left_out : node_.take_unreached()) send_later(std::move(left_out));
     for (const int out_by : ways)
       for (Input& input : inputs_.at(out_by)->from)
         if (input.came_by == as) out(input.channel, Handed{message, node_.pointers});

@@ -78,9 +78,11 @@ class Router {
 
   void put(Message message, int came_by) {
     const WaysOut ways = node_.find_ways_out(message, came_by);
-    if (ways.count == 0) return;
-    node_.hold(message);
-    buffer_.push_back({std::move(message), ways});
+    if (ways.count > 0) {
+      node_.hold(message);
+      buffer_.push_back({std::move(message), ways});
+    }
+    for (auto& left_out : node_.take_unreached()) put(std::move(left_out), NO_WAY);
   }
 
   Node& node_;

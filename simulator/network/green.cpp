@@ -87,6 +87,7 @@ class Router {
         sender->fifo.push_back(message);
       }
     }
+    for (auto& left_out : node_.take_unreached()) route(std::move(left_out), NO_WAY);
   }
 
   Node& node_;

@@ -12,7 +12,7 @@ namespace network {
 // How the first level of an address is meant (5.1.1.1 to 5.1.1.3).
 enum class Mode : std::uint8_t {
   unicast,     // the one processor
-  global,      // every processor but the sender's; `processor` means nothing
+  global,      // every processor but the sender's that has the process; `processor` means nothing
   in_path_to,  // offered to the addressed process on every processor on the way to this one
 };
 

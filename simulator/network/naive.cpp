@@ -16,7 +16,9 @@ void route(Node& node) {
     for (int by = came_by; !to_send.empty(); by = NO_WAY) {
       Message message = std::move(to_send.back());
       to_send.pop_back();
-      for (const int way : node.find_ways_out(message, by))
+      const WaysOut ways = node.find_ways_out(message, by);
+      for (auto& left_out : node.take_unreached()) to_send.push_back(std::move(left_out));
+      for (const int way : ways)
         if (!node.pass(way, message))
           for (auto& again : node.send_around(message, way)) to_send.push_back(std::move(again));
     }

@@ -8,6 +8,7 @@
 namespace network {
 
 void Client::send(Message message) {
+  machine::check_equal("a message is within the longest", message.length <= longest_, true);
   message.from.processor = processor_;
   message.sent = occam::this_process().now();
   give_back(std::move(message));
@@ -28,9 +29,9 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   auto& memory = processor.memory();
   if (const auto left = memory.size() - memory.used(); bytes > left || params.longest > left)
     throw machine::InvalidInput(fmt::format(
-        "{}: its router has room for {} messages of {} bytes and their identification, {} bytes: "
-        "found a memory with {} bytes left, expected more memory, shorter messages or fewer "
-        "buffers",
+        "{}: its router's buffers (program.buffers), {} messages of {} bytes and their "
+        "identification, take {} bytes: found a memory with {} bytes left, expected fewer buffers, "
+        "shorter messages or more memory",
         processor.name(), params.buffers, params.longest, bytes, left));
   memory.allocate(bytes, "the router's buffers", {});
   const auto compiled = [&](const char* operation) {
@@ -53,7 +54,7 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   auto& clients = clients_.emplace_back();
   for (std::size_t n = 0; n < node.processes.size(); ++n) {
     const auto name = fmt::format("{}.client{}", processor.name(), n);
-    clients.push_back(std::make_unique<Client>(id, name, params.pointers));
+    clients.push_back(std::make_unique<Client>(id, name, params.pointers, params.longest));
     node.client_in.push_back(&clients.back()->into_);
     node.client_out.push_back(&clients.back()->from_);
   }
@@ -61,6 +62,8 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
 
 Network::Network(machine::Machine& machine, Routing routing, const Params& params, int first)
     : routing_(std::move(routing)) {
+  if (params.method == Method::acyclic)
+    machine::check_equal("routes without cycles", routing_.kind() == Routing::Kind::up_down, true);
   const auto& topology = routing_.topology();
   const auto at = [&](int id) { return machine.processors().at(first + id).get(); };
   for (int id = 0; id < topology.processors; ++id) make_node(machine, id, *at(id), params);

@@ -18,8 +18,10 @@ enum class Method : std::uint8_t {
 
 struct Params {
   Method method = Method::green;
-  bool pointers = true;         // within a processor a pointer is passed, not the message
-  std::size_t buffers = 64;     // messages that a router has room for; at least 1
+  bool pointers = true;  // within a processor a pointer is passed, not the message
+  // Messages that a router has room for in its queues, at least 1. Each of its processes that
+  // passes messages has room for one more, beside these.
+  std::size_t buffers = 64;
   std::uint64_t longest = 512;  // bytes of the longest message's contents: what a buffer takes
   // Of each processor, of each of its clients the processes it is, one bit each; at most
   // MAX_CLIENTS. Empty: one client on each, which is every process.
@@ -30,14 +32,17 @@ struct Params {
 // One process uses a client.
 class Client {
  public:
-  Client(int processor, const std::string& name, bool pointers)
+  // `longest`: bytes of contents that there are buffers for.
+  Client(int processor, const std::string& name, bool pointers, std::uint64_t longest)
       : processor_(processor),
         pointers_(pointers),
+        longest_(longest),
         into_(name + ".into", occam::Protocol::counted),
         from_(name + ".from", occam::Protocol::counted) {}
 
   int processor() const { return processor_; }
-  // `into.router ! message`. `from.processor` and `sent` are filled in.
+  // `into.router ! message`. `from.processor` and `sent` are filled in. Throws
+  // machine::InvariantBroken for a message longer than Params::longest.
   void send(Message message);
   // Gives back to the router, as it is, what it has offered (InPathTo).
   void give_back(Message message);
@@ -50,6 +55,7 @@ class Client {
   friend class Network;
   int processor_;
   bool pointers_;
+  std::uint64_t longest_;
   Channel<Handed> into_, from_;
 };
 

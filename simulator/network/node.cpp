@@ -70,10 +70,7 @@ WaysOut Node::find_ways_out(Message& message, int came_by) {
   if (message.to.mode == Mode::global) {
     if (!from_link) {
       message.tree = routing->epoch();
-      if (message.tree > 0) {
-        const auto reached = routing->below(message.tree, message.from.processor, id).size();
-        use.lost += static_cast<std::size_t>(routing->processors()) - reached;
-      }
+      note_unreached(message);
     }
     for (const int port : routing->tree_ports(message.tree, message.from.processor, id))
       ways.add(port);
@@ -102,6 +99,16 @@ WaysOut Node::find_ways_out(Message& message, int came_by) {
     turn_back(message, !exists    ? Returned::no_processor
                        : to == id ? Returned::no_process
                                   : Returned::no_route);
+  }
+}
+
+void Node::note_unreached(const Message& message) {
+  if (message.tree == 0) return;  // no link has been cut
+  const auto reached = routing->below(message.tree, id, id);
+  for (int to = 0; to < routing->processors(); ++to) {
+    if (std::ranges::find(reached, to) != reached.end()) continue;
+    unreached_.push_back(message);
+    unreached_.back().to = {to, message.to.process, Mode::unicast};
   }
 }
 

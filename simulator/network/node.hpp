@@ -53,7 +53,7 @@ struct Node {
   int id = 0;
   machine::Processor* processor = nullptr;
   const Routing* routing = nullptr;
-  std::size_t buffers = 0;  // messages that there is room for
+  std::size_t buffers = 0;  // messages that there is room for in queues
   bool pointers = true;     // see Params
   occam::Cycles look_up{}, fifo_step{}, buffer_step{}, copy_setup{}, copy_word{};
   std::array<Channel<Message>*, topologies::PORTS> link_in{}, link_out{};
@@ -73,6 +73,9 @@ struct Node {
   // determ.ways.out of figure 5.14: where the message that came by this way goes from here. A
   // message that cannot be delivered turns back to its sender; if that has no way, none is left.
   WaysOut find_ways_out(Message& message, int came_by);
+  // A GLOBAL message of this processor that no tree takes everywhere: a message for each processor
+  // that is left out, to be sent from here next (it will turn back).
+  std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
   // Of a message whose link was cut: what must be sent from here in its place.
   std::vector<Message> send_around(Message message, int way);
 
@@ -84,6 +87,9 @@ struct Node {
   int client_of(int process) const;  // a way, or NO_WAY
   void turn_back(Message& message, Returned reason);
   void charge_step(const Message& message) const;
+  void note_unreached(const Message& message);
+
+  std::vector<Message> unreached_;
 };
 
 }  // namespace network

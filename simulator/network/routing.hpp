@@ -25,6 +25,7 @@ class Routing {
   // The port of processor `at` on the way to `to`; -1 if they are the same or no way is left.
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
   int distance(int from, int to) const { return routes_.distance(from, to); }
+  Kind kind() const { return kind_; }
   double mean_distance() const;  // over all pairs that have a way
   // Links cut so far. A GLOBAL message keeps to the tree of its epoch, lest someone get it twice.
   std::size_t epoch() const { return epochs_.size() - 1; }

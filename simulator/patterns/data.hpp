@@ -1,6 +1,8 @@
 #pragma once
 // Random accesses to common data from all over a network (5.1.2.4): how long each pass takes, and
 // where the items were.
+#include <cmath>
+
 #include "simulator/iirra/virtual_memory.hpp"
 #include "simulator/patterns/pattern.hpp"
 
@@ -23,7 +25,7 @@ struct DataPass {
   double time_s = 0;   // until the last processor has finished it, from the end of the one before
   double mean_s = 0;   // that a processor was at it, on average
   iirra::DataUse use;  // of all who made accesses
-  std::uint64_t server_seen = 0;  // requests that came to the coordinator
+  double server_seen = NAN;  // requests that came to the coordinator; known if all wait
 };
 
 std::vector<DataPass> run_data(const machine::Model& model, const network::Routing& routing,

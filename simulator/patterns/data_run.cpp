@@ -37,12 +37,11 @@ class Test {
   void live(int id) {
     DataManager& data = memory_.manager(id);
     const bool is_coordinator = id == load_.data.coordinator;
-    const bool accesses = !is_coordinator || makes_accesses(id);
     std::mt19937_64 random(load_.seed * 1'000'003 + static_cast<std::uint64_t>(id));
     for (auto& pass : marks_) {
       Mark& mark = pass[static_cast<std::size_t>(id)];
       mark.start = now();
-      if (accesses && makes_accesses(id)) make_accesses(data, random);
+      if (makes_accesses(id)) make_accesses(data, random);
       this_process().sync();
       mark.end = now();
       if (load_.together && is_coordinator) wait_for_others(data);
@@ -55,7 +54,6 @@ class Test {
 
   std::vector<DataPass> finish() const {
     std::vector<DataPass> passes;
-    Seconds before{};
     int who = 0;
     for (int id = 0; id < routing_.processors(); ++id) who += makes_accesses(id) ? 1 : 0;
     for (std::size_t p = 0; p < marks_.size(); ++p) {
@@ -64,7 +62,8 @@ class Test {
       for (int id = 0; id < routing_.processors(); ++id) {
         const Mark& mark = marks_[p][static_cast<std::size_t>(id)];
         const DataUse earlier = p > 0 ? marks_[p - 1][static_cast<std::size_t>(id)].use : DataUse{};
-        if (id == load_.data.coordinator) pass.server_seen = mark.use.seen - earlier.seen;
+        if (id == load_.data.coordinator && load_.together)
+          pass.server_seen = static_cast<double>(mark.use.seen - earlier.seen);
         if (!makes_accesses(id)) continue;
         start = std::min(start, mark.start);
         end = std::max(end, mark.end);
@@ -72,8 +71,7 @@ class Test {
         pass.use += mark.use;
         pass.use -= earlier;
       }
-      pass.time_s = (end - (load_.together ? start : before)).value;
-      before = end;
+      pass.time_s = (end - start).value;
     }
     return passes;
   }
@@ -129,7 +127,8 @@ std::vector<DataPass> run_data(const machine::Model& model, const network::Routi
   iirra::VirtualMemory memory(machine, network, catalogue, load.data);
   Test test(network.routing(), load, memory);
   for (int id = 0; id < n; ++id)
-    machine.processors()[id]->start("application", Priority::low, [&, id] { test.live(id); });
+    machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
+                                    [&, id] { test.live(id); });
   observe::Watch none;
   const auto end = observe::run(machine, watch ? *watch : none);
   if (end != machine::End::done)

@@ -54,7 +54,7 @@ Rows run(const Setup& setup) {
   const ApplicationCost cost(setup.model);
   const Global global{cost, setup.whole("messages"), setup.whole("window"), bytes, others};
   for (int id = 0; id <= others; ++id)
-    on.machine.processors()[id]->start("application", Priority::low, [&, id] {
+    on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low, [&, id] {
       if (id == setup.topology.root)
         global.ask(on.network->client(id));
       else

@@ -49,7 +49,7 @@ Rows run(const Setup& setup) {
   const Talk talk{cost, setup["pause_s"], bytes, static_cast<std::uint64_t>(setup.whole("seed")),
                   n};
   for (int id = 0; id < n; ++id)
-    on.machine.processors()[id]->start("application", Priority::low,
+    on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
                                        [&, id] { talk.run(on.network->client(id)); });
   run_machine_until(setup, on.machine, {setup["window_s"]});
   std::vector<Row> rows;

@@ -77,21 +77,62 @@ void check_load(const Load& load) {
                     messages, MOST_MESSAGES));
 }
 
+// The source has a channel of its own into the router, the sink one from it.
+void start_clients(const Load& load, RouterMachine& on, std::vector<Seen>& seen) {
+  for (int id = 0; id < load.processors; ++id) {
+    auto& processor = *on.machine.processors()[id];
+    processor.start(fmt::format("p{}.source", id), Priority::high,
+                    [&, id] { load.offer(on.network->client(id, 1), seen[id]); });
+    processor
+        .start(fmt::format("p{}.sink", id), Priority::high,
+               [&, id] { load.take(on.network->client(id), seen[id]); })
+        .set_server();
+  }
+}
+
+Seen add_up(const std::vector<Seen>& seen) {
+  Seen all;
+  for (const auto& s : seen) {
+    all.sum_s += s.sum_s;
+    all.count += s.count;
+    all.offered += s.offered;
+    all.in_window += s.in_window;
+  }
+  return all;
+}
+
+Row make_row(const Load& load, const RouterMachine& on, const Seen& all, bool overflowed) {
+  const double now_s = on.machine.now().value, none = std::numeric_limits<double>::quiet_NaN();
+  // Of the window, what was before the end or the overflow.
+  const double window_s = overflowed ? now_s - load.warm_up_s : load.window_s;
+  const double accepted = static_cast<double>(all.in_window) / window_s / load.processors;
+  const double time_s = std::max(now_s, load.warm_up_s + window_s);
+  double cpu_s = 0, link_s = 0;
+  for (const auto& processor : on.machine.processors())
+    cpu_s = std::max(cpu_s, processor->use().busy().value);
+  for (const auto& link : on.machine.links()) link_s = std::max(link_s, link->use().busy.value);
+  const bool behind = static_cast<double>(all.in_window) < 0.9 * static_cast<double>(all.offered);
+  const bool late = now_s - load.warm_up_s - load.window_s > 0.05 * load.window_s;
+  const bool has_latency = !overflowed && all.count > 0;
+  return {{"offered_per_s", load.rate_per_s},
+          {"accepted_per_s", window_s > 0 ? accepted : none},
+          {"latency_s", has_latency ? all.sum_s / static_cast<double>(all.count) : none},
+          {"links_mean", on.network->routing().mean_distance()},
+          {"most_held", static_cast<double>(on.network->use().most_held)},
+          {"cpu_busy_max", cpu_s / time_s},
+          {"link_busy_max", link_s / time_s},
+          {"overflowed", overflowed ? 1.0 : 0.0},
+          {"saturated", overflowed || (behind && late) ? 1.0 : 0.0}};
+}
+
 Rows run(const Setup& setup) {
   const Load load = make_load(setup);
   check_load(load);
   auto params = network_params(setup, load.bytes);
-  // The source has a channel of its own into the router, the sink one from it.
   params.processes.assign(static_cast<std::size_t>(load.processors), {~0U, 0});
   RouterMachine on(setup, params);
   std::vector<Seen> seen(static_cast<std::size_t>(load.processors));
-  for (int id = 0; id < load.processors; ++id) {
-    auto& processor = *on.machine.processors()[id];
-    processor.start("source", Priority::high, [&, id] { load.offer(on.network->client(id, 1), seen[id]); });
-    processor
-        .start("sink", Priority::high, [&, id] { load.take(on.network->client(id), seen[id]); })
-        .set_server();
-  }
+  start_clients(load, on, seen);
   std::vector<std::string> notes;
   bool overflowed = false;
   try {
@@ -100,36 +141,9 @@ Rows run(const Setup& setup) {
     overflowed = true;
     notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));
   }
-  Seen all;
-  double busy = 0;
-  for (const auto& s : seen) {
-    all.sum_s += s.sum_s;
-    all.count += s.count;
-    all.offered += s.offered;
-    all.in_window += s.in_window;
-  }
-  for (const auto& processor : on.machine.processors())
-    busy = std::max(busy, processor->use().busy() / on.machine.now());
-  double link_busy = 0;
-  for (const auto& link : on.machine.links())
-    link_busy = std::max(link_busy, link->use().busy / on.machine.now());
-  const double accepted = static_cast<double>(all.in_window) / load.window_s / load.processors;
-  const double late_s = on.machine.now().value - load.warm_up_s - load.window_s;
-  const bool behind = static_cast<double>(all.in_window) < 0.9 * static_cast<double>(all.offered);
-  const bool saturated = overflowed || (behind && late_s > 0.05 * load.window_s);
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  return Rows(
-      {Row{{"offered_per_s", load.rate_per_s},
-           {"accepted_per_s", overflowed ? none : accepted},
-           {"latency_s",
-            overflowed || all.count == 0 ? none : all.sum_s / static_cast<double>(all.count)},
-           {"links_mean", routing_of(setup).mean_distance()},
-           {"most_held", static_cast<double>(on.network->use().most_held)},
-           {"cpu_busy_max", busy},
-           {"link_busy_max", link_busy},
-           {"overflowed", overflowed ? 1.0 : 0.0},
-           {"saturated", saturated ? 1.0 : 0.0}}},
-      notes);
+  const Seen all = add_up(seen);
+  if (all.count == 0) notes.push_back("no message of the window was received");
+  return Rows({make_row(load, on, all, overflowed)}, notes);
 }
 
 }  // namespace

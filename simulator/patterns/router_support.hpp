@@ -11,7 +11,8 @@ namespace patterns {
 inline std::vector<Parameter> router_parameters(std::vector<Parameter> own) {
   std::vector<Parameter> all{
       make_choice("method", {"green", "chalmers", "acyclic", "naive"},
-                  "how routers avoid deadlock"),
+                  "how routers avoid deadlock; acyclic takes the network's routes only if they "
+                  "close no cycle"),
       make_choice("within", {"pointers", "copies"},
                   "how a message is passed within a processor: by pointer, or copied"),
       {"buffers", 64, 1, 1e6, true, "messages that a router has room for"}};
@@ -42,6 +43,10 @@ inline network::Routing routing_of(const Setup& setup) {
 // A machine of the topology's processors, with the model's memory, and its faults.
 struct RouterMachine {
   RouterMachine(const Setup& setup, const network::Params& params) : machine(setup.model) {
+    if (params.method == network::Method::acyclic && setup.tree)
+      throw machine::InvalidInput(
+          "network.tree: found a tree for all senders, expected none with program.method = "
+          "\"acyclic\", which has its own");
     for (int id = 0; id < setup.topology.processors; ++id)
       machine.add_processor(fmt::format("p{}", id), get_bytes(setup.model, "worker_memory"));
     network.emplace(machine, routing_of(setup), params);

@@ -69,8 +69,13 @@ class Account {
   void receive(int here, const Message& message) {
     const Planned& sent = plan_.at(message.number);
     if (message.returned != network::Returned::no) {
-      ++result.returned;
-      returns_.at(message.number).push_back(message.from.processor);
+      auto& back = returns_.at(message.number);
+      const auto& got = deliveries_.at(message.number);
+      const int from = message.from.processor;
+      const bool again =
+          std::ranges::find(back, from) != back.end() || std::ranges::find(got, from) != got.end();
+      ++(again ? result.duplicated : result.returned);
+      back.push_back(from);
       return;
     }
     const bool right = sent.mode == Mode::global    ? here != sent.from
@@ -90,7 +95,6 @@ class Account {
   }
 
   SoakResult finish() {
-    result.lost = result.expected - std::min(result.expected, result.delivered + result.returned);
     result.links_mean = static_cast<double>(links_) /
                         static_cast<double>(std::max<std::uint64_t>(1, result.delivered));
     name_lost();
@@ -126,10 +130,12 @@ class Account {
       for (int to = 0; to < routing_.processors(); ++to)
         if (to != p.from && gone(to)) lost[{p.from, to}].push_back(number);
     }
-    for (const auto& [pair, numbers] : lost)
+    for (const auto& [pair, numbers] : lost) {
+      result.lost += numbers.size();
       result.notes.push_back(fmt::format("lost from p{} to p{}: {} message(s), number {}",
                                          pair.first, pair.second, numbers.size(),
                                          fmt::join(numbers, ", ")));
+    }
   }
 
   bool all_on_the_way_;
@@ -185,7 +191,7 @@ SoakResult run_soak(const Setup& setup, const SoakParams& params) {
   const network::Routing before = routing_of(setup);  // links that are cut change the network's
   Account account(before, plan, !setup.faults.empty());
   for (int id = 0; id < n; ++id)
-    on.machine.processors()[id]->start("application", Priority::low,
+    on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
                                        [&, id] { live(on.network->client(id), plan, account); });
   run_machine(setup, on.machine);
   SoakResult result = account.finish();
