@@ -197,10 +197,10 @@ std::string refusal(const DataLoad& load) {
 TEST(DataManagers, BadInputIsNamed) {
   auto small = make_load(10, 1, 1);
   small.data.cache_bytes = ITEM - 1;
-  EXPECT_NE(refusal(small).find("data.cache: found a cache of 39 bytes"), std::string::npos);
+  EXPECT_NE(refusal(small).find("cache_percent: found a cache of 39 bytes"), std::string::npos);
   auto server = make_load(10, 1, 1);
   server.data.server_cache_bytes = 1;
-  EXPECT_NE(refusal(server).find("data.server_cache"), std::string::npos);
+  EXPECT_NE(refusal(server).find("server_cache_percent"), std::string::npos);
   auto large = make_load(10, 1, 1);
   large.data.cache_bytes = 1ULL << 40;
   EXPECT_NE(refusal(large).find("are left of the memory of p1"), std::string::npos);

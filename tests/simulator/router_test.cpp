@@ -214,6 +214,7 @@ TEST(Router, CopiesCostMemoryCyclesAByte) {
     return occam::isolated_numbers([&] {
       Params params = with(Method::green);
       params.pointers = pointers;
+      params.longest = bytes;
       Bench bench(topologies::make_generated("line:2"), params);
       double arrived = 0;
       bench.start(0, [bytes](Client& client) { client.send(make_message({1, 0}, 0, bytes)); });
