@@ -17,7 +17,7 @@ constexpr int AGAIN = WAYS;
 
 class Router {
  public:
-  explicit Router(Node& node) : node_(node), ways_(node.ways_in()) {
+  explicit Router(Node& node) : node_(node), ways_(node.ways()) {
     const auto own = [&](const char* what, int way) {
       return fmt::format("{}.{}{}", node.processor->name(), what, way);
     };

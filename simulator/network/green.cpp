@@ -11,7 +11,7 @@ namespace {
 class Router {
  public:
   explicit Router(Node& node) : node_(node), inputs_(node) {
-    for (const int way : node.ways_out()) {
+    for (const int way : node.ways()) {
       const bool to_lower = way < CLIENT && node.routing->neighbour(node.id, way) < node.id;
       if (!to_lower && way < CLIENT) continue;
       const auto name = fmt::format("{}.sender{}", node.processor->name(), way);

@@ -41,9 +41,8 @@ struct Message {
   std::uint64_t number = 0;  // the sender's, for whoever counts
   std::shared_ptr<const Contents> contents;
   Returned returned = Returned::no;
-  int links = 0;            // passed so far
-  std::size_t tree = 0;     // of a GLOBAL message: Routing::epoch() when it was sent
-  machine::Seconds sent{};  // when its sender had it
+  int links = 0;         // passed so far
+  std::size_t tree = 0;  // of a GLOBAL message: Routing::epoch() when it was sent
 
   // The identification: address, sender and length, five words (the speed column of table 5.3).
   static constexpr std::uint64_t IDENTIFICATION = 20;

@@ -10,7 +10,6 @@ namespace network {
 void Client::send(Message message) {
   machine::check_equal("a message is within the longest", message.length <= longest_, true);
   message.from.processor = processor_;
-  message.sent = occam::this_process().now();
   give_back(std::move(message));
 }
 

@@ -41,7 +41,7 @@ class Client {
         from_(name + ".from", occam::Protocol::counted) {}
 
   int processor() const { return processor_; }
-  // `into.router ! message`. `from.processor` and `sent` are filled in. Throws
+  // `into.router ! message`. `from.processor` is filled in. Throws
   // machine::InvariantBroken for a message longer than Params::longest.
   void send(Message message);
   // Gives back to the router, as it is, what it has offered (InPathTo).

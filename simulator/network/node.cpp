@@ -18,15 +18,13 @@ std::string_view to_string(Returned reason) {
   return "";
 }
 
-std::vector<int> Node::ways_in() const {
+std::vector<int> Node::ways() const {
   std::vector<int> ways;
   for (int port = 0; port < topologies::PORTS; ++port)
     if (link_in[port]) ways.push_back(port);
   for (int n = 0; n < static_cast<int>(client_in.size()); ++n) ways.push_back(CLIENT + n);
   return ways;
 }
-
-std::vector<int> Node::ways_out() const { return ways_in(); }
 
 occam::ChannelBase& Node::channel_in(int way) const {
   if (way < CLIENT) return *link_in[way];

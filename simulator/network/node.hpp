@@ -62,8 +62,7 @@ struct Node {
   RouterUse use;
   std::size_t held = 0;
 
-  std::vector<int> ways_in() const;
-  std::vector<int> ways_out() const;
+  std::vector<int> ways() const;  // in and out: the same
   occam::ChannelBase& channel_in(int way) const;
 
   // `channel ? message`; none if the link is cut.

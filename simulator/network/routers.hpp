@@ -22,7 +22,7 @@ void start_server(Node& node, const std::string& name, Body body) {
 // A plain ALT over ways in, which takes turns; returns the way, to be taken from.
 class FairInputs {
  public:
-  explicit FairInputs(const Node& node) : node_(node), ways_(node.ways_in()) {}
+  explicit FairInputs(const Node& node) : node_(node), ways_(node.ways()) {}
   std::size_t count() const { return ways_.size(); }
   // Guard number i of this turn, and its way.
   int way(std::size_t i) const { return ways_[(favourite_ + i) % ways_.size()]; }

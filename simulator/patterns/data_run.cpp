@@ -1,9 +1,9 @@
 // The accesses themselves; their parameters are in data.cpp.
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "simulator/patterns/data.hpp"
+#include "simulator/patterns/random.hpp"
 #include "simulator/patterns/support.hpp"
 
 namespace patterns {
@@ -37,7 +37,7 @@ class Test {
   void live(int id) {
     DataManager& data = memory_.manager(id);
     const bool is_coordinator = id == load_.data.coordinator;
-    std::mt19937_64 random(load_.seed * 1'000'003 + static_cast<std::uint64_t>(id));
+    Random random(load_.seed, id);
     for (auto& pass : marks_) {
       Mark& mark = pass[static_cast<std::size_t>(id)];
       mark.start = now();
@@ -82,10 +82,9 @@ class Test {
            load_.data.scheme == iirra::Scheme::pages;
   }
 
-  void make_accesses(DataManager& data, std::mt19937_64& random) const {
+  void make_accesses(DataManager& data, Random& random) const {
     for (int i = 0; i < load_.accesses; ++i) {
-      const double uniform = static_cast<double>(random() >> 11) * 0x1p-53;
-      const auto item = std::ranges::upper_bound(wanted_, uniform * wanted_.back());
+      const auto item = std::ranges::upper_bound(wanted_, random.uniform() * wanted_.back());
       data.access({0, std::min(static_cast<int>(item - wanted_.begin()), load_.items - 1)});
     }
   }

@@ -1,7 +1,7 @@
 // InPathTo requests along a line, which those on the way answer now and then (5.1.1.3).
 #include <algorithm>
-#include <random>
 
+#include "simulator/patterns/random.hpp"
 #include "simulator/patterns/router_support.hpp"
 #include "topologies/generators.hpp"
 
@@ -18,10 +18,10 @@ constexpr int ASKED = 0, ASKING = 1;  // kinds of process
 // On the way: answers with a probability, else gives the request back. At the end: always answers.
 void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
-  std::mt19937_64 random(seed * 1'000'003 + static_cast<std::uint64_t>(client.processor()));
+  Random random(seed, client.processor());
   for (;;) {
     Message message = client.receive();
-    const double uniform = static_cast<double>(random() >> 11) * 0x1p-53;
+    const double uniform = random.uniform();
     const bool passes_by = message.to.processor != client.processor();
     if (passes_by && uniform >= probability) {
       client.give_back(std::move(message));

@@ -1,7 +1,6 @@
 // Every processor sends messages to all others at random: what the routers and the application
 // that does so take of the CPU (table 5.2).
-#include <random>
-
+#include "simulator/patterns/random.hpp"
 #include "simulator/patterns/router_support.hpp"
 
 namespace patterns {
@@ -19,17 +18,15 @@ struct Talk {
 
   // One sequential process (LSGP): it takes what comes until its next message is due.
   void run(Client& client) const {
-    std::mt19937_64 random(seed * 1'000'003 + static_cast<std::uint64_t>(client.processor()));
-    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+    Random random(seed, client.processor());
     network::Handed handed;
     for (;;) {
-      const auto due = occam::ticks(now() + Seconds{-pause_s * std::log(uniform())});
+      const auto due = occam::ticks(now() + Seconds{pause_s * random.exponential()});
       for (bool is_due = false; !is_due;)
         occam::pri_alt(occam::when(client.from_router(), handed, [&] { cost("message_read"); }),
                        occam::after(due, [&] { is_due = true; }));
       Message message;
-      message.to.processor =
-          (client.processor() + 1 + static_cast<int>(uniform() * (processors - 1))) % processors;
+      message.to.processor = random.other_than(client.processor(), processors);
       message.length = bytes;
       cost("number_drawn");
       cost("number_drawn");

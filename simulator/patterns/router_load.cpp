@@ -1,8 +1,7 @@
 // The usual load-latency curve of routers: all processors offer messages to others at a rate, and
 // sinks take them at once; up to the load at which queues grow without bound, or out of their
 // buffers.
-#include <random>
-
+#include "simulator/patterns/random.hpp"
 #include "simulator/patterns/router_support.hpp"
 
 namespace patterns {
@@ -25,14 +24,12 @@ struct Load {
 
   // A Poisson stream; a message that must wait for the router has been offered all the same.
   void offer(Client& client, Seen& seen) const {
-    std::mt19937_64 random(seed * 1'000'003 + static_cast<std::uint64_t>(client.processor()));
-    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+    Random random(seed, client.processor());
     const double end_s = warm_up_s + window_s;
-    for (double at_s = 0; (at_s -= std::log(uniform()) / rate_per_s) < end_s;) {
+    for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s;) {
       occam::wait_until(occam::ticks({at_s}));
       Message message;
-      message.to.processor =
-          (client.processor() + 1 + static_cast<int>(uniform() * (processors - 1))) % processors;
+      message.to.processor = random.other_than(client.processor(), processors);
       message.length = bytes;
       message.number = static_cast<std::uint64_t>(at_s * 1e9);
       if (at_s >= warm_up_s) ++seen.offered;

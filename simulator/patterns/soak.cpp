@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 #include <set>
 
+#include "simulator/patterns/random.hpp"
 #include "simulator/patterns/router_support.hpp"
 
 namespace patterns {
@@ -27,19 +27,18 @@ struct Planned {
 
 // What is sent, the same for the same seed on any machine.
 std::vector<Planned> make_plan(int processors, const SoakParams& params) {
-  std::mt19937_64 random(params.seed);
-  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
-  const auto below = [&](int n) { return static_cast<int>(uniform() * n); };
+  Random random(params.seed);
   std::vector<Planned> plan(params.messages);
   for (auto& p : plan) {
-    p.from = below(processors);
-    p.to = (p.from + 1 + below(processors - 1)) % processors;
-    const double kind = uniform();
+    p.from = random.below(processors);
+    p.to = random.other_than(p.from, processors);
+    const double kind = random.uniform();
     p.mode = kind < params.global                    ? Mode::global
              : kind < params.global + params.in_path ? Mode::in_path_to
                                                      : Mode::unicast;
-    p.length = static_cast<std::uint64_t>(uniform() * static_cast<double>(params.longest + 1));
-    p.pause_s = -params.pause_s * std::log(uniform());
+    p.length =
+        static_cast<std::uint64_t>(random.uniform() * static_cast<double>(params.longest + 1));
+    p.pause_s = params.pause_s * random.exponential();
   }
   return plan;
 }

@@ -1,27 +1,23 @@
 #include "simulator/patterns/traffic.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "simulator/machine/faults.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/patterns/random.hpp"
 #include "simulator/patterns/support.hpp"
 
 namespace patterns {
 
-// A generator of its own for each source (distributions of the standard library are not the same
-// everywhere, its engines are).
 std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
                                           std::uint64_t seed) {
   std::vector<Arrival> arrivals;
   for (int from = 0; from < processors && processors > 1; ++from) {
-    std::mt19937_64 random(seed * 1'000'003 + static_cast<std::uint64_t>(from));
-    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+    Random random(seed, from);
     for (double at = 0;;) {
-      at -= std::log(uniform()) / packets_per_s * 1e6;
+      at += random.exponential() / packets_per_s * 1e6;
       if (at > window_us) break;
-      const int step = 1 + static_cast<int>(uniform() * (processors - 1));
-      arrivals.push_back({std::llround(at), from, (from + step) % processors});
+      arrivals.push_back({std::llround(at), from, random.other_than(from, processors)});
     }
   }
   return arrivals;
