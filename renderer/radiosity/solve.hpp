@@ -1,0 +1,86 @@
+#pragma once
+// Progressive refinement: the patch with most light to send sends it to every vertex, then the
+// next (thesis, 1.2.2.2; M. Cohen et al., SIGGRAPH 1988). No form factor is kept.
+
+#include <functional>
+
+#include "renderer/radiosity/form_factor.hpp"
+
+namespace radiosity {
+
+/// A patch's light, sent to all: what everybody needs to know of it.
+struct Shot {
+  std::uint32_t patch = 0;
+  Rgb radiosity;     ///< that had not been sent, of the patch
+  double power = 0;  ///< its sum over the colours, times the patch's area
+};
+
+/// Of every vertex and patch. Whoever owns some of the patches keeps theirs, and their vertices',
+/// up to date.
+struct State {
+  std::vector<Rgb> radiosity;  ///< by vertex
+  std::vector<Rgb> unshot;     ///< by patch
+  std::vector<Rgb> received;   ///< by vertex, in the last shot
+};
+
+/// Everything emits, nothing is sent.
+State make_state(const Mesh& mesh);
+
+/// Of the patches named the one with most power to send, of equals the first; none if all are dark.
+std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
+                              std::span<const std::uint32_t> patches, renderer::Work& work);
+
+/// Each of the vertices named takes its share of the shot: Eq 3.9 and 3.17.
+void receive(const Eye& eye, const Shot& shot, std::span<const std::uint32_t> vertices,
+             State& state, renderer::Work& work);
+
+/// Each of the patches named adds to what it has to send the mean of what its corners received; the
+/// one that shot has sent all that it had. Their corners must have received.
+void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches,
+            State& state, renderer::Work& work);
+
+/// Power that has not been sent, in fixed point: its sum does not depend on the order.
+struct Unshot {
+  static constexpr double ONE = 1 << 30;  ///< units of a power of 1 in a room with an emitted
+                                          ///< power of 1
+  std::int64_t r = 0, g = 0, b = 0;
+  Unshot& operator+=(const Unshot& other);
+  bool operator==(const Unshot&) const = default;
+};
+Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uint32_t> patches);
+/// What is left of the emitted power, 0..1 or a little more: the sum over the colours.
+double eval_share(const Unshot& unshot);
+
+/// Cohen's estimate of what the unsent power will add everywhere, before a surface's own
+/// reflectance: it is reflected on and on with the room's mean reflectance.
+Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot);
+
+struct SolveParams {
+  FactorParams factor;
+  int shots = 1'000'000;     ///< at most, >= 0
+  double tolerance = 0.001;  ///< until so much of the emitted power is unsent, 0..1
+};
+
+struct Solution {
+  std::vector<Rgb> vertices;  ///< radiosity, by vertex, without ambient
+  Rgb ambient;                ///< that each surface reflects in addition
+  int shots = 0;
+  double unshot = 0;  ///< share of the emitted power
+  renderer::Work work;
+};
+
+/// Shoots until the tolerance or the number of shots is reached. `step`, if given, is called after
+/// every shot with how many there were and what share is unsent; it returns whether to go on.
+Solution solve(const Mesh& mesh, const SolveParams& params,
+               const std::function<bool(int shots, double unshot)>& step = nullptr);
+
+/// The oracle: the same equations by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the order
+/// of vertices, until no patch changes by more than `tolerance` of the brightest. Every factor is
+/// found once a sweep; for small rooms.
+Solution gather(const Mesh& mesh, const FactorParams& params, double tolerance = 1e-6);
+
+/// All indices of a mesh: of the vertices, and of the patches.
+std::vector<std::uint32_t> all_vertices(const Mesh& mesh);
+std::vector<std::uint32_t> all_patches(const Mesh& mesh);
+
+}  // namespace radiosity
