@@ -82,7 +82,7 @@ inline std::string write(const Room& room) {
     text += "  # so much\n\n";
   }
   for (const Face& f : room.faces) {
-    const bool quad = f.corners.size() == 4;
+    const bool quad = f.corners.size() == 4 && (f.along != f.across || f.two_sided);
     text += fmt::format("{} {}", quad ? "quad" : "polygon", room.materials[f.material].name);
     for (const Vec& c : f.corners) text += " " + write(c);
     if (quad)
