@@ -1,0 +1,40 @@
+#pragma once
+// The patches around every vertex, and where a surface ends.
+
+#include <span>
+
+#include "renderer/radiosity/mesh.hpp"
+
+namespace radiosity {
+
+/// A patch's corner, as the vertex there sees it. An edge that a second patch at the vertex shares
+/// is an inner one, any other a border.
+struct Wedge {
+  std::uint32_t patch = 0;
+  std::uint32_t corner = 0;          ///< 0..3
+  std::uint32_t next = 0, prev = 0;  ///< vertices at the other ends of the corner's edges
+  bool next_inner = false, prev_inner = false;
+};
+
+enum class Place : std::uint8_t {
+  inner,     ///< wholly surrounded by patches
+  straight,  ///< on a border that passes straight through
+  corner     ///< where a border turns, or several meet; also a vertex without patches
+};
+
+struct Fans {
+  std::vector<Wedge> wedges;         ///< by vertex, of each by patch
+  std::vector<std::uint32_t> first;  ///< where a vertex's begin; one more than vertices
+  std::vector<Place> places;         ///< by vertex
+
+  std::span<const Wedge> at(std::size_t vertex) const {
+    return std::span(wedges).subspan(first[vertex], first[vertex + 1] - first[vertex]);
+  }
+};
+
+Fans make_fans(const Mesh& mesh);
+
+/// The way to a neighbour, laid in the tangent plane of a vertex at its full length.
+Vec unfold(const Vertex& vertex, const Vec& to);
+
+}  // namespace radiosity
