@@ -2,24 +2,10 @@
 
 #include <algorithm>
 
+#include "renderer/radiosity/split.hpp"
+
 namespace radiosity {
 namespace {
-
-// Every wedge at its vertex, in the order of the patches: a counting sort.
-void sort_wedges(const Mesh& mesh, Fans& fans) {
-  fans.first.assign(mesh.vertices.size() + 1, 0);
-  for (const Patch& patch : mesh.patches)
-    for (const std::uint32_t v : patch.corners) ++fans.first[v + 1];
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) fans.first[v + 1] += fans.first[v];
-  fans.wedges.resize(4 * mesh.patches.size());
-  std::vector<std::uint32_t> free = fans.first;
-  for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
-    const auto& corners = mesh.patches[p].corners;
-    for (std::uint32_t c = 0; c < 4; ++c)
-      fans.wedges[free[corners[c]]++] = {p,     c,    corners[(c + 1) % 4], corners[(c + 3) % 4],
-                                         false, false};
-  }
-}
 
 // Patches run counter-clockwise: what is next in one is previous in the other.
 void mark_inner(std::span<Wedge> wedges) {
@@ -34,19 +20,21 @@ bool is_straight(const Vec& a, const Vec& b) {
 }
 
 Place find_place(const Mesh& mesh, std::size_t vertex, std::span<const Wedge> wedges) {
-  if (wedges.empty()) return Place::corner;
-  std::array<Vec, 2> ends;
-  std::size_t borders = 0;
-  const auto add_border = [&](std::uint32_t neighbour) {
-    if (borders < 2) ends[borders] = unfold(mesh.vertices[vertex], mesh.vertices[neighbour].at);
-    ++borders;
-  };
+  const Vertex& v = mesh.vertices[vertex];
+  Vec after, before;  // the ends of the border here
+  int starts = 0, ends = 0;
   for (const Wedge& w : wedges) {
-    if (!w.next_inner) add_border(w.next);
-    if (!w.prev_inner) add_border(w.prev);
+    if (!w.next_inner) {
+      after = unfold(v, mesh.vertices[w.next].at);
+      ++starts;
+    }
+    if (!w.prev_inner) {
+      before = unfold(v, mesh.vertices[w.prev].at);
+      ++ends;
+    }
   }
-  if (borders == 0) return Place::inner;
-  return borders == 2 && is_straight(ends[0], ends[1]) ? Place::straight : Place::corner;
+  if (starts + ends == 0 && !wedges.empty()) return Place::inner;
+  return starts == 1 && ends == 1 && is_straight(after, before) ? Place::straight : Place::corner;
 }
 
 }  // namespace
@@ -59,13 +47,21 @@ Vec unfold(const Vertex& vertex, const Vec& to) {
 }
 
 Fans make_fans(const Mesh& mesh) {
+  Surroundings around = find_surroundings(mesh);
   Fans fans;
-  sort_wedges(mesh, fans);
+  fans.wedges.reserve(around.patches.size());
   fans.places.reserve(mesh.vertices.size());
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    mark_inner(std::span(fans.wedges).subspan(fans.first[v], fans.first[v + 1] - fans.first[v]));
-    fans.places.push_back(find_place(mesh, v, fans.at(v)));
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (const std::uint32_t p : around.of(v)) {
+      const auto& corners = mesh.patches[p].corners;
+      const auto c = static_cast<std::uint32_t>(std::ranges::find(corners, v) - corners.begin());
+      fans.wedges.push_back({p, c, corners[(c + 1) % 4], corners[(c + 3) % 4], false, false});
+    }
+    const std::span wedges = std::span(fans.wedges).subspan(around.first[v]);
+    mark_inner(wedges);
+    fans.places.push_back(find_place(mesh, v, wedges));
   }
+  fans.first = std::move(around.first);
   return fans;
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "renderer/radiosity/divide.hpp"
 #include "renderer/radiosity/reconstruct.hpp"
 #include "tests/renderer/support.hpp"
 
@@ -81,8 +82,9 @@ std::vector<Rgb> take(const Mesh& mesh, const F& function) {
 }
 
 inline Vec find_point(const Mesh& mesh, std::uint32_t patch, double s, double t) {
-  const auto at = [&](std::size_t k) { return mesh.vertices[mesh.patches[patch].corners[k]].at; };
-  return (1 - s) * (1 - t) * at(0) + s * (1 - t) * at(1) + s * t * at(2) + (1 - s) * t * at(3);
+  std::array<Vec, 4> at;
+  for (std::size_t k = 0; k < 4; ++k) at[k] = mesh.vertices[mesh.patches[patch].corners[k]].at;
+  return eval_bilinear(at, s, t);
 }
 
 inline double eval_distance(const Rgb& a, const Rgb& b) {
