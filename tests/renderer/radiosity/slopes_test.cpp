@@ -1,6 +1,6 @@
 // Tangent planes of the illumination function: Eq 3.5 to 3.7 and the rules for borders.
 
-#include "renderer/radiosity/slopes.hpp"
+#include "renderer/radiosity/twists.hpp"
 
 #include <gtest/gtest.h>
 
@@ -133,6 +133,46 @@ TEST(Slopes, AtBordersAreTheParabolas) {
   const Vec up = mesh.vertices[4].at - mesh.vertices[0].at;
   for (std::uint32_t v = 0; v < 8; ++v)
     EXPECT_NEAR(along(slopes[v], up).r, values[v % 4 + 4].r - values[v % 4].r, 1e-12);
+}
+
+// So that the other side of a crease, with other patches, has the same.
+TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
+  Random random{5};
+  const auto plane = test::make_plane(random, true);
+  Mesh mesh;  // a half disc of three uneven quads around the first vertex
+  for (const auto& [u, v] : {std::pair{0.0, 0.0},
+                             {1.0, 0.0},
+                             {0.9, 0.9},
+                             {0.6, 0.8},
+                             {0.0, 1.2},
+                             {-0.5, 0.9},
+                             {-1.0, 0.8},
+                             {-1.5, 0.0}})
+    mesh.vertices.push_back(plane(u, v));
+  for (const std::uint32_t first : {1u, 3u, 5u})
+    test::add_patch(mesh, {0, first, first + 1, first + 2});
+  const std::vector<Rgb> values = test::make_colours(random, 8);
+  const auto slopes = find(mesh, values)[0];
+  const double to_a = values[1].r - values[0].r, to_b = (values[7].r - values[0].r) / 1.5;
+  EXPECT_NEAR(along(slopes, mesh.vertices[1].at - mesh.vertices[0].at).r, (1.5 * to_a - to_b) / 2.5,
+              1e-12);
+}
+
+// Slopes that only turn with the surface do not change; mixed derivatives are none.
+TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
+  const auto helix = [](double u, double v) { return place_on_cylinder(u + v / 3, v); };
+  const Mesh mesh = make_grid(make_lines(4), make_lines(4), helix);
+  std::vector<Slopes<Rgb>> slopes;
+  for (const Vertex& vertex : mesh.vertices) {
+    const Vec way = 3 * cross({0, 0, 1}, vertex.normal) + Vec{0, 0, 2};
+    slopes.push_back({{way.x, 0, 0}, {way.y, 0, 0}, {way.z, 0, 0}});
+  }
+  const Fans fans = make_fans(mesh);
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto bend = find_bend(mesh, fans, slopes, v);
+    for (const auto& change : {bend.x, bend.y, bend.z})
+      EXPECT_NEAR(renderer::length(red(change)), 0, 1e-12);
+  }
 }
 
 TEST(Fans, TellVerticesInsideFromBordersAndCorners) {
