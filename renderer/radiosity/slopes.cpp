@@ -57,7 +57,8 @@ void follow_border(const Finder& f, std::uint32_t vertex, const Border& border,
   const Vertex& v = f.mesh.vertices[vertex];
   const Vec a = unfold(v, f.mesh.vertices[border.after].at);
   const Vec b = unfold(v, f.mesh.vertices[border.before].at);
-  const double share_a = 1 / dot(a, a), share_b = 1 / dot(b, b);
+  const double la = length(a), lb = length(b);
+  const double share_a = find_trust(la, lb) / (la * la), share_b = find_trust(lb, la) / (lb * lb);
   const Vec way = share_a * a + -share_b * b;
   const Rgb change = share_a * difference(f, vertex, border.after) +
                      -share_b * difference(f, vertex, border.before);
@@ -92,7 +93,7 @@ Slopes<Rgb> find_at(const Finder& f, std::uint32_t vertex) {
   MeanPlane<Rgb> mean;
   for (const Wedge& w : wedges)
     mean.add(v.normal, unfold(v, f.mesh.vertices[w.next].at), find_change(w.next, w.next_inner),
-             unfold(v, f.mesh.vertices[w.prev].at), find_change(w.prev, w.prev_inner));
+             unfold(v, f.mesh.vertices[w.prev].at), find_change(w.prev, w.prev_inner), w.trust);
   Slopes<Rgb> slopes = mean.get();
   if (const auto border = find_border(wedges)) {
     if (place == Place::straight)

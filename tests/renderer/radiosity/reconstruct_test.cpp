@@ -190,6 +190,22 @@ TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   }
 }
 
+// Lines that nearly coincide, as creases make them: a slope across the narrow strip says nothing
+// about the wide ones.
+TEST(Reconstruct, SmallErrorsOnNarrowPatchesStaySmall) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const double narrow = random.range(0.001, 0.1);
+    const std::vector<double> u{0, 0.4, 0.4 + narrow, 1};
+    const Mesh mesh = make_grid(u, u, grids::make_plane(random), &random);
+    std::vector<Rgb> values;
+    for (int v = 0; v < 16; ++v) values.push_back(grey(9 + random.range(-0.01, 0.01)));
+    const auto nine = [](const Vec&) { return grey(9); };
+    EXPECT_LT(find_error(mesh, reconstruct(mesh, values, BICUBIC), nine, {}, 9), 0.1);
+  }
+}
+
 TEST(Reconstruct, IsLinearInTheIlluminationColourByColour) {
   Random random{5};
   const auto u = make_lines(3, &random);
