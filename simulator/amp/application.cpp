@@ -1,5 +1,7 @@
 #include "simulator/amp/application.hpp"
 
+#include <algorithm>
+
 #include "simulator/machine/process.hpp"
 
 namespace amp {
@@ -34,17 +36,24 @@ void Application::run() {
 bool Application::obey(const Message& message) {
   if (const auto* asked = std::get_if<Show>(&read(message)))
     send({message.from.processor, AMP_PROCESS}, show(*asked));
-  else if (const auto* candidate = std::get_if<Candidate>(&read(message)))
-    early_.push_back(*candidate);
+  else if (!std::holds_alternative<Stop>(read(message)))
+    keep(message);
   return !std::holds_alternative<Stop>(read(message));
+}
+
+// What comes from others who are ahead.
+void Application::keep(const Message& message) {
+  if (const auto* candidate = std::get_if<Candidate>(&read(message)))
+    candidates_.push_back(*candidate);
+  else
+    borders_.push_back(message);
 }
 
 Candidate Application::reduce() {
   Candidate best = find_best();
-  for (const Candidate& candidate : early_) best += candidate;
-  for (auto missing = node_.children - early_.size(); missing > 0; --missing)
-    best += std::get<Candidate>(read(wait_message()));
-  early_.clear();
+  while (candidates_.size() < node_.children) keep(wait_message());
+  for (const Candidate& candidate : candidates_) best += candidate;
+  candidates_.clear();
   return best;
 }
 
@@ -66,8 +75,36 @@ void Application::shoot(const Shot& shot) {
       const radiosity::Eye eye{common_.mesh, common_.params.solve.factor};
       receive(eye, shot, node_.share.vertices, state_, work);
     });
+  give();
+  wait_for_borders();
   charge([&](Work& work) { settle(common_.mesh, shot, node_.share.patches, state_, work); });
   charged_.emplace_back();
+}
+
+// What others need of its vertices.
+void Application::give() {
+  for (const Border& border : node_.share.out)
+    for (std::size_t first = 0; first < border.vertices.size(); first += MessageBytes::MOST) {
+      Given given{first, {}};
+      const auto end = std::min(border.vertices.size(), first + MessageBytes::MOST);
+      for (auto i = first; i < end; ++i)
+        given.values.push_back(state_.received[border.vertices[i]]);
+      send({border.other, AMP_PROCESS}, std::move(given));
+    }
+}
+
+void Application::wait_for_borders() {
+  std::size_t missing = 0;
+  for (const Border& border : node_.share.in)
+    missing += (border.vertices.size() + MessageBytes::MOST - 1) / MessageBytes::MOST;
+  while (borders_.size() < missing) keep(wait_message());
+  for (const Message& message : borders_) {
+    const auto& given = std::get<Given>(read(message));
+    const auto border = std::ranges::find(node_.share.in, message.from.processor, &Border::other);
+    for (std::size_t i = 0; i < given.values.size(); ++i)
+      state_.received[border->vertices[given.first + i]] = given.values[i];
+  }
+  borders_.clear();
 }
 
 // The same with geometry that may be elsewhere: what is done is charged between accesses.
@@ -85,7 +122,7 @@ void Application::shoot_at_shared(const Shot& shot) {
 Shown Application::show(const Show& asked) const {
   const auto& vertices = node_.share.vertices;
   Shown shown{asked.first, {}};
-  for (auto i = asked.first; i < vertices.size() && shown.values.size() < MessageBytes::SHOWN; ++i)
+  for (auto i = asked.first; i < vertices.size() && shown.values.size() < MessageBytes::MOST; ++i)
     shown.values.push_back(state_.radiosity[vertices[i]]);
   return shown;
 }
@@ -100,7 +137,9 @@ void Application::charge(Kernel kernel) {
 }
 
 Message Application::wait_message() {
-  return node_.manager ? node_.manager->serve_at_once() : node_.client->receive();
+  Message message = node_.manager ? node_.manager->serve_at_once() : node_.client->receive();
+  machine::this_process().charge(common_.message_read);
+  return message;
 }
 
 void Application::send(network::Address to, AmpMessage::Content content) {
@@ -108,6 +147,7 @@ void Application::send(network::Address to, AmpMessage::Content content) {
   message.to = to;
   message.from.process = AMP_PROCESS;
   message.length = common_.bytes.of(content);
+  machine::this_process().charge(common_.message_made);
   message.contents = std::make_shared<const AmpMessage>(std::move(content));
   node_.client->send(std::move(message));
 }

@@ -7,7 +7,9 @@
 //       from.router ? candidate
 //     parent ! brightest
 //     from.router ? shot             -- GLOBAL, from the root; or show my vertices; or stop
-//     receive, settle
+//     receive
+//     others ! border, others ? border
+//     settle
 #include "simulator/amp/messages.hpp"
 #include "simulator/amp/radiosity.hpp"
 #include "simulator/farm/kernel_cost.hpp"
@@ -25,6 +27,7 @@ struct Common {
   machine::OperationCosts costs;
   std::optional<iirra::SceneItems> items;  // where geometry is shared
   int root = 0;
+  Cycles message_made, message_read;  // by an application
 };
 
 // A processor's place in the tree, and its way to the network.
@@ -66,13 +69,18 @@ class Application {
   bool obey(const network::Message& message);
   void shoot_at_shared(const radiosity::Shot& shot);
   Shown show(const Show& asked) const;
+  void give();
+  void wait_for_borders();
+  void keep(const network::Message& message);
   template <class Kernel>
   void charge(Kernel kernel);
 
   farm::KernelCost kernel_;
   renderer::Work work_;
   std::vector<Cycles> charged_{1};
-  std::vector<Candidate> early_;  // of children, that came before they were waited for
+  // That came before they were waited for: of children, and of who shares vertices.
+  std::vector<Candidate> candidates_;
+  std::vector<network::Message> borders_;
 };
 
 const AmpMessage::Content& read(const network::Message& message);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace amp {
 
@@ -97,7 +98,7 @@ std::vector<Share> distribute(const Mesh& mesh, int processors, Distribution how
                          : cut(estimate_work(mesh), processors);
   std::vector<Share> shares;
   for (const auto& list : lists) {
-    Share share{list, {}};
+    Share share{list, {}, {}, {}};
     for (const auto p : list)
       share.vertices.insert(share.vertices.end(), mesh.patches[p].corners.begin(),
                             mesh.patches[p].corners.end());
@@ -107,6 +108,35 @@ std::vector<Share> distribute(const Mesh& mesh, int processors, Distribution how
     shares.push_back(std::move(share));
   }
   return shares;
+}
+
+namespace {
+
+void add(std::vector<Border>& borders, int other, std::uint32_t vertex) {
+  const auto at = std::ranges::lower_bound(borders, other, {}, &Border::other);
+  if (at != borders.end() && at->other == other)
+    at->vertices.push_back(vertex);
+  else
+    borders.insert(at, {other, {vertex}});
+}
+
+}  // namespace
+
+void exchange_borders(std::vector<Share>& shares, std::size_t vertices) {
+  std::vector<std::vector<int>> users(vertices);
+  for (std::size_t id = 0; id < shares.size(); ++id)
+    for (const auto v : std::exchange(shares[id].vertices, {}))
+      users[v].push_back(static_cast<int>(id));
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const int owner = users[v][v % users[v].size()];
+    Share& mine = shares[static_cast<std::size_t>(owner)];
+    mine.vertices.push_back(v);
+    for (const int user : users[v]) {
+      if (user == owner) continue;
+      add(mine.out, user, v);
+      add(shares[static_cast<std::size_t>(user)].in, owner, v);
+    }
+  }
 }
 
 }  // namespace amp

@@ -21,11 +21,13 @@ std::uint64_t MessageBytes::of(const AmpMessage::Content& content) const {
   if (std::holds_alternative<radiosity::Shot>(content)) return shot;
   if (const auto* shown = std::get_if<Shown>(&content))
     return 2 * WORD + shown->values.size() * colour;
+  if (const auto* given = std::get_if<Given>(&content))
+    return 2 * WORD + given->values.size() * colour;
   return 2 * WORD;
 }
 
 std::uint64_t MessageBytes::longest() const {
-  return std::max({candidate, shot, 2 * WORD + SHOWN * colour});
+  return std::max({candidate, shot, 2 * WORD + MOST * colour});
 }
 
 }  // namespace amp

@@ -19,8 +19,13 @@ struct Candidate {
   // Of two shots the brighter, of equals the one of the lower patch: whatever the order.
   Candidate& operator+=(const Candidate& other);
 };
-// To all: everybody receives it. To all: it is over.
+// To all: it is over. (To all goes radiosity::Shot, too.)
 struct Stop {};
+// To who shares vertices: what they got of the shot, of Share::out's from `first` on.
+struct Given {
+  std::size_t first = 0;
+  std::vector<radiosity::Rgb> values;
+};
 // From the display to one: its vertices' radiosity from this one of its share on.
 struct Show {
   std::size_t first = 0;
@@ -32,7 +37,7 @@ struct Shown {
 };
 
 struct AmpMessage : network::Contents {
-  using Content = std::variant<Candidate, radiosity::Shot, Stop, Show, Shown>;
+  using Content = std::variant<Candidate, radiosity::Shot, Given, Show, Shown, Stop>;
   explicit AmpMessage(Content content) : content(std::move(content)) {}
   Content content;
 };
@@ -42,7 +47,7 @@ struct MessageBytes {
   explicit MessageBytes(const machine::Model& model);
   std::uint64_t candidate, shot, colour;
   static constexpr std::uint64_t WORD = 4;
-  static constexpr std::size_t SHOWN = 64;  // values of a message, at most
+  static constexpr std::size_t MOST = 64;  // values of a message
 
   std::uint64_t of(const AmpMessage::Content& content) const;
   std::uint64_t longest() const;

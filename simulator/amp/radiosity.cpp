@@ -15,6 +15,11 @@ using radiosity::Mesh;
 
 namespace {
 
+Cycles compiled(const machine::Model& model, const char* operation) {
+  const auto cycles = static_cast<double>(get_operation(model, operation).value);
+  return {std::llround(cycles * model.software.occam_factor)};
+}
+
 std::uint64_t geometry_bytes(const machine::Model& model, const Mesh& mesh) {
   return farm::scene_bytes(model, mesh.blockers);
 }
@@ -29,12 +34,17 @@ iirra::DataParams data_params(const machine::Model& model, const Mesh& mesh, con
   return data;
 }
 
-// Room for all that can be on its way: from each processor a candidate, and a request or a reply.
+// Room for all that can be on its way: from each processor a candidate, a request or a reply, and
+// its borders.
 network::Params network_params(const Common& common, const iirra::DataParams& data,
-                               const machine::Model& model, int processors) {
+                               const machine::Model& model, const std::vector<Share>& shares) {
+  std::size_t borders = 0;  // messages
+  for (const Share& share : shares)
+    for (const Border& border : share.out)
+      borders += 1 + border.vertices.size() / MessageBytes::MOST;
   network::Params params;
   params.method = common.params.method;
-  params.buffers = static_cast<std::size_t>(3 * processors + 2);
+  params.buffers = 3 * shares.size() + 2 + borders;
   params.longest = common.bytes.longest();
   if (common.items)
     params.longest =
@@ -49,10 +59,18 @@ class Amp {
       : model_(model),
         mesh_(mesh),
         params_(params),
-        common_{mesh, params,       MessageBytes(model), {model, "radiosity", renderer::op_names()},
-                {},   topology.root},
+        common_{mesh,
+                params,
+                MessageBytes(model),
+                {model, "radiosity", renderer::op_names()},
+                {},
+                topology.root,
+                compiled(model, "message_made"),
+                compiled(model, "message_read")},
         machine_(model) {
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
+    auto shares = distribute(mesh, topology.processors, params.distribution);
+    if (params.exchange) exchange_borders(shares, mesh.vertices.size());
     const auto data = data_params(model, mesh, params, topology.root);
     for (int id = 0; id < topology.processors; ++id) {
       auto& processor =
@@ -61,9 +79,9 @@ class Amp {
     }
     network_.emplace(machine_,
                      make_routing(params.method, topology, topologies::make_routes(topology)),
-                     network_params(common_, data, model, topology.processors));
+                     network_params(common_, data, model, shares));
     if (common_.items) memory_.emplace(machine_, *network_, common_.items->catalogue(), data);
-    make_nodes(distribute(mesh, topology.processors, params.distribution));
+    make_nodes(std::move(shares));
   }
 
   Result run();

@@ -15,6 +15,8 @@ namespace amp {
 struct Params {
   radiosity::SolveParams solve;  // its tolerance, shots and form factors
   Distribution distribution = Distribution::tiles;
+  bool exchange = true;  // a vertex on a border is found by one processor, who tells the others;
+                         // else each finds it
   network::Method method = network::Method::green;
   int show_every = 0;  // shots between two pictures sent to the display; 0: only the last
   // Of each processor, of the geometry's bytes, in percent up to 100, kept by data managers; 0:
@@ -39,7 +41,8 @@ struct Loss {
   double useful = 0;    // kernels, each vertex once
   double repeated = 0;  // vertices that two processors find, as both have patches there
   double unequal = 0;   // waiting for the processor with most to do in a shot
-  double messages = 0;  // the rest: reduction, broadcast, pictures, routers
+  double messages = 0;  // the rest: reduction, broadcast, borders, pictures, routers, and where
+                        // geometry is shared the data managers
 };
 
 struct Result {
