@@ -24,6 +24,12 @@ enum class Op : std::uint8_t {
   ray_reflected,    ///< a reflected ray made
   ray_refracted,    ///< a transmitted ray made
   sample_updated,   ///< a contribution to be added to a sample (Eq 4.26)
+  factor_begun,     ///< radiosity: a vertex and a patch, whether they face each other
+  delta_area,       ///< of those that do, a delta area: distance, cosines, quotient (Eq 3.8)
+  light_mirrored,   ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
+  vertex_lit,       ///< a vertex's radiosity updated (Eq 3.9)
+  patch_lit,        ///< what a patch has to send updated: the mean of its corners
+  patch_compared,   ///< a patch looked at for the brightest
   COUNT
 };
 
@@ -44,9 +50,10 @@ struct Work {
 /// Names as model files and reports spell them; the index is the Op's value.
 inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
-      "box_test",      "sphere_test",   "sphere_root",     "polygon_test",  "patch_test",
-      "polygon_edges", "cone_test",     "ray_intersected", "hit_made",      "surface_shaded",
-      "feeler_made",   "ray_reflected", "ray_refracted",   "sample_updated"};
+      "box_test",      "sphere_test",    "sphere_root",     "polygon_test",   "patch_test",
+      "polygon_edges", "cone_test",      "ray_intersected", "hit_made",       "surface_shaded",
+      "feeler_made",   "ray_reflected",  "ray_refracted",   "sample_updated", "factor_begun",
+      "delta_area",    "light_mirrored", "vertex_lit",      "patch_lit",      "patch_compared"};
   return NAMES;
 }
 

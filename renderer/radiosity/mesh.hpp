@@ -44,6 +44,8 @@ struct Mesh {
   std::vector<Mirror> mirrors;
   renderer::Scene blockers;  ///< every face once: what rays are cast against
   double area = 0;           ///< of all patches
+  Rgb emitted;               ///< power of all patches
+  Rgb reflectance;           ///< mean of all patches, by area
 };
 
 struct MeshParams {

@@ -39,21 +39,21 @@ void receive(const Eye& eye, const Shot& shot, std::span<const std::uint32_t> ve
 void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches,
             State& state, renderer::Work& work);
 
-/// Power that has not been sent, in fixed point: its sum does not depend on the order.
+/// Power that has not been sent, in fixed point: a sum does not depend on its order.
 struct Unshot {
-  static constexpr double ONE = 1 << 30;  ///< units of a power of 1 in a room with an emitted
-                                          ///< power of 1
+  static constexpr double ONE = 1LL << 40;  ///< units of all the power that the room emits
   std::int64_t r = 0, g = 0, b = 0;
   Unshot& operator+=(const Unshot& other);
   bool operator==(const Unshot&) const = default;
 };
 Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uint32_t> patches);
-/// What is left of the emitted power, 0..1 or a little more: the sum over the colours.
+/// The share of the emitted power: 1 at first.
 double eval_share(const Unshot& unshot);
 
-/// Cohen's estimate of what the unsent power will add everywhere, before a surface's own
-/// reflectance: it is reflected on and on with the room's mean reflectance.
+/// Cohen's estimate of what the unsent power will yet give, everywhere: sent to all alike, and
+/// reflected on and on with the room's mean reflectance. A surface adds its reflectance times it.
 Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot);
+void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertices);
 
 struct SolveParams {
   FactorParams factor;
@@ -63,7 +63,7 @@ struct SolveParams {
 
 struct Solution {
   std::vector<Rgb> vertices;  ///< radiosity, by vertex, without ambient
-  Rgb ambient;                ///< that each surface reflects in addition
+  Rgb ambient;                ///< see eval_ambient
   int shots = 0;
   double unshot = 0;  ///< share of the emitted power
   renderer::Work work;
@@ -75,8 +75,8 @@ Solution solve(const Mesh& mesh, const SolveParams& params,
                const std::function<bool(int shots, double unshot)>& step = nullptr);
 
 /// The oracle: the same equations by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the order
-/// of vertices, until no patch changes by more than `tolerance` of the brightest. Every factor is
-/// found once a sweep; for small rooms.
+/// of vertices, until none changes by more than `tolerance` of the brightest. Every factor is
+/// found again in every sweep, `shots` of them; for small rooms.
 Solution gather(const Mesh& mesh, const FactorParams& params, double tolerance = 1e-6);
 
 /// All indices of a mesh: of the vertices, and of the patches.

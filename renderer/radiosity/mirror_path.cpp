@@ -1,0 +1,68 @@
+#include "renderer/radiosity/mirror_path.hpp"
+
+namespace radiosity {
+
+Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
+  return direction - 2 * dot(mirror.normal, direction) * mirror.normal;
+}
+
+Vec mirror_point(const Mirror& mirror, const Vec& point) {
+  return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
+}
+
+bool is_within(const Mirror& mirror, const Vec& point) {
+  const auto& c = mirror.corners;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Vec edge = c[(i + 1) % c.size()] - c[i];
+    if (dot(mirror.normal, cross(edge, point - c[i])) < 0) return false;
+  }
+  return true;
+}
+
+bool Chain::can_meet(const Mirror& mirror) const {
+  return (mirrors.empty() || mirrors.back() != &mirror) &&
+         dot(mirror.normal, last().at - mirror.corners[0]) > 0;
+}
+
+void Chain::push(const Mirror& mirror, const Rgb& by) {
+  images.push_back({mirror_point(mirror, last().at), mirror_direction(mirror, last().normal)});
+  mirrors.push_back(&mirror);
+  reflectance = reflectance * by;
+}
+
+void Chain::pop(const Rgb& before) {
+  images.pop_back();
+  mirrors.pop_back();
+  reflectance = before;
+}
+
+std::optional<Path> find_path(const Chain& chain, const Vec& to) {
+  Path points;
+  Vec from = to;
+  for (std::size_t j = chain.mirrors.size(); j-- > 0;) {
+    const Mirror& mirror = *chain.mirrors[j];
+    const Vec way = chain.images[j + 1].at - from;
+    const double before = dot(mirror.normal, from - mirror.corners[0]);
+    const double along = dot(mirror.normal, way);
+    if (!(before > 0 && along < 0)) return std::nullopt;  // behind the mirror, or away from it
+    points[j] = from + before / -along * way;
+    if (!is_within(mirror, points[j])) return std::nullopt;
+    from = points[j];
+  }
+  return points;
+}
+
+bool is_free(const Eye& eye, const Vertex& vertex, const Chain& chain, const Path& path,
+             const Vec& to, std::uint32_t object, renderer::Work& work) {
+  Vec from = vertex.lit;
+  std::uint32_t on = vertex.object;
+  for (std::size_t j = 0; j < chain.mirrors.size(); ++j) {
+    const std::uint32_t mirror = chain.mirrors[j]->object;
+    if (!sees(eye, from, on, path[j], mirror, work)) return false;
+    from = path[j];
+    on = mirror;
+  }
+  return sees(eye, from, on, to, object, work);
+}
+
+}  // namespace radiosity

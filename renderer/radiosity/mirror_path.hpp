@@ -1,0 +1,38 @@
+#pragma once
+// The way of light over a chain of mirrors, made straight: what looks is mirrored instead of what
+// is seen (figures 3.11 and 3.12).
+
+#include "renderer/radiosity/delta_areas.hpp"
+
+namespace radiosity {
+
+/// A vertex's viewpoint and its images: images[j] is mirrored by the chain's first j mirrors.
+struct Chain {
+  std::vector<const Mirror*> mirrors;  ///< the first is the one that the vertex looks into
+  std::vector<Viewpoint> images;
+  Rgb reflectance{1, 1, 1};  ///< of all of them
+
+  explicit Chain(const Viewpoint& eye) : images{eye} {}
+  const Viewpoint& last() const { return images.back(); }
+  /// Whether the chain's end can look into the mirror.
+  bool can_meet(const Mirror& mirror) const;
+  void push(const Mirror& mirror, const Rgb& reflectance);
+  void pop(const Rgb& before);
+};
+
+Vec mirror_point(const Mirror& mirror, const Vec& point);
+Vec mirror_direction(const Mirror& mirror, const Vec& direction);
+/// Of a point in the mirror's plane.
+bool is_within(const Mirror& mirror, const Vec& point);
+
+/// Where a way meets a chain's mirrors, in the chain's order.
+using Path = std::array<Vec, MOST_REFLECTIONS>;
+
+/// The way from the vertex to a point; none if it misses a mirror.
+std::optional<Path> find_path(const Chain& chain, const Vec& to);
+
+/// Whether nothing blocks it.
+bool is_free(const Eye& eye, const Vertex& vertex, const Chain& chain, const Path& path,
+             const Vec& to, std::uint32_t object, renderer::Work& work);
+
+}  // namespace radiosity

@@ -1,0 +1,132 @@
+#include "renderer/radiosity/solve.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace radiosity {
+
+using renderer::Op;
+using renderer::Work;
+
+namespace {
+
+double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
+
+std::vector<std::uint32_t> count_up(std::size_t n) {
+  std::vector<std::uint32_t> all(n);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+Rgb mean_of_corners(const Patch& patch, const std::vector<Rgb>& vertices) {
+  Rgb total;
+  for (const auto corner : patch.corners) total += vertices[corner];
+  return 0.25 * total;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> all_vertices(const Mesh& mesh) { return count_up(mesh.vertices.size()); }
+std::vector<std::uint32_t> all_patches(const Mesh& mesh) { return count_up(mesh.patches.size()); }
+
+State make_state(const Mesh& mesh) {
+  State state;
+  for (const Vertex& v : mesh.vertices)
+    state.radiosity.push_back(mesh.materials[v.material].emission);
+  for (const Patch& p : mesh.patches) state.unshot.push_back(mesh.materials[p.material].emission);
+  state.received.resize(mesh.vertices.size());
+  return state;
+}
+
+std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
+                              std::span<const std::uint32_t> patches, Work& work) {
+  Shot best;
+  for (const auto patch : patches) {
+    const double power = sum(state.unshot[patch]) * mesh.patches[patch].area;
+    if (power > best.power) best = {patch, state.unshot[patch], power};
+  }
+  work[Op::patch_compared] += patches.size();
+  return best.power > 0 ? std::optional(best) : std::nullopt;
+}
+
+void receive(const Eye& eye, const Shot& shot, std::span<const std::uint32_t> vertices,
+             State& state, Work& work) {
+  const Mesh& mesh = eye.mesh;
+  const Patch& sender = mesh.patches[shot.patch];
+  for (const auto v : vertices) {
+    const Vertex& vertex = mesh.vertices[v];
+    const Rgb factor = eval_factors(eye, vertex, sender, work);
+    state.received[v] = mesh.materials[vertex.material].reflectance * factor * shot.radiosity;
+    state.radiosity[v] += state.received[v];
+  }
+  work[Op::vertex_lit] += vertices.size();
+}
+
+void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches,
+            State& state, Work& work) {
+  for (const auto p : patches) {
+    if (p == shot.patch) state.unshot[p] = {};
+    state.unshot[p] += mean_of_corners(mesh.patches[p], state.received);
+  }
+  work[Op::patch_lit] += patches.size();
+}
+
+Unshot& Unshot::operator+=(const Unshot& other) {
+  r += other.r;
+  g += other.g;
+  b += other.b;
+  return *this;
+}
+
+Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uint32_t> patches) {
+  Unshot total;
+  const double unit = Unshot::ONE / sum(mesh.emitted);
+  for (const auto p : patches) {
+    const Rgb power = unit * mesh.patches[p].area * state.unshot[p];
+    total += {std::llround(power.r), std::llround(power.g), std::llround(power.b)};
+  }
+  return total;
+}
+
+double eval_share(const Unshot& unshot) {
+  return static_cast<double>(unshot.r + unshot.g + unshot.b) / Unshot::ONE;
+}
+
+Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot) {
+  const double unit = sum(mesh.emitted) / Unshot::ONE / mesh.area;
+  const auto ambient = [&](std::int64_t unsent, double reflectance) {
+    return unit * static_cast<double>(unsent) / (1 - reflectance);
+  };
+  return {ambient(unshot.r, mesh.reflectance.r), ambient(unshot.g, mesh.reflectance.g),
+          ambient(unshot.b, mesh.reflectance.b)};
+}
+
+void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertices) {
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    vertices[v] += mesh.materials[mesh.vertices[v].material].reflectance * ambient;
+}
+
+Solution solve(const Mesh& mesh, const SolveParams& params,
+               const std::function<bool(int shots, double unshot)>& step) {
+  check(params.factor);
+  const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
+  const Eye eye{mesh, params.factor};
+  State state = make_state(mesh);
+  Solution solution;
+  Work& work = solution.work;
+  for (;; ++solution.shots) {
+    const Unshot unshot = sum_unshot(mesh, state, patches);
+    solution.unshot = eval_share(unshot);
+    solution.ambient = eval_ambient(mesh, unshot);
+    if (step && !step(solution.shots, solution.unshot)) break;
+    if (solution.shots >= params.shots || solution.unshot <= params.tolerance) break;
+    const auto shot = find_shot(mesh, state, patches, work);
+    if (!shot) break;
+    receive(eye, *shot, vertices, state, work);
+    settle(mesh, *shot, patches, state, work);
+  }
+  solution.vertices = std::move(state.radiosity);
+  return solution;
+}
+
+}  // namespace radiosity
