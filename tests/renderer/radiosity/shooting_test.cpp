@@ -133,8 +133,9 @@ TEST(Shooting, TheBrightestShoots) {
     const double power = sum(state.unshot[p]) * mesh.patches[p].area;
     EXPECT_TRUE(power < shot->power || (power == shot->power && p >= shot->patch));
   }
-  receive({mesh, {}}, *shot, all_vertices(mesh), state, work);
-  settle(mesh, *shot, patches, state, work);
+  const Patch& sender = mesh.patches[shot->patch];
+  receive({mesh, {}}, sender, shot->radiosity, all_vertices(mesh), state, work);
+  settle(mesh, *shot, patches, Mean::corners, state, work);
   EXPECT_EQ(state.unshot[shot->patch], Rgb{});
   for (Rgb& unshot : state.unshot) unshot = {};
   EXPECT_FALSE(find_shot(mesh, state, patches, work));
