@@ -34,15 +34,11 @@ double eval_sine(const Vec& a, const Vec& b, const Vec& normal) {
   return dot(normal, cross(a, b)) / std::sqrt(dot(a, a) * dot(b, b));
 }
 
-std::optional<std::size_t> find_straight_corner(const Quads& quads, const Loop& loop,
-                                                const Vec& normal) {
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec here = quads.at(loop[i]);
-    const Vec ahead = quads.at(loop[(i + 1) % loop.size()]) - here;
-    const Vec behind = here - quads.at(loop[(i + loop.size() - 1) % loop.size()]);
-    if (dot(ahead, behind) > 0 && eval_sine(behind, ahead, normal) < STRAIGHT) return i;
-  }
-  return std::nullopt;
+bool is_straight(const Quads& quads, const Loop& loop, std::size_t i, const Vec& normal) {
+  const Vec here = quads.at(loop[i]);
+  const Vec ahead = quads.at(loop[(i + 1) % loop.size()]) - here;
+  const Vec behind = here - quads.at(loop[(i + loop.size() - 1) % loop.size()]);
+  return dot(ahead, behind) > 0 && eval_sine(behind, ahead, normal) < STRAIGHT;
 }
 
 // The smallest sine of the four angles that a way across a cell makes with its border.
@@ -58,23 +54,27 @@ double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t
   return least;
 }
 
-// Cuts a cell from each straight corner to the corner where that makes the best angles.
+// Cuts a cell with straight corners from one of these to another corner, where that makes the best
+// angles, and its parts again.
 void cut_straight_corners(const Quads& quads, Loop loop, const Vec& normal,
                           std::vector<Loop>& parts) {
-  const auto straight = find_straight_corner(quads, loop, normal);
-  if (!straight || loop.size() == 3) {
+  std::size_t from = 0, to = 0;
+  double best = 0;
+  for (std::size_t i = 0; i < loop.size() && loop.size() > 3; ++i) {
+    if (!is_straight(quads, loop, i, normal)) continue;
+    for (std::size_t k = i + 2; k + 1 < i + loop.size(); ++k)
+      if (const double sine = eval_way(quads, loop, i, k % loop.size(), normal); sine > best) {
+        from = i;
+        to = k - i;
+        best = sine;
+      }
+  }
+  if (best == 0) {
     parts.push_back(std::move(loop));
     return;
   }
-  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(*straight), loop.end());
-  std::size_t best = 2;
-  double best_sine = -1;
-  for (std::size_t k = 2; k + 1 < loop.size(); ++k)
-    if (const double sine = eval_way(quads, loop, 0, k, normal); sine > best_sine) {
-      best = k;
-      best_sine = sine;
-    }
-  const auto at = loop.begin() + static_cast<std::ptrdiff_t>(best);
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(from), loop.end());
+  const auto at = loop.begin() + static_cast<std::ptrdiff_t>(to);
   Loop left(at, loop.end());
   left.push_back(loop[0]);
   cut_straight_corners(quads, {loop.begin(), at + 1}, normal, parts);

@@ -51,7 +51,8 @@ inline void add_box(Room& room, std::uint32_t material, const Vec& lo, const Vec
 inline void add_block(Room& room, std::uint32_t material, const Vec& lo, const Vec& hi, int n = 1) {
   const auto first = static_cast<std::ptrdiff_t>(room.faces.size());
   add_box(room, material, lo, hi, n);
-  for (auto face = room.faces.begin() + first; face != room.faces.end(); ++face) *face = turn(*face);
+  for (auto face = room.faces.begin() + first; face != room.faces.end(); ++face)
+    *face = turn(*face);
 }
 
 /// A regular polygon around an axis, turned so that it is seen from where the axis points.
@@ -94,7 +95,9 @@ inline SolveParams make_params(double tolerance, const FactorParams& factor = {}
 }
 
 /// A point on nothing, for factors only.
-inline Vertex make_point(const Vec& at, const Vec& normal) { return {at, at, normal, 0, NO_OBJECT}; }
+inline Vertex make_point(const Vec& at, const Vec& normal) {
+  return {at, at, normal, 0, NO_OBJECT};
+}
 
 /// The mean of f(point) over a patch, of n x n points.
 double eval_mean(const Mesh& mesh, const Patch& patch, int n, const auto& f) {
