@@ -126,7 +126,7 @@ class Builder {
     std::array<Vec, 4> at;
     for (std::size_t k = 0; k < 4; ++k) at[k] = mesh_.vertices[corners[k]].at;
     const Vec twice = eval_area_normal(at);
-    mesh_.patches.push_back({corners, eval_bilinear(at, 0.5, 0.5), normalize(twice),
+    mesh_.patches.push_back({corners, at, eval_bilinear(at, 0.5, 0.5), normalize(twice),
                              length(twice) / 2, mesh_.vertices[corners[0]].material, object_,
                              face});
   }
