@@ -27,8 +27,8 @@ renderer::View make_image_plane(const renderer::View& view);
 
 /// The simplified ray tracer: a ray reflects in mirrors and takes the illumination of the diffuse
 /// patch it meets; no feelers, no shading. What it meets from behind, and nothing, is black, and
-/// so is a mirror at the end of `depth`. Throws as check() and make_image_plane(). Adds to `work`: one
-/// Op::sample_updated a ray from the eye, one Op::ray_reflected a mirror met.
+/// so is a mirror at the end of `depth`. Throws as check() and make_image_plane(). Adds to `work`:
+/// one Op::sample_updated a ray from the eye, one Op::ray_reflected a mirror met.
 Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
                       const renderer::View& view, const PictureParams& params,
                       renderer::Work& work);
