@@ -23,6 +23,9 @@ using radiosity::Picture;
 using renderer::Rgb;
 using renderer::Work;
 
+// Of the pixels, those that --exposure auto does not cut off: the rest may be lamps.
+constexpr double AUTO_SHARE = 0.9;
+
 struct Options {
   std::string room, output, stats, size, exposure;
   radiosity::MeshParams mesh;
@@ -159,8 +162,11 @@ void run(Options& o) {
   if (!automatic) o.display.exposure = parse_exposure(o.exposure);
   radiosity::check(o.solve.factor);
   radiosity::check(o.picture);
+  if (std::isnan(o.solve.tolerance) || std::isnan(o.display.gamma))
+    throw CLI::ValidationError(std::isnan(o.solve.tolerance) ? "--tolerance" : "--gamma",
+                               "found nan, expected a number");
   const Outcome made = light(o);
-  if (automatic) o.display.exposure = radiosity::find_exposure(made.picture);
+  if (automatic) o.display.exposure = radiosity::find_exposure(made.picture, AUTO_SHARE);
   if (is_exr(o))
     radiosity::save_exr(o.output, made.picture);
   else
@@ -203,7 +209,7 @@ void add_radiosity_command(CLI::App& app) {
   add("--depth", o->picture.depth, "mirrors that a ray from the eye may meet, 0 to 1000");
   command->add_option(
       "--exposure", o->exposure,
-      "a pixel is (exposure x radiosity) ^ (1 / gamma); auto: 1 % are white [auto]");
+      "a pixel is (exposure x radiosity) ^ (1 / gamma); auto: a tenth is white [auto]");
   add("--gamma", o->display.gamma, "of a PNG")->check(CLI::Range(0.01, 100.0));
   command->add_option("--stats", o->stats,
                       "write counts of patches, rays and work to this JSON file");
