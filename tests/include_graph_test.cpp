@@ -74,13 +74,16 @@ const Edges& allowed() {
         {"simulator/observe", {"topologies", "simulator/machine"}},
         {"simulator/patterns",
          {"topologies", "simulator/machine", "simulator/occam", "simulator/network",
-          "simulator/observe", "simulator/iirra"}},
+          "simulator/observe", "simulator/iirra", "simulator/amp", "renderer"}},
         {"simulator/farm", below_systems},
         {"simulator/iirra", below_systems},
+        {"simulator/amp", below_systems},
         {"experiments", below_systems},
     };
     all["simulator/iirra"].insert("simulator/farm");
-    all["experiments"].insert({"simulator/farm", "simulator/iirra", "simulator/patterns"});
+    all["simulator/amp"].insert({"simulator/farm", "simulator/iirra"});
+    all["experiments"].insert(
+        {"simulator/farm", "simulator/iirra", "simulator/amp", "simulator/patterns"});
     return all;
   }();
   return edges;
@@ -172,6 +175,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"nlohmann/"}, std::regex("experiments/.*|tests/experiments/.*")},
       {{"benchmark/", "embree3/"}, std::regex("tests/benchmarks/.*")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
+      {{"OpenEXR/"}, std::regex("renderer/radiosity/exr\\.cpp|tests/renderer/.*")},
   };
   for (const Source& source : sources())
     for (const auto& include : source.includes)

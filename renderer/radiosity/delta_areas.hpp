@@ -10,12 +10,11 @@ namespace radiosity {
 
 /// A patch by its parameters: p + s a + t b + s t c.
 struct Quad {
-  Quad(const Mesh& mesh, const Patch& patch) : normal(patch.normal) {
-    const auto at = [&](std::size_t k) { return mesh.vertices[patch.corners[k]].at; };
-    p = at(0);
-    a = at(1) - p;
-    b = at(3) - p;
-    c = at(2) - at(1) - b;
+  explicit Quad(const Patch& patch) : normal(patch.normal) {
+    p = patch.at[0];
+    a = patch.at[1] - p;
+    b = patch.at[3] - p;
+    c = patch.at[2] - patch.at[1] - b;
     along = std::max(dot(a, a), dot(a + c, a + c));
     across = std::max(dot(b, b), dot(b + c, b + c));
   }
@@ -104,10 +103,10 @@ class DeltaAreas {
 };
 
 /// Whether any of the patch is before the viewpoint, and the viewpoint before the patch.
-inline bool face_each_other(const Mesh& mesh, const Viewpoint& eye, const Patch& patch) {
+inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
-  for (const auto corner : patch.corners)
-    if (dot(eye.normal, mesh.vertices[corner].at - eye.at) > 0) return true;
+  for (const Vec& corner : patch.at)
+    if (dot(eye.normal, corner - eye.at) > 0) return true;
   return false;
 }
 

@@ -100,8 +100,8 @@ inline Vertex make_point(const Vec& at, const Vec& normal) {
 }
 
 /// The mean of f(point) over a patch, of n x n points.
-double eval_mean(const Mesh& mesh, const Patch& patch, int n, const auto& f) {
-  const Quad quad(mesh, patch);
+double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
+  const Quad quad(patch);
   double total = 0, area = 0;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {

@@ -1,0 +1,88 @@
+#pragma once
+// The application process of every processor of AMP (thesis 5.1: what computes, manages tasks and
+// manages data is one sequential process, beside the router). In each round
+//
+//   SEQ
+//     SEQ i = 0 FOR children         -- in whatever order they come
+//       from.router ? candidate
+//     parent ! brightest
+//     from.router ? shot             -- GLOBAL, from the root; or show my vertices; or stop
+//     receive
+//     others ! border, others ? border
+//     settle
+#include "simulator/amp/messages.hpp"
+#include "simulator/amp/radiosity.hpp"
+#include "simulator/farm/kernel_cost.hpp"
+#include "simulator/iirra/scene_items.hpp"
+
+namespace amp {
+
+using machine::Cycles;
+
+// What all processes know.
+struct Common {
+  const radiosity::Mesh& mesh;
+  const Params& params;
+  MessageBytes bytes;
+  machine::OperationCosts costs;
+  std::optional<iirra::SceneItems> items;  // where geometry is shared
+  int root = 0;
+  Cycles message_made, message_read;  // by an application
+};
+
+// A processor's place in the tree, and its way to the network.
+struct Node {
+  int id = 0, parent = 0;  // the root's parent is itself
+  std::size_t children = 0;
+  Share share;
+  network::Client* client = nullptr;
+  iirra::DataManager* manager = nullptr;  // where geometry is shared
+};
+
+class Application {
+ public:
+  Application(const Common& common, const Node& node);
+  virtual ~Application() = default;
+  // Until it is told to stop.
+  virtual void run();
+
+  const Node& node() const { return node_; }
+  const radiosity::State& state() const { return state_; }
+  const renderer::Work& work() const { return work_; }
+  double host_s() const { return kernel_.host_s(); }
+  // Of each shot what it was charged for.
+  const std::vector<Cycles>& charged() const { return charged_; }
+
+ protected:
+  // The best of its own patches and of all below.
+  Candidate reduce();
+  void shoot(const radiosity::Shot& shot);
+  network::Message wait_message();
+  void send(network::Address to, AmpMessage::Content content);
+
+  const Common& common_;
+  const Node node_;
+  radiosity::State state_;  // of its own vertices and patches
+
+ private:
+  Candidate find_best();
+  bool obey(const network::Message& message);
+  void shoot_at_shared(const radiosity::Shot& shot);
+  Shown show(const Show& asked) const;
+  void give();
+  void wait_for_borders();
+  void keep(const network::Message& message);
+  template <class Kernel>
+  void charge(Kernel kernel);
+
+  farm::KernelCost kernel_;
+  renderer::Work work_;
+  std::vector<Cycles> charged_{1};
+  // That came before they were waited for: of children, and of who shares vertices.
+  std::vector<Candidate> candidates_;
+  std::vector<network::Message> borders_;
+};
+
+const AmpMessage::Content& read(const network::Message& message);
+
+}  // namespace amp
