@@ -22,7 +22,7 @@ Balance shoot_each(const Mesh& mesh, std::size_t step) {
     State state = make_state(mesh);
     for (Rgb& unshot : state.unshot) unshot = {};
     Work work;
-    receive(eye, {i, grey(1), 3 * mesh.patches[i].area}, vertices, state, work);
+    receive(eye, mesh.patches[i], grey(1), vertices, state, work);
     settle(mesh, {i, grey(1), 3 * mesh.patches[i].area}, patches, state, work);
     double reflected = 0;
     for (const auto p : patches) reflected += mesh.patches[p].area * state.unshot[p].r;

@@ -121,7 +121,7 @@ TEST(Shooting, EndsAtItsToleranceOrNumberOfShots) {
   EXPECT_EQ(solve(mesh, make_params(0), [](int shots, double) { return shots < 3; }).shots, 3);
 }
 
-// The strongest first, of equals the first; who shoots has nothing left but what it gets by mirror.
+// The strongest first, of equals the first; who shoots has nothing left (but what mirrors return).
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
   State state = make_state(mesh);
@@ -133,7 +133,7 @@ TEST(Shooting, TheBrightestShoots) {
     const double power = sum(state.unshot[p]) * mesh.patches[p].area;
     EXPECT_TRUE(power < shot->power || (power == shot->power && p >= shot->patch));
   }
-  receive({mesh, {}}, *shot, all_vertices(mesh), state, work);
+  receive({mesh, {}}, mesh.patches[shot->patch], shot->radiosity, all_vertices(mesh), state, work);
   settle(mesh, *shot, patches, state, work);
   EXPECT_EQ(state.unshot[shot->patch], Rgb{});
   for (Rgb& unshot : state.unshot) unshot = {};
