@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 #include "renderer/radiosity/critical.hpp"
 
 namespace radiosity {

@@ -33,11 +33,17 @@ struct Pieces {
   Vec origin, u, v;  // u and v: the sides of a piece
 };
 
+// The least of the solid angles of the pieces that a path meets, and whose it is.
+struct Least {
+  double angle = std::numeric_limits<double>::infinity();
+  std::size_t mirror = 0;
+};
+
 // A way from the vertex over a chain to the patch's plane.
 struct Way {
   Path path;
   Vec end;
-  double least = 0;  // of the pieces' solid angles
+  Least least;
 };
 
 class PieceSum {
@@ -64,20 +70,21 @@ class PieceSum {
     const Vec centre = quad.eval(s, t);
     if (const auto path = find_path(seen_.chain, centre)) {
       const Way way{*path, centre, least_angle(*path)};
-      if (way.least >= solid_angle(area, centre)) return add_way(way, area, 1);
+      if (way.least.angle >= solid_angle(area, centre)) return add_way(way, area, 1);
     }
     corners_ = {quad.eval(s - half, t - half), quad.eval(s + half, t - half),
                 quad.eval(s + half, t + half), quad.eval(s - half, t + half)};
     double total = 0;
-    const Pieces& first = pieces_[0];
-    for (int j = 0; j < first.n; ++j)
-      for (int i = 0; i < first.n; ++i) {
-        work_[Op::light_mirrored] += 1;
-        const auto way = follow(first.centre(i, j));
-        if (!way) continue;
-        const double whole = solid_angle(area, way->end);
-        if (way->least < whole) total += add_way(*way, area, way->least / whole);
-      }
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      for (int j = 0; j < pieces_[k].n; ++j)
+        for (int i = 0; i < pieces_[k].n; ++i) {
+          work_[Op::light_mirrored] += 1;
+          // A way is found over the pieces of each of its mirrors: where these are the least.
+          const auto way = follow(k, pieces_[k].centre(i, j));
+          if (!way || way->least.mirror != k) continue;
+          const double whole = solid_angle(area, way->end);
+          if (way->least.angle < whole) total += add_way(*way, area, way->least.angle / whole);
+        }
     return total;
   }
 
@@ -93,13 +100,14 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // From the vertex through a piece's centre and on over the chain, if it ends in the delta area.
-  std::optional<Way> follow(const Vec& centre) const {
+  // From the vertex over the chain, at its k-th mirror through a piece's centre, if it ends in the
+  // delta area.
+  std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
-    if (!is_within(*chain.mirrors[0], centre)) return std::nullopt;
+    if (!is_within(*chain.mirrors[k], centre)) return std::nullopt;
     // Straight on from the vertex's last image.
     Vec through = centre;
-    for (std::size_t j = 1; j < chain.mirrors.size(); ++j)
+    for (std::size_t j = k + 1; j < chain.mirrors.size(); ++j)
       through = mirror_point(*chain.mirrors[j], through);
     const Vec direction = through - chain.last().at;
     const double along = dot(seen_.quad.normal, direction);
@@ -128,15 +136,17 @@ class PieceSum {
   }
 
   // Eq 3.18's minimum over the pieces that a path meets.
-  double least_angle(const Path& path) const {
-    double least = std::numeric_limits<double>::infinity(), distance = 0;
+  Least least_angle(const Path& path) const {
+    Least least;
+    double distance = 0;
     Vec from = seen_.vertex.lit;
     for (std::size_t j = 0; j < pieces_.size(); ++j) {
       const Vec line = path[j] - from;
       const double step = length(line);
       distance += step;
       const double cosine = -dot(seen_.chain.mirrors[j]->normal, line) / step;
-      least = std::min(least, pieces_[j].area() * cosine / (distance * distance));
+      const double angle = pieces_[j].area() * cosine / (distance * distance);
+      if (angle < least.angle) least = {angle, j};
       from = path[j];
     }
     return least;

@@ -6,10 +6,12 @@
 // - FactorParams::mirror_pieces = n: once and for all, n x n pieces. Where a piece, as the vertex
 //   sees it, is smaller than the delta area, every piece in whose centre the delta area is seen
 //   gives its share h; where it is larger, the one piece that shows the delta area's centre gives
-//   all (h = 1). (The thesis instead lets every path from a delta area over a piece's centre light
-//   the corners of the patch that it ends on, divided by the patches that share them. The sum of
-//   its h is then A_R / A_E times the square of d_ES / d_SR, not 1: only where these happen to
-//   agree is it the light of the mirrored room.)
+//   all (h = 1). Of a chain's mirrors each one's pieces count where they are the least: counted
+//   over the first's alone, light that a farther mirror's pieces, as large but seen smaller, let
+//   through would be lost. (The thesis instead lets every path from a delta area over a piece's
+//   centre light the corners of the patch that it ends on, divided by the patches that share them.
+//   The sum of its h is then A_R / A_E times the square of d_ES / d_SR, not 1: only where these
+//   happen to agree is it the light of the mirrored room.)
 // - 0, what the thesis leaves open (3.2.5): by distance and solid angle, anew for each vertex and
 //   delta area. A piece is what the vertex sees the delta area through: omega_S = omega, h = 1.
 //   No light is lost or doubled, and the illumination has no steps (figure 3.19).

@@ -60,6 +60,32 @@ TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   }
 }
 
+// However a mirror is shaped and wherever it shows the delta area, h is never above 1: all that
+// arrives is at most what Eq 3.12 says.
+TEST_F(Pieces, NeverShowMoreThanThereIs) {
+  Random random{3};
+  int lit = 0;
+  for (int k = 0; k < 500; ++k) {
+    Room room;
+    room.materials = {{"lamp", grey(0), grey(1)}, {"mirror", grey(1), {}, true}};
+    add_quad(room, 0, {0.5, 0.9, -0.1}, {0, 0.2, 0}, {0, 0, 0.2});
+    const double height = random.range(0.001, 2), width = random.range(0.001, 0.1);
+    const Vec middle{2, 4 / 7.0 + random.range(-0.06, 0.06), random.range(-0.06, 0.06)};
+    add_quad(room, 1, middle - Vec{0, width / 2, height / 2}, {0, 0, height}, {0, width, 0});
+    Room large = room;
+    large.faces[1].corners = {{2, -9, -9}, {2, -9, 9}, {2, 9, 9}, {2, 9, -9}};
+    const Vertex receiver = make_point({0, 0, 0}, normalize(Vec{1, 0.2, 0.1}));
+    const auto found = [&](const Room& of) {
+      const Mesh mesh = make_mesh(of, {});
+      return eval(mesh, receiver, mesh.patches[0],
+                  {.halvings = 0, .reflections = 1, .mirror_pieces = 1});
+    };
+    EXPECT_LE(found(room), 1.001 * found(large)) << width << " x " << height;
+    lit += found(room) > 0;
+  }
+  EXPECT_GT(lit, 100);
+}
+
 // One piece that shows more than every delta area: Eq 3.12 from the image, to the last bit.
 TEST_F(Pieces, OneLargeOneIsTheImage) {
   const Mesh mesh = make(2);
@@ -110,6 +136,36 @@ TEST_F(Pieces, SmallOnesConverge) {
     }
   }
   EXPECT_LT(last, 0.03);
+}
+
+// Over two mirrors the least of two angles counts, each seen from the vertex along the whole way.
+TEST_F(Pieces, OfTwoMirrorsConverge) {
+  Room room = make_cube("xyzZ", false, 1);
+  add_walls(room, "XY", 1, 2);
+  const Mesh mesh = make_mesh(room, {});
+  const auto points = make_points(10);
+  for (const int pieces : {16, 64}) {
+    double error = 0, found = 0, expected = 0;
+    for (const Vertex& point : points)
+      for (const Patch& patch : mesh.patches) {
+        const auto twice = [&](FactorParams params) {
+          params.reflections = 2;
+          const double both = eval(mesh, point, patch, params);
+          params.reflections = 1;
+          return both - eval(mesh, point, patch, params);
+        };
+        const double exact = twice({.spread = 0.06}), share = twice({.mirror_pieces = pieces});
+        error += std::abs(share - exact);
+        found += share;
+        expected += exact;
+      }
+    fmt::print("{} x {} pieces of two mirrors: {:.4f} of all patches, by patch {:.4f}\n", pieces,
+               pieces, found / expected, error / expected);
+    if (pieces == 64) {
+      EXPECT_LT(error, 0.05 * expected);
+      EXPECT_NEAR(found, expected, 0.02 * expected);
+    }
+  }
 }
 
 // In a solution errors of patches cancel: vertices are lit by many.

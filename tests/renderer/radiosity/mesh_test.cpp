@@ -1,0 +1,99 @@
+// What a mesh keeps of its room: areas, sides, powers, and which vertices are one.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity::test {
+namespace {
+
+double eval_area(const Face& face) { return length(eval_area_normal(face.corners)) / 2; }
+
+TEST(Mesh, KeepsAreasAndPowers) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    Room room = make_furnished(random, 3, 2);
+    room.materials = {{"wall", {0.5, 0.25, 0.125}, {}}, {"lamp", grey(0.1), {2, 3, 4}}};
+    room.faces[static_cast<std::size_t>(random.below(6))].material = 1;
+    double area = 0, lamp = 0;
+    for (const Face& face : room.faces) {
+      area += eval_area(face) * (face.two_sided ? 2 : 1);
+      lamp += face.material == 1 ? eval_area(face) : 0;
+    }
+    const Mesh mesh = make_mesh(room, {.refine = 1 + random.below(3)});
+    double sum = 0;
+    for (const Patch& patch : mesh.patches) sum += patch.area;
+    EXPECT_NEAR(sum, area, 1e-9 * area);
+    EXPECT_NEAR(mesh.area, area, 1e-9 * area);
+    EXPECT_NEAR(mesh.emitted.b, 4 * lamp, 1e-9 * area);
+    const double mean = (0.25 * (area - lamp) + 0.1 * lamp) / area;
+    EXPECT_NEAR(mesh.reflectance.g, mean, 1e-9);
+  }
+}
+
+// A patch's corners run counter-clockwise about its normal, which is its vertices'.
+TEST(Mesh, PatchesLookWhereTheirFaceDoes) {
+  Random random{5};
+  const Room room = make_furnished(random, 3, 3);
+  const Mesh mesh = make_mesh(room, {});
+  for (const Patch& patch : mesh.patches) {
+    const Face& face = room.faces[patch.face];
+    std::vector<Vec> corners;
+    for (const auto v : patch.corners) {
+      corners.push_back(mesh.vertices[v].at);
+      EXPECT_GT(dot(mesh.vertices[v].normal, patch.normal), 1 - 1e-9);
+    }
+    EXPECT_GT(dot(normalize(eval_area_normal(corners)), patch.normal), 1 - 1e-9);
+    const double side = dot(normalize(eval_area_normal(face.corners)), patch.normal);
+    EXPECT_GT(face.two_sided ? std::abs(side) : side, 1 - 1e-9);
+  }
+}
+
+// The back is divided as the front is, patch behind patch.
+TEST(Mesh, BothSidesAreDividedAlike) {
+  Room room;
+  room.materials = {{"lamp", grey(0), grey(1)}};
+  add_quad(room, 0, {1, 2, 3}, {1, 0, 0.5}, {0, 2, 0}, 3, 2).two_sided = true;
+  const Mesh mesh = make_mesh(room, {.refine = 2});
+  ASSERT_EQ(mesh.patches.size(), 2u * 6 * 4);
+  for (const Patch& patch : mesh.patches)
+    EXPECT_EQ(std::ranges::count_if(mesh.patches,
+                                    [&](const Patch& other) {
+                                      return length(other.centre - patch.centre) < 1e-12 &&
+                                             dot(other.normal, patch.normal) < 0;
+                                    }),
+              1);
+}
+
+// Walls of a room are surfaces of their own; a wall of two faces is one, if it is of one material.
+TEST(Mesh, VerticesAreSharedWithinASurface) {
+  for (const bool same : {true, false}) {
+    Room room;
+    room.materials = {{"wall", grey(0.5), {}}, {"lamp", grey(0), grey(1)}};
+    add_box(room, 0, {0, 0, 0}, {2, 2, 2}, 4);
+    EXPECT_EQ(make_mesh(room, {}).vertices.size(), 6u * 25);
+    room.faces.erase(room.faces.begin());
+    add_quad(room, 0, {0, 0, 0}, {1, 0, 0}, {0, 2, 0}, 2, 4);
+    add_quad(room, same ? 0 : 1, {1, 0, 0}, {1, 0, 0}, {0, 2, 0}, 2, 4);
+    EXPECT_EQ(make_mesh(room, {}).vertices.size(), 6u * 25 + (same ? 0 : 5));
+  }
+}
+
+// On a border a little inside, elsewhere in place; in no case off the face.
+TEST(Mesh, BordersAreLitInside) {
+  Room room;
+  room.materials = {{"wall", grey(0.5), grey(1)}};
+  add_quad(room, 0, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4, 4);
+  for (const Vertex& v : make_mesh(room, {.refine = 1, .inset = 0.2}).vertices) {
+    const auto expected = [](double x) { return x == 0 ? 0.025 : x == 1 ? 0.975 : x; };
+    EXPECT_NEAR(v.lit.x, expected(v.at.x), 1e-12);
+    EXPECT_NEAR(v.lit.y, expected(v.at.y), 1e-12);
+    EXPECT_EQ(v.lit.z, 0);
+  }
+}
+
+}  // namespace
+}  // namespace radiosity::test
