@@ -20,29 +20,62 @@ Rgb collect(const Eye& eye, const Vertex& vertex, const std::vector<Rgb>& patche
   return material.emission + material.reflectance * incident;
 }
 
+// Of every patch its radiosity, kept up to date as points of it change.
+class PatchLight {
+ public:
+  PatchLight(const Mesh& mesh, Mean mean)
+      : around_(find_surroundings(mesh)), of_corner_(mean == Mean::corners ? 0.25 : 1.0 / 12) {
+    for (const Patch& patch : mesh.patches) {
+      values.push_back(mesh.materials[patch.material].emission);
+      centres.push_back(values.back());
+    }
+  }
+  void change_corner(std::uint32_t vertex, const Rgb& more) {
+    for (const auto patch : around_.of(vertex)) values[patch] += of_corner_ * more;
+  }
+  void change_centre(std::uint32_t patch, const Rgb& more) { values[patch] += (2.0 / 3) * more; }
+
+  std::vector<Rgb> values, centres;
+
+ private:
+  Surroundings around_;
+  double of_corner_;
+};
+
+// The largest change of a sweep, and the brightest point.
+struct Sweep {
+  double change = 0, brightest = 0;
+
+  // Sets `value`, and returns by how much it changed.
+  Rgb set(Rgb& value, const Rgb& now) {
+    const Rgb more{now.r - value.r, now.g - value.g, now.b - value.b};
+    value = now;
+    change = std::max({change, std::abs(more.r), std::abs(more.g), std::abs(more.b)});
+    brightest = std::max(brightest, renderer::max_component(now));
+    return more;
+  }
+};
+
 }  // namespace
 
-Solution gather(const Mesh& mesh, const FactorParams& params, double tolerance) {
-  check(params);
-  const Eye eye{mesh, params};
-  const auto around = find_surroundings(mesh);
-  State state = make_state(mesh);  // `unshot`: of each patch its radiosity
+Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance) {
+  check(params.factor);
+  const Eye eye{mesh, params.factor};
+  PatchLight light(mesh, params.mean);
   Solution solution;
-  for (double change = 1; change > tolerance; ++solution.shots) {
-    double brightest = change = 0;
-    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-      const Rgb old = state.radiosity[v];
-      const Rgb now = collect(eye, mesh.vertices[v], state.unshot, solution.work);
-      state.radiosity[v] = now;
-      const Rgb more{now.r - old.r, now.g - old.g, now.b - old.b};
-      for (const auto patch : around.of(v)) state.unshot[patch] += 0.25 * more;
-      const double most = std::max({std::abs(more.r), std::abs(more.g), std::abs(more.b)});
-      change = std::max(change, most);
-      brightest = std::max(brightest, renderer::max_component(now));
-    }
-    change /= brightest;
+  solution.vertices = make_state(mesh).radiosity;
+  for (bool going = true; going; ++solution.shots) {
+    Sweep sweep;
+    const auto collect_at = [&](const Vertex& vertex, Rgb& value) {
+      return sweep.set(value, collect(eye, vertex, light.values, solution.work));
+    };
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
+      light.change_corner(v, collect_at(mesh.vertices[v], solution.vertices[v]));
+    if (params.mean == Mean::simpson)
+      for (std::uint32_t p = 0; p < mesh.patches.size(); ++p)
+        light.change_centre(p, collect_at(make_centre(mesh.patches[p]), light.centres[p]));
+    going = sweep.change > tolerance * sweep.brightest;
   }
-  solution.vertices = std::move(state.radiosity);
   return solution;
 }
 

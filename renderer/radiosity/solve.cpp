@@ -20,13 +20,25 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
-Rgb mean_of_corners(const Patch& patch, const std::vector<Rgb>& vertices) {
-  Rgb total;
-  for (const auto corner : patch.corners) total += vertices[corner];
-  return 0.25 * total;
+Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
+  Rgb corners;
+  for (const auto corner : mesh.patches[p].corners) corners += state.received[corner];
+  if (mean == Mean::corners) return 0.25 * corners;
+  return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
+}
+
+// What reaches a vertex, and what of it is reflected.
+Rgb reflect(const Eye& eye, const Vertex& vertex, const Patch& sender, const Rgb& radiosity,
+            Work& work) {
+  const Rgb factor = eval_factors(eye, vertex, sender, work);
+  return eye.mesh.materials[vertex.material].reflectance * factor * radiosity;
 }
 
 }  // namespace
+
+Vertex make_centre(const Patch& patch) {
+  return {patch.centre, patch.centre, patch.normal, patch.material, patch.object};
+}
 
 std::vector<std::uint32_t> all_vertices(const Mesh& mesh) { return count_up(mesh.vertices.size()); }
 std::vector<std::uint32_t> all_patches(const Mesh& mesh) { return count_up(mesh.patches.size()); }
@@ -37,6 +49,7 @@ State make_state(const Mesh& mesh) {
     state.radiosity.push_back(mesh.materials[v.material].emission);
   for (const Patch& p : mesh.patches) state.unshot.push_back(mesh.materials[p.material].emission);
   state.received.resize(mesh.vertices.size());
+  state.in_centre.resize(mesh.patches.size());
   return state;
 }
 
@@ -53,21 +66,25 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
 
 void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
              std::span<const std::uint32_t> vertices, State& state, Work& work) {
-  const Mesh& mesh = eye.mesh;
   for (const auto v : vertices) {
-    const Vertex& vertex = mesh.vertices[v];
-    const Rgb factor = eval_factors(eye, vertex, sender, work);
-    state.received[v] = mesh.materials[vertex.material].reflectance * factor * radiosity;
+    state.received[v] = reflect(eye, eye.mesh.vertices[v], sender, radiosity, work);
     state.radiosity[v] += state.received[v];
   }
   work[Op::vertex_lit] += vertices.size();
 }
 
-void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches,
+void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+                        std::span<const std::uint32_t> patches, State& state, Work& work) {
+  for (const auto p : patches)
+    state.in_centre[p] = reflect(eye, make_centre(eye.mesh.patches[p]), sender, radiosity, work);
+  work[Op::vertex_lit] += patches.size();
+}
+
+void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,
             State& state, Work& work) {
   for (const auto p : patches) {
     if (p == shot.patch) state.unshot[p] = {};
-    state.unshot[p] += mean_of_corners(mesh.patches[p], state.received);
+    state.unshot[p] += eval_mean(mesh, p, mean, state);
   }
   work[Op::patch_lit] += patches.size();
 }
@@ -129,7 +146,9 @@ Solution shoot_all(const Mesh& mesh, const Mesh* fine, const SolveParams& params
     receive({mesh, params.factor}, sender, shot->radiosity, vertices, state, work);
     if (fine)
       receive({*fine, params.factor}, sender, shot->radiosity, fine_vertices, fine_state, work);
-    settle(mesh, *shot, patches, state, work);
+    if (params.mean == Mean::simpson)
+      receive_in_centres({mesh, params.factor}, sender, shot->radiosity, patches, state, work);
+    settle(mesh, *shot, patches, params.mean, state, work);
   }
   solution.vertices = std::move(fine ? fine_state.radiosity : state.radiosity);
   return solution;

@@ -21,6 +21,7 @@ struct State {
   std::vector<Rgb> radiosity;  ///< by vertex
   std::vector<Rgb> unshot;     ///< by patch
   std::vector<Rgb> received;   ///< by vertex, in the last shot
+  std::vector<Rgb> in_centre;  ///< by patch: what its centre received in the last shot
 };
 
 /// Everything emits, nothing is sent.
@@ -35,9 +36,19 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
 void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
              std::span<const std::uint32_t> vertices, State& state, renderer::Work& work);
 
-/// Each of the patches named adds to what it has to send the mean of what its corners received; the
-/// one that shot has sent all that it had. Their corners must have received.
-void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches,
+/// The same of the centres of the patches named, for Mean::simpson.
+void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+                        std::span<const std::uint32_t> patches, State& state, renderer::Work& work);
+
+/// What a patch has of light, of what is found in points of it.
+enum class Mean : std::uint8_t {
+  corners,  ///< the four corners' mean: exact for bilinear light. J. Wallace's, and the thesis's
+  simpson,  ///< a twelfth of each corner's and two thirds of the centre's: exact for cubic light
+};
+
+/// Each of the patches named adds to what it has to send the mean of what it received; the one that
+/// shot has sent all that it had. Their corners, and centres, must have received.
+void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,
             State& state, renderer::Work& work);
 
 /// Power that has not been sent, in fixed point: a sum does not depend on its order.
@@ -58,6 +69,7 @@ void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertice
 
 struct SolveParams {
   FactorParams factor;
+  Mean mean = Mean::simpson;
   int shots = 1'000'000;     ///< at most, >= 0
   double tolerance = 0.001;  ///< until so much of the emitted power is unsent, 0..1
 };
@@ -78,7 +90,10 @@ Solution solve(const Mesh& mesh, const SolveParams& params,
 /// The oracle: the same equations by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the order
 /// of vertices, until none changes by more than `tolerance` of the brightest. Every factor is
 /// found again in every sweep, `shots` of them; for small rooms.
-Solution gather(const Mesh& mesh, const FactorParams& params, double tolerance = 1e-6);
+Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6);
+
+/// A patch's centre as a vertex.
+Vertex make_centre(const Patch& patch);
 
 /// All indices of a mesh: of the vertices, and of the patches.
 std::vector<std::uint32_t> all_vertices(const Mesh& mesh);

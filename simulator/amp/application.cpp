@@ -74,11 +74,13 @@ void Application::shoot(const Shot& shot) {
   else
     charge([&](Work& work) {
       const radiosity::Eye eye{common_.mesh, common_.params.solve.factor};
-      receive(eye, sender, shot.radiosity, node_.share.vertices, state_, work);
+      light(eye, sender, shot.radiosity, work);
     });
   give();
   wait_for_borders();
-  charge([&](Work& work) { settle(common_.mesh, shot, node_.share.patches, state_, work); });
+  charge([&](Work& work) {
+    settle(common_.mesh, shot, node_.share.patches, common_.params.solve.mean, state_, work);
+  });
   charged_.emplace_back();
 }
 
@@ -108,13 +110,20 @@ void Application::wait_for_borders() {
   borders_.clear();
 }
 
+void Application::light(const radiosity::Eye& eye, const radiosity::Patch& sender,
+                        const radiosity::Rgb& radiosity, Work& work) {
+  receive(eye, sender, radiosity, node_.share.vertices, state_, work);
+  if (common_.params.solve.mean == radiosity::Mean::simpson)
+    receive_in_centres(eye, sender, radiosity, node_.share.patches, state_, work);
+}
+
 // The same with geometry that may be elsewhere: what is done is charged between accesses.
 void Application::shoot_at_shared(const Shot& shot) {
   const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
   Work work;
   iirra::SceneReader reader(*common_.items, *node_.manager, common_.costs);
   const radiosity::Eye eye{common_.mesh, common_.params.solve.factor, &reader};
-  receive(eye, sender, shot.radiosity, node_.share.vertices, state_, work);
+  light(eye, sender, shot.radiosity, work);
   reader.charge(work);
   charged_.back() += reader.charged();
   work_ += work;

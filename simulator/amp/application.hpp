@@ -69,6 +69,8 @@ class Application {
   bool obey(const network::Message& message);
   void shoot_at_shared(const radiosity::Shot& shot);
   Shown show(const Show& asked) const;
+  void light(const radiosity::Eye& eye, const radiosity::Patch& sender,
+             const radiosity::Rgb& radiosity, renderer::Work& work);
   void give();
   void wait_for_borders();
   void keep(const network::Message& message);

@@ -31,13 +31,17 @@ Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications)
 
 }  // namespace
 
-Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh,
+Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params,
                const std::vector<std::unique_ptr<Application>>& applications, double time_s) {
   const Rounds rounds = sum_rounds(applications);
   const double time = time_s * model.cpu.clock.value;
-  std::size_t done = 0;
+  // Points that are lit in a shot.
+  const std::size_t centres =
+      params.solve.mean == radiosity::Mean::simpson ? mesh.patches.size() : 0;
+  std::size_t done = centres;
   for (const auto& application : applications) done += application->node().share.vertices.size();
-  const double once = static_cast<double>(mesh.vertices.size()) / static_cast<double>(done);
+  const double once =
+      static_cast<double>(mesh.vertices.size() + centres) / static_cast<double>(done);
   Loss loss;
   loss.useful = rounds.mean * once / time;
   loss.repeated = rounds.mean * (1 - once) / time;

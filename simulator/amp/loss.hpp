@@ -7,7 +7,7 @@
 namespace amp {
 
 // Of all processors over `time_s`.
-Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh,
+Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params,
                const std::vector<std::unique_ptr<Application>>& applications, double time_s);
 
 }  // namespace amp

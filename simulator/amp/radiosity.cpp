@@ -159,7 +159,7 @@ Result Amp::take_result(machine::End end) {
   result.shots = root_->shots();
   result.frames = root_->frames();
   result.total_s = result.frames.empty() ? machine_.now().value : result.frames.back().at_s;
-  result.loss = eval_loss(model_, mesh_, applications_, result.time_s);
+  result.loss = eval_loss(model_, mesh_, params_, applications_, result.time_s);
   for (const auto& application : applications_) {
     result.work += application->work();
     result.kernel_host_s += application->host_s();
