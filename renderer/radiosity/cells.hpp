@@ -11,7 +11,7 @@ namespace radiosity {
 
 class Cells {
  public:
-  /// The quads of a division.
+  /// The quads of a division; equal points become one, the others keep their order.
   Cells(const Division& division, const Vec& normal);
 
   /// These points will not be moved.
@@ -22,11 +22,9 @@ class Cells {
   /// Cuts all cells through which the crease runs for more than `touch`; points nearer than that to
   /// its line count as on it.
   void cut(const Crease& crease, double touch);
-  /// Every edge in two and every cell in quads around its centre, which may be one for each corner
-  /// (corner, middles of edges, centre); a cell with straight corners is cut at these first.
+  /// A quad for each corner of each cell: the corner, the middles of its edges, the cell's centre.
+  /// A cell with straight corners is cut at these first. Points come first, as they are.
   Division make_quads() const;
-
-  const std::vector<Vec>& points() const { return points_; }
 
  private:
   using Loop = std::vector<std::uint32_t>;

@@ -29,7 +29,10 @@ std::vector<double> make_lines(int count, double touch, Row row) {
   std::sort(row.ends.begin(), row.ends.end());
   std::vector<double> lines{0, 1};
   for (const auto* wanted : {&row.creases, &row.ends})
-    for (const double at : *wanted) {
+    for (double at : *wanted) {
+      // On a line of the equal steps, or off by rounding: that line to the last bit.
+      const double step = std::round(at * count) / count;
+      if (std::abs(at - step) < 1e-9) at = step;
       const auto is_near = [&](double line) { return std::abs(line - at) < touch; };
       if (at > 0 && at < 1 && std::none_of(lines.begin(), lines.end(), is_near))
         lines.push_back(at);
@@ -137,7 +140,7 @@ Division make_grid(const Cutting& cutting, const Rows& rows, int along, int acro
                    make_lines(across, touch / length(c[3] - c[0]), rows.across));
 }
 
-// Quads' edges on a crease, each once.
+// Quads' edges on a crease, each once. Short ones may run a little across it.
 std::vector<std::array<std::uint32_t, 2>> find_edges(const Division& division,
                                                      std::span<const Crease> creases,
                                                      const Vec& normal, double touch) {

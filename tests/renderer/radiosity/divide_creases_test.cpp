@@ -95,8 +95,9 @@ double check_division(const Flat& flat, const Division& division) {
   for (std::size_t i = 0; i < flat.face.corners.size(); ++i)
     around += length(flat.face.corners[(i + 1) % flat.face.corners.size()] - flat.face.corners[i]);
   // (Where no crease crosses the face it is divided as without, which may double points.)
-  if (division.points != divide_face(flat.face, 1).points)
+  if (division.points != divide_face(flat.face, 1).points) {
     EXPECT_NEAR(border, around, 1e-9 * around);
+  }
   for (const auto& [a, b] : division.creases)
     EXPECT_TRUE(sides.contains({a, b}) || sides.contains({b, a})) << "not an edge";
   return least;
