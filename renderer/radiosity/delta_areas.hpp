@@ -36,17 +36,19 @@ inline double eval_delta(double area, double square, double here, double there) 
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// The sum over a patch. `is_seen(point)` says whether the viewpoint sees a point of the patch.
-template <class IsSeen>
+/// The sum over a patch. `sight.sees(point)` says whether the viewpoint sees a point of the patch,
+/// `sight.misses(point, radius)` whether it surely sees none within the radius. A delta area is
+/// halved while it is wider than `spread` of its distance.
+template <class Sight>
 class DeltaAreas {
  public:
-  DeltaAreas(const FactorParams& params, const Viewpoint& eye, const Quad& quad,
-             const IsSeen& is_seen, renderer::Work& work)
+  DeltaAreas(const FactorParams& params, double spread, const Viewpoint& eye, const Quad& quad,
+             const Sight& sight, renderer::Work& work)
       : params_(params),
         eye_(eye),
         quad_(quad),
-        is_seen_(is_seen),
-        enough_(params.spread * params.spread),
+        sight_(sight),
+        enough_(spread * spread),
         work_(work) {}
 
   double sum() {
@@ -74,10 +76,12 @@ class DeltaAreas {
       const double across = delta.across * delta.across * quad_.across;
       const double wide = std::max(along, across);
       if (wide > enough_ * square)
-        return add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
+        return sight_.misses(point, std::sqrt(along + across) / 2)
+                   ? 0
+                   : add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
     }
     const double here = dot(eye_.normal, way), there = -dot(quad_.normal, way);
-    if (here <= 0 || there <= 0 || !is_seen_(point)) return 0;
+    if (here <= 0 || there <= 0 || !sight_.sees(point)) return 0;
     const double area = delta.along * delta.across * quad_.eval_density(delta.s, delta.t);
     return eval_delta(area, square, here, there);
   }
@@ -97,7 +101,7 @@ class DeltaAreas {
   const FactorParams& params_;
   const Viewpoint& eye_;
   const Quad& quad_;
-  const IsSeen& is_seen_;
+  const Sight& sight_;
   const double enough_;  // of a delta area's longer side over its distance, squared
   renderer::Work& work_;
 };

@@ -29,6 +29,7 @@ void check(const FactorParams& params) {
   require(params.halvings >= 0 && params.halvings <= 30, "halvings", params.halvings, "0 to 30");
   require(params.reflections >= 0 && params.reflections <= MOST_REFLECTIONS, "reflections",
           params.reflections, "0 to 8");
+  require(params.mirror_share > 0, "mirror_share", params.mirror_share, "more than 0");
   require(params.mirror_pieces >= 0 && params.mirror_pieces <= 10000, "mirror_pieces",
           params.mirror_pieces, "0 to 10000");
 }
@@ -49,14 +50,27 @@ bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, 
                       : intersect(blockers, ray, eye.params.traversal, work));
 }
 
+namespace {
+
+struct DirectSight {
+  const Eye& eye;
+  const Vertex& vertex;
+  const Patch& patch;
+  Work& work;
+  bool sees(const Vec& point) const {
+    return radiosity::sees(eye, vertex.lit, vertex.object, point, patch.object, work);
+  }
+  static bool misses(const Vec&, double) { return false; }
+};
+
+}  // namespace
+
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   work[Op::factor_begun] += 1;
   const Viewpoint view{vertex.lit, vertex.normal};
   if (!face_each_other(view, patch)) return 0;
-  const auto is_seen = [&](const Vec& point) {
-    return sees(eye, vertex.lit, vertex.object, point, patch.object, work);
-  };
-  return DeltaAreas(eye.params, view, Quad(patch), is_seen, work).sum();
+  const DirectSight sight{eye, vertex, patch, work};
+  return DeltaAreas(eye.params, eye.params.spread, view, Quad(patch), sight, work).sum();
 }
 
 Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {

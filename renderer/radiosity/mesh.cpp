@@ -34,11 +34,16 @@ Face turn(Face face) {
   return face;
 }
 
+Vec mean_of(const std::vector<Vec>& corners) {
+  Vec mean;
+  for (const Vec& corner : corners) mean += (1.0 / static_cast<double>(corners.size())) * corner;
+  return mean;
+}
+
 // A little larger, so that no ray passes between faces that share an edge, however it is rounded.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
-  Vec centre;
-  for (const Vec& corner : corners) centre += (1.0 / static_cast<double>(corners.size())) * corner;
+  const Vec centre = mean_of(corners);
   for (Vec& corner : corners) corner += SHARE * (corner - centre);
   return corners;
 }
@@ -50,7 +55,6 @@ class Normals {
     if (!face.normals.empty())
       curved_ = renderer::make_patch(face.corners, face.normals, {}, corners_, normals_);
   }
-  Vec flat() const { return flat_; }
   Vec at(const Vec& point) const {
     return curved_ ? renderer::eval_normal(*curved_, corners_.data(), normals_.data(), point)
                    : flat_;
@@ -101,7 +105,13 @@ class Builder {
   }
 
   void add_mirror(const Face& face) {
-    mesh_.mirrors.push_back({face.corners, Normals(face).flat(), face.material, object_});
+    const Vec twice = eval_area_normal(face.corners);
+    double longest = 0;
+    for (std::size_t i = 0; i < face.corners.size(); ++i)
+      longest = std::max(
+          longest, length(face.corners[i] - face.corners[i ? i - 1 : face.corners.size() - 1]));
+    mesh_.mirrors.push_back({face.corners, normalize(twice), mean_of(face.corners),
+                             length(twice) / 2 / longest, face.material, object_});
   }
 
   void add_patches(const Face& face, std::uint32_t number) {

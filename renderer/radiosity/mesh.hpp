@@ -34,6 +34,8 @@ struct Patch {
 struct Mirror {
   std::vector<Vec> corners;  ///< counter-clockwise
   Vec normal;                ///< unit
+  Vec centre;                ///< mean of the corners
+  double width = 0;          ///< its area over its longest edge
   std::uint32_t material = 0;
   std::uint32_t object = 0;  ///< of Mesh::blockers
 };

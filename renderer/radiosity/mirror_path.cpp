@@ -1,5 +1,7 @@
 #include "renderer/radiosity/mirror_path.hpp"
 
+#include <algorithm>
+
 namespace radiosity {
 
 Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
@@ -10,11 +12,12 @@ Vec mirror_point(const Mirror& mirror, const Vec& point) {
   return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
 }
 
-bool is_within(const Mirror& mirror, const Vec& point) {
+bool is_within(const Mirror& mirror, const Vec& point, double margin) {
   const auto& c = mirror.corners;
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec edge = c[(i + 1) % c.size()] - c[i];
-    if (dot(mirror.normal, cross(edge, point - c[i])) < 0) return false;
+    const double inside = dot(mirror.normal, cross(edge, point - c[i]));
+    if (inside < 0 && (margin == 0 || inside < -margin * length(edge))) return false;
   }
   return true;
 }
@@ -24,16 +27,16 @@ bool Chain::can_meet(const Mirror& mirror) const {
          dot(mirror.normal, last().at - mirror.corners[0]) > 0;
 }
 
-void Chain::push(const Mirror& mirror, const Rgb& by) {
-  images.push_back({mirror_point(mirror, last().at), mirror_direction(mirror, last().normal)});
-  mirrors.push_back(&mirror);
-  reflectance = reflectance * by;
-}
-
-void Chain::pop(const Rgb& before) {
-  images.pop_back();
-  mirrors.pop_back();
-  reflectance = before;
+Chain Chain::extend(const Mirror& mirror, const Rgb& by) const {
+  Chain longer = *this;
+  const Vec way = mirror.centre - last().at;
+  const double square = dot(way, way);
+  longer.width = std::min(width, mirror.width * -dot(mirror.normal, way) / square);
+  longer.images.push_back(
+      {mirror_point(mirror, last().at), mirror_direction(mirror, last().normal)});
+  longer.mirrors.push_back(&mirror);
+  longer.reflectance = reflectance * by;
+  return longer;
 }
 
 std::optional<Path> find_path(const Chain& chain, const Vec& to) {
@@ -50,6 +53,26 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
     from = points[j];
   }
   return points;
+}
+
+// The ways form a cone whose tip is the vertex's image; a mirror cuts it in an ellipse.
+bool misses(const Chain& chain, const Vec& to, double radius) {
+  Vec from = to;
+  const double whole = length(to - chain.last().at);
+  double gone = 0;
+  for (std::size_t j = chain.mirrors.size(); j-- > 0;) {
+    const Mirror& mirror = *chain.mirrors[j];
+    const Vec way = chain.images[j + 1].at - from;
+    const double before = dot(mirror.normal, from - mirror.corners[0]);
+    const double along = -dot(mirror.normal, way), left = length(way);
+    if (!(before > radius && along > radius)) return false;  // no telling
+    const Vec point = from + before / along * way;
+    gone += before / along * left;
+    const double slope = (along - radius) / left;  // the least cosine of the cone's lines, about
+    if (!is_within(mirror, point, 2 * radius * (whole - gone) / whole / slope)) return true;
+    from = point;
+  }
+  return false;
 }
 
 bool is_free(const Eye& eye, const Vertex& vertex, const Chain& chain, const Path& path,

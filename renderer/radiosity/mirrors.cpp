@@ -1,5 +1,7 @@
 #include "renderer/radiosity/mirrors.hpp"
 
+#include <algorithm>
+
 #include "renderer/radiosity/mirror_path.hpp"
 #include "renderer/radiosity/mirror_pieces.hpp"
 
@@ -16,61 +18,67 @@ bool is_before(const Mirror& mirror, const Patch& patch) {
   return false;
 }
 
+struct MirroredSight {
+  const Eye& eye;
+  const Vertex& vertex;
+  const Patch& patch;
+  const Chain& chain;
+  Work& work;
+
+  bool sees(const Vec& point) const {
+    work[Op::light_mirrored] += chain.mirrors.size();
+    const auto path = find_path(chain, point);
+    return path && is_free(eye, vertex, chain, *path, point, patch.object, work);
+  }
+  bool misses(const Vec& point, double radius) const {
+    work[Op::light_mirrored] += chain.mirrors.size();
+    return radiosity::misses(chain, point, radius);
+  }
+};
+
 class Mirroring {
  public:
   Mirroring(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work)
-      : eye_(eye),
-        vertex_(vertex),
-        patch_(patch),
-        quad_(patch),
-        chain_({vertex.lit, vertex.normal}),
-        work_(work) {}
+      : eye_(eye), vertex_(vertex), patch_(patch), quad_(patch), work_(work) {}
 
-  Rgb sum() {
-    add_chains();
-    return total_;
+  // Of all chains that begin with this one.
+  Rgb sum(const Chain& chain) const {
+    Rgb total;
+    if (chain.mirrors.size() == static_cast<std::size_t>(eye_.params.reflections)) return total;
+    for (const Mirror& mirror : eye_.mesh.mirrors) {
+      if (!chain.can_meet(mirror)) continue;
+      work_[Op::light_mirrored] += 1;
+      const auto longer = chain.extend(mirror, eye_.mesh.materials[mirror.material].reflectance);
+      if (is_before(mirror, patch_) && face_each_other(longer.last(), patch_))
+        total += eval_chain(longer) * longer.reflectance;
+      total += sum(longer);
+    }
+    return total;
   }
 
  private:
-  // All chains that begin with this one.
-  void add_chains() {
-    if (chain_.mirrors.size() == static_cast<std::size_t>(eye_.params.reflections)) return;
-    const Rgb before = chain_.reflectance;
-    for (const Mirror& mirror : eye_.mesh.mirrors) {
-      if (!chain_.can_meet(mirror)) continue;
-      work_[Op::light_mirrored] += 1;
-      chain_.push(mirror, eye_.mesh.materials[mirror.material].reflectance);
-      if (is_before(mirror, patch_) && face_each_other(chain_.last(), patch_))
-        total_ += eval_chain() * chain_.reflectance;
-      add_chains();
-      chain_.pop(before);
-    }
-  }
-
-  double eval_chain() {
-    if (eye_.params.mirror_pieces > 0)
-      return sum_pieces({eye_, vertex_, patch_, quad_, chain_}, work_);
-    const auto is_seen = [this](const Vec& point) {
-      work_[Op::light_mirrored] += chain_.mirrors.size();
-      const auto path = find_path(chain_, point);
-      return path && is_free(eye_, vertex_, chain_, *path, point, patch_.object, work_);
-    };
-    return DeltaAreas(eye_.params, chain_.last(), quad_, is_seen, work_).sum();
+  double eval_chain(const Chain& chain) const {
+    const FactorParams& params = eye_.params;
+    if (params.mirror_pieces > 0) return sum_pieces({eye_, vertex_, patch_, quad_, chain}, work_);
+    const MirroredSight sight{eye_, vertex_, patch_, chain, work_};
+    // Through a mirror that looks very narrow comes little light: no more care than that.
+    constexpr double LEAST = 0.25;
+    const double spread =
+        std::clamp(params.mirror_share * chain.width, LEAST * params.spread, params.spread);
+    return DeltaAreas(params, spread, chain.last(), quad_, sight, work_).sum();
   }
 
   const Eye& eye_;
   const Vertex& vertex_;
   const Patch& patch_;
   const Quad quad_;
-  Chain chain_;
   Work& work_;
-  Rgb total_;
 };
 
 }  // namespace
 
 Rgb eval_mirrored_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
-  return Mirroring(eye, vertex, patch, work).sum();
+  return Mirroring(eye, vertex, patch, work).sum(Chain({vertex.lit, vertex.normal}));
 }
 
 }  // namespace radiosity

@@ -13,8 +13,9 @@
 //   The sum of its h is then A_R / A_E times the square of d_ES / d_SR, not 1: only where these
 //   happen to agree is it the light of the mirrored room.)
 // - 0, what the thesis leaves open (3.2.5): by distance and solid angle, anew for each vertex and
-//   delta area. A piece is what the vertex sees the delta area through: omega_S = omega, h = 1.
-//   No light is lost or doubled, and the illumination has no steps (figure 3.19).
+//   delta area. A piece is what the vertex sees the delta area through: omega_S = omega, h = 1;
+//   delta areas are halved until their piece is small on the mirror (mirror_share). No light is
+//   lost or doubled, and the illumination has no steps (figure 3.19).
 
 #include "renderer/radiosity/form_factor.hpp"
 
