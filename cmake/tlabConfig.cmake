@@ -3,6 +3,7 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Boost 1.74 COMPONENTS graph context)
 find_dependency(PNG)
+find_dependency(OpenEXR CONFIG)
 find_dependency(fmt)
 find_dependency(muparser)
 find_dependency(Threads)

@@ -45,5 +45,9 @@ std::vector<std::uint8_t> make_rgb8(const Samples& samples);
 /// beside `path`, which takes its place when whole; std::system_error naming `path` if it cannot
 /// be written, and then nothing is left behind. std::invalid_argument for an image of no pixels.
 void save_png(const std::string& path, const Samples& samples);
+/// The same of bytes in the order of make_rgb8; std::invalid_argument too where there are not
+/// 3 * width * height.
+void save_png(const std::string& path, int width, int height,
+              const std::vector<std::uint8_t>& rgb8);
 
 }  // namespace renderer

@@ -1,0 +1,175 @@
+// Rooms from NFF and OBJ: emission, mirrors, normals, and what is wrong.
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/renderer/radiosity/rooms.hpp"
+
+namespace radiosity::test {
+namespace {
+
+const std::string VIEW = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\n";
+const std::string SQUARE = "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+Room read_nff(const std::string& text) {
+  std::istringstream in(text);
+  return read_nff_room(in, "test.nff");
+}
+
+TEST(NffRoom, EmissionLastsUntilTheNextSurface) {
+  const Room room =
+      read_nff("# emitted by a program\n" + VIEW +
+               "b 1 1 1\nl 1 2 3\nf 1 0.5 0.25 0.6 0.3 20 0 0\n" + SQUARE + "# emit 1 2 3\n" +
+               SQUARE + SQUARE + "  #emit 4 4 4\n" + SQUARE + "f 1 1 1 0.5 0 0 0 0\n" + SQUARE +
+               "f 0.1 0.1 0.1 0 1 0 0 0\npp 3 0 0 0 0 0 2 1 0 0 1 0 2 0 1 0 0 1 1\n");
+  ASSERT_EQ(room.faces.size(), 6u);
+  const auto material = [&](std::size_t face) { return room.materials[room.faces[face].material]; };
+  EXPECT_EQ(material(0).reflectance, (Rgb{0.6, 0.3, 0.15}));
+  EXPECT_EQ(material(0).emission, Rgb{});
+  EXPECT_EQ(material(1).reflectance, (Rgb{0.6, 0.3, 0.15}));
+  EXPECT_EQ(material(1).emission, (Rgb{1, 2, 3}));
+  EXPECT_EQ(room.faces[1].material, room.faces[2].material);
+  EXPECT_EQ(material(3).emission, (Rgb{4, 4, 4}));
+  EXPECT_EQ(material(4), (Material{"line 32", {0.5, 0.5, 0.5}, {}, false}));
+  EXPECT_EQ(material(5).reflectance, (Rgb{1, 1, 1}));
+  EXPECT_TRUE(material(5).mirror);
+  EXPECT_EQ(room.faces[1].corners, room.faces[0].corners);
+  EXPECT_EQ(room.faces[1].corners[2], (Vec{1, 1, 0}));
+  EXPECT_EQ(room.faces[5].normals, (std::vector<Vec>{{0, 0, 2}, {1, 0, 2}, {0, 1, 1}}));
+  EXPECT_EQ(room.faces[1].where, "test.nff:16");
+  EXPECT_NEAR(length(room.view.right), 1, 1e-12);
+}
+
+TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
+  const std::string head = VIEW + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // 6 lines
+  const std::pair<std::string, std::string> wrong[] = {
+      {head + "s 0 0 0 1", "test.nff:7: found a sphere ('s'), expected flat faces: p or pp"},
+      {head + "c 0 0 0 1 0 0 1 0", "test.nff:7: found a cone ('c'), expected flat faces: p or pp"},
+      {head + "q", "test.nff:7: found 'q', expected a statement: v, b, l, f, # emit, p or pp"},
+      {head + VIEW, "test.nff:7: found a second 'v', expected one, that of line 1"},
+      {head + SQUARE, "test.nff: found no face that emits, expected one or more"},
+      {head + "# emit 1 1", "test.nff:7: found the end of the file, expected an emission"},
+      {head + "# emit 1 1 -1", "test.nff:7: found an emission 1 1 -1, expected 0"},
+      {head + "# emit nan 1 1", "test.nff:7: found 'nan', expected an emission"},
+      {head + "\np 3 0 0 0 1 0 0 2 0 0", "test.nff:8: found 3 corners around no area"},
+      {head + "p 3 0 0 0 1 0 0 2 nan 0", "test.nff:7: found 'nan', expected a vertex"},
+      {head + "f 1 1 1 0.5 0 0 0.5 1", "test.nff:7: found T 0.5, expected 0: opaque surfaces"},
+      {head + "f 1 1 1 1 0 0 0 0", "test.nff:7: found a diffuse reflectance 1 1 1, expected 0 or"},
+      {head + "f 1 1 1 0 1 0 0 0\n#emit 1 1 1", "test.nff:8: found a mirror's emission 1 1 1"},
+      {VIEW + SQUARE, "test.nff:6: found 'p', expected a surface ('f') before it"},
+      {VIEW + "# emit 1 1 1", "test.nff:6: found '# emit', expected a surface ('f') before it"},
+      {"f 1 1 1 0.5 0 0 0 0\n# emit 1 1 1\n" + SQUARE,
+       "test.nff:7: found the end of the file, expected a view ('v')"},
+      {"v from 0 0 1 at 0 0 1 up 0 1 0 angle 9\n" + SQUARE,
+       "test.nff:1: found a view from the point it looks at"},
+  };
+  for (const auto& [text, expected] : wrong) {
+    const std::string error = get_error([&] { read_nff(text); });
+    EXPECT_EQ(error.substr(0, expected.size()), expected) << error;
+  }
+}
+
+// A folder of its own for files, gone at the end.
+class ObjRoom : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              fmt::format("tlab-obj-{}-{}", getpid(),
+                          testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string save(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+
+  std::filesystem::path folder_;
+};
+
+const std::string MTL =
+    "# materials\nnewmtl wall\nNs 10\nKd 0.5 0.25 0.125\nKs 0.9 0.9 0.9\n"
+    "illum 2\nmap_Kd wall.png\nnewmtl lamp\nKe 1 2 3\n"
+    "newmtl mirror\nKd 0.1 0.1 0.1\nKs 0.9 0.8 0.7\nillum 3\n";
+const std::string POINTS =
+    "mtllib m.mtl\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n"
+    "vt 0 0\nvn 0 0 1\nvn 0.1 0 1\ng one two\ns off\n";  // 10 lines
+
+TEST_F(ObjRoom, EmissionMirrorsAndNormals) {
+  save("m.mtl", MTL);
+  const std::string path =
+      save("a.obj", POINTS +
+                        "usemtl wall\nf 1 2 3 4\nusemtl lamp\nf 1/1 2/1 3/1\nusemtl mirror\n"
+                        "f 1//1 2//1 -1//-1\nusemtl wall\nf -4/1/1 2/1/2 -2/1/1\n");
+  const Room room = load_room(path);
+  EXPECT_EQ(room.materials, (std::vector<Material>{{"wall", {0.5, 0.25, 0.125}, {}, false},
+                                                   {"lamp", {}, {1, 2, 3}, false},
+                                                   {"mirror", {0.9, 0.8, 0.7}, {}, true}}));
+  ASSERT_EQ(room.faces.size(), 4u);
+  EXPECT_EQ(room.faces[0].corners, (std::vector<Vec>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+  EXPECT_TRUE(room.faces[0].normals.empty());
+  EXPECT_EQ(room.faces[1].material, 1u);
+  EXPECT_TRUE(room.faces[1].normals.empty());
+  EXPECT_EQ(room.faces[2].corners[2], (Vec{0, 1, 0}));
+  EXPECT_EQ(room.faces[2].normals, (std::vector<Vec>{{0, 0, 1}, {0, 0, 1}, {0.1, 0, 1}}));
+  EXPECT_EQ(room.faces[3].corners, (std::vector<Vec>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+  EXPECT_EQ(room.faces[3].normals, (std::vector<Vec>{{0, 0, 1}, {0.1, 0, 1}, {0, 0, 1}}));
+  EXPECT_EQ(room.faces[3].where, path + ":18");
+  EXPECT_EQ(room.view.at, (Vec{0.5, 0.5, 0}));
+  EXPECT_GT(room.view.from.x, 1) << "from outside";
+  EXPECT_NEAR(length(room.view.right), 1, 1e-12);
+}
+
+TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
+  save("m.mtl", MTL);
+  save("bright.mtl", "newmtl a\nKd 0 0 0\n\nnewmtl b\nKd 1 1 1\n");
+  save("nan.mtl", "newmtl a\nKd 0 nan 0\n");
+  save("early.mtl", "Kd 0 0 0\n");
+  save("glow.mtl", "newmtl a\nillum 3\nKe 1 1 1\n");
+  const std::string in = folder_.string() + "/", at = in + "a.obj:";
+  const std::string use = POINTS + "usemtl wall\n";  // 11 lines
+  const std::pair<std::string, std::string> wrong[] = {
+      {POINTS + "f 1 2 3", at + "11: found 'f', expected 'usemtl' before the first face"},
+      {POINTS + "usemtl wood", at + "11: found 'wood', expected a material of the files above: "
+                                    "wall, lamp, mirror"},
+      {"usemtl a", at + "1: found 'a', expected a material of the files above: none yet"},
+      {use + "f 1 2 5", at +
+                            "12: found '5', expected the number of a vertex (v) in each corner, of "
+                            "the 4 so far"},
+      {use + "f 1 2 0", at + "12: found '0', expected the number of a vertex"},
+      {use + "f 1 2 -5", at + "12: found '-5', expected the number of a vertex"},
+      {use + "f 1 2 3x", at + "12: found '3x', expected the number of a vertex"},
+      {use + "f 1//1 2//1 3//3", at + "12: found '3//3', expected the number of a normal (vn)"},
+      {use + "f 1//1 2//1 3", at + "12: found 2 normals, expected one for each of the 3 corners"},
+      {use + "f 1 2", at + "12: found 2 corners, expected 3 or more"},
+      {use + "f", at + "12: found 0 corners"},
+      {use + "f 1 2 2 3", at + "12: found corners 2 and 3 both at (1, 0, 0)"},
+      {use + "f 3//1 2//1 1//1",
+       at + "12: found the normal (0, 0, 1) of corner 1, expected one on"},
+      {use + "v 1 2", at + "12: found the end of the line, expected a vertex"},
+      {use + "v 1 nan 2", at + "12: found 'nan', expected a vertex"},
+      {use + "curv 1 2", at + "12: found 'curv', expected a statement: v, vt, vn, f, g, o, s, "
+                              "usemtl or mtllib"},
+      {use + "f 1 2 3", in + "a.obj: found no face that emits, expected one or more"},
+      {"mtllib", at + "1: found the end of the line, expected a file"},
+      {"mtllib m.mtl no.mtl", in + "no.mtl: cannot be read"},
+      {"mtllib m.mtl m.mtl", in + "m.mtl:2: found a second material 'wall', expected another"},
+      {"mtllib bright.mtl", in + "bright.mtl:4: found a diffuse reflectance 1 1 1, expected 0 or"},
+      {"mtllib nan.mtl", in + "nan.mtl:2: found 'nan', expected Kd (a number"},
+      {"mtllib early.mtl", in + "early.mtl:1: found 'Kd', expected 'newmtl' before it"},
+      {"mtllib glow.mtl", in + "glow.mtl:1: found a mirror's emission 1 1 1, expected none"},
+  };
+  for (const auto& [text, expected] : wrong) {
+    const std::string path = save("a.obj", text + "\n");
+    const std::string error = get_error([&] { load_room(path); });
+    EXPECT_EQ(error.substr(0, expected.size()), expected) << error;
+  }
+}
+
+}  // namespace
+}  // namespace radiosity::test
