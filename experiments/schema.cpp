@@ -252,7 +252,11 @@ Experiment bind_settings(const toml::table& file, const std::vector<Replacement>
   Experiment experiment;
   experiment.program = read_program(file, origin);
   if (const auto* pattern = find_pattern(experiment.program))
-    for (const auto& p : pattern->parameters) experiment.parameters[p.name] = p.value;
+    for (const auto& p : pattern->parameters)
+      if (p.is_path)
+        experiment.files[p.name] = {};
+      else
+        experiment.parameters[p.name] = p.value;
   for_each_key(file, [&](const std::string& key, const toml::node& node) {
     bind_key(experiment, {origin, key, folder, node});
   });
