@@ -1,15 +1,14 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "experiments/command_options.hpp"
 #include "experiments/commands.hpp"
 #include "experiments/files.hpp"
-#include "experiments/image_names.hpp"
 #include "experiments/progress.hpp"
+#include "experiments/work_json.hpp"
 #include "renderer/load.hpp"
 #include "renderer/render.hpp"
 
@@ -23,42 +22,8 @@ struct Options {
   int threads = 1;
 };
 
-// "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
-template <std::size_t N>
-std::array<int, N> parse_numbers(const std::string& option, const std::string& text,
-                                 const char* form) {
-  std::array<int, N> values{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto [next, error] = std::from_chars(at, end, values[i]);
-    const char separator = i + 2 == N ? 'x' : ',';
-    const bool more = i + 1 < N;
-    if (error != std::errc{} || (more ? next == end || *next != separator : next != end))
-      throw CLI::ValidationError(option, fmt::format("found \"{}\", expected {}", text, form));
-    at = next + 1;
-  }
-  return values;
-}
-
-// An option that sets `field` to the choice of a name.
-template <class Enum>
-void add_choice(CLI::App* command, const char* option, Enum& field, const Names<Enum>& names,
-                const char* help) {
-  const auto set = [&field, &names](const std::string& key) {
-    field = std::ranges::find(names, key, &std::pair<std::string, Enum>::first)->second;
-  };
-  const auto standard = std::ranges::find(names, field, &std::pair<std::string, Enum>::second);
-  command->add_option_function<std::string>(option, set, help)
-      ->check(CLI::IsMember(keys_of(names)))
-      ->option_text(fmt::format("{} [{}]", fmt::join(keys_of(names), "|"), standard->first));
-}
-
 void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
   const auto& rays = image.rays;
-  nlohmann::ordered_json tests;
-  for (std::size_t i = 0; i < renderer::OP_COUNT; ++i)
-    tests[std::string(renderer::op_names()[i])] = image.work.counts[i];
   const nlohmann::ordered_json stats = {
       {"scene", o.scene},
       {"width", o.params.width},
@@ -70,18 +35,14 @@ void save_stats(const Options& o, const renderer::Rendering& image, double secon
         {"transmitted", rays.transmitted},
         {"shadow", rays.shadow},
         {"total", rays.total()}}},
-      {"work", tests},
+      {"work", make_json(image.work)},
       {"seconds", seconds},
       {"rays_per_second", static_cast<double>(rays.total()) / seconds}};
   write_file(o.stats, stats.dump(2) + "\n");
 }
 
 void render_scene(Options& o) {
-  if (!o.size.empty()) {
-    const auto v = parse_numbers<2>("--size", o.size, "WxH, such as 512x512");
-    o.params.width = v[0];
-    o.params.height = v[1];
-  }
+  parse_size(o.size, o.params);
   if (!o.area.empty()) {
     const auto v = parse_numbers<4>("--area", o.area, "X,Y,WxH, such as 10,20,64x48");
     o.params.area = {v[0], v[1], v[2], v[3]};

@@ -34,6 +34,7 @@ int run_tlab(int argc, char** argv) {
   app.require_subcommand(1);
   add_topology_command(app);
   add_render_command(app);
+  add_radiosity_command(app);
   add_run_command(app);
   add_merge_command(app);
   add_report_command(app);

@@ -6,6 +6,7 @@ namespace experiments {
 
 void add_topology_command(CLI::App& app);
 void add_render_command(CLI::App& app);
+void add_radiosity_command(CLI::App& app);
 void add_run_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_report_command(CLI::App& app);

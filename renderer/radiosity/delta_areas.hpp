@@ -1,6 +1,7 @@
 #pragma once
 // A patch cut into delta areas, as a point sees it: the sum of Eq 3.8.
 
+#include <algorithm>
 #include <numbers>
 
 #include "renderer/radiosity/form_factor.hpp"
@@ -9,17 +10,19 @@ namespace radiosity {
 
 /// A patch by its parameters: p + s a + t b + s t c.
 struct Quad {
-  Quad(const Mesh& mesh, const Patch& patch) : normal(patch.normal) {
-    const auto at = [&](std::size_t k) { return mesh.vertices[patch.corners[k]].at; };
-    p = at(0);
-    a = at(1) - p;
-    b = at(3) - p;
-    c = at(2) - at(1) - b;
+  explicit Quad(const Patch& patch) : normal(patch.normal) {
+    p = patch.at[0];
+    a = patch.at[1] - p;
+    b = patch.at[3] - p;
+    c = patch.at[2] - patch.at[1] - b;
+    along = std::max(dot(a, a), dot(a + c, a + c));
+    across = std::max(dot(b, b), dot(b + c, b + c));
   }
   Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
   /// Area for each unit of s and t.
   double eval_density(double s, double t) const { return dot(normal, cross(a + t * c, b + s * c)); }
   Vec p, a, b, c, normal;
+  double along, across;  // squares of the longer of opposite sides
 };
 
 /// A point that looks, and the normal of the surface that it lies on.
@@ -51,43 +54,59 @@ class DeltaAreas {
     double total = 0;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        total += add((i + 0.5) / n, (j + 0.5) / n, 1.0 / n, params_.halvings);
+        total += add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, params_.halvings);
     return total;
   }
 
  private:
-  // The delta area around (s, t), of this share of the patch's sides.
-  double add(double s, double t, double side, int halvings) {
+  // Around (s, t), of these shares of the patch's sides.
+  struct Delta {
+    double s, t, along, across;
+  };
+
+  double add(const Delta& delta, int halvings) {
     work_[renderer::Op::delta_area] += 1;
-    const Vec point = quad_.eval(s, t);
-    const double area = side * side * quad_.eval_density(s, t);
+    const Vec point = quad_.eval(delta.s, delta.t);
     const Vec way = point - eye_.at;
     const double square = dot(way, way);
-    if (halvings > 0 && area > enough_ * square) {
-      const double step = side / 4;
-      double total = 0;
-      for (const double v : {t - step, t + step})
-        for (const double u : {s - step, s + step}) total += add(u, v, side / 2, halvings - 1);
-      return total;
+    if (halvings > 0) {
+      const double along = delta.along * delta.along * quad_.along;
+      const double across = delta.across * delta.across * quad_.across;
+      const double wide = std::max(along, across);
+      if (wide > enough_ * square)
+        return add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
     }
     const double here = dot(eye_.normal, way), there = -dot(quad_.normal, way);
     if (here <= 0 || there <= 0 || !is_seen_(point)) return 0;
+    const double area = delta.along * delta.across * quad_.eval_density(delta.s, delta.t);
     return eval_delta(area, square, here, there);
+  }
+
+  // Halved along, across, or both.
+  double add_parts(const Delta& delta, bool along, bool across, int halvings) {
+    const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
+    const double width = along ? delta.along / 2 : delta.along;
+    const double height = across ? delta.across / 2 : delta.across;
+    double total = 0;
+    for (int j = across ? -1 : 0; j <= (across ? 1 : 0); j += 2)
+      for (int i = along ? -1 : 0; i <= (along ? 1 : 0); i += 2)
+        total += add({delta.s + i * step, delta.t + j * rise, width, height}, halvings);
+    return total;
   }
 
   const FactorParams& params_;
   const Viewpoint& eye_;
   const Quad& quad_;
   const IsSeen& is_seen_;
-  const double enough_;  // of a delta area over its distance's square
+  const double enough_;  // of a delta area's longer side over its distance, squared
   renderer::Work& work_;
 };
 
 /// Whether any of the patch is before the viewpoint, and the viewpoint before the patch.
-inline bool face_each_other(const Mesh& mesh, const Viewpoint& eye, const Patch& patch) {
+inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
-  for (const auto corner : patch.corners)
-    if (dot(eye.normal, mesh.vertices[corner].at - eye.at) > 0) return true;
+  for (const Vec& corner : patch.at)
+    if (dot(eye.normal, corner - eye.at) > 0) return true;
   return false;
 }
 

@@ -38,11 +38,11 @@ Picture make_difference(const Picture& a, const Picture& b, double factor) {
 }
 
 std::vector<std::uint8_t> make_rgb8(const Picture& picture, const Display& display) {
-  const auto to_byte = [&](double value) {
-    const double light = std::min(1.0, display.exposure * value);
-    return light > 0
-               ? static_cast<std::uint8_t>(std::lround(255 * std::pow(light, 1 / display.gamma)))
-               : std::uint8_t{0};
+  const auto to_byte = [&](double value) -> std::uint8_t {
+    const double light = display.exposure * value;
+    if (light >= 1) return 255;
+    if (!(light > 0)) return 0;
+    return static_cast<std::uint8_t>(std::lround(255 * std::pow(light, 1 / display.gamma)));
   };
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * picture.pixels.size());

@@ -21,6 +21,20 @@ bool is_straight(const Vec& a, const Vec& b) {
   return dot(a, b) < -0.99 * std::sqrt(dot(a, a) * dot(b, b));
 }
 
+// Within 45 degrees of straight on.
+double trust_edge(const Mesh& mesh, const Vertex& v, std::span<const Wedge> wedges,
+                  std::uint32_t neighbour) {
+  const Vec edge = unfold(v, mesh.vertices[neighbour].at);
+  double longest = 0;
+  for (const Wedge& w : wedges)
+    for (const std::uint32_t n : {w.next, w.prev}) {
+      const Vec other = unfold(v, mesh.vertices[n].at);
+      if (dot(edge, other) < -0.7 * length(edge) * length(other))
+        longest = std::max(longest, length(other));
+    }
+  return find_trust(length(edge), longest);
+}
+
 Place find_place(const Mesh& mesh, std::size_t vertex, std::span<const Wedge> wedges) {
   const auto is_inner = [](const Wedge& w) { return w.next_inner && w.prev_inner; };
   if (!wedges.empty() && std::ranges::all_of(wedges, is_inner)) return Place::inner;
@@ -51,6 +65,11 @@ std::vector<std::uint32_t> find_twins(const Mesh& mesh) {
 }
 
 }  // namespace
+
+double find_trust(double edge, double other) {
+  const double share = other > 0 ? std::min(1.0, 3 * edge / other) : 1.0;
+  return share * share;
+}
 
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
@@ -86,10 +105,13 @@ Fans make_fans(const Mesh& mesh) {
     for (const std::uint32_t p : around.of(v)) {
       const auto& corners = mesh.patches[p].corners;
       const auto c = static_cast<std::uint32_t>(std::ranges::find(corners, v) - corners.begin());
-      fans.wedges.push_back({p, c, corners[(c + 1) % 4], corners[(c + 3) % 4], false, false});
+      fans.wedges.push_back({p, c, corners[(c + 1) % 4], corners[(c + 3) % 4], false, false, 1});
     }
     const std::span wedges = std::span(fans.wedges).subspan(around.first[v]);
     mark_inner(wedges);
+    for (Wedge& w : wedges)
+      w.trust = trust_edge(mesh, mesh.vertices[v], wedges, w.next) *
+                trust_edge(mesh, mesh.vertices[v], wedges, w.prev);
     fans.places.push_back(find_place(mesh, v, wedges));
   }
   fans.first = std::move(around.first);

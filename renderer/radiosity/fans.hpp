@@ -15,6 +15,7 @@ struct Wedge {
   std::uint32_t corner = 0;          ///< 0..3
   std::uint32_t next = 0, prev = 0;  ///< vertices at the other ends of the corner's edges
   bool next_inner = false, prev_inner = false;
+  double trust = 1;  ///< of what its corners tell of slopes: see find_trust
 };
 
 enum class Place : std::uint8_t {
@@ -37,7 +38,13 @@ struct Fans {
 
 Fans make_fans(const Mesh& mesh);
 
-/// Vertices that a crease has split have the same place, and so the same illumination.
+/// 1; of an edge less than a third as long as the one that it continues, or that continues it,
+/// (3 |edge| / |other|)^2. What is off a little at the end of a short edge, and makes a steep slope
+/// there, would be far off within the long one's patches.
+double find_trust(double edge, double other);
+
+/// Vertices that a crease has split: of one place, normal and material. They have the same
+/// illumination.
 bool are_twins(const Vertex& a, const Vertex& b);
 
 /// The neighbours on the border that passes a vertex, first the one from which the patches are on

@@ -52,11 +52,11 @@ bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, 
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   work[Op::factor_begun] += 1;
   const Viewpoint view{vertex.lit, vertex.normal};
-  if (!face_each_other(eye.mesh, view, patch)) return 0;
+  if (!face_each_other(view, patch)) return 0;
   const auto is_seen = [&](const Vec& point) {
     return sees(eye, vertex.lit, vertex.object, point, patch.object, work);
   };
-  return DeltaAreas(eye.params, view, Quad(eye.mesh, patch), is_seen, work).sum();
+  return DeltaAreas(eye.params, view, Quad(patch), is_seen, work).sum();
 }
 
 Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {

@@ -13,8 +13,8 @@ inline constexpr int MOST_REFLECTIONS = 8;
 
 struct FactorParams {
   int samples = 1;        ///< a patch is cut into samples x samples delta areas, 1 to 1024
-  double spread = 0.18;   ///< and a delta area into four while it is wider than this share of its
-                          ///< distance; > 0
+  double spread = 0.18;   ///< and a delta area in half, along its longer side or both, while it is
+                          ///< wider than this share of its distance; > 0
   int halvings = 12;      ///< at most so many times, 0 to 30; 0: delta areas of equal size only
   int reflections = 2;    ///< mirrors that light may meet on its way, 0 to MOST_REFLECTIONS
   int mirror_pieces = 0;  ///< a mirror is cut into so many pieces along and across; 0: into what

@@ -34,6 +34,15 @@ Face turn(Face face) {
   return face;
 }
 
+// A little larger, so that no ray passes between faces that share an edge, however it is rounded.
+std::vector<Vec> grow(std::vector<Vec> corners) {
+  constexpr double SHARE = 1e-9;
+  Vec centre;
+  for (const Vec& corner : corners) centre += (1.0 / static_cast<double>(corners.size())) * corner;
+  for (Vec& corner : corners) corner += SHARE * (corner - centre);
+  return corners;
+}
+
 // A surface's normal between its face's corners.
 class Normals {
  public:
@@ -85,7 +94,7 @@ class Builder {
 
   void add(const Face& face, std::uint32_t number) {
     object_ = static_cast<std::uint32_t>(renderer::object_count(mesh_.blockers));
-    renderer::add_polygon(mesh_.blockers, face.corners);
+    renderer::add_polygon(mesh_.blockers, grow(face.corners));
     const bool mirror = mesh_.materials[face.material].mirror;
     for (const Face& side : face.two_sided ? std::vector{face, turn(face)} : std::vector{face})
       mirror ? add_mirror(side) : add_patches(side, number);
@@ -117,7 +126,7 @@ class Builder {
     std::array<Vec, 4> at;
     for (std::size_t k = 0; k < 4; ++k) at[k] = mesh_.vertices[corners[k]].at;
     const Vec twice = eval_area_normal(at);
-    mesh_.patches.push_back({corners, eval_bilinear(at, 0.5, 0.5), normalize(twice),
+    mesh_.patches.push_back({corners, at, eval_bilinear(at, 0.5, 0.5), normalize(twice),
                              length(twice) / 2, mesh_.vertices[corners[0]].material, object_,
                              face});
   }

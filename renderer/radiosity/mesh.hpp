@@ -21,6 +21,7 @@ struct Vertex {
 /// (s, t) = (0,0), (1,0), (1,1), (0,1).
 struct Patch {
   std::array<std::uint32_t, 4> corners{};  ///< indices into Mesh::vertices
+  std::array<Vec, 4> at;                   ///< where the corners are
   Vec centre;
   Vec normal;  ///< unit
   double area = 0;

@@ -10,9 +10,9 @@ using renderer::Work;
 
 namespace {
 
-bool is_before(const Mirror& mirror, const Mesh& mesh, const Patch& patch) {
-  for (const auto corner : patch.corners)
-    if (dot(mirror.normal, mesh.vertices[corner].at - mirror.corners[0]) > 0) return true;
+bool is_before(const Mirror& mirror, const Patch& patch) {
+  for (const Vec& corner : patch.at)
+    if (dot(mirror.normal, corner - mirror.corners[0]) > 0) return true;
   return false;
 }
 
@@ -22,7 +22,7 @@ class Mirroring {
       : eye_(eye),
         vertex_(vertex),
         patch_(patch),
-        quad_(eye.mesh, patch),
+        quad_(patch),
         chain_({vertex.lit, vertex.normal}),
         work_(work) {}
 
@@ -40,7 +40,7 @@ class Mirroring {
       if (!chain_.can_meet(mirror)) continue;
       work_[Op::light_mirrored] += 1;
       chain_.push(mirror, eye_.mesh.materials[mirror.material].reflectance);
-      if (is_before(mirror, eye_.mesh, patch_) && face_each_other(eye_.mesh, chain_.last(), patch_))
+      if (is_before(mirror, patch_) && face_each_other(chain_.last(), patch_))
         total_ += eval_chain() * chain_.reflectance;
       add_chains();
       chain_.pop(before);

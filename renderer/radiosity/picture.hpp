@@ -23,11 +23,11 @@ struct PictureParams {
 void check(const PictureParams& params);
 
 /// The view with what renderer::finish() derives; BadScene for an impossible one.
-renderer::View make_view(const renderer::View& view);
+renderer::View make_image_plane(const renderer::View& view);
 
 /// The simplified ray tracer: a ray reflects in mirrors and takes the illumination of the diffuse
 /// patch it meets; no feelers, no shading. What it meets from behind, and nothing, is black, and
-/// so is a mirror at the end of `depth`. Throws as check() and make_view(). Adds to `work`: one
+/// so is a mirror at the end of `depth`. Throws as check() and make_image_plane(). Adds to `work`: one
 /// Op::sample_updated a ray from the eye, one Op::ray_reflected a mirror met.
 Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
                       const renderer::View& view, const PictureParams& params,

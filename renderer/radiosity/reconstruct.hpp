@@ -15,7 +15,8 @@ enum class Reconstruction : std::uint8_t {
 /// The mixed derivatives of Eq 3.4.
 enum class Twist : std::uint8_t {
   zero,
-  diagonal,  ///< the slope along s + t, as the thesis says (below Eq 3.7)
+  diagonal,  ///< the slope along s + t, as the thesis says (below Eq 3.7): a first derivative for a
+             ///< second, C1 on even grids of one orientation only
   estimated  ///< how the slopes along s change along t and the other way round
 };
 
@@ -30,7 +31,11 @@ struct Illumination {
   std::vector<Rgb> values;
 };
 
-/// `vertices`: a value for each of the mesh's vertices.
+/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are linear in them,
+/// continuous wherever patches share vertices or a crease has split these, and C1 across inner
+/// borders on grids of parallel lines. Linear functions stay so: with estimated twists on any
+/// quads, with none on parallelograms. std::invalid_argument if there are more or fewer values than
+/// vertices.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 

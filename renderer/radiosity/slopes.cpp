@@ -3,6 +3,7 @@
 namespace radiosity {
 namespace {
 
+// Its slopes come to be: inside first, then on straight borders, then at corners.
 struct Finder {
   const Mesh& mesh;
   const Fans& fans;
@@ -14,16 +15,16 @@ Rgb difference(const Finder& f, std::uint32_t from, std::uint32_t to) {
   return f.vertices[to] + -1.0 * f.vertices[from];
 }
 
-// The change along an edge of the parabola through both its ends with a slope at the far one.
-Rgb bend(const Rgb& whole, const Rgb& far_slope) { return 2.0 * whole + -1.0 * far_slope; }
+// The change along an edge, at its beginning, of the parabola through both ends with the slope m at
+// the far one: 2 (B_1 - B_0) - m. `back` is the slope there, but towards here.
+Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
 
-// Along an edge that leads inside, at its beginning. Vertices inside have their slopes before those
-// on straight borders, and these before corners.
+// Along an edge that leads inside, at its beginning.
 Rgb find_inner_change(const Finder& f, std::uint32_t vertex, std::uint32_t neighbour) {
   const Rgb whole = difference(f, vertex, neighbour);
   if (f.fans.places[neighbour] >= f.fans.places[vertex]) return whole;
-  const Vec back = unfold(f.mesh.vertices[neighbour], f.mesh.vertices[vertex].at);
-  return bend(whole, -1.0 * along(f.slopes[neighbour], back));
+  const Vec way = unfold(f.mesh.vertices[neighbour], f.mesh.vertices[vertex].at);
+  return bend(whole, along(f.slopes[neighbour], way));
 }
 
 // Along a border to a neighbour, if it passes the vertex, or a twin of it, straight.
@@ -48,7 +49,7 @@ Rgb find_border_change(const Finder& f, std::uint32_t vertex, std::uint32_t neig
   if (const auto known = find_straight_change(f, vertex, neighbour)) return *known;
   const Rgb whole = difference(f, vertex, neighbour);
   const auto back = find_straight_change(f, neighbour, vertex);
-  return back ? bend(whole, -1.0 * *back) : whole;
+  return back ? bend(whole, *back) : whole;
 }
 
 // Replaces the slope along a straight border by that of the parabola through its three vertices.
@@ -57,7 +58,8 @@ void follow_border(const Finder& f, std::uint32_t vertex, const Border& border,
   const Vertex& v = f.mesh.vertices[vertex];
   const Vec a = unfold(v, f.mesh.vertices[border.after].at);
   const Vec b = unfold(v, f.mesh.vertices[border.before].at);
-  const double share_a = 1 / dot(a, a), share_b = 1 / dot(b, b);
+  const double la = length(a), lb = length(b);
+  const double share_a = find_trust(la, lb) / (la * la), share_b = find_trust(lb, la) / (lb * lb);
   const Vec way = share_a * a + -share_b * b;
   const Rgb change = share_a * difference(f, vertex, border.after) +
                      -share_b * difference(f, vertex, border.before);
@@ -92,7 +94,7 @@ Slopes<Rgb> find_at(const Finder& f, std::uint32_t vertex) {
   MeanPlane<Rgb> mean;
   for (const Wedge& w : wedges)
     mean.add(v.normal, unfold(v, f.mesh.vertices[w.next].at), find_change(w.next, w.next_inner),
-             unfold(v, f.mesh.vertices[w.prev].at), find_change(w.prev, w.prev_inner));
+             unfold(v, f.mesh.vertices[w.prev].at), find_change(w.prev, w.prev_inner), w.trust);
   Slopes<Rgb> slopes = mean.get();
   if (const auto border = find_border(wedges)) {
     if (place == Place::straight)

@@ -33,7 +33,8 @@ T along(const Slopes<T>& slopes, const Vec& d) {
 /// not of unit ones: slopes then average, and the mean does not depend on the unit of B, is linear
 /// in it and the same for a colour alone. Weighted by sin / (|next| |prev|) (N. Max, "Weights for
 /// Computing Vertex Normals from Facet Normals", JGT 4(2), 1999), the arithmetic mean on an even
-/// grid; on any grid of parallel lines right up to quadratic functions.
+/// grid; on any grid of parallel lines right up to quadratic functions, if neighbours' steps differ
+/// by a factor of 3 at most: planes count by their trust, too.
 template <class T>
 struct MeanPlane {
   Slopes<T> sum;
@@ -41,11 +42,11 @@ struct MeanPlane {
 
   /// The plane that changes by `to_next` along `next` and by `to_prev` along `prev`, both across
   /// the unit normal and counter-clockwise.
-  void add(const Vec& normal, const Vec& next, const T& to_next, const Vec& prev,
-           const T& to_prev) {
+  void add(const Vec& normal, const Vec& next, const T& to_next, const Vec& prev, const T& to_prev,
+           double trust = 1) {
     const double sine = dot(normal, cross(next, prev));
     if (!(sine > 0)) return;
-    const double share = 1 / (dot(next, next) * dot(prev, prev));
+    const double share = trust / (dot(next, next) * dot(prev, prev));
     const Vec a = share * cross(prev, normal), b = share * cross(normal, next);
     sum = sum + Slopes<T>{a.x * to_next + b.x * to_prev, a.y * to_next + b.y * to_prev,
                           a.z * to_next + b.z * to_prev};

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "renderer/radiosity/relight.hpp"
+
 namespace radiosity {
 
 using renderer::Op;
@@ -49,14 +51,13 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
   return best.power > 0 ? std::optional(best) : std::nullopt;
 }
 
-void receive(const Eye& eye, const Shot& shot, std::span<const std::uint32_t> vertices,
-             State& state, Work& work) {
+void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+             std::span<const std::uint32_t> vertices, State& state, Work& work) {
   const Mesh& mesh = eye.mesh;
-  const Patch& sender = mesh.patches[shot.patch];
   for (const auto v : vertices) {
     const Vertex& vertex = mesh.vertices[v];
     const Rgb factor = eval_factors(eye, vertex, sender, work);
-    state.received[v] = mesh.materials[vertex.material].reflectance * factor * shot.radiosity;
+    state.received[v] = mesh.materials[vertex.material].reflectance * factor * radiosity;
     state.radiosity[v] += state.received[v];
   }
   work[Op::vertex_lit] += vertices.size();
@@ -106,12 +107,14 @@ void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertice
     vertices[v] += mesh.materials[mesh.vertices[v].material].reflectance * ambient;
 }
 
-Solution solve(const Mesh& mesh, const SolveParams& params,
-               const std::function<bool(int shots, double unshot)>& step) {
+namespace {
+
+Solution shoot_all(const Mesh& mesh, const Mesh* fine, const SolveParams& params,
+                   const std::function<bool(int shots, double unshot)>& step) {
   check(params.factor);
   const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
-  const Eye eye{mesh, params.factor};
-  State state = make_state(mesh);
+  const auto fine_vertices = fine ? all_vertices(*fine) : std::vector<std::uint32_t>{};
+  State state = make_state(mesh), fine_state = fine ? make_state(*fine) : State{};
   Solution solution;
   Work& work = solution.work;
   for (;; ++solution.shots) {
@@ -122,11 +125,26 @@ Solution solve(const Mesh& mesh, const SolveParams& params,
     if (solution.shots >= params.shots || solution.unshot <= params.tolerance) break;
     const auto shot = find_shot(mesh, state, patches, work);
     if (!shot) break;
-    receive(eye, *shot, vertices, state, work);
+    const Patch& sender = mesh.patches[shot->patch];
+    receive({mesh, params.factor}, sender, shot->radiosity, vertices, state, work);
+    if (fine)
+      receive({*fine, params.factor}, sender, shot->radiosity, fine_vertices, fine_state, work);
     settle(mesh, *shot, patches, state, work);
   }
-  solution.vertices = std::move(state.radiosity);
+  solution.vertices = std::move(fine ? fine_state.radiosity : state.radiosity);
   return solution;
+}
+
+}  // namespace
+
+Solution solve(const Mesh& mesh, const SolveParams& params,
+               const std::function<bool(int shots, double unshot)>& step) {
+  return shoot_all(mesh, nullptr, params, step);
+}
+
+Solution relight(const Mesh& coarse, const Mesh& fine, const SolveParams& params,
+                 const std::function<bool(int shots, double unshot)>& step) {
+  return shoot_all(coarse, &fine, params, step);
 }
 
 }  // namespace radiosity

@@ -30,9 +30,10 @@ State make_state(const Mesh& mesh);
 std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
                               std::span<const std::uint32_t> patches, renderer::Work& work);
 
-/// Each of the vertices named takes its share of the shot: Eq 3.9 and 3.17.
-void receive(const Eye& eye, const Shot& shot, std::span<const std::uint32_t> vertices,
-             State& state, renderer::Work& work);
+/// Each of the vertices named takes its share of what the patch sends: Eq 3.9 and 3.17. The patch
+/// may be of another mesh of the same room.
+void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+             std::span<const std::uint32_t> vertices, State& state, renderer::Work& work);
 
 /// Each of the patches named adds to what it has to send the mean of what its corners received; the
 /// one that shot has sent all that it had. Their corners must have received.

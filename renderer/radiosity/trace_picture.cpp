@@ -89,7 +89,7 @@ void check(const PictureParams& params) {
           MAX_DEPTH);
 }
 
-renderer::View make_view(const renderer::View& view) {
+renderer::View make_image_plane(const renderer::View& view) {
   renderer::Scene scene;
   scene.view = view;
   finish(scene);
@@ -100,7 +100,7 @@ Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
                       const renderer::View& view, const PictureParams& params, Work& work) {
   check(params);
   renderer::Scene eye;
-  eye.view = make_view(view);
+  eye.view = make_image_plane(view);
   const int n = params.samples;
   renderer::Params fine = make_params(params);
   fine.width *= n;

@@ -24,7 +24,7 @@ Slopes<Slopes<Rgb>> find_bend(const Mesh& mesh, const Fans& fans,
   MeanPlane<Slopes<Rgb>> mean;
   for (const Wedge& w : fans.at(vertex))
     mean.add(v.normal, unfold(v, mesh.vertices[w.next].at), change(w.next),
-             unfold(v, mesh.vertices[w.prev].at), change(w.prev));
+             unfold(v, mesh.vertices[w.prev].at), change(w.prev), w.trust);
   return mean.get();
 }
 

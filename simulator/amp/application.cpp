@@ -68,12 +68,13 @@ Candidate Application::find_best() {
 }
 
 void Application::shoot(const Shot& shot) {
+  const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
   if (common_.items)
     shoot_at_shared(shot);
   else
     charge([&](Work& work) {
       const radiosity::Eye eye{common_.mesh, common_.params.solve.factor};
-      receive(eye, shot, node_.share.vertices, state_, work);
+      receive(eye, sender, shot.radiosity, node_.share.vertices, state_, work);
     });
   give();
   wait_for_borders();
@@ -109,10 +110,11 @@ void Application::wait_for_borders() {
 
 // The same with geometry that may be elsewhere: what is done is charged between accesses.
 void Application::shoot_at_shared(const Shot& shot) {
+  const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
   Work work;
   iirra::SceneReader reader(*common_.items, *node_.manager, common_.costs);
   const radiosity::Eye eye{common_.mesh, common_.params.solve.factor, &reader};
-  receive(eye, shot, node_.share.vertices, state_, work);
+  receive(eye, sender, shot.radiosity, node_.share.vertices, state_, work);
   reader.charge(work);
   charged_.back() += reader.charged();
   work_ += work;

@@ -156,9 +156,9 @@ Result Amp::take_result(machine::End end) {
   if (!after_) after_ = observe::collect(machine_);
   result.use = between(before_, *after_);
   result.time_s = result.use.time_s;
-  result.total_s = machine_.now().value;
   result.shots = root_->shots();
   result.frames = root_->frames();
+  result.total_s = result.frames.empty() ? machine_.now().value : result.frames.back().at_s;
   result.loss = eval_loss(model_, mesh_, applications_, result.time_s);
   for (const auto& application : applications_) {
     result.work += application->work();

@@ -17,11 +17,12 @@ inline Sample run(machine::Machine& machine, std::uint64_t count) {
   return {count, cpu_s, machine.now() / machine::Seconds{1}, 0};
 }
 
-void add_line();        // a line of store-and-forward hops
-void add_mesh();        // routers on an 8 x 8 mesh
-void add_farm();        // the farm of chapter 4
-void add_scheduler();   // rendezvous and pre-emptions on one processor
-void add_neighbours();  // neighbours of a mesh exchange; memory per transputer
-void add_renderers();   // the sequential renderer
+void add_line();          // a line of store-and-forward hops
+void add_mesh();          // routers on an 8 x 8 mesh
+void add_farm();          // the farm of chapter 4
+void add_scheduler();     // rendezvous and pre-emptions on one processor
+void add_neighbours();    // neighbours of a mesh exchange; memory per transputer
+void add_renderers();     // the sequential renderer
+void add_form_factors();  // radiosity
 
 }  // namespace benchmarks

@@ -7,7 +7,7 @@
 #include "renderer/radiosity/reconstruct.hpp"
 #include "tests/renderer/support.hpp"
 
-namespace radiosity::test {
+namespace radiosity::grids {
 
 using renderer::test::Random;
 
@@ -131,4 +131,4 @@ inline Rgb differentiate_along(const Mesh& mesh, const Illumination& illuminatio
   return dot(cross(d, b), n) / whole * by_s + dot(cross(a, d), n) / whole * by_t;
 }
 
-}  // namespace radiosity::test
+}  // namespace radiosity::grids

@@ -7,11 +7,11 @@
 namespace radiosity {
 namespace {
 
-using test::find_error;
-using test::make_grid;
-using test::make_lines;
-using test::Random;
-using test::take;
+using grids::find_error;
+using grids::make_grid;
+using grids::make_lines;
+using grids::Random;
+using grids::take;
 
 constexpr ReconstructionParams BICUBIC, BILINEAR{Reconstruction::bilinear, Twist::zero};
 

@@ -1,0 +1,51 @@
+// A room of which every face emits E and reflects rho has B = E / (1 - rho) everywhere.
+
+#include <gtest/gtest.h>
+
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity::test {
+namespace {
+
+void expect_furnace(Room room, double reflectance, const SolveParams& params, double tolerance) {
+  room.materials = {{"wall", {reflectance, reflectance / 2, 0}, {1, 2, 0.5}}};
+  const Mesh mesh = make_mesh(room, {});
+  const Solution solution = solve(mesh, params);
+  EXPECT_LE(solution.unshot, params.tolerance);
+  const Rgb expected{1 / (1 - reflectance), 2 / (1 - reflectance / 2), 0.5};
+  double worst = 0, total = 0;
+  for (const Rgb& b : solution.vertices) {
+    worst = std::max({worst, std::abs(b.r / expected.r - 1), std::abs(b.g / expected.g - 1)});
+    total += b.r / expected.r / static_cast<double>(solution.vertices.size());
+    EXPECT_EQ(b.b, expected.b);
+  }
+  EXPECT_LT(worst, tolerance);
+  EXPECT_NEAR(total, 1, 0.01);
+  fmt::print("rho {}: worst {:.4f}, mean {:.4f}\n", reflectance, worst, total - 1);
+}
+
+// An error of the factors' sum grows by rho / (1 - rho): for 1 % at 0.9 it must be below 0.1 %.
+TEST(Furnace, IsAsBrightAsTheFormulaSays) {
+  const auto make = [](int n) {
+    Room room;
+    add_box(room, 0, {0, 0, 0}, {3, 2, 1.5}, n);
+    return room;
+  };
+  expect_furnace(make(2), 0.2, make_params(1e-3), 0.01);
+  expect_furnace(make(3), 0.5, make_params(1e-3), 0.01);
+  expect_furnace(make(1), 0.8, make_params(3e-4, {.spread = 0.1}), 0.01);
+  expect_furnace(make(1), 0.9, make_params(3e-4, {.spread = 0.07}), 0.01);
+}
+
+TEST(Furnace, WithThingsInside) {
+  for (std::uint64_t seed = 1; seed <= 1; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const Room room = make_furnished(random, 2, 1);
+    expect_furnace(room, 0.3, make_params(1e-3), 0.03);
+    expect_furnace(room, 0.5, make_params(1e-3, {.spread = 0.07}), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace radiosity::test

@@ -1,0 +1,100 @@
+#pragma once
+// Rooms with mirrors, and the rooms that the mirrors show: these have images of all faces instead
+// of mirrors, where the mirrors' images would be.
+
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity::test {
+
+/// A plane through a point, and its normal; what lies before it has an image behind it.
+struct Plane {
+  Vec at, normal;
+  Vec reflect(const Vec& p) const { return p - 2 * dot(normal, p - at) * normal; }
+};
+
+/// Seen in a mirror what runs counter-clockwise runs clockwise.
+inline Face reflect(Face face, const Plane& plane) {
+  for (Vec& corner : face.corners) corner = plane.reflect(corner);
+  std::reverse(face.corners.begin() + 1, face.corners.end());
+  if (face.corners.size() == 4) std::swap(face.along, face.across);
+  return face;
+}
+
+/// The room's faces, and after them for each chain of planes their images: reflected by the last
+/// plane first. Mirrors must be the last faces of the room; they are left out. Face f has its
+/// images at f + k * (number of faces without mirrors).
+inline Room unfold(const Room& room, const std::vector<std::vector<Plane>>& chains) {
+  Room unfolded = room;
+  std::erase_if(unfolded.faces, [&](const Face& f) { return room.materials[f.material].mirror; });
+  const std::vector<Face> faces = unfolded.faces;
+  for (const auto& chain : chains)
+    for (Face face : faces) {
+      for (auto plane = chain.rbegin(); plane != chain.rend(); ++plane)
+        face = reflect(face, *plane);
+      unfolded.faces.push_back(face);
+    }
+  return unfolded;
+}
+
+/// For every face of the room what a vertex gets of it, directly and by mirrors.
+inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
+                                           std::size_t faces) {
+  std::vector<double> shares(faces);
+  Work work;
+  for (const Patch& patch : eye.mesh.patches)
+    shares[patch.face] += eval_factors(eye, vertex, patch, work).r;
+  return shares;
+}
+/// The same in the unfolded room, of the face and its images.
+inline std::vector<double> eval_by_images(const Eye& eye, const Vertex& vertex, std::size_t faces) {
+  std::vector<double> shares(faces);
+  Work work;
+  for (const Patch& patch : eye.mesh.patches)
+    shares[patch.face % faces] += eval_factor(eye, vertex, patch, work);
+  return shares;
+}
+
+/// The walls of [0, 2] x [0, 2] x [0, 2], those named by `walls` ("xXyYzZ": low x, high x, ...) of
+/// material 0, n x n patches.
+inline void add_walls(Room& room, const std::string& walls, int n, std::uint32_t material = 0) {
+  constexpr Vec O{0, 0, 0}, X{2, 0, 0}, Y{0, 2, 0}, Z{0, 0, 2};
+  for (const char wall : walls) switch (wall) {
+      case 'x':
+        add_quad(room, material, O, Y, Z, n, n);
+        break;
+      case 'X':
+        add_quad(room, material, X, Z, Y, n, n);
+        break;
+      case 'y':
+        add_quad(room, material, O, Z, X, n, n);
+        break;
+      case 'Y':
+        add_quad(room, material, Y, X, Z, n, n);
+        break;
+      case 'z':
+        add_quad(room, material, O, X, Y, n, n);
+        break;
+      case 'Z':
+        add_quad(room, material, Z, Y, X, n, n);
+        break;
+    }
+}
+
+/// White walls, a lamp, a perfect mirror; a table and a screen that throw shadows.
+inline Room make_cube(const std::string& walls, bool things, int n) {
+  Room room;
+  room.materials = {
+      {"wall", {0.6, 0.5, 0.4}, {}}, {"lamp", grey(0), grey(5)}, {"mirror", grey(1), {}, true}};
+  add_walls(room, walls, n);
+  room.faces[0].material = 1;
+  if (things) {
+    add_block(room, 0, {1.2, 0.4, 0.1}, {1.7, 0.8, 0.5}, 1);
+    add_quad(room, 0, {0.7, 1.1, 0.6}, {0.5, 0.3, 0.2}, {-0.1, 0.1, 0.8}).two_sided = true;
+  }
+  return room;
+}
+
+inline constexpr Plane HIGH_X{{2, 0, 0}, {-1, 0, 0}}, HIGH_Y{{0, 2, 0}, {0, -1, 0}},
+    LOW_X{{0, 0, 0}, {1, 0, 0}};
+
+}  // namespace radiosity::test
