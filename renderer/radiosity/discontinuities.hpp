@@ -6,9 +6,12 @@
 
 namespace radiosity {
 
-/// The straight borders of penumbrae on every diffuse face, of every emitting face behind every
-/// other face: where the planes through an edge of one and a corner of the other cut the face.
-/// Borders that another face hides from the light are left out; equal ones are given once.
+/// On every diffuse face that reflects, for every emitting face: what add_shadow_creases finds for
+/// every other face that can be between, and add_horizon_crease. These are the borders of
+/// penumbrae, and within them where a face hides all that it can; not every change of slope. Light
+/// by way of mirrors is not followed. Creases on one line are joined; those shorter than 0.001 of
+/// their face are left out. In the order of the faces they lie on; the room must pass check(). Of n
+/// faces, e of them emitting, some e n^2 pairs are looked at, and all n for each crease.
 std::vector<Crease> find_creases(const Room& room);
 
 }  // namespace radiosity
