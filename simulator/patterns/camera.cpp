@@ -26,6 +26,9 @@ std::vector<Parameter> reference_parameters() {
   return {make_path("reference", "a room to compare with; none: the scene itself"),
           {"reference_refine", 0, 0, 1000, true,
            "its `refine`; 0: the scene's if a reference is named, else nothing is compared"},
+          {"reference_senders", 0, 0, 1000, true,
+           "the `refine` of the patches that send its light to the vertices of the finer ones; 0: "
+           "all of its patches send"},
           make_choice("reference_reconstruction", {"bilinear", "bicubic", "flat"},
                       "how its illumination is interpolated")};
 }
@@ -38,8 +41,7 @@ radiosity::ReconstructionParams reconstruction_params(const Setup& setup, std::s
   return {KINDS[setup.whole(name)], TWISTS[setup.whole("twist")]};
 }
 
-Camera::Camera(const Setup& setup, const radiosity::Room& scene)
-    : view_(radiosity::make_view(scene.view)) {
+Camera::Camera(const Setup& setup, const radiosity::Room& scene) : view_(scene.view) {
   const auto or_view = [&](const char* name, int of_view) {
     const auto asked = static_cast<int>(setup.whole(name));
     return asked > 0 ? asked : of_view;

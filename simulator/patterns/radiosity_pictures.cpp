@@ -64,6 +64,7 @@ void add_pictures(const Setup& setup, MeshedRoom meshed, const std::vector<amp::
   auto emitters = camera.find_emitters(lit.room.mesh);
   std::optional<Picture> reference;
   if (const auto known = solve_reference(setup)) {
+    rows.rows[0].emplace_back("reference_mean", mean_radiosity(known->room.mesh, known->vertices));
     reference = camera.take(*known, reconstruction_params(setup, "reference_reconstruction"));
     const auto others = camera.find_emitters(known->room.mesh);
     for (std::size_t i = 0; i < emitters.size(); ++i) emitters[i] = emitters[i] || others[i];

@@ -2,6 +2,7 @@
 
 #include "renderer/radiosity/discontinuities.hpp"
 #include "renderer/radiosity/load_room.hpp"
+#include "renderer/radiosity/relight.hpp"
 
 namespace patterns {
 
@@ -12,15 +13,21 @@ using radiosity::Rgb;
 
 radiosity::Room load_with_creases(const std::string& path, const std::string& creases) {
   auto room = radiosity::load_room(path);
-  if (creases != "file") room.creases.clear();
-  if (creases == "auto") room.creases = find_creases(room);
+  if (creases == "none") room.creases.clear();
+  if (creases != "auto") return room;
+  const auto found = find_creases(room);
+  room.creases.insert(room.creases.end(), found.begin(), found.end());
   return room;
 }
 
-MeshedRoom make_meshed(radiosity::Room room, std::int64_t refine) {
+radiosity::Mesh make_refined(const radiosity::Room& room, std::int64_t refine) {
   MeshParams params;
   params.refine = static_cast<int>(refine);
-  auto mesh = make_mesh(room, params);
+  return make_mesh(room, params);
+}
+
+MeshedRoom make_meshed(radiosity::Room room, std::int64_t refine) {
+  auto mesh = make_refined(room, refine);
   return {std::move(room), std::move(mesh)};
 }
 
@@ -30,8 +37,10 @@ std::vector<Parameter> solution_parameters() {
   return {
       make_path("scene", "the room: .room, .nff or .obj", true),
       {"refine", 1, 1, 1000, true, "multiplies the divisions of every face of the room"},
-      make_choice("creases", {"file", "auto", "none"},
-                  "borders of penumbrae that patches keep: the room's, or found, or none"),
+      make_choice(
+          "creases", {"file", "auto", "none"},
+          "borders of penumbrae that patches keep: the room's; these and others that are found; "
+          "none"),
       {"samples", 1, 1, 1024, true, "a patch is cut into samples x samples delta areas"},
       {"spread", 0.18, 1e-6, 1e6, false,
        "and a delta area into four while it is wider than this share of its distance"},
@@ -81,7 +90,10 @@ std::optional<LitRoom> solve_reference(const Setup& setup) {
   LitRoom lit{make_meshed(radiosity::load_room(named.empty() ? setup.path("scene") : named),
                           refine > 0 ? refine : setup.whole("refine")),
               {}};
-  const auto solution = solve(lit.room.mesh, solve_params(setup));
+  const auto senders = setup.whole("reference_senders");
+  const auto solution = senders > 0 ? relight(make_refined(lit.room.room, senders), lit.room.mesh,
+                                              solve_params(setup))
+                                    : solve(lit.room.mesh, solve_params(setup));
   lit.vertices = light_vertices(setup, lit.room.mesh, solution.vertices, solution.ambient);
   return lit;
 }

@@ -58,7 +58,7 @@ Rows run(const Setup& setup) {
   const int y = asked < 0 ? reference.height / 2 : asked;
   const Line lines[] = {take_line(setup, "bilinear", bilinear, display, y),
                         take_line(setup, "bicubic", bicubic, display, y),
-                        take_line(setup, "reference", reference, display, y)};
+                        take_line(setup, "fine", reference, display, y)};
   Rows rows;
   for (int x = 0; x < reference.width; ++x) {
     const auto i = static_cast<std::size_t>(x);
@@ -93,7 +93,7 @@ Pattern make_scan_line() {
           .help =
               "a line of a room's picture, without a machine: at each pixel x what is displayed, "
               "0..255, and the radiosity, by bilinear and bicubic interpolation and of a "
-              "reference; emits: it shows what emits",
+              "reference (fine); emits: it shows what emits",
           .uses_topology = false,
           .parameters = parameters(),
           .run = &run,
