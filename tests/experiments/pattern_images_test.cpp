@@ -52,9 +52,9 @@ TEST(ExperimentsPatternImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   const auto path = [&](int i) { return results[std::size_t(i)]["images"][0]["path"]; };
   EXPECT_EQ(path(0), "image-picture-1.png");
   EXPECT_EQ(path(1), path(0));
-  EXPECT_EQ(path(2), "image-picture-2.0-0.png");
-  EXPECT_EQ(path(3), "image-picture-2.0-3.png");
-  EXPECT_EQ(results[3]["images"][0]["caption"], "picture, bytes = 2.0, switches = 3");
+  EXPECT_EQ(path(2), "image-picture-2-0.png");
+  EXPECT_EQ(path(3), "image-picture-2-3.png");
+  EXPECT_EQ(results[3]["images"][0]["caption"], "picture, bytes = 2, switches = 3");
   EXPECT_EQ(results[3]["images"][1]["path"], "image-all.png");
   EXPECT_EQ(read_file(placed / "image-picture-1.png"), "one");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);

@@ -1,5 +1,6 @@
 // The programs radiosity and scan_line in experiment files: paths, images, costs, speed-ups.
 #include "experiments/point_key.hpp"
+#include "experiments/table.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/experiments/load.hpp"
 #include "tests/experiments/sweep.hpp"
@@ -85,7 +86,8 @@ TEST_F(Radiosity, ImagesArePlacedAndShown) {
                            "image-difference.png", "image-2-shots.png", "image-4-shots.png"})
     EXPECT_TRUE(fs::exists(folder.path / "r" / name)) << name;
   const auto report = read_file(folder.path / "r/report.html");
-  for (const char* caption : {"picture<", "reference<", "difference<", "2-shots, after "})
+  for (const char* caption :
+       {"alt=\"picture\"", "alt=\"reference\"", "alt=\"difference\"", "2-shots, after "})
     EXPECT_TRUE(contains(report, caption)) << caption;
   const auto before = visible("r");
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
