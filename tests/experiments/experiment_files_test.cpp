@@ -46,7 +46,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
         "sweep.topology=[\"mesh\"]", "sweep.workers=[1, 16]", "let.least=\"6\""}},
       {"radiosity-distribution",
        {"program.refine=2", "program.max_shots=3", "program.width=32", "program.height=24",
-        "sweep.borders=[\"exchanged\"]", "sweep.cache_percent=[0, 50]"}},
+        "sweep.borders, cache_percent=[[\"exchanged\", 0], [\"exchanged\", 50]]"}},
       {"thesis/figure-3.8",
        {"program.tolerance=0.1", "program.reference_refine=4", "program.width=160",
         "program.height=120", "network.workers=1"}},
