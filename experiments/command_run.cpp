@@ -41,7 +41,10 @@ std::string describe_programs() {
   for (const auto& pattern : patterns::all_patterns()) {
     text += fmt::format("  {:<30} {}\n", pattern.name, pattern.help);
     for (const auto& p : pattern.parameters)
-      if (!p.choices.empty())
+      if (p.is_path)
+        text += fmt::format("    {:<28} {}; a file{}\n", "program." + p.name, p.help,
+                            p.is_required ? "" : " [none]");
+      else if (!p.choices.empty())
         text += fmt::format("    {:<28} {}; one of {} [{}]\n", "program." + p.name, p.help,
                             fmt::join(p.choices, ", "), describe_value(p, p.value));
       else

@@ -27,7 +27,8 @@ struct Experiment {
   std::string title, question;
   std::string program = "farm";                           // [program]: or the name of a pattern
   std::map<std::string, double, std::less<>> parameters;  // of the pattern, each with a value
-  std::string model = "t805-25";                          // [machine]
+  std::map<std::string, patterns::NamedFile, std::less<>> files;  // and those that are paths
+  std::string model = "t805-25";                                  // [machine]
   // [model]: "link.one_way_rate" and its value in TOML's spelling.
   std::vector<std::pair<std::string, std::string>> model_overrides;
   std::string topology = "tree";  // [network]: a generator sized by `workers`, a spec, or a file

@@ -10,6 +10,7 @@
 #include "experiments/farm_run.hpp"
 #include "experiments/machine_model.hpp"
 #include "experiments/network_setup.hpp"
+#include "experiments/pattern_images.hpp"
 #include "experiments/program.hpp"
 #include "simulator/machine/faults.hpp"
 #include "topologies/generators.hpp"
@@ -20,11 +21,20 @@ using nlohmann::ordered_json;
 
 namespace {
 
+patterns::Setup make_setup_without_network(const Experiment& experiment,
+                                           const patterns::Pattern& pattern,
+                                           const machine::Model& model) {
+  patterns::Setup setup{model, topologies::make_line(1), experiment.parameters, nullptr, &pattern};
+  setup.files = experiment.files;
+  setup.cycles_per_host_s = experiment.farm.cycles_per_host_s;
+  return setup;
+}
+
 patterns::Setup make_setup(const Experiment& experiment, const patterns::Pattern& pattern,
                            const machine::Model& model, observe::Watch& watch) {
-  patterns::Setup setup{model,
-                        pattern.uses_topology ? make_workers(experiment) : topologies::make_line(1),
-                        experiment.parameters, &watch, &pattern};
+  auto setup = make_setup_without_network(experiment, pattern, model);
+  setup.watch = &watch;
+  if (pattern.uses_topology) setup.topology = make_workers(experiment);
   if (pattern.uses_routes) {
     setup.routes = find_routes(experiment, setup.topology);
     setup.tree = find_tree(experiment, setup.topology);
@@ -70,7 +80,16 @@ void check_rows(const patterns::Pattern& pattern, const std::vector<ordered_json
 
 }  // namespace
 
-ordered_json run_pattern_point(const Experiment& experiment, observe::Watch& watch) {
+void check_pattern_point(const Experiment& experiment) {
+  check_files(experiment);
+  const auto& pattern = *find_pattern(experiment.program);
+  if (!pattern.check) return;
+  const auto model = make_model(experiment);
+  pattern.check(make_setup_without_network(experiment, pattern, model));
+}
+
+ordered_json run_pattern_point(const Experiment& experiment, const std::filesystem::path& images,
+                               observe::Watch& watch) {
   const auto start = std::clock();
   const auto& pattern = *find_pattern(experiment.program);
   const auto model = make_model(experiment);
@@ -88,6 +107,7 @@ ordered_json run_pattern_point(const Experiment& experiment, observe::Watch& wat
     for (const auto& row : found.rows) rows.push_back(to_json(row, setup.topology, ended));
     notes = std::move(found.notes);
     check_rows(pattern, rows);
+    if (!found.images.empty()) result["images"] = save_images(found.images, images);
   } catch (const patterns::Unfinished&) {
     ended = machine::to_string(watch.end);
   }

@@ -7,6 +7,7 @@
 #include "experiments/point_result.hpp"
 #include "experiments/program.hpp"
 #include "experiments/results.hpp"
+#include "experiments/speedups.hpp"
 #include "simulator/machine/faults.hpp"
 
 namespace experiments {
@@ -38,9 +39,12 @@ void put_inputs(Table& table, std::vector<Value>& row, const Experiment& experim
     put(table, row, "processors", to_value(result["processors"]));
   }
   for (const auto& p : pattern.parameters)
-    put(table, row, p.name,
-        p.choices.empty() ? Value(experiment.parameters.at(p.name))
-                          : Value(describe_value(p, experiment.parameters.at(p.name))));
+    if (p.is_path)
+      put(table, row, p.name, experiment.files.at(p.name).text);
+    else
+      put(table, row, p.name,
+          p.choices.empty() ? Value(experiment.parameters.at(p.name))
+                            : Value(describe_value(p, experiment)));
 }
 
 // Whole numbers are written without a point, if a column holds nothing else.
@@ -78,6 +82,7 @@ Table make_pattern_table(const ExperimentFile& file, const std::vector<ordered_j
       table.rows.push_back(std::move(row));
       table.points.push_back(i);
     }
+  add_speedups(table, "processors");
   make_whole(table);
   return table;
 }
@@ -85,7 +90,8 @@ Table make_pattern_table(const ExperimentFile& file, const std::vector<ordered_j
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table) {
   std::set<std::string> inputs{"topology", "processors"};
   for (std::size_t c = 0; c < table.axes; ++c) inputs.insert(table.columns[c]);
-  for (const auto& [name, value] : file.points[0].experiment.parameters) inputs.insert(name);
+  for (const auto& p : find_pattern(file.points[0].experiment.program)->parameters)
+    inputs.insert(p.name);
   for (const auto& column : table.columns)
     if (!inputs.contains(column)) return {column};
   return {};

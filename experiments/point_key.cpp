@@ -37,8 +37,8 @@ class Keys {
     std::string text = start_;
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
     text += "model " + find(models_, model_key(e), [&] { return hash_of(describe_entries(e)); });
-    for (const auto& source : {e.scene, e.topology, e.routes})
-      text += "\nfile " + find(files_, source, [&] { return hash_file(source); });
+    for (const auto& source : {e.scene, e.topology, e.routes}) add_file(text, source);
+    for (const auto& [name, file] : e.files) add_file(text, file.path);
     return hash_of(text);
   }
 
@@ -50,6 +50,10 @@ class Keys {
     const auto [entry, is_new] = known.try_emplace(name);
     if (is_new) entry->second = make();
     return entry->second;
+  }
+
+  void add_file(std::string& text, const std::string& source) {
+    text += "\nfile " + find(files_, source, [&] { return hash_file(source); });
   }
 
   static std::string hash_file(const std::string& source) {

@@ -40,9 +40,11 @@ bool has_images(const ordered_json& record, const fs::path& folder) {
     return fs::is_regular_file(folder / name.get<std::string>());
   };
   if (record.contains("image") && !is_there(record["image"])) return false;
-  return !record.contains("key_images") ||
-         std::ranges::all_of(record["key_images"],
-                             [&](const auto& image) { return is_there(image["file"]); });
+  for (const char* key : {"key_images", "images"})
+    for (const auto& image : record.value(key, ordered_json::array()))
+      if (!is_there(image["file"]) || (image.contains("exr") && !is_there(image["exr"])))
+        return false;
+  return true;
 }
 
 }  // namespace

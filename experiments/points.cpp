@@ -11,6 +11,7 @@
 #include "experiments/farm_run.hpp"
 #include "experiments/machine_model.hpp"
 #include "experiments/network_setup.hpp"
+#include "experiments/pattern_run.hpp"
 #include "experiments/point_key.hpp"
 #include "experiments/results.hpp"
 #include "experiments/simulate.hpp"
@@ -76,7 +77,10 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
   for (const auto& point : file.points)
     check_in(file, [&] {
       const Experiment& e = point.experiment;
-      if (is_farm(file)) check_farm_point(e, scenes);
+      if (is_farm(file))
+        check_farm_point(e, scenes);
+      else
+        check_pattern_point(e);
       if (models.insert(model_key(e)).second) make_model(e);
       if (networks.insert(network_key(e)).second) check_network(e);
     });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "simulator/machine/faults.hpp"
 #include "topologies/spelling.hpp"
@@ -34,7 +35,33 @@ std::string describe_value(const Parameter& parameter, double value) {
                                    : parameter.choices.at(static_cast<std::size_t>(value));
 }
 
+std::string describe_value(const Parameter& parameter, const Experiment& experiment) {
+  if (!parameter.is_path)
+    return describe_value(parameter, experiment.parameters.at(parameter.name));
+  const auto& text = experiment.files.at(parameter.name).text;
+  return text.empty() ? "none" : text;
+}
+
+void check_files(const Experiment& experiment) {
+  for (const auto& p : find_pattern(experiment.program)->parameters) {
+    if (!p.is_path) continue;
+    const auto& file = experiment.files.at(p.name);
+    if (file.path.empty() && p.is_required)
+      throw InvalidInput(
+          fmt::format("program.{}: found none, expected a file: {}", p.name, p.help));
+    if (!file.path.empty() && !std::filesystem::is_regular_file(file.path))
+      throw InvalidInput(
+          fmt::format("program.{}: found \"{}\", expected a file: there is none at {}", p.name,
+                      file.text, file.path));
+  }
+}
+
 namespace {
+
+patterns::NamedFile read_file_name(const Place& at) {
+  const auto text = read_text(at);
+  return {text, text.empty() ? "" : (std::filesystem::path(at.folder) / text).string()};
+}
 
 double read_choice(const std::vector<std::string>& choices, const Place& at) {
   const auto text = at.node.value_exact<std::string>();
@@ -59,6 +86,10 @@ void bind_parameter(Experiment& experiment, const Pattern& pattern, const Place&
                     known.empty() ? fmt::format("the program {} has no parameters", pattern.name)
                                   : fmt::format("the nearest valid key is \"{}\"",
                                                 topologies::nearest_name(at.key, known))));
+  }
+  if (found->is_path) {
+    experiment.files[name] = read_file_name(at);
+    return;
   }
   if (!found->choices.empty()) {
     experiment.parameters[name] = read_choice(found->choices, at);
@@ -118,6 +149,8 @@ void check_used(const Pattern* pattern, const Place& at) {
   for (const char* key : {"network.routes", "network.tree", "network.tree_links"})
     if (at.key == key) refuse("routes and trees", &Pattern::uses_routes);
   if (at.key == "fault") refuse("faults", &Pattern::uses_faults);
+  if (pattern && at.key == "run.cost" && at.node.value_exact<std::string>() == "timed")
+    refuse("timed costs", &Pattern::uses_cost);
 }
 
 }  // namespace experiments

@@ -17,6 +17,9 @@ std::string read_program(const toml::table& file, const std::string& origin);
 
 // The choice that a value stands for, or the number.
 std::string describe_value(const patterns::Parameter& parameter, double value);
+// The same of a parameter's value; of a path what the experiment says, "none" where it says
+// nothing.
+std::string describe_value(const patterns::Parameter& parameter, const Experiment& experiment);
 
 // Sets "program.bytes". Throws machine::InvalidInput for a parameter that the pattern does not
 // have, with the nearest, and for a value out of its range or a text that is no choice.
@@ -25,9 +28,12 @@ void bind_parameter(Experiment& experiment, const patterns::Pattern& pattern, co
 // Sets "model.link.one_way_rate"; the entry's name is checked when the model is made.
 void bind_model_entry(Experiment& experiment, const Place& at);
 
+// Throws machine::InvalidInput for a path that names no file, or none where one is required.
+void check_files(const Experiment& experiment);
+
 // Throws machine::InvalidInput for a key that says nothing to this pattern: those of the farm.
 void check_belongs(const patterns::Pattern& pattern, const Place& at);
-// The same for routes, tree and faults; null is the farm, which has none.
+// The same for routes, tree, faults and timed costs; null is the farm, which has only the last.
 void check_used(const patterns::Pattern* pattern, const Place& at);
 
 }  // namespace experiments

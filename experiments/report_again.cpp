@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 // A point of run.json with its record.
 void add_point(Simulation& s, const Point& point, const ordered_json& json, ordered_json record) {
   record.erase("use");
-  if (json.contains("key_images")) record["key_images"] = json["key_images"];
+  for (const char* key : {"key_images", "images"})
+    if (json.contains(key)) record[key] = json[key];
   s.file.points.push_back(point);
   s.records.push_back(json.at("record").get<std::string>());
   s.images.push_back(json.value("image", ""));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/carry.hpp"
+#include "experiments/pattern_images.hpp"
 #include "experiments/results.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -52,7 +53,10 @@ ordered_json place_key_images(const ordered_json& files, const fs::path& records
 std::vector<std::string> place_images(const ExperimentFile& file, Results& results,
                                       const fs::path& records, const fs::path& folder) {
   std::vector<std::string> images(results.size());
-  if (!is_farm(file)) return images;
+  if (!is_farm(file)) {
+    place_pattern_images(file, results, records, folder);
+    return images;
+  }
   check_images(file, results);
   std::map<std::string, std::string> stems;  // of equal images
   std::set<std::string> known, with_key_images;

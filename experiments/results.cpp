@@ -9,6 +9,7 @@
 #include "experiments/laws.hpp"
 #include "experiments/pattern_table.hpp"
 #include "experiments/point_result.hpp"
+#include "experiments/speedups.hpp"
 
 namespace experiments {
 
@@ -18,25 +19,6 @@ using nlohmann::ordered_json;
 
 bool is_standard(const std::string& axis) {
   return axis == "topology" || axis == "workers" || axis == "objects";
-}
-
-// Speed-up over the row of one worker with the same other axes.
-void add_speedups(Table& table) {
-  const std::size_t workers = *table.find("workers"), time = *table.find("time_s");
-  const std::size_t speedup = *table.find("speedup"), efficiency = *table.find("efficiency");
-  const Value one = std::int64_t{1};
-  for (auto& row : table.rows) {
-    const auto base = std::ranges::find_if(table.rows, [&](const auto& other) {
-      for (std::size_t c = 0; c < table.axes; ++c)
-        if (other[c] != (c == workers ? one : row[c])) return false;
-      return true;
-    });
-    if (base == table.rows.end() || !is_complete_row(table, *base) || !is_complete_row(table, row))
-      continue;
-    const double s = *as_number((*base)[time]) / *as_number(row[time]);
-    row[speedup] = s;
-    row[efficiency] = s / *as_number(row[workers]);
-  }
 }
 
 // What the laws say of every speed-up, behind the efficiency.
@@ -128,7 +110,7 @@ Table make_table(const ExperimentFile& file, const std::vector<ordered_json>& re
       row.push_back(to_value(results[i]["row"].value(name, ordered_json())));
     table.rows.push_back(std::move(row));
   }
-  add_speedups(table);
+  add_speedups(table, "workers");
   add_serial_fractions(table);
   return table;
 }

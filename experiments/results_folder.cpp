@@ -54,7 +54,8 @@ bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.en
 
 // Whole, or what a killed process has left of it.
 bool is_of_record(const std::string& name) {
-  return name.find(".json") != name.npos || name.find(".png") != name.npos;
+  return name.find(".json") != name.npos || name.find(".png") != name.npos ||
+         name.find(".exr") != name.npos;
 }
 
 bool is_store(const fs::path& folder) {
@@ -73,7 +74,8 @@ bool is_result(const fs::path& entry) {
                                                  : name == "points" && is_store(entry);
   return name == "results.csv" || name == "checks.csv" || name == "fits.csv" ||
          name == "best.csv" || name == "pays.csv" || name == "run.json" || name == "report.html" ||
-         (name.starts_with("image-") && entry.extension() == ".png");
+         (name.starts_with("image-") &&
+          (entry.extension() == ".png" || entry.extension() == ".exr"));
 }
 
 void check_is_ours(const fs::path& path) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <set>
 
 #include "experiments/jobs.hpp"
 #include "experiments/origin.hpp"
@@ -41,11 +42,20 @@ void print_notes(const Simulation& s) {
   if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
-void print_paths(const fs::path& output, const std::vector<std::string>& images) {
+// The last of a run, not those on the way.
+std::set<std::string> list_images(const Simulation& s) {
+  std::set<std::string> names(s.images.begin(), s.images.end());
+  for (const auto& result : s.results)
+    for (const auto& image : result.value("images", ordered_json::array()))
+      if (!image.contains("at_s")) names.insert(image["path"].get<std::string>());
+  names.erase("");
+  return names;
+}
+
+void print_paths(const fs::path& output, const std::set<std::string>& images) {
   fmt::print("  report   {}\n", (output / "report.html").string());
   fmt::print("  table    {}\n", (output / "results.csv").string());
-  for (const auto& image : images)
-    if (!image.empty()) fmt::print("  image    {}\n", (output / image).string());
+  for (const auto& image : images) fmt::print("  image    {}\n", (output / image).string());
   if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
 }
 
@@ -61,7 +71,7 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.results.size());
   fmt::print("\nEnded: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());
-  print_paths(output, s.images);
+  print_paths(output, list_images(s));
 }
 
 // Of what has been written.

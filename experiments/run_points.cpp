@@ -32,8 +32,9 @@ void check_columns(const PointsPlan& plan, const Point& point, const ordered_jso
 
 ordered_json run_program(const PointsPlan& plan, std::size_t number, observe::Watch& watch) {
   const Experiment& experiment = plan.file.points[number].experiment;
-  if (experiment.program != "farm") return run_pattern_point(experiment, watch);
-  return run_farm_point(experiment, plan.results / records_folder(), plan.options.profile, watch);
+  const auto images = plan.results / records_folder();
+  if (experiment.program != "farm") return run_pattern_point(experiment, images, watch);
+  return run_farm_point(experiment, images, plan.options.profile, watch);
 }
 
 ordered_json run_point(const PointsPlan& plan, std::size_t number) {

@@ -43,10 +43,14 @@ ordered_json models_json(const ExperimentFile& file) {
 // Scenes, networks and routes that are files.
 ordered_json inputs_json(const ExperimentFile& file) {
   std::set<std::string> paths;
-  for (const auto& point : file.points)
-    for (const auto& source :
-         {point.experiment.scene, point.experiment.topology, point.experiment.routes})
-      if (fs::is_regular_file(source)) paths.insert(source);
+  const auto add = [&](const std::string& source) {
+    if (fs::is_regular_file(source)) paths.insert(source);
+  };
+  for (const auto& point : file.points) {
+    const Experiment& e = point.experiment;
+    for (const auto& source : {e.scene, e.topology, e.routes}) add(source);
+    for (const auto& [name, named] : e.files) add(named.path);
+  }
   ordered_json inputs = ordered_json::object();
   for (const auto& path : paths) inputs[path] = hash_of(read_file(path));
   return inputs;
@@ -69,7 +73,7 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   ordered_json point = {{"at", at}, {"record", s.records[i].string()}};
   if (!s.images[i].empty()) point["image"] = s.images[i];
   if (is_farm(s.file)) point["seed"] = s.file.points[i].experiment.farm.seed;
-  for (const char* key : {"topology", "key_images", "host", "ended", "message", "notes"})
+  for (const char* key : {"topology", "key_images", "images", "host", "ended", "message", "notes"})
     if (s.results[i].contains(key)) point[key] = s.results[i][key];
   auto record = load_record(folder / s.records[i]);
   if (record.contains("use")) point["use"] = std::move(record["use"]);

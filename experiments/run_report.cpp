@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "experiments/best.hpp"
 #include "experiments/check_plan.hpp"
@@ -66,10 +67,9 @@ Facts make_pattern_facts(const ExperimentFile& file) {
                                     ? "its own number"
                                     : values_of(file, "workers", fmt::format("{}", e.workers)))});
   for (const auto& p : pattern.parameters)
-    facts.push_back({p.name, fmt::format("{} ({})",
-                                         values_of(file, p.name.c_str(),
-                                                   describe_value(p, e.parameters.at(p.name))),
-                                         p.help)});
+    facts.push_back(
+        {p.name,
+         fmt::format("{} ({})", values_of(file, p.name.c_str(), describe_value(p, e)), p.help)});
   facts.push_back({"Points", fmt::format("{}", file.points.size())});
   return facts;
 }
@@ -144,7 +144,11 @@ std::vector<std::string> load_columns(const ExperimentFile& file, const Table& t
 }
 
 void add_images(Report& report, const fs::path& folder, const Simulation& s) {
+  std::set<std::string> shown;
   for (std::size_t i = 0; i < s.images.size(); ++i) {
+    for (const auto& image : s.results[i].value("images", ordered_json::array()))
+      if (const auto name = image["path"].get<std::string>(); shown.insert(name).second)
+        report.images.push_back({image["caption"].get<std::string>(), folder / name});
     const auto& image = s.images[i];
     for (const auto& key : s.results[i].value("key_images", nlohmann::ordered_json::array())) {
       const auto name = key["path"].get<std::string>();

@@ -251,8 +251,13 @@ Experiment bind_settings(const toml::table& file, const std::vector<Replacement>
                          const std::string& origin, const std::string& folder) {
   Experiment experiment;
   experiment.program = read_program(file, origin);
-  if (const auto* pattern = find_pattern(experiment.program))
-    for (const auto& p : pattern->parameters) experiment.parameters[p.name] = p.value;
+  if (const auto* pattern = find_pattern(experiment.program)) {
+    for (const auto& p : pattern->parameters)
+      if (p.is_path)
+        experiment.files[p.name] = {};
+      else
+        experiment.parameters[p.name] = p.value;
+  }
   for_each_key(file, [&](const std::string& key, const toml::node& node) {
     bind_key(experiment, {origin, key, folder, node});
   });

@@ -32,6 +32,8 @@ Pattern make_router_load();
 Pattern make_soak();
 Pattern make_in_path();
 Pattern make_data();
+Pattern make_radiosity();
+Pattern make_scan_line();
 
 const std::vector<Pattern>& all_patterns() {
   static const std::vector<Pattern> all = {
@@ -41,6 +43,7 @@ const std::vector<Pattern>& all_patterns() {
       make_law(),         make_commstime(), make_flops(),           make_metrics(),
       make_census(),      make_deadlock(),  make_global_messages(), make_random_traffic(),
       make_router_load(), make_soak(),      make_in_path(),         make_data(),
+      make_radiosity(),   make_scan_line(),
   };
   return all;
 }
@@ -88,6 +91,17 @@ std::string Setup::choice(std::string_view name) const {
         found != pattern->parameters.end() && value < found->choices.size())
       return found->choices[value];
   throw machine::InvariantBroken(fmt::format("the pattern has no choice {}", name));
+}
+
+const std::string& Setup::path(std::string_view name) const {
+  const auto found = files.find(name);
+  if (found == files.end())
+    throw machine::InvariantBroken(fmt::format("the pattern has no path {}", name));
+  return found->second.path;
+}
+
+Parameter make_path(const std::string& name, const std::string& help, bool is_required) {
+  return {name, 0, 0, 0, false, help, {}, true, is_required};
 }
 
 Parameter make_choice(const std::string& name, const std::vector<std::string>& choices,

@@ -7,12 +7,22 @@
 
 namespace patterns {
 
+inline Parameter method_parameter() {
+  return make_choice("method", {"green", "chalmers", "acyclic", "naive"},
+                     "how routers avoid deadlock; acyclic takes the network's routes only if they "
+                     "close no cycle");
+}
+
+inline network::Method method_of(const Setup& setup) {
+  static constexpr network::Method METHODS[] = {network::Method::green, network::Method::chalmers,
+                                                network::Method::acyclic, network::Method::naive};
+  return METHODS[setup.whole("method")];
+}
+
 // [program] keys of every program over routers. The first message length is the longest.
 inline std::vector<Parameter> router_parameters(std::vector<Parameter> own) {
   std::vector<Parameter> all{
-      make_choice("method", {"green", "chalmers", "acyclic", "naive"},
-                  "how routers avoid deadlock; acyclic takes the network's routes only if they "
-                  "close no cycle"),
+      method_parameter(),
       make_choice("within", {"pointers", "copies"},
                   "how a message is passed within a processor: by pointer, or copied"),
       {"buffers", 64, 1, 1e6, true, "messages that a router has room for"}};
@@ -25,10 +35,8 @@ inline Parameter message_bytes_parameter() {
 }
 
 inline network::Params network_params(const Setup& setup, std::uint64_t longest) {
-  static constexpr network::Method METHODS[] = {network::Method::green, network::Method::chalmers,
-                                                network::Method::acyclic, network::Method::naive};
   network::Params params;
-  params.method = METHODS[setup.whole("method")];
+  params.method = method_of(setup);
   params.pointers = setup.choice("within") == "pointers";
   params.buffers = static_cast<std::size_t>(setup.whole("buffers"));
   params.longest = longest;
