@@ -23,8 +23,22 @@ bool is_within(const Mirror& mirror, const Vec& point, double margin) {
 }
 
 bool Chain::can_meet(const Mirror& mirror) const {
-  return (mirrors.empty() || mirrors.back() != &mirror) &&
-         dot(mirror.normal, last().at - mirror.corners[0]) > 0;
+  return dot(mirror.normal, last().at - mirror.corners[0]) > 0 &&
+         (mirrors.empty() || (mirrors.back() != &mirror && may_show(mirror.corners)));
+}
+
+bool Chain::may_show(std::span<const Vec> corners) const {
+  const Mirror& window = *mirrors.back();
+  const auto is_out = [&](const Vec& normal, const Vec& through) {
+    return std::ranges::all_of(corners,
+                               [&](const Vec& c) { return dot(normal, c - through) <= 0; });
+  };
+  if (is_out(window.normal, window.centre)) return false;
+  const Vec& eye = last().at;  // behind the window
+  const auto& edge = window.corners;
+  for (std::size_t i = 0; i < edge.size(); ++i)
+    if (is_out(cross(edge[i] - eye, edge[(i + 1) % edge.size()] - eye), eye)) return false;
+  return true;
 }
 
 Chain Chain::extend(const Mirror& mirror, const Rgb& by) const {

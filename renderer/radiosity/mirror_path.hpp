@@ -2,14 +2,20 @@
 // The way of light over a chain of mirrors, made straight: what looks is mirrored instead of what
 // is seen (figures 3.11 and 3.12).
 
+#include <boost/container/static_vector.hpp>
+
 #include "renderer/radiosity/delta_areas.hpp"
 
 namespace radiosity {
 
 /// A vertex's viewpoint and its images: images[j] is mirrored by the chain's first j mirrors.
 struct Chain {
-  std::vector<const Mirror*> mirrors;  ///< the first is the one that the vertex looks into
-  std::vector<Viewpoint> images;
+  template <class T, std::size_t most>
+  using List = boost::container::static_vector<T, most>;
+
+  List<const Mirror*, MOST_REFLECTIONS>
+      mirrors;  ///< the first is the one that the vertex looks into
+  List<Viewpoint, MOST_REFLECTIONS + 1> images;
   Rgb reflectance{1, 1, 1};                                ///< of all of them
   double width = std::numeric_limits<double>::infinity();  ///< of the one that looks narrowest,
                                                            ///< rad, about
@@ -18,6 +24,8 @@ struct Chain {
   const Viewpoint& last() const { return images.back(); }
   /// Whether the chain's end can look into the mirror.
   bool can_meet(const Mirror& mirror) const;
+  /// Whether the last mirror may show any of a convex polygon: no edge of it divides them.
+  bool may_show(std::span<const Vec> corners) const;
   /// The chain with one mirror more, of this reflectance.
   Chain extend(const Mirror& mirror, const Rgb& by) const;
 };

@@ -12,12 +12,6 @@ using renderer::Work;
 
 namespace {
 
-bool is_before(const Mirror& mirror, const Patch& patch) {
-  for (const Vec& corner : patch.at)
-    if (dot(mirror.normal, corner - mirror.corners[0]) > 0) return true;
-  return false;
-}
-
 struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -49,7 +43,7 @@ class Mirroring {
       if (!chain.can_meet(mirror)) continue;
       work_[Op::light_mirrored] += 1;
       const auto longer = chain.extend(mirror, eye_.mesh.materials[mirror.material].reflectance);
-      if (is_before(mirror, patch_) && face_each_other(longer.last(), patch_))
+      if (face_each_other(longer.last(), patch_) && longer.may_show(patch_.at))
         total += eval_chain(longer) * longer.reflectance;
       total += sum(longer);
     }

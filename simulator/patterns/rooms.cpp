@@ -43,12 +43,17 @@ std::vector<Parameter> solution_parameters() {
           "none"),
       {"samples", 1, 1, 1024, true, "a patch is cut into samples x samples delta areas"},
       {"spread", 0.18, 1e-6, 1e6, false,
-       "and a delta area into four while it is wider than this share of its distance"},
+       "and a delta area in half while it is wider than this share of its distance"},
       {"halvings", 12, 0, 30, true, "at most so many times"},
       {"reflections", 2, 0, radiosity::MOST_REFLECTIONS, true,
        "mirrors that light may meet on its way"},
       {"mirror_pieces", 0, 0, 1000, true,
        "a mirror is cut into so many pieces along and across; 0: as each delta area needs"},
+      {"mirror_share", 0.5, 1e-6, 1e9, false,
+       "a delta area that is seen in mirrors is halved while it looks wider than this share of them"},
+      make_choice("mean", {"simpson", "corners"},
+                  "what a patch has received: a twelfth of each corner's and two thirds of the "
+                  "centre's; or the mean of its corners"),
       {"max_shots", 1e6, 0, 1e9, true, "that patches send their light, at most"},
       {"tolerance", 0.001, 0, 1, false, "until this share of the emitted power is unsent"},
   };
@@ -72,6 +77,9 @@ radiosity::SolveParams solve_params(const Setup& setup) {
   params.factor.halvings = static_cast<int>(setup.whole("halvings"));
   params.factor.reflections = static_cast<int>(setup.whole("reflections"));
   params.factor.mirror_pieces = static_cast<int>(setup.whole("mirror_pieces"));
+  params.factor.mirror_share = setup["mirror_share"];
+  params.mean = setup.choice("mean") == "simpson" ? radiosity::Mean::simpson
+                                                  : radiosity::Mean::corners;
   params.shots = static_cast<int>(setup.whole("max_shots"));
   params.tolerance = setup["tolerance"];
   return params;
