@@ -23,6 +23,7 @@ void add_speedups(Table& table, const std::string& processors) {
   const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");
   if (!axis || *axis >= table.axes || !time || !speedup || !efficiency) return;
   for (auto& row : table.rows) {
+    if (row[*speedup] != Value()) continue;
     const auto base = std::ranges::find_if(
         table.rows, [&](const auto& other) { return is_base(table, other, row, *axis); });
     if (base == table.rows.end() || !is_complete_row(table, *base) || !is_complete_row(table, row))

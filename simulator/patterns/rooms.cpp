@@ -50,7 +50,8 @@ std::vector<Parameter> solution_parameters() {
       {"mirror_pieces", 0, 0, 1000, true,
        "a mirror is cut into so many pieces along and across; 0: as each delta area needs"},
       {"mirror_share", 0.5, 1e-6, 1e9, false,
-       "a delta area that is seen in mirrors is halved while it looks wider than this share of them"},
+       "a delta area that is seen in mirrors is halved while it looks wider than this share of "
+       "them"},
       make_choice("mean", {"simpson", "corners"},
                   "what a patch has received: a twelfth of each corner's and two thirds of the "
                   "centre's; or the mean of its corners"),
@@ -78,8 +79,8 @@ radiosity::SolveParams solve_params(const Setup& setup) {
   params.factor.reflections = static_cast<int>(setup.whole("reflections"));
   params.factor.mirror_pieces = static_cast<int>(setup.whole("mirror_pieces"));
   params.factor.mirror_share = setup["mirror_share"];
-  params.mean = setup.choice("mean") == "simpson" ? radiosity::Mean::simpson
-                                                  : radiosity::Mean::corners;
+  params.mean =
+      setup.choice("mean") == "simpson" ? radiosity::Mean::simpson : radiosity::Mean::corners;
   params.shots = static_cast<int>(setup.whole("max_shots"));
   params.tolerance = setup["tolerance"];
   return params;
