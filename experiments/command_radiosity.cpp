@@ -50,8 +50,18 @@ void check_output(const Options& o) {
         "--output", fmt::format("found \"{}\" with --exposure or --gamma, expected a .png: an .exr "
                                 "has linear radiosity",
                                 o.output));
-  if (o.stats == o.output)
+  const auto whole = [](const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(path, ignored);
+  };
+  if (!o.stats.empty() && whole(o.stats) == whole(o.output))
     throw CLI::ValidationError("--stats", "expected another file than the image's");
+  for (const auto& path : {o.output, o.stats})
+    if (const auto folder = std::filesystem::path(path).parent_path();
+        !folder.empty() && !std::filesystem::is_directory(folder))
+      throw CLI::ValidationError(
+          fmt::format("found \"{}\", expected a file in a folder that is there: \"{}\" is none",
+                      path, folder.string()));
 }
 
 double parse_exposure(const std::string& text) {

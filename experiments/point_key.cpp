@@ -8,6 +8,7 @@
 #include "experiments/hash.hpp"
 #include "experiments/machine_model.hpp"
 #include "experiments/version.hpp"
+#include "renderer/radiosity/load_room.hpp"
 #include "simulator/machine/engine.hpp"
 
 namespace experiments {
@@ -21,6 +22,16 @@ std::string describe_entries(const Experiment& experiment) {
     text +=
         fmt::format("{} = {} {} {}\n", e.key, e.value, e.unit, machine::to_string(e.provenance));
   return text;
+}
+
+// The MTL files of an OBJ. What cannot be read is refused elsewhere.
+std::vector<std::string> find_libraries(const std::string& path) {
+  if (!path.ends_with(".obj")) return {};
+  try {
+    return radiosity::load_room(path).libraries;
+  } catch (const renderer::BadScene&) {
+    return {};
+  }
 }
 
 // Keys of many points: what they share is read and hashed once.
@@ -38,7 +49,10 @@ class Keys {
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
     text += "model " + find(models_, model_key(e), [&] { return hash_of(describe_entries(e)); });
     for (const auto& source : {e.scene, e.topology, e.routes}) add_file(text, source);
-    for (const auto& [name, file] : e.files) add_file(text, file.path);
+    for (const auto& [name, file] : e.files) {
+      add_file(text, file.path);
+      for (const auto& library : find_libraries(file.path)) add_file(text, library);
+    }
     return hash_of(text);
   }
 

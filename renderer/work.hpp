@@ -28,7 +28,7 @@ enum class Op : std::uint8_t {
   delta_area,       ///< of those that do, a delta area: distance, cosines, quotient (Eq 3.8)
   light_mirrored,   ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
   vertex_lit,       ///< a vertex's radiosity updated (Eq 3.9)
-  patch_lit,        ///< what a patch has to send updated: the mean of its corners
+  patch_lit,        ///< what a patch has to send updated, by the mean of what it got
   patch_compared,   ///< a patch looked at for the brightest
   COUNT
 };

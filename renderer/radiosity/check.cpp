@@ -137,6 +137,16 @@ void check_crease(const Crease& crease) {
           fmt::format("both ends of a crease at {}", show(crease.a)), "ends apart");
 }
 
+bool lies_on_a_face(const Crease& crease, const Room& room) {
+  return std::any_of(room.faces.begin(), room.faces.end(), [&](const Face& face) {
+    const Vec normal = normalize(eval_area_normal(face.corners));
+    const auto is_on = [&](const Vec& end) {
+      return std::abs(dot(normal, end - face.corners[0])) <= 1e-6 * eval_size(face.corners);
+    };
+    return is_on(crease.a) && is_on(crease.b);
+  });
+}
+
 renderer::View check_view(const renderer::View& view) {
   require_finite(view.from, "the view's 'from'");
   require_finite(view.at, "the view's 'at'");

@@ -14,6 +14,8 @@ void check_material(const Material& material);
 void check_face(const Face& face, std::size_t materials);
 
 void check_crease(const Crease& crease);
+/// Whether both ends are in the plane of one of the faces, within 1e-6 of the face's size.
+bool lies_on_a_face(const Crease& crease, const Room& room);
 
 /// As renderer::finish does, with finite numbers and 1 to 65536 pixels each way; returns the view
 /// with its image plane.

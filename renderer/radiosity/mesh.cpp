@@ -48,6 +48,21 @@ std::vector<Vec> grow(std::vector<Vec> corners) {
   return corners;
 }
 
+// Without creases.
+std::size_t count_quads(const Face& face, int refine) {
+  const auto along = static_cast<std::size_t>(face.along) * static_cast<std::size_t>(refine);
+  const auto across = static_cast<std::size_t>(face.across) * static_cast<std::size_t>(refine);
+  return face.corners.size() == 4 ? along * across : face.corners.size() * along * along;
+}
+
+void check_count(const Face& face, std::size_t patches) {
+  if (patches > MOST_PATCHES)
+    throw BadScene(
+        fmt::format("{}: found more than {} patches, expected fewer divisions (of the "
+                    "room's faces, or by refine)",
+                    face.where, MOST_PATCHES));
+}
+
 // A surface's normal between its face's corners.
 class Normals {
  public:
@@ -115,10 +130,9 @@ class Builder {
   }
 
   void add_patches(const Face& face, std::uint32_t number) {
+    check_count(face, mesh_.patches.size() + count_quads(face, params_.refine));
     const Division division = divide_face(face, params_.refine, room_.creases);
-    if (mesh_.patches.size() + division.quads.size() > MOST_PATCHES)
-      throw BadScene(fmt::format("{}: found more than {} patches, expected fewer divisions",
-                                 face.where, MOST_PATCHES));
+    check_count(face, mesh_.patches.size() + division.quads.size());
     const Normals normals(face);
     std::vector<std::uint32_t> index;
     for (const Vec& point : division.points) {
@@ -136,6 +150,11 @@ class Builder {
     std::array<Vec, 4> at;
     for (std::size_t k = 0; k < 4; ++k) at[k] = mesh_.vertices[corners[k]].at;
     const Vec twice = eval_area_normal(at);
+    if (!(length(twice) > 0))
+      throw BadScene(
+          fmt::format("{}: found patches smaller than 1e-9 of the room, expected larger "
+                      "faces or fewer divisions",
+                      room_.faces[face].where));
     mesh_.patches.push_back({corners, at, eval_bilinear(at, 0.5, 0.5), normalize(twice),
                              length(twice) / 2, mesh_.vertices[corners[0]].material, object_,
                              face});

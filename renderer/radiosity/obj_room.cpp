@@ -33,6 +33,7 @@ void read_library(Reader& r, Statement& s) {
     const std::string path = (folder / s.take_word("a file")).string();
     std::ifstream in = open_file(path, "an MTL file");
     read_mtl(in, path, r.room.materials);
+    r.room.libraries.push_back(path);
   } while (!s.peek().empty());
 }
 

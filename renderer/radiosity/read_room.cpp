@@ -16,6 +16,7 @@ struct Reader {
   std::string name;  // of the file
   Room room{};
   int view_line = 0;
+  std::vector<int> crease_lines{};
 };
 
 std::string list_names(const std::vector<Material>& materials) {
@@ -110,6 +111,7 @@ void read_crease(Reader& r, Statement& s) {
   s.end();
   at_line(r.tokens, s.line(), [&] { check_crease(crease); });
   r.room.creases.push_back(crease);
+  r.crease_lines.push_back(s.line());
 }
 
 void read_view(Reader& r, Statement& s) {
@@ -168,6 +170,11 @@ Room read_room(std::istream& in, const std::string& name) {
   while (!r.tokens.peek().empty()) read_statement(r);
   if (r.view_line == 0) r.tokens.fail_next("a view");
   check_light(r.room, name);
+  for (std::size_t i = 0; i < r.crease_lines.size(); ++i)
+    if (!lies_on_a_face(r.room.creases[i], r.room))
+      r.tokens.fail(r.crease_lines[i],
+                    "found a crease on no face, expected both ends in a plane "
+                    "of one");
   return std::move(r.room);
 }
 

@@ -42,6 +42,7 @@ struct Room {
   std::vector<Material> materials;
   std::vector<Face> faces;
   std::vector<Crease> creases;
+  std::vector<std::string> libraries;  ///< paths of other files that it was read from
   renderer::View view;
 };
 

@@ -147,9 +147,19 @@ void Application::charge(Kernel kernel) {
   work_ += work;
 }
 
+// Of a message's identification, and of the colours that go into it or out of it.
+void Application::charge_message(Cycles identification, const AmpMessage::Content& content) {
+  std::size_t colours = 0;
+  if (const auto* given = std::get_if<Given>(&content)) colours = given->values.size();
+  if (const auto* shown = std::get_if<Shown>(&content)) colours = shown->values.size();
+  const auto each = common_.colour_copied.value;
+  machine::this_process().charge(
+      {identification.value + each * static_cast<std::int64_t>(colours)});
+}
+
 Message Application::wait_message() {
   Message message = node_.manager ? node_.manager->serve_at_once() : node_.client->receive();
-  machine::this_process().charge(common_.message_read);
+  charge_message(common_.message_read, read(message));
   return message;
 }
 
@@ -158,7 +168,7 @@ void Application::send(network::Address to, AmpMessage::Content content) {
   message.to = to;
   message.from.process = AMP_PROCESS;
   message.length = common_.bytes.of(content);
-  machine::this_process().charge(common_.message_made);
+  charge_message(common_.message_made, content);
   message.contents = std::make_shared<const AmpMessage>(std::move(content));
   node_.client->send(std::move(message));
 }

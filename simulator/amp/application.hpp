@@ -1,6 +1,7 @@
 #pragma once
-// The application process of every processor of AMP (thesis 5.1: what computes, manages tasks and
-// manages data is one sequential process, beside the router). In each round
+// The application process of every processor. AMP has a process each for computing, tasks, data and
+// control beside the router (figure 5.3); here they are one, as 5.1 proposes for IIRRA. In each
+// round
 //
 //   SEQ
 //     SEQ i = 0 FOR children         -- in whatever order they come
@@ -28,6 +29,7 @@ struct Common {
   std::optional<iirra::SceneItems> items;  // where geometry is shared
   int root = 0;
   Cycles message_made, message_read;  // by an application
+  Cycles colour_copied;               // into a message, or out of it
 };
 
 // A processor's place in the tree, and its way to the network.
@@ -58,6 +60,7 @@ class Application {
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
+  void charge_message(Cycles identification, const AmpMessage::Content& content);
   void send(network::Address to, AmpMessage::Content content);
 
   const Common& common_;

@@ -20,6 +20,12 @@ Cycles compiled(const machine::Model& model, const char* operation) {
   return {std::llround(cycles * model.software.occam_factor)};
 }
 
+// A block move of its words, from an address in a table to the next place, or the other way.
+Cycles copy_of_colour(const machine::Model& model) {
+  const auto words = static_cast<std::int64_t>(get_bytes(model, "colour") / 4);
+  return {get_instruction(model, "move_setup").value + words * model.channel.copy_word.value};
+}
+
 std::uint64_t geometry_bytes(const machine::Model& model, const Mesh& mesh) {
   return farm::scene_bytes(model, mesh.blockers);
 }
@@ -66,7 +72,8 @@ class Amp {
                 {},
                 topology.root,
                 compiled(model, "message_made"),
-                compiled(model, "message_read")},
+                compiled(model, "message_read"),
+                copy_of_colour(model)},
         machine_(model) {
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
     auto shares = distribute(mesh, topology.processors, params.distribution);
@@ -129,6 +136,9 @@ void Amp::allocate(const Node& node) {
   };
   room(node.share.patches.size(), "radiosity_patch", "its patches");
   room(node.share.vertices.size(), "radiosity_vertex", "its vertices");
+  std::size_t told = 0;
+  for (const Border& border : node.share.in) told += border.vertices.size();
+  room(told, "colour", "what others tell it of theirs");
   if (!memory_) memory.allocate(geometry_bytes(model_, mesh_), "the faces and their hierarchy", {});
   if (node.id == common_.root) room(mesh_.vertices.size(), "colour", "the display's vertices");
 }

@@ -2,7 +2,10 @@
 // Progressive radiosity on a machine, as in AMP (thesis 5.1; A. Chalmers and D. Paddon, "Parallel
 // Processing of Progressive Refinement Radiosity Methods", 1991): patches are spread over the
 // processors; the brightest is found by a reduction along a tree and sent to all; form factors and
-// updates are done where the receivers are. Processor 0 is the tree's root, and the display's.
+// updates are done where the receivers are. The topology's root is the tree's, and the display's.
+//
+// Not charged: how the patches came to the processors, what it took to share them out, candidates
+// compared on their way up, pictures drawn at the display.
 #include <optional>
 
 #include "simulator/amp/distribution.hpp"
@@ -39,7 +42,8 @@ struct Frame {
 // Where the processors' time went: shares of it, which add up to 1.
 struct Loss {
   double useful = 0;    // kernels, each vertex once
-  double repeated = 0;  // vertices that two processors find, as both have patches there
+  double repeated = 0;  // vertices that two processors find, as both have patches there; by their
+                        // number, as if all took as long
   double unequal = 0;   // waiting for the processor with most to do in a shot
   double messages = 0;  // the rest: reduction, broadcast, borders, pictures, routers, and where
                         // geometry is shared the data managers

@@ -31,7 +31,7 @@ Rows run(const Setup& setup) {
         "machine", {result.total_s},
         fmt::format("the run was ended at {:.6f} s ({})", result.total_s, to_string(result.end)));
   Rows rows(make_radiosity_row(room.mesh, result, setup["cache_percent"] > 0));
-  rows.notes = {describe_loss(result.loss)};
+  rows.notes = {describe_loss(result.loss, setup["cache_percent"] > 0)};
   add_pictures(setup, std::move(room), result.frames, rows);
   return rows;
 }

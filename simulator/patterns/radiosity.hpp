@@ -7,10 +7,11 @@ namespace patterns {
 
 // Columns of results.csv: sizes, times, losses, loads.
 Row make_radiosity_row(const radiosity::Mesh& mesh, const amp::Result& result, bool has_data);
-// Of the patches, by area, all colours alike.
-double mean_radiosity(const radiosity::Mesh& mesh, const std::vector<radiosity::Rgb>& vertices);
+// Of the patches, by area, all colours alike; only of materials that have patches in both meshes.
+double mean_radiosity(const radiosity::Mesh& mesh, const std::vector<radiosity::Rgb>& vertices,
+                      const radiosity::Mesh& other);
 // "81 % of the time is useful; the largest loss: 9 % waiting for ...".
-std::string describe_loss(const amp::Loss& loss);
+std::string describe_loss(const amp::Loss& loss, bool has_data);
 
 // Adds the pictures to the run's, and what a comparison with the reference tells to its row.
 void add_pictures(const Setup& setup, MeshedRoom room, const std::vector<amp::Frame>& frames,

@@ -59,17 +59,21 @@ void add_pictures(const Setup& setup, MeshedRoom meshed, const std::vector<amp::
     return light_vertices(setup, lit.room.mesh, frame.vertices, frame.ambient);
   };
   lit.vertices = light(frames.back());
-  rows.rows[0].emplace_back("radiosity_mean", mean_radiosity(lit.room.mesh, lit.vertices));
   const auto picture = camera.take(lit, reconstruction);
   auto emitters = camera.find_emitters(lit.room.mesh);
   std::optional<Picture> reference;
-  if (const auto known = solve_reference(setup)) {
-    rows.rows[0].emplace_back("reference_mean", mean_radiosity(known->room.mesh, known->vertices));
+  const auto known = solve_reference(setup);
+  const auto& other = known ? known->room.mesh : lit.room.mesh;
+  auto& row = rows.rows[0];
+  row.emplace_back("radiosity_mean", mean_radiosity(lit.room.mesh, lit.vertices, other));
+  if (known) {
+    row.emplace_back("reference_mean", mean_radiosity(other, known->vertices, lit.room.mesh));
     reference = camera.take(*known, reconstruction_params(setup, "reference_reconstruction"));
     const auto others = camera.find_emitters(known->room.mesh);
     for (std::size_t i = 0; i < emitters.size(); ++i) emitters[i] = emitters[i] || others[i];
   }
   const auto display = make_display(setup, reference ? *reference : picture, emitters);
+  row.emplace_back("exposure_used", display.exposure);
   for (const auto& frame : frames)
     if (&frame != &frames.back())
       rows.images.push_back(make_image(fmt::format("{}-shots", frame.shots),
@@ -79,9 +83,9 @@ void add_pictures(const Setup& setup, MeshedRoom meshed, const std::vector<amp::
   if (!reference) return;
   rows.images.push_back(make_last_image("reference", *reference, display));
   rows.images.push_back(make_difference_image(setup, picture, *reference, display));
-  add_errors(rows.rows[0], compare_pictures(picture, *reference, display,
-                                            {emitters, picture.height / 2, setup["peak_from"],
-                                             setup["peak_to"]}));
+  add_errors(
+      row, compare_pictures(picture, *reference, display,
+                            {emitters, picture.height / 2, setup["peak_from"], setup["peak_to"]}));
 }
 
 }  // namespace patterns

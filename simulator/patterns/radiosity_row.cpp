@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "simulator/patterns/radiosity.hpp"
 
@@ -50,13 +51,13 @@ void add_data(Row& row, const iirra::DataUse& use) {
 Row make_radiosity_row(const radiosity::Mesh& mesh, const amp::Result& result, bool has_data) {
   const auto rays = static_cast<double>(result.work[renderer::Op::ray_intersected]);
   const auto& loss = result.loss;
-  Row row{{"patches", static_cast<double>(mesh.patches.size())},
+  Row row{{"time_s", result.time_s},
+          {"speedup", NAN},
+          {"efficiency", NAN},
+          {"patches", static_cast<double>(mesh.patches.size())},
           {"vertices", static_cast<double>(mesh.vertices.size())},
           {"shots", result.shots},
           {"unshot", result.frames.empty() ? 1 : result.frames.back().unshot},
-          {"time_s", result.time_s},
-          {"speedup", NAN},
-          {"efficiency", NAN},
           {"total_s", result.total_s},
           {"useful", loss.useful},
           {"repeated", loss.repeated},
@@ -71,21 +72,29 @@ Row make_radiosity_row(const radiosity::Mesh& mesh, const amp::Result& result, b
   return row;
 }
 
-double mean_radiosity(const radiosity::Mesh& mesh, const std::vector<radiosity::Rgb>& vertices) {
-  double sum = 0;
-  for (const auto& patch : mesh.patches)
+double mean_radiosity(const radiosity::Mesh& mesh, const std::vector<radiosity::Rgb>& vertices,
+                      const radiosity::Mesh& other) {
+  std::set<std::string> names;  // of materials that have patches there
+  for (const auto& patch : other.patches) names.insert(other.materials[patch.material].name);
+  double sum = 0, area = 0;
+  for (const auto& patch : mesh.patches) {
+    if (!names.contains(mesh.materials[patch.material].name)) continue;
+    area += patch.area;
     for (const auto corner : patch.corners) {
       const auto& b = vertices[corner];
       sum += patch.area * (b.r + b.g + b.b) / 12;
     }
-  return sum / mesh.area;
+  }
+  return sum / area;
 }
 
-std::string describe_loss(const amp::Loss& loss) {
+std::string describe_loss(const amp::Loss& loss, bool has_data) {
   const std::pair<double, const char*> losses[] = {
       {loss.repeated, "finding vertices that another processor finds too"},
       {loss.unequal, "waiting for the processor with most to do in a shot"},
-      {loss.messages, "finding the brightest patch and telling others: messages and waiting"}};
+      {loss.messages, has_data ? "data managers' accesses, and messages"
+                               : "finding the brightest patch and telling others: messages"}};
+  if (loss.useful > 0.9995) return "all of the time is useful";
   const auto [share, what] =
       *std::ranges::max_element(losses, {}, [](const auto& of) { return of.first; });
   return fmt::format("{:.1f} % of the time is useful; the largest loss: {:.1f} % {}",

@@ -48,7 +48,9 @@ Rows run(const Setup& setup) {
   const auto bicubic = camera.take(lit, {Reconstruction::bicubic, twist});
   const auto reference =
       camera.take(*known, reconstruction_params(setup, "reference_reconstruction"));
-  const auto emitters = camera.find_emitters(lit.room.mesh);
+  auto emitters = camera.find_emitters(lit.room.mesh);
+  const auto others = camera.find_emitters(known->room.mesh);
+  for (std::size_t i = 0; i < emitters.size(); ++i) emitters[i] = emitters[i] || others[i];
   const auto display = make_display(setup, reference, emitters);
   const auto asked = static_cast<int>(setup.whole("line"));
   if (asked >= reference.height)

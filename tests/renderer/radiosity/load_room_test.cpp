@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/renderer/radiosity/rooms.hpp"
 
 namespace radiosity::test {
@@ -155,6 +157,22 @@ TEST(RoomFile, IsFoundByItsEnding) {
   for (const char* path : {"no-such.room", "no-such.nff", "no-such.obj"})
     EXPECT_EQ(get_error([&] { load_room(path); }),
               std::string(path) + ": cannot be read: No such file or directory");
+}
+
+TEST(ReadRoom, RefusesACreaseOnNoFace) {
+  std::istringstream in(
+      "material wall reflect 0.5 0.5 0.5 emit 1 1 1\n"
+      "box wall 0 0 0  1 1 1  inside\n"
+      "crease 0.2 0.2 0  0.8 0.2 0\n"
+      "crease 5 5 5  6 6 6\n"
+      "view from 0.5 0.5 0.5 at 1 0.5 0.5 up 0 0 1 angle 60 size 8 8\n");
+  try {
+    read_room(in, "r.room");
+    FAIL() << "read";
+  } catch (const BadScene& error) {
+    EXPECT_STREQ(error.what(),
+                 "r.room:4: found a crease on no face, expected both ends in a plane of one");
+  }
 }
 
 }  // namespace

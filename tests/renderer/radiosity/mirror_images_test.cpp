@@ -1,5 +1,6 @@
 // What mirrors show is what is seen in the unfolded room: the same delta areas through the same
-// window. So the adaptive pieces (FactorParams::mirror_pieces = 0) agree with it to a millionth,
+// window. So the adaptive pieces (FactorParams::mirror_pieces = 0) agree with it to a millionth if
+// they are cut as what is seen directly (mirror_share out of the way),
 // whatever the size of patches; but for delta areas whose centre lies on a mirror's or a thing's
 // edge.
 
