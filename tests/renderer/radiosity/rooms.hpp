@@ -58,8 +58,11 @@ inline Room make_random_room(std::uint64_t seed) {
     face.across = face.corners.size() == 4 ? 1 + random.below(20) : face.along;
     room.faces.push_back(face);
   }
-  for (int i = random.below(4); i > 0; --i)
-    room.creases.push_back({random.point(3), random.point(4)});
+  for (int i = random.below(4); i > 0; --i) {
+    const auto& on = room.faces[static_cast<std::size_t>(random.below(faces))]
+                         .corners;  // from a corner to a side
+    room.creases.push_back({on[0], on[1] + random.range(0.1, 0.9) * (on[2] - on[1])});
+  }
   room.view.from = random.point(9);
   room.view.at = random.point(1);
   room.view.up = random.direction();
