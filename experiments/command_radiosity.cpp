@@ -56,10 +56,12 @@ void check_output(const Options& o) {
   };
   if (!o.stats.empty() && whole(o.stats) == whole(o.output))
     throw CLI::ValidationError("--stats", "expected another file than the image's");
-  for (const auto& path : {o.output, o.stats})
+  for (const auto& [option, path] :
+       {std::pair{"--output", o.output}, std::pair{"--stats", o.stats}})
     if (const auto folder = std::filesystem::path(path).parent_path();
         !folder.empty() && !std::filesystem::is_directory(folder))
       throw CLI::ValidationError(
+          option,
           fmt::format("found \"{}\", expected a file in a folder that is there: \"{}\" is none",
                       path, folder.string()));
 }
