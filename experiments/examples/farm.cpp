@@ -10,7 +10,7 @@
 #include <deque>
 
 #include "simulator/occam/alt.hpp"
-#include "topologies/routes.hpp"
+#include "topologies/route/routes.hpp"
 
 using namespace occam;
 using machine::Priority;

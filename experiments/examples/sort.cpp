@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 #include "simulator/occam/channel.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -64,7 +64,7 @@ void sink(Items& left, std::vector<float>& sorted) {
 int main(int argc, char** argv) try {
   const std::size_t n = argc > 1 ? std::stoul(argv[1]) : 32;
   const std::size_t processors = argc > 2 ? std::stoul(argv[2]) : 1;
-  if (processors < 1 || n < processors) throw machine::InvalidInput("a cell a processor, at least");
+  if (processors < 1 || n < processors) throw base::BadInput("a cell a processor, at least");
 
   machine::Machine machine(machine::load_model("t805-25"));
   for (std::size_t p = 0; p < processors; ++p)

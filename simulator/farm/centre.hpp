@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "renderer/image.hpp"
-#include "renderer/render.hpp"
+#include "renderer/image/image.hpp"
+#include "renderer/trace/render.hpp"
 #include "simulator/farm/messages.hpp"
 #include "simulator/farm/ray_stores.hpp"
 #include "simulator/machine/model.hpp"
@@ -23,7 +23,7 @@ void interaction(const std::vector<Order>& script, Channel<Command>& into_coordi
 struct RayDatabase {
   RayStores stores;
   machine::OperationCosts cost;
-  RecordBytes bytes;
+  kernels::RecordBytes bytes;
   void run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord);
 };
 
@@ -56,7 +56,7 @@ struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;
   machine::OperationCosts cost;
-  RecordBytes bytes;
+  kernels::RecordBytes bytes;
   Cells cells;
   std::uint64_t seed;  // of the order of the initial rays
   SceneMessages load;

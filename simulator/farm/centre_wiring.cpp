@@ -1,6 +1,8 @@
 #include "simulator/farm/centre_wiring.hpp"
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
+#include "simulator/kernels/placement.hpp"
+#include "simulator/kernels/records.hpp"
 
 namespace farm {
 
@@ -42,28 +44,11 @@ void check_initial_rays(Processor& database, const renderer::Params& image, std:
 
 }  // namespace
 
-RecordBytes record_bytes(const machine::Model& model) {
-  const auto get = [&](const char* name) {
-    return static_cast<std::uint32_t>(get_bytes(model, name));
-  };
-  return {get("ray"), get("hit"), get("pixel")};
-}
-
-std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene) {
-  return object_count(scene) * get_bytes(model, "object") +
-         box_count(scene) * get_bytes(model, "box");
-}
-
-void load_program(Processor& processor) {
-  processor.memory().allocate(get_bytes(processor.model(), "program"), "the program",
-                              processor.now());
-}
-
 Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params)
     : machine_(machine),
       params_(params),
       scene_(scene),
-      bytes_(record_bytes(machine.model())),
+      bytes_(kernels::record_bytes(machine.model())),
       on_(add_central_processors(machine, params)),
       cost_(machine.model(), "central", renderer::op_names()),
       script_(make_script(params)),
@@ -81,7 +66,8 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      occam::Protocol::variant),
       into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
                           occam::Protocol::variant) {
-  for (Processor* central : {&on_.coordinator, &on_.database, &on_.display}) load_program(*central);
+  for (Processor* central : {&on_.coordinator, &on_.database, &on_.display})
+    kernels::load_program(*central);
   if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
   on_.display.memory().allocate(bytes_.pixel * static_cast<std::uint64_t>(params.image.width) *
                                     static_cast<std::uint64_t>(params.image.height),
@@ -90,7 +76,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
 
 SceneMessages Centre::scene_messages(std::size_t workers) const {
   if (params_.scene_message == 0) return {};
-  return {scene_bytes(machine_.model(), scene_), params_.scene_message, workers};
+  return {kernels::scene_bytes(machine_.model(), scene_), params_.scene_message, workers};
 }
 
 CoordinationSetup Centre::make_ray_setup(std::size_t workers) {
@@ -119,19 +105,19 @@ void Centre::start(Wires& wires, const Workers& workers) {
       from_interaction_, first.free,     first.into,         *workers.results[workers.root],
       into_database_,    from_database_, into_visualisation_};
   const std::size_t n = workers.processors.size();
-  farm::start(on_.coordinator, "interaction", Priority::low,
-              [this] { interaction(script_, from_interaction_); });
-  farm::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
+  kernels::start(on_.coordinator, "interaction", Priority::low,
+                 [this] { interaction(script_, from_interaction_); });
+  kernels::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
     if (params_.block)
       block_coordination(make_block_setup(n), channels, coordinated_);
     else
       coordination(make_ray_setup(n), channels, coordinated_);
   });
   // Alone on their processors: the priority does not matter.
-  farm::start(on_.database, "ray.database", Priority::high,
-              [this] { rays_.run(into_database_, from_database_); });
-  farm::start(on_.display, "visualisation", Priority::high,
-              [this] { visualisation_.run(into_visualisation_); });
+  kernels::start(on_.database, "ray.database", Priority::high,
+                 [this] { rays_.run(into_database_, from_database_); });
+  kernels::start(on_.display, "visualisation", Priority::high,
+                 [this] { visualisation_.run(into_visualisation_); });
 }
 
 // A run that did not come to the end of its image.
@@ -143,7 +129,7 @@ void Centre::note_cut() {
 
 Result Centre::take_result(machine::End end) {
   if (end == machine::End::done)
-    machine::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
+    base::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
   else if (coordinated_.phase != CoordinationResult::Phase::ended)
     note_cut();
   Result result;

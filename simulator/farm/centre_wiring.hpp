@@ -32,7 +32,7 @@ class Centre {
   machine::Machine& machine_;
   const Params& params_;
   const renderer::Scene& scene_;
-  RecordBytes bytes_;
+  kernels::RecordBytes bytes_;
   CentralProcessors on_;
   machine::OperationCosts cost_;
   std::vector<Order> script_;
@@ -46,12 +46,5 @@ class Centre {
   Channel<DatabaseReply> from_database_;
   Channel<Intersection> into_visualisation_;
 };
-
-// Sizes of records in the model.
-RecordBytes record_bytes(const machine::Model& model);
-// What a copy of the scene takes: its objects and their hierarchy.
-std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
-// Takes the program's part of a processor's memory.
-void load_program(machine::Processor& processor);
 
 }  // namespace farm

@@ -2,9 +2,10 @@
 
 #include <bit>
 
+#include "base/errors.hpp"
 #include "simulator/farm/centre_wiring.hpp"
 #include "simulator/farm/worker.hpp"
-#include "simulator/machine/faults.hpp"
+#include "simulator/kernels/placement.hpp"
 
 namespace farm {
 
@@ -23,11 +24,11 @@ void check_block(const Params& params) {
   if (!params.block) return;
   const Block& block = *params.block;
   if (block.width < 1 || block.height < 1)
-    throw machine::InvalidInput(
+    throw base::BadInput(
         fmt::format("farm.task: found a block of {}x{} pixels, expected 1x1 or more", block.width,
                     block.height));
   if (params.stages != std::vector<Limits>(1) || !params.script.empty())
-    throw machine::InvalidInput(
+    throw base::BadInput(
         "farm.task: found a block, expected ray: stages and orders choose among rays");
 }
 
@@ -36,18 +37,18 @@ void check_block(const Params& params) {
 void check(const Params& params) {
   check(params.image);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
-    throw machine::InvalidInput(
+    throw base::BadInput(
         fmt::format("farm.max_cell: found {}, expected a power of two", params.max_cell));
   check_block(params);
-  if (params.stages.empty()) throw machine::InvalidInput("stages: at least one is needed");
+  if (params.stages.empty()) throw base::BadInput("stages: at least one is needed");
   for (const Limits& limits : params.stages) check_area(params.image, limits.area);
   for (const Order& order : params.script)
     if (const auto* limits = std::get_if<Limits>(&order.command.content))
       check_area(params.image, limits->area);
   for (std::size_t i = 1; i < params.script.size(); ++i)
     if (params.script[i].at < params.script[i - 1].at)
-      throw machine::InvalidInput(fmt::format("order {}: its time, {} s, is before the last one's",
-                                              i + 1, params.script[i].at.value));
+      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
+                                       params.script[i].at.value));
 }
 
 namespace {
@@ -65,8 +66,10 @@ void load_scene(Processor& worker, const renderer::Scene& scene) {
 Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
                    const Params& params) {
   const auto& host = params.cycles_per_host_s;
-  return {scene, params.image, KernelCost(intersection_costs(model), host, params.profile),
-          KernelCost(tree_costs(model), host, params.profile), record_bytes(model)};
+  return {scene, params.image,
+          kernels::KernelCost(kernels::intersection_costs(model), host, params.profile),
+          kernels::KernelCost(kernels::tree_costs(model), host, params.profile),
+          kernels::record_bytes(model)};
 }
 
 }  // namespace
@@ -82,7 +85,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
       wire_workers(wires, machine, topology, centre.coordinator(),
                    params.worker_memory.value_or(get_bytes(model, "worker_memory")));
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
-    load_program(*workers.processors[id]);
+    kernels::load_program(*workers.processors[id]);
     load_scene(*workers.processors[id], scene);
     start_worker(wires, workers, id, kernel);
   }

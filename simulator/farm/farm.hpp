@@ -7,7 +7,7 @@
 #include "simulator/farm/centre.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
-#include "topologies/topology.hpp"
+#include "topologies/graph/topology.hpp"
 
 namespace farm {
 
@@ -48,10 +48,10 @@ struct Result {
   double kernel_host_s = 0;               // with Params::profile
 };
 
-// Throws machine::InvalidInput naming the field, what was found and what was expected.
+// Throws base::BadInput naming the field, what was found and what was expected.
 void check(const Params& params);
 
-// Throws machine::InvalidInput for a topology whose root cannot be joined to the coordinator, and
+// Throws base::BadInput for a topology whose root cannot be joined to the coordinator, and
 // machine::Fault.
 Result run_farm(const machine::Model& model, const topologies::Topology& workers,
                 const renderer::Scene& scene, const Params& params);

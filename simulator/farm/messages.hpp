@@ -4,9 +4,10 @@
 #include <optional>
 #include <variant>
 
-#include "renderer/render.hpp"
-#include "renderer/shade.hpp"
+#include "renderer/trace/render.hpp"
+#include "renderer/trace/shade.hpp"
 #include "simulator/farm/priority.hpp"
+#include "simulator/kernels/records.hpp"
 #include "simulator/occam/channel.hpp"
 
 namespace farm {
@@ -25,11 +26,6 @@ struct Stop {
 // A part of the scene, for every worker.
 struct SceneData {
   bool is_last = false;  // to be acknowledged
-};
-
-// Sizes of the records that travel, in bytes, from the model file.
-struct RecordBytes {
-  std::uint32_t ray = 0, hit = 0, pixel = 0;
 };
 
 // Coordination -> workers: a task is one ray, or a block of pixels; what is for all of them goes

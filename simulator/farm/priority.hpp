@@ -1,6 +1,6 @@
 #pragma once
 // Increasing realism: which rays matter now, and which of them first (thesis, 4.3.2, 4.3.4).
-#include "renderer/shade.hpp"
+#include "renderer/trace/shade.hpp"
 
 namespace farm {
 

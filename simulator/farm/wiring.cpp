@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/errors.hpp"
 #include "simulator/farm/worker.hpp"
-#include "simulator/machine/faults.hpp"
-#include "topologies/routes.hpp"
+#include "simulator/kernels/placement.hpp"
+#include "topologies/route/routes.hpp"
 
 namespace farm {
 
@@ -38,23 +39,19 @@ topologies::Topology free_root_port(topologies::Topology topology) {
     try {
       topologies::check(opened);
       return opened;
-    } catch (const topologies::InvalidTopology&) {
+    } catch (const base::BadInput&) {
     }
   }
-  throw machine::InvalidInput(fmt::format(
+  throw base::BadInput(fmt::format(
       "topology {}: the root uses all four ports and needs each of them: found no port for the "
       "coordinator",
       topology.name));
 }
 
-void start(Processor& on, const char* name, Priority priority, machine::Process::Body body) {
-  on.start(fmt::format("{}.{}", on.name(), name), priority, std::move(body));
-}
-
 Way start_sender(Wires& wires, Processor& on, Channel<Task>& destination) {
   Way way{soft(wires.signals, on, "from.sender"), soft(wires.tasks, on, "into.sender")};
-  start(on, "sender", Priority::high,
-        [way, &destination] { sender(way.free, way.into, destination); });
+  kernels::start(on, "sender", Priority::high,
+                 [way, &destination] { sender(way.free, way.into, destination); });
   return way;
 }
 
@@ -103,12 +100,12 @@ void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& 
   }
   auto& from_left = *workers.from_left[id];
   auto& results = *workers.results[id];
-  start(self, "data.router", Priority::high, [&from_left, from_sender, into_sender] {
+  kernels::start(self, "data.router", Priority::high, [&from_left, from_sender, into_sender] {
     data_router(from_left, from_sender, into_sender);
   });
-  start(self, "results.router", Priority::high,
-        [inputs, &results] { results_router(inputs, results); });
-  start(self, "application", Priority::low, [&kernel, &to_application, &from_application] {
+  kernels::start(self, "results.router", Priority::high,
+                 [inputs, &results] { results_router(inputs, results); });
+  kernels::start(self, "application", Priority::low, [&kernel, &to_application, &from_application] {
     application(kernel, to_application, from_application);
   });
 }

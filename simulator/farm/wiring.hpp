@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "simulator/farm/messages.hpp"
-#include "topologies/topology.hpp"
+#include "topologies/graph/topology.hpp"
 
 namespace farm {
 
@@ -23,9 +23,6 @@ struct Way {
   Channel<Task>& into;
 };
 
-// Starts a process "processor.name".
-void start(machine::Processor& on, const char* name, machine::Priority priority,
-           machine::Process::Body body);
 // Starts a sender that feeds `destination`.
 Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destination);
 
@@ -42,7 +39,7 @@ struct Workers {
 
 // The topology with a port free at its root, for the coordinator: a root with four links (a torus)
 // gives up the link on its highest port that the machine stays connected without. Throws
-// machine::InvalidInput if there is none.
+// base::BadInput if there is none.
 topologies::Topology free_root_port(topologies::Topology topology);
 
 // The coordinator's link goes to the root's free port.

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "simulator/farm/kernel_cost.hpp"
 #include "simulator/farm/messages.hpp"
+#include "simulator/kernels/kernel_cost.hpp"
 
 namespace farm {
 
@@ -26,8 +26,8 @@ void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Inte
 struct Kernel {
   const renderer::Scene& scene;
   const renderer::Params& params;
-  KernelCost ray, block;
-  RecordBytes bytes;
+  kernels::KernelCost ray, block;
+  kernels::RecordBytes bytes;
 };
 
 // Finds the first intersection of each ray it is given, or all that a block of pixels shows. The

@@ -1,8 +1,8 @@
 // Links that are cut and processors that stop.
 #include <utility>
 
+#include "base/errors.hpp"
 #include "simulator/machine/deadlock.hpp"
-#include "simulator/machine/faults.hpp"
 #include "simulator/machine/machine.hpp"
 
 namespace machine {
@@ -20,7 +20,7 @@ void Machine::on_failure(std::function<void(const Failure&)> observer) {
 
 void Machine::plan(const Failure& failure) {
   if (!(failure.at >= now()))
-    throw InvariantBroken(
+    throw base::InvariantBroken(
         fmt::format("a failure at {} s was asked for at {} s", failure.at.value, now().value));
   if (runs_until_) return expect(failure);
   planned_.push_back(failure);

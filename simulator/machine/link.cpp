@@ -1,12 +1,13 @@
 #include "simulator/machine/link.hpp"
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 
 namespace machine {
 
 void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
                              Engine::Callback arrived) {
-  if (std::exchange(busy_, true)) throw InvariantBroken("two messages at once on link " + name());
+  if (std::exchange(busy_, true))
+    throw base::InvariantBroken("two messages at once on link " + name());
   since_ = engine_.now();
   bytes_ = bytes;
   channel_ = &channel;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/errors.hpp"
 #include "simulator/machine/deadlock.hpp"
-#include "simulator/machine/faults.hpp"
 
 namespace machine {
 
@@ -37,10 +37,10 @@ Processor& Machine::add_processor(std::string name, std::uint64_t memory) {
 
 void Machine::connect(Processor& a, Processor& b, int switches) {
   if (link_of_.contains({a.id(), b.id()}))
-    throw InvariantBroken(fmt::format("{} and {} are joined already", a.name(), b.name()));
+    throw base::InvariantBroken(fmt::format("{} and {} are joined already", a.name(), b.name()));
   for (const Processor* p : {&a, &b})
     if (ports_.at(static_cast<std::size_t>(p->id())) >= MAX_LINKS)
-      throw InvariantBroken(p->name() + " would have more than four links");
+      throw base::InvariantBroken(p->name() + " would have more than four links");
   const auto rates = rates_through(model_.link, switches);
   const double steal = model_.memory.steal_word / WORD_BYTES / model_.cpu.clock.value;
   const auto cable = std::make_shared<Cable>(
@@ -58,7 +58,7 @@ void Machine::connect(Processor& a, Processor& b, int switches) {
 LinkDirection& Machine::link(const Processor& from, const Processor& to) {
   const auto found = link_of_.find({from.id(), to.id()});
   if (found != link_of_.end()) return *found->second;
-  throw InvariantBroken("no link joins " + from.name() + " and " + to.name());
+  throw base::InvariantBroken("no link joins " + from.name() + " and " + to.name());
 }
 
 void Machine::set_observer(Observer& observer) {
@@ -78,8 +78,8 @@ End Machine::run(Seconds until) {
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
   for (const auto& link : links_)
-    check_equal("bytes out of a link", link->use().bytes + link->use().bytes_cut,
-                link->use().bytes_sent);
+    base::check_equal("bytes out of a link", link->use().bytes + link->use().bytes_cut,
+                      link->use().bytes_sent);
   throw_if_deadlocked(*this);
   return End::done;
 }

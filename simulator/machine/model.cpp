@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 
 namespace machine {
 
@@ -13,7 +13,7 @@ double get(const Model& model, const NamedNumbers& numbers, std::string_view sec
            std::string_view name) {
   const auto found = numbers.find(name);
   if (found == numbers.end())
-    throw InvalidInput(fmt::format("model {}: {}.{} is missing", model.name, section, name));
+    throw base::BadInput(fmt::format("model {}: {}.{} is missing", model.name, section, name));
   return found->second;
 }
 
@@ -92,7 +92,7 @@ OperationCosts::OperationCosts(const Model& model, std::string_view kernel,
 }
 
 Cycles OperationCosts::operator()(std::span<const std::uint64_t> counts) const {
-  check_equal("operations counted", counts.size(), cycles_.size());
+  base::check_equal("operations counted", counts.size(), cycles_.size());
   double cycles = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
     cycles += static_cast<double>(counts[i]) * cycles_[i];
@@ -100,7 +100,7 @@ Cycles OperationCosts::operator()(std::span<const std::uint64_t> counts) const {
 }
 
 void OperationCosts::replace_from(std::size_t first, const OperationCosts& other) {
-  check_equal("operations", other.cycles_.size(), cycles_.size());
+  base::check_equal("operations", other.cycles_.size(), cycles_.size());
   for (std::size_t i = first; i < cycles_.size(); ++i) cycles_[i] = other.cycles_[i];
 }
 

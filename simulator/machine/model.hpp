@@ -85,18 +85,18 @@ struct Model {
   NamedNumbers instruction;  // cycles of an instruction, "instruction.lend"
   // Cycles of a kernel's operation, "operation.box_test", times the scale of its kernel.
   NamedNumbers operation, scale;
-  // Sizes of messages, records and memories, "bytes.ray"; get_bytes throws InvalidInput on a name
+  // Sizes of messages, records and memories, "bytes.ray"; get_bytes throws BadInput on a name
   // that the model file does not have.
   NamedNumbers bytes;
 };
 
 std::uint64_t get_bytes(const Model& model, std::string_view name);
-// Throws InvalidInput on a name that the model does not have.
+// Throws BadInput on a name that the model does not have.
 Cycles get_instruction(const Model& model, std::string_view name);
 Cycles get_operation(const Model& model, std::string_view name);  // the same; without its scale
 
 // `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
-// base = "NAME" holds only what differs from that model. Throws InvalidInput.
+// base = "NAME" holds only what differs from that model. Throws BadInput.
 Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
 // The model with some entries set: "link.bit_rate" to a number, or to a formula in quotes, as TOML

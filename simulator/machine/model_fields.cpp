@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 
 namespace machine {
 
@@ -143,15 +143,15 @@ void check_value(const Entry& entry) {
   for (const auto& range : RANGES)
     if (entry.key == range.key) low = range.low, high = range.high;
   if (!(entry.value >= low && entry.value <= high))
-    throw InvalidInput(fmt::format("{}: found {}, expected a number from {} to {}", entry.where,
-                                   entry.value, low, high));
+    throw base::BadInput(fmt::format("{}: found {}, expected a number from {} to {}", entry.where,
+                                     entry.value, low, high));
 }
 
 // A pin of the chip chooses one of three.
 void check_bit_rate(const Model& model, std::string_view origin) {
   const double rate = model.link.bit_rate;
   if (rate != 5e6 && rate != 10e6 && rate != 20e6)
-    throw InvalidInput(
+    throw base::BadInput(
         fmt::format("{}: link.bit_rate: found {}, expected 5e6, 10e6 or 20e6 (other links: set "
                     "link.one_way_rate and link.both_ways_rate)",
                     origin, rate));
@@ -177,7 +177,8 @@ void bind_entries(Model& model, std::string_view origin) {
   for (const auto& known : fields()) {
     const auto entry = std::ranges::find(model.entries, known.key, &Entry::key);
     if (entry == model.entries.end())
-      throw InvalidInput(fmt::format("{}: {} is missing (unit {})", origin, known.key, known.unit));
+      throw base::BadInput(
+          fmt::format("{}: {} is missing (unit {})", origin, known.key, known.unit));
     check_value(*entry);
     known.set(model, entry->value);
   }

@@ -4,7 +4,7 @@
 
 namespace machine {
 
-// Sets the model's fields and maps from its entries. Throws InvalidInput for a missing entry, for a
+// Sets the model's fields and maps from its entries. Throws BadInput for a missing entry, for a
 // wrong unit or an impossible value, naming `origin`.
 void bind_entries(Model& model, std::string_view origin);
 

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <set>
 
+#include "base/errors.hpp"
+#include "base/formula.hpp"
+#include "base/spelling.hpp"
 #include "simulator/machine/builtin_models.hpp"
-#include "simulator/machine/faults.hpp"
-#include "simulator/machine/formula.hpp"
 #include "simulator/machine/model_fields.hpp"
-#include "topologies/spelling.hpp"
 
 namespace machine {
 
@@ -20,7 +20,7 @@ Provenance parse_provenance(const std::string& text, const std::string& where) {
   for (auto p :
        {Provenance::datasheet, Provenance::thesis, Provenance::calibrated, Provenance::assumed})
     if (text == to_string(p)) return p;
-  throw InvalidInput(
+  throw base::BadInput(
       fmt::format("{}: provenance: found \"{}\", expected datasheet, thesis, calibrated or assumed",
                   where, text));
 }
@@ -30,25 +30,26 @@ void read_value(Entry& entry, const toml::node* node) {
   if (const auto number = node ? node->value<double>() : std::nullopt)
     entry.value = *number;
   else if (const auto text = node ? node->value_exact<std::string>() : std::nullopt)
-    Formula(entry.formula = *text, entry.where);
+    base::Formula(entry.formula = *text, entry.where);
   else
-    throw InvalidInput(fmt::format(
+    throw base::BadInput(fmt::format(
         "{}: \"value\" must be a number, or a formula in quotes over other entries", entry.where));
 }
 
 Entry read_entry(const std::string& key, const toml::node& node, const std::string& where) {
   const auto* table = node.as_table();
   if (!table)
-    throw InvalidInput(where +
-                       ": expected { value = ..., unit = ..., provenance = ..., source = ... }");
+    throw base::BadInput(where +
+                         ": expected { value = ..., unit = ..., provenance = ..., source = ... }");
   auto text = [&](const char* part) {
     auto value = (*table)[part].value<std::string>();
-    if (!value) throw InvalidInput(fmt::format("{}: \"{}\" is missing or not a text", where, part));
+    if (!value)
+      throw base::BadInput(fmt::format("{}: \"{}\" is missing or not a text", where, part));
     return *value;
   };
   for (auto&& [part, ignored] : *table)
     if (part != "value" && part != "unit" && part != "provenance" && part != "source")
-      throw InvalidInput(fmt::format("{}: unknown part \"{}\"", where, part.str()));
+      throw base::BadInput(fmt::format("{}: unknown part \"{}\"", where, part.str()));
   Entry entry{
       key, 0, {}, text("unit"), parse_provenance(text("provenance"), where), text("source"), where};
   read_value(entry, table->get("value"));
@@ -63,11 +64,11 @@ void check_key(const Model& model, const Entry& entry, bool has_base) {
   if (unit.empty() || (is_open_section(entry.key) && has_base && !known)) {
     std::vector<std::string> keys = field_keys();
     for (const auto& e : model.entries) keys.push_back(e.key);
-    throw InvalidInput(fmt::format("{}: unknown key, the nearest valid one is \"{}\"", entry.where,
-                                   topologies::nearest_name(entry.key, keys)));
+    throw base::BadInput(fmt::format("{}: unknown key, the nearest valid one is \"{}\"",
+                                     entry.where, base::nearest_name(entry.key, keys)));
   }
   if (entry.unit != unit)
-    throw InvalidInput(
+    throw base::BadInput(
         fmt::format("{}: unit: found \"{}\", expected \"{}\"", entry.where, entry.unit, unit));
 }
 
@@ -91,9 +92,9 @@ class Evaluation {
   double value_of(Entry& entry) {
     if (entry.formula.empty() || done_.contains(entry.key)) return entry.value;
     if (!under_way_.insert(entry.key).second)
-      throw InvalidInput(
+      throw base::BadInput(
           fmt::format("{}: formula \"{}\" depends on itself", entry.where, entry.formula));
-    const Formula formula(entry.formula, entry.where);
+    const base::Formula formula(entry.formula, entry.where);
     std::vector<double> values;
     for (const auto& name : formula.variables()) values.push_back(value_of(find(entry, name)));
     entry.value = formula.eval(values);
@@ -105,9 +106,9 @@ class Evaluation {
     if (found != model_.entries.end()) return *found;
     std::vector<std::string> keys;
     for (const auto& e : model_.entries) keys.push_back(e.key);
-    throw InvalidInput(fmt::format("{}: formula \"{}\": unknown name {}, the nearest is {}",
-                                   user.where, user.formula, name,
-                                   topologies::nearest_name(name, keys)));
+    throw base::BadInput(fmt::format("{}: formula \"{}\": unknown name {}, the nearest is {}",
+                                     user.where, user.formula, name,
+                                     base::nearest_name(name, keys)));
   }
 
   Model& model_;
@@ -118,7 +119,7 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
   try {
     return toml::parse(text, origin);
   } catch (const toml::parse_error& error) {
-    throw InvalidInput(
+    throw base::BadInput(
         fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
   }
 }
@@ -127,8 +128,8 @@ std::optional<std::string> read_text(const toml::table& file, const char* key,
                                      std::string_view origin) {
   const auto* node = file.get(key);
   if (node && !node->is_string())
-    throw InvalidInput(fmt::format("{}:{}: {}: expected a text in quotes", origin,
-                                   node->source().begin.line, key));
+    throw base::BadInput(fmt::format("{}:{}: {}: expected a text in quotes", origin,
+                                     node->source().begin.line, key));
   return node ? node->value<std::string>() : std::nullopt;
 }
 
@@ -141,16 +142,17 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
   const toml::table file = parse_toml(text, origin);
   Model model;
   const auto base = read_text(file, "base", origin);
-  if (base && inside > 8) throw InvalidInput(fmt::format("{}: base: a chain without end", origin));
+  if (base && inside > 8)
+    throw base::BadInput(fmt::format("{}: base: a chain without end", origin));
   if (base) model = load(*base, folder, inside + 1);
   model.name = read_text(file, "name", origin).value_or("");
-  if (model.name.empty()) throw InvalidInput(fmt::format("{}: name is missing", origin));
+  if (model.name.empty()) throw base::BadInput(fmt::format("{}: name is missing", origin));
   std::vector<std::pair<toml::source_position, Entry>> entries;
   for (auto&& [section, content] : file) {
     if (section == "name" || section == "base") continue;
     if (!content.is_table())
-      throw InvalidInput(fmt::format("{}:{}: {}: expected a section", origin,
-                                     content.source().begin.line, section.str()));
+      throw base::BadInput(fmt::format("{}:{}: {}: expected a section", origin,
+                                       content.source().begin.line, section.str()));
     for (auto&& [name, node] : *content.as_table()) {
       const auto key = fmt::format("{}.{}", section.str(), name.str());
       Entry entry =
@@ -169,15 +171,15 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
   for (const auto& [builtin, text] : BUILTIN_MODELS)
     if (name == builtin) return parse(text, fmt::format("model {}", builtin), folder, inside);
   if (!name.ends_with(".toml"))
-    throw InvalidInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
-                                   fmt::join(builtin_models(), ", ")));
+    throw base::BadInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
+                                     fmt::join(builtin_models(), ", ")));
   const auto path = folder / std::filesystem::path(name);
   std::ifstream in{path};
   const bool readable = in && std::filesystem::is_regular_file(path);
   const std::string text{
       readable ? std::istreambuf_iterator<char>(in) : std::istreambuf_iterator<char>(), {}};
   if (text.empty())
-    throw InvalidInput(fmt::format("{}: the model file cannot be read", path.string()));
+    throw base::BadInput(fmt::format("{}: the model file cannot be read", path.string()));
   return parse(text, path.string(), path.parent_path(), inside);
 }
 

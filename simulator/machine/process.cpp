@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 #include "simulator/machine/processor.hpp"
 
 // The address sanitizer must be told when the stack changes; no effect on any result.
@@ -67,7 +67,8 @@ struct Cancelled {};
 }  // namespace
 
 Process& this_process() {
-  if (!executing) throw InvariantBroken("a process's operation was called outside of any process");
+  if (!executing)
+    throw base::InvariantBroken("a process's operation was called outside of any process");
   return *executing;
 }
 

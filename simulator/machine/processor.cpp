@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 
 namespace machine {
 
@@ -33,7 +33,7 @@ Process& Processor::start(std::string name, Priority priority, Process::Body bod
 
 void Processor::remove(const Process& process) {
   if (process.state_ != Process::State::ended)
-    throw InvariantBroken(process.name() + " was removed but has not ended");
+    throw base::InvariantBroken(process.name() + " was removed but has not ended");
   const auto last = std::find_if(processes_.rbegin(), processes_.rend(),
                                  [&](const auto& p) { return p.get() == &process; });
   const auto place = std::next(last).base();
@@ -60,7 +60,8 @@ void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait, cons
 
 void Processor::make_ready(Process& process, Seconds at) {
   if (process.state_ != Process::State::blocked)
-    throw InvariantBroken(fmt::format("{} was made ready but is not waiting", process.name()));
+    throw base::InvariantBroken(
+        fmt::format("{} was made ready but is not waiting", process.name()));
   if (stopped()) return;
   process.state_ = Process::State::ready;
   process.ready_at_ = at;
@@ -125,7 +126,8 @@ void Processor::execute(Process& process) {
   } else {
     if (!done) return compute(process, {time.value * speed_});
     if (time.value > 0)
-      throw InvariantBroken(process.name() + " left the CPU at low priority with unpaid cycles");
+      throw base::InvariantBroken(process.name() +
+                                  " left the CPU at low priority with unpaid cycles");
     release(process, now());
   }
 }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "simulator/network/routers.hpp"
 
 namespace network {
 
 void Client::send(Message message) {
-  machine::check_equal("a message is within the longest", message.length <= longest_, true);
+  base::check_equal("a message is within the longest", message.length <= longest_, true);
   message.from.processor = processor_;
   give_back(std::move(message));
 }
@@ -27,7 +28,7 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   const std::uint64_t bytes = params.buffers * (params.longest + Message::IDENTIFICATION);
   auto& memory = processor.memory();
   if (const auto left = memory.size() - memory.used(); bytes > left || params.longest > left)
-    throw machine::InvalidInput(fmt::format(
+    throw base::BadInput(fmt::format(
         "{}: its router's buffers (program.buffers), {} messages of {} bytes and their "
         "identification, take {} bytes: found a memory with {} bytes left, expected fewer buffers, "
         "shorter messages or more memory",
@@ -49,7 +50,7 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   node.copy_setup = get_instruction(model, "move_setup");
   node.copy_word = model.channel.copy_word;
   node.processes = params.processes.empty() ? std::vector{~0U} : params.processes.at(id);
-  machine::check_equal("at most MAX_CLIENTS clients", node.processes.size() <= MAX_CLIENTS, true);
+  base::check_equal("at most MAX_CLIENTS clients", node.processes.size() <= MAX_CLIENTS, true);
   auto& clients = clients_.emplace_back();
   for (std::size_t n = 0; n < node.processes.size(); ++n) {
     const auto name = fmt::format("{}.client{}", processor.name(), n);
@@ -62,7 +63,7 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
 Network::Network(machine::Machine& machine, Routing routing, const Params& params, int first)
     : routing_(std::move(routing)) {
   if (params.method == Method::acyclic)
-    machine::check_equal("routes without cycles", routing_.kind() == Routing::Kind::up_down, true);
+    base::check_equal("routes without cycles", routing_.kind() == Routing::Kind::up_down, true);
   const auto& topology = routing_.topology();
   const auto at = [&](int id) { return machine.processors().at(first + id).get(); };
   for (int id = 0; id < topology.processors; ++id) make_node(machine, id, *at(id), params);

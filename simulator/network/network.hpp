@@ -42,7 +42,7 @@ class Client {
 
   int processor() const { return processor_; }
   // `into.router ! message`. `from.processor` is filled in. Throws
-  // machine::InvariantBroken for a message longer than Params::longest.
+  // base::InvariantBroken for a message longer than Params::longest.
   void send(Message message);
   // Gives back to the router, as it is, what it has offered (InPathTo).
   void give_back(Message message);
@@ -63,7 +63,7 @@ class Network {
  public:
   // Joins the machine's processors `first`, `first` + 1, ... as the routing's topology says, and
   // starts a router on each. The method `acyclic` needs routes that close no cycle: see
-  // make_routing. Throws machine::InvalidInput if buffers and messages do not fit the processors'
+  // make_routing. Throws base::BadInput if buffers and messages do not fit the processors'
   // memory.
   Network(machine::Machine& machine, Routing routing, const Params& params, int first = 0);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "topologies/search.hpp"
+#include "topologies/graph/search.hpp"
 
 namespace network {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "topologies/routes.hpp"
-#include "topologies/up_down.hpp"
+#include "topologies/route/routes.hpp"
+#include "topologies/route/up_down.hpp"
 
 namespace network {
 

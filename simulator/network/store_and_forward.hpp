@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "simulator/occam/channel.hpp"
-#include "topologies/routes.hpp"
+#include "topologies/route/routes.hpp"
 
 namespace network {
 

@@ -1,6 +1,6 @@
 #include "simulator/observe/trace.hpp"
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 #include "simulator/observe/trace_output.hpp"
 
 namespace observe {
@@ -9,7 +9,7 @@ namespace {
 
 void check_index(const char* what, std::size_t index, std::size_t size) {
   if (index >= size)
-    throw machine::InvariantBroken(
+    throw base::InvariantBroken(
         fmt::format("trace: {} {}, but there are only {}", what, index, size));
 }
 
@@ -19,7 +19,7 @@ void check_times(const char* what, const Item& item, std::size_t lane, std::vect
   constexpr double hair_s = 1e-9;
   check_index(what, lane, ends.size());
   if (!(item.from_s >= ends[lane] - hair_s && item.to_s >= item.from_s))
-    throw machine::InvariantBroken(
+    throw base::InvariantBroken(
         fmt::format("trace: {} {} is at something from {} to {} s, but before that until {} s",
                     what, lane, item.from_s, item.to_s, ends[lane]));
   ends[lane] = item.to_s;

@@ -39,7 +39,7 @@ struct Trace {
 };
 
 // Three files of the same trace; the first two keep whole nanoseconds. All throw
-// machine::InvariantBroken, before they write, for a trace that is not as described above.
+// base::InvariantBroken, before they write, for a trace that is not as described above.
 
 // Trace Event Format (JSON), for Perfetto and chrome://tracing. A processor is a process there,
 // with a track for its CPU and one for every direction that leaves it; an arrow leads from a

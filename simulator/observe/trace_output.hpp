@@ -11,7 +11,7 @@
 
 namespace observe {
 
-// machine::InvariantBroken for an index out of range, an end before a start, and for what overlaps
+// base::InvariantBroken for an index out of range, an end before a start, and for what overlaps
 // on one processor or link, or is out of order there, by more than a nanosecond.
 void check(const Trace& trace);
 

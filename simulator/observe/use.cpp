@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 
 namespace observe {
 
@@ -11,7 +11,7 @@ namespace {
 
 void check_busy(const std::string& who, double busy_s, double time_s) {
   if (busy_s > time_s * (1 + 1e-9) + 1e-9)
-    throw machine::InvariantBroken(
+    throw base::InvariantBroken(
         fmt::format("{} was busy for {} s of {} s simulated", who, busy_s, time_s));
 }
 
@@ -25,7 +25,7 @@ template <class Row>
 const Row& find(const std::vector<Row>& rows, const std::string& name, const char* kind) {
   const auto found = std::ranges::find(rows, name, &Row::name);
   if (found == rows.end())
-    throw machine::InvariantBroken(fmt::format("no {} is called {}", kind, name));
+    throw base::InvariantBroken(fmt::format("no {} is called {}", kind, name));
   return *found;
 }
 

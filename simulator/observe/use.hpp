@@ -35,7 +35,7 @@ struct Use {
   std::vector<ProcessRow> processes;
 };
 
-// Everything up to now. Throws machine::InvariantBroken if a resource was busier than time allows.
+// Everything up to now. Throws base::InvariantBroken if a resource was busier than time allows.
 Use collect(const machine::Machine& machine);
 // What happened from `before` to `after`.
 Use between(const Use& before, const Use& after);

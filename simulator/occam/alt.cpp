@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 #include "simulator/occam/process.hpp"
 
 namespace occam {
@@ -70,7 +70,7 @@ void wait_for_any(Process& self, std::span<const Guard> guards) {
     if (guard.kind == Kind::timer)
       self.processor().wake_at(date_of(self, guard.tick), self, self.waits() + 1);
   }
-  if (!some_open) throw machine::InvariantBroken(self.name() + ": an ALT without an open guard");
+  if (!some_open) throw base::InvariantBroken(self.name() + ": an ALT without an open guard");
   Guards wait(guards);
   self.block(wait);
   for (const Guard& guard : guards)
@@ -90,7 +90,7 @@ std::optional<std::size_t> choose(const Process& self, std::span<const Guard> gu
     if (is_ready(self, guards[i], from + factor * turn)) return i;
   }
   if (any_cut(guards)) return {};
-  throw machine::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
+  throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
 }
 
 // alt, and each guard enabled at its own turn.

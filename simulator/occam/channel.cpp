@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/machine/faults.hpp"
+#include "base/errors.hpp"
 
 namespace occam {
 
@@ -59,7 +59,7 @@ void ChannelBase::output(std::uint64_t bytes) {
   Process& self = this_process();
   arrive(writer, bytes, reader_);
   if (cut()) return refuse(self, writer);
-  if (writer_.process) throw machine::InvariantBroken("two processes output on channel " + name_);
+  if (writer_.process) throw base::InvariantBroken("two processes output on channel " + name_);
   if (reader_.process) return meet(std::exchange(reader_, {}), bytes);
   writer_ = {&self, self.now()};
   bytes_ = bytes;
@@ -71,7 +71,7 @@ void ChannelBase::input() {
   Process& self = this_process();
   arrive(reader, bytes_, writer_);
   if (cut()) return refuse(self, reader);
-  if (reader_.process) throw machine::InvariantBroken("two processes input on channel " + name_);
+  if (reader_.process) throw base::InvariantBroken("two processes input on channel " + name_);
   if (writer_.process) return meet(std::exchange(writer_, {}), bytes_);
   reader_ = {&self, self.now()};
   wait(self, reader, "in");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/generators.hpp"
+#include "renderer/scene/generators.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/raw_simgrid.hpp"
 

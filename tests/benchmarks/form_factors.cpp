@@ -1,6 +1,6 @@
 // Form-factor rays a second in a room of 14,000 patches as figure 3.8's: a window in a wall, a
 // polygon that hangs before it. At least 3 million on one core are asked of shooting.
-#include "renderer/radiosity/solve.hpp"
+#include "renderer/radiosity/light/solve.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/renderers.hpp"
 

@@ -1,7 +1,7 @@
 #include "simulator/network/store_and_forward.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/raw_simgrid.hpp"
-#include "topologies/topology.hpp"
+#include "topologies/graph/topology.hpp"
 
 namespace benchmarks {
 

@@ -4,7 +4,7 @@
 #include "simulator/occam/process.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/traffic.hpp"
-#include "topologies/topology.hpp"
+#include "topologies/graph/topology.hpp"
 
 namespace benchmarks {
 

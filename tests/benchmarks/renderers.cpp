@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "renderer/generators.hpp"
+#include "renderer/scene/generators.hpp"
 #include "tests/benchmarks/machine.hpp"
 
 namespace benchmarks {

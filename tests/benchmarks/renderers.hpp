@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/render.hpp"
+#include "renderer/trace/render.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 namespace benchmarks {

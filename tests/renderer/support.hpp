@@ -5,8 +5,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "renderer/nff.hpp"
-#include "renderer/render.hpp"
+#include "renderer/files/nff.hpp"
+#include "renderer/trace/render.hpp"
 
 namespace renderer::test {
 

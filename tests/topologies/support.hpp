@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "topologies/topology.hpp"
+#include "base/errors.hpp"
+#include "topologies/graph/topology.hpp"
 
 namespace topologies {
 
@@ -77,12 +78,12 @@ inline Topology random_topology(unsigned seed, int largest = 31) {
   return t;
 }
 
-// Runs `act`; the message of the InvalidTopology it throws, or "" if it throws none.
+// Runs `act`; the message of the BadInput it throws, or "" if it throws none.
 template <typename Act>
 std::string rejection(Act act) {
   try {
     act();
-  } catch (const InvalidTopology& error) {
+  } catch (const base::BadInput& error) {
     return error.what();
   }
   return "";

@@ -5,7 +5,8 @@
 
 #include <sstream>
 
-#include "renderer/radiosity/load_room.hpp"
+#include "base/errors.hpp"
+#include "renderer/radiosity/files/load_room.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace radiosity::test {
@@ -110,7 +111,7 @@ template <typename Action>
 std::string get_error(const Action& action) {
   try {
     action();
-  } catch (const BadScene& bad) {
+  } catch (const base::BadInput& bad) {
     return bad.what();
   }
   return "accepted";

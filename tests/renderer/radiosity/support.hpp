@@ -5,9 +5,9 @@
 
 #include <functional>
 
-#include "renderer/radiosity/delta_areas.hpp"
-#include "renderer/radiosity/solve.hpp"
-#include "renderer/ray.hpp"
+#include "renderer/radiosity/light/delta_areas.hpp"
+#include "renderer/radiosity/light/solve.hpp"
+#include "renderer/scene/ray.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace radiosity::test {

@@ -1,0 +1,29 @@
+#pragma once
+// Errors that every room may throw. A simulated fault, the third kind, is in
+// simulator/machine/faults.hpp.
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace base {
+
+/// Bad input, rejected where it enters and before anything runs. The text names the file, line or
+/// key, what was found and what was expected.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A broken invariant: a defect of tlab. The text holds both values.
+struct InvariantBroken : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/// Throws InvariantBroken, with both values, unless they are equal.
+template <class A, class B>
+void check_equal(const char* what, const A& found, const B& expected) {
+  if (!(found == expected))
+    throw InvariantBroken(fmt::format("{}: found {}, expected {}", what, found, expected));
+}
+
+}  // namespace base

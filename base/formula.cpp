@@ -1,0 +1,91 @@
+#include "base/formula.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "base/errors.hpp"
+#include "base/spelling.hpp"
+
+namespace base {
+
+namespace {
+
+constexpr std::string_view NAME_CHARACTERS =
+    "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+// muParser says of an unknown function only that its parenthesis is unexpected.
+void check_functions(const mu::Parser& parser, const std::string& text, const std::string& place) {
+  std::vector<std::string> known;
+  for (const auto& [name, function] : parser.GetFunDef()) known.push_back(name);
+  for (auto open = text.find('('); open != std::string::npos; open = text.find('(', open + 1)) {
+    std::string name = text.substr(0, open);
+    name.erase(name.find_last_not_of(" \t") + 1);
+    name.erase(0, name.find_last_not_of(NAME_CHARACTERS) + 1);
+    if (!Formula::is_name(name) || std::ranges::find(known, name) != known.end()) continue;
+    throw BadInput(fmt::format("{}: unknown function \"{}\", the nearest is \"{}\"", place, name,
+                               base::nearest_name(name, known)));
+  }
+}
+
+// muParser's = would set a variable of ours.
+bool has_assignment(const std::string& text) {
+  for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+    const bool compares = at > 0 && std::string_view("<>!").find(text[at - 1]) != std::string::npos;
+    const bool equals = at + 1 < text.size() && text[at + 1] == '=';
+    if (!compares && !equals) return true;
+    if (equals) ++at;
+  }
+  return false;
+}
+
+}  // namespace
+
+struct Formula::Parser {
+  mu::Parser parser;
+  std::vector<double> values;  // the parser holds pointers to them
+};
+
+Formula::Formula(const std::string& text, std::string place)
+    : place_(std::move(place)), parser_(std::make_unique<Parser>()) {
+  auto refuse = [&](const std::string& what) {
+    throw BadInput(fmt::format("{}: found \"{}\", expected an expression: {}", place_, text, what));
+  };
+  if (has_assignment(text)) refuse("= sets nothing here, == compares");
+  mu::Parser& parser = parser_->parser;
+  parser.DefineNameChars(std::string(NAME_CHARACTERS).c_str());
+  parser.DefineFun("floor", [](double x) { return std::floor(x); });
+  parser.DefineFun("ceil", [](double x) { return std::ceil(x); });
+  check_functions(parser, text, place_);
+  try {
+    parser.SetExpr(text);
+    for (const auto& [name, ignored] : parser.GetUsedVar()) variables_.push_back(name);
+    parser_->values.resize(variables_.size());
+    for (std::size_t i = 0; i < variables_.size(); ++i)
+      parser.DefineVar(variables_[i], &parser_->values[i]);
+    parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    refuse(error.GetMsg());
+  }
+  if (parser.GetNumResults() != 1) refuse("a comma outside of a function");
+}
+
+Formula::~Formula() = default;
+Formula::Formula(Formula&&) noexcept = default;
+Formula& Formula::operator=(Formula&&) noexcept = default;
+
+double Formula::eval(std::span<const double> values) const {
+  base::check_equal("values of a formula", values.size(), variables_.size());
+  std::ranges::copy(values, parser_->values.begin());
+  return parser_->parser.Eval();
+}
+
+bool Formula::is_name(const std::string& text) {
+  return !text.empty() && text.find_first_not_of(NAME_CHARACTERS) == std::string::npos &&
+         std::string_view("0123456789.").find(text[0]) == std::string::npos;
+}
+
+}  // namespace base

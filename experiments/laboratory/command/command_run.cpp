@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/file/experiment.hpp"
+#include "experiments/laboratory/file/program.hpp"
+#include "simulator/declare/program.hpp"
+
+namespace laboratory {
+
+namespace {
+
+// A time that can come.
+const CLI::Validator SECONDS(
+    [](std::string& text) {
+      char* end = nullptr;
+      const double seconds = std::strtod(text.c_str(), &end);
+      const bool is_time =
+          end == text.c_str() + text.size() && std::isfinite(seconds) && seconds > 0;
+      return is_time ? "" : fmt::format("found {}, expected a number of seconds above 0", text);
+    },
+    "SECONDS");
+
+std::string describe_keys() {
+  std::string text =
+      "Keys of the experiment file (any but program.name and those of stage, order, fault, let "
+      "and\n"
+      "check can be an axis of [sweep]):\n";
+  for (const auto& setting : settings())
+    text += fmt::format("  {:<30} {}\n", setting.key, setting.help);
+  return text;
+}
+
+std::string describe_programs() {
+  std::string text = fmt::format("\nPrograms (program.name):\n  {:<30} {}\n", "farm",
+                                 "the ray tracer of the thesis's chapter 4: all keys above");
+  for (const auto& pattern : programs::all_patterns()) {
+    text += fmt::format("  {:<30} {}\n", pattern.name, pattern.help);
+    for (const auto& p : pattern.parameters)
+      if (p.is_path)
+        text += fmt::format("    {:<28} {}; a file{}\n", "program." + p.name, p.help,
+                            p.is_required ? "" : " [none]");
+      else if (!p.choices.empty())
+        text += fmt::format("    {:<28} {}; one of {} [{}]\n", "program." + p.name, p.help,
+                            fmt::join(p.choices, ", "), describe_value(p, p.value));
+      else
+        text += fmt::format("    {:<28} {}; {}{}..{} [{}]\n", "program." + p.name, p.help,
+                            p.whole ? "whole, " : "", p.low, p.high, p.value);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto* command = app.add_subcommand("run", "run an experiment: one run, or a sweep");
+  auto o = std::make_shared<RunOptions>();
+  o->jobs = std::max(1u, std::thread::hardware_concurrency());
+  command->add_option("EXPERIMENT", o->file, "the experiment file (TOML)")->required();
+  auto* output =
+      command->add_option("-o,--output", o->output, "results folder [results/EXPERIMENT's name]");
+  command->add_option("--set", o->overrides, "key.path=value: replaces a key of the experiment")
+      ->allow_extra_args(false);
+  auto* list = command->add_flag(
+      "--list", o->list,
+      "only print each point: number, key, axes, and whether its record is there");
+  command
+      ->add_option("--point", o->points,
+                   "K or A-B, repeatable: run only these points and record them in the folder, for "
+                   "tlab merge")
+      ->allow_extra_args(false)
+      ->excludes(list);
+  command->add_option("--jobs", o->jobs, "points run side by side")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--profile", o->profile,
+                    "print the host time per simulated ray, beyond the kernel");
+  command->add_option("--until", o->until_s, "simulated seconds after which a point is cut short")
+      ->check(SECONDS);
+  command->add_option("--from", o->from_s, "simulated seconds at which trace and time line begin")
+      ->check(SECONDS);
+  command->add_option("--trace", o->trace,
+                      "a file for what every processor and link did in the one point: .json for "
+                      "Perfetto and chrome://tracing, .paje for ViTE");
+  command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
+  command->footer(describe_keys() + describe_programs());
+  command->callback([o, output] {
+    if (output->count() > 0 && o->output.empty())
+      throw CLI::ValidationError("--output", "expected the name of a folder");
+    if (o->list) return list_points(*o);
+    if (!o->points.empty()) return run_chosen_points(*o);
+    run_experiment(*o);
+  });
+}
+
+}  // namespace laboratory

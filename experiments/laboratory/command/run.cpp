@@ -1,0 +1,111 @@
+#include "experiments/laboratory/command/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+#include <set>
+
+#include "experiments/laboratory/command/simulate.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/points/origin.hpp"
+#include "experiments/laboratory/report/run_report.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_NOTES = 20;
+
+void print_profile(const Table& table, const std::vector<ordered_json>& results) {
+  fmt::print("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (is_failed(results[i])) continue;
+    const auto& host = results[i]["host"];
+    const auto& row = table.rows[table.row_of(i)];
+    const double rays = results[i]["row"]["rays"].get<double>();
+    if (rays == 0 || host["kernel_s"].is_null()) continue;
+    const double run = host["run_s"].get<double>(), kernel = host["kernel_s"].get<double>();
+    fmt::print(
+        "  {:>6} {:>3} workers {:>7} objects: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n",
+        to_string(row[0]), to_string(row[1]), to_string(row[2]), (run - kernel) / rays * 1e6,
+        kernel / rays * 1e6, host["events"].get<double>() / rays);
+  }
+}
+
+void print_notes(const Simulation& s) {
+  const auto notes = notes_of(s.file, s.results);
+  for (const auto& note : notes | std::views::take(MOST_NOTES)) fmt::print("note: {}\n", note);
+  if (notes.size() > MOST_NOTES) fmt::print("...\n");
+}
+
+// The last of a run, not those on the way.
+std::set<std::string> list_images(const Simulation& s) {
+  std::set<std::string> names(s.images.begin(), s.images.end());
+  for (const auto& result : s.results)
+    for (const auto& image : result.value("images", ordered_json::array()))
+      if (!image.contains("at_s")) names.insert(image["path"].get<std::string>());
+  names.erase("");
+  return names;
+}
+
+void print_paths(const fs::path& output, const std::set<std::string>& images) {
+  fmt::print("  report   {}\n", (output / "report.html").string());
+  fmt::print("  table    {}\n", (output / "results.csv").string());
+  for (const auto& image : images) fmt::print("  image    {}\n", (output / image).string());
+  if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
+}
+
+void print_summary(const RunOptions& options, const Simulation& s) {
+  const auto output = results_folder(options);
+  fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, shown_columns(s.file, s.table)));
+  print_notes(s);
+  if (options.profile && !s.images.empty() && s.results[0]["host"].contains("kernel_s"))
+    print_profile(s.table, s.results);
+  for (const auto& [model, speed] : s.host_speeds)
+    fmt::print("\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % of {} repeats\n",
+               speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
+  if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.results.size());
+  fmt::print("\nEnded: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
+             s.complete ? "R" : "Incomplete r", output.string());
+  print_paths(output, list_images(s));
+}
+
+// Of what has been written.
+void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
+  const auto output = results_folder(options).string();
+  if (was_interrupted())
+    throw CutShort(fmt::format(
+        "interrupted; what was measured until then is in {}, marked incomplete", output));
+  if (!s.checks.empty()) fmt::print("\n");
+  for (const auto& note : note_unknown_texts(plan, s.table)) fmt::print("note: {}\n", note);
+  for (const auto& check : s.checks) fmt::print("{}\n", summarize(check, s.table));
+  throw_failures(s.file, s.results, fmt::format("the others are in {}, marked incomplete", output));
+  const auto failed = std::ranges::count(s.checks, Verdict::fails, &CheckResult::verdict);
+  if (failed > 0)
+    throw ChecksFailed(fmt::format("{}: {} of {} check(s) do not hold; results are in {}",
+                                   options.file, failed, s.checks.size(), output));
+}
+
+void write_and_judge(const RunOptions& options, const ExperimentFile& file, Missing missing) {
+  const auto plan = plan_checks(file);
+  const Simulation s = simulate(options, file, plan, missing);
+  print_summary(options, s);
+  judge(options, plan, s);
+}
+
+}  // namespace
+
+void run_experiment(const RunOptions& options) {
+  write_and_judge(options, load_experiment(options.file, options.overrides), Missing::run);
+}
+
+void merge_results(const std::string& folder) {
+  const Origin origin = load_origin(folder, POINTS_ORIGIN);
+  write_and_judge(origin.options, origin.file, Missing::refuse);
+}
+
+}  // namespace laboratory

@@ -1,0 +1,109 @@
+#include "experiments/laboratory/command/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/points/origin.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/points/points.hpp"
+#include "experiments/laboratory/points/result_images.hpp"
+#include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/report/run_record.hpp"
+#include "experiments/laboratory/report/run_report.hpp"
+
+namespace laboratory {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_NAMED = 20;
+
+[[noreturn]] void refuse_missing(const ExperimentFile& file, const fs::path& results,
+                                 const std::vector<std::size_t>& missing) {
+  std::string text;
+  for (const auto i : missing | std::views::take(MOST_NAMED))
+    text += fmt::format("\n  {}  {}", i, name_of(file.points[i]));
+  throw base::BadInput(fmt::format("{}: {} of {} points are missing:{}{}", results.string(),
+                                   missing.size(), file.points.size(), text,
+                                   missing.size() > MOST_NAMED ? "\n  ..." : ""));
+}
+
+// All results, of records or newly made.
+Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
+  Results results = find_points(plan, all_points(plan.file));
+  const auto to_run = missing_points(results);
+  there = results.size() - to_run.size();
+  if (to_run.empty()) return results;
+  if (missing == Missing::refuse) refuse_missing(plan.file, plan.results, to_run);
+  run_points(plan, to_run, results);
+  const auto nothing = [](const auto& result) { return result.is_null() || is_failed(result); };
+  if (std::ranges::all_of(results, nothing))
+    throw_failures(plan.file, results, "nothing was written");
+  return results;
+}
+
+// Those that were run: not all, if the user interrupted.
+void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
+  const auto all = std::move(s.file.points);
+  s.file.points.clear();
+  Results results;
+  std::vector<std::string> images;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (s.results[i].is_null()) continue;
+    const bool lone = is_lone(all[i].experiment, s.results[i]);
+    s.records.push_back((lone ? lone_records_folder() : records_folder()) /
+                        (plan.keys[i] + ".json"));
+    s.file.points.push_back(all[i]);
+    results.push_back(std::move(s.results[i]));
+    images.push_back(std::move(s.images[i]));
+  }
+  s.results = std::move(results);
+  s.images = std::move(images);
+}
+
+void write_results(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+  write_file(folder / "results.csv", to_csv(s.table));
+  if (!s.checks.empty())
+    write_file(folder / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
+  save_run_json(folder, options, s);
+  write_report(folder, options, s);
+}
+
+}  // namespace
+
+Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks,
+                    Missing missing) {
+  const auto start = std::chrono::steady_clock::now();
+  check_points(options, file, file.points.size());
+  const auto results = results_folder(options);
+  check_same_experiment(results, file);
+  ResultsFolder folder(results);
+  const StoreGuard guard(results);
+  Simulation s;
+  s.file = file;
+  s.host_speeds = measure_host(s.file);
+  PointsPlan plan(options, s.file, inspect_names(checks, s.file));
+  plan.lone = folder.working() / lone_records_folder();
+  s.results = make_results(plan, missing, s.there);
+  carry_files(results / records_folder(), folder.working() / records_folder());
+  s.images = place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
+  keep_points_that_ran(s, plan);
+  s.table = make_table(s.file, s.results);
+  s.checks = eval_checks(checks, s.file, s.table);
+  s.complete =
+      s.results.size() == file.points.size() && std::ranges::all_of(s.results, is_complete);
+  s.ended = describe_end(s.results, file.points.size());
+  s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  save_origin(folder.working(), plan.origin);
+  write_results(folder.working(), options, s);
+  folder.commit();
+  return s;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,105 @@
+#include "experiments/laboratory/command/verify.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/command/simulate.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+
+namespace laboratory {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_SHOWN = 20;
+
+struct Candidate {
+  std::string file;
+  fs::path name;       // of its results, below the folder of results
+  bool named = false;  // by the user, not found in a folder
+};
+
+std::vector<Candidate> find_candidates(const std::vector<std::string>& paths) {
+  std::vector<Candidate> candidates;
+  for (const auto& path : paths) {
+    if (!fs::is_directory(path)) {
+      candidates.push_back({path, fs::path(path).stem(), true});
+      continue;
+    }
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path))
+      if (entry.is_regular_file() && entry.path().extension() == ".toml")
+        found.push_back(entry.path());
+    std::ranges::sort(found);
+    for (const auto& file : found)
+      candidates.push_back({file.string(), file.lexically_relative(path).replace_extension()});
+    if (found.empty())
+      throw base::BadInput(fmt::format("{}: no experiment file (*.toml) below it", path));
+  }
+  return candidates;
+}
+
+bool has_checks(const std::string& path) {
+  try {
+    return toml::parse_file(path).contains("check");
+  } catch (const toml::parse_error& error) {
+    throw base::BadInput(
+        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+  }
+}
+
+struct Count {
+  std::size_t hold = 0, fail = 0;
+};
+
+void print_check(const CheckResult& check, const Table& table, bool all, Count& count) {
+  ++(check.verdict == Verdict::holds ? count.hold : count.fail);
+  fmt::print("{}\n", summarize(check, table));
+  const auto most = all ? check.points.size() : MOST_SHOWN;
+  if (!check.points.empty()) fmt::print("{}", to_text(make_check_table(check, table, most)));
+  if (check.points.size() > most)
+    fmt::print("the worst of {} points; --all shows every one\n", check.points.size());
+  for (const auto& note : check.notes) fmt::print("note: {}\n", note);
+  fmt::print("\n");
+}
+
+void verify_file(const Candidate& candidate, const VerifyOptions& options, bool alone,
+                 Count& count) {
+  if (!candidate.named && !has_checks(candidate.file))
+    return fmt::print("{}: no checks, skipped\n\n", candidate.file);
+  const ExperimentFile file = load_experiment(candidate.file, options.overrides);
+  if (file.checks.empty()) return fmt::print("{}: no checks, skipped\n\n", candidate.file);
+  const CheckPlan plan = plan_checks(file);
+  const fs::path root = options.output.empty() ? "results" : options.output;
+  RunOptions run;
+  run.file = candidate.file;
+  run.output = alone && !options.output.empty() ? options.output : (root / candidate.name).string();
+  run.overrides = options.overrides;
+  run.jobs = options.jobs;
+  const Simulation s = simulate(run, file, plan);
+  if (was_interrupted()) throw Interrupted();
+  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
+             s.there == s.results.size() ? "were in" : "are now in", run.output);
+  for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
+  throw_failures(s.file, s.results, "the others are in " + run.output);
+}
+
+}  // namespace
+
+void verify(const VerifyOptions& options) {
+  const auto candidates = find_candidates(options.paths);
+  const bool alone = candidates.size() == 1 && candidates[0].named;
+  Count count;
+  for (const auto& candidate : candidates) verify_file(candidate, options, alone, count);
+  fmt::print("{} check(s) hold, {} do not\n", count.hold, count.fail);
+  if (count.fail > 0)
+    throw ChecksFailed(
+        fmt::format("{} of {} check(s) do not hold", count.fail, count.hold + count.fail));
+}
+
+}  // namespace laboratory

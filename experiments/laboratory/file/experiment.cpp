@@ -1,0 +1,173 @@
+#include "experiments/laboratory/file/experiment.hpp"
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <fstream>
+#include <ranges>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/file/program.hpp"
+#include "experiments/laboratory/file/schema.hpp"
+#include "experiments/laboratory/file/sweep.hpp"
+#include "experiments/laboratory/file/values.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using base::BadInput;
+
+toml::table parse(std::string_view text, const std::string& origin) {
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    throw BadInput(
+        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
+  }
+}
+
+// Sets a dotted key, making the sections it names.
+void assign(toml::table& file, std::string_view key, const toml::node& value) {
+  toml::table* section = &file;
+  for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
+    auto [place, added] = section->insert(key.substr(0, dot), toml::table{});
+    section = place->second.as_table();
+    if (!section) throw BadInput(fmt::format("{}: not a section", key.substr(0, dot)));
+    key.remove_prefix(dot + 1);
+  }
+  section->insert_or_assign(key, value);
+}
+
+// "scene.objects=800". What is not TOML is taken for a text. An axis has a name, dots or not.
+void override_key(toml::table& file, const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw BadInput(fmt::format("--set {}: expected key.path=value", text));
+  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  toml::table parsed;
+  try {
+    parsed = toml::parse("value = " + value, "--set " + text);
+  } catch (const toml::parse_error&) {
+    parsed.insert("value", value);
+  }
+  if (parsed.size() != 1)
+    throw BadInput(fmt::format("--set {}: expected one value after '='", text));
+  if (!key.starts_with("sweep.")) return assign(file, key, *parsed.get("value"));
+  auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
+  if (!sweep) throw BadInput("sweep: not a section");
+  sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
+}
+
+// What the file gives, then what an axis gives in its place.
+std::map<std::string, double, std::less<>> find_numbers(
+    const toml::table& file, const std::vector<Replacement>& replacements) {
+  std::map<std::string, double, std::less<>> numbers;
+  auto add = [&](const std::string& key, const toml::node& node) {
+    if (key.starts_with("model.")) return;  // the machine model has them, by their own names
+    if (node.is_number())
+      numbers[key] = *node.value<double>();
+    else
+      numbers.erase(key);
+  };
+  for_each_key(file, add);
+  for (const auto& [key, value] : replacements) add(key, *value);
+  return numbers;
+}
+
+// An axis takes the place of its key: what is set there would change nothing.
+void check_not_shadowed(const std::string& override, const std::vector<Coupled>& axes) {
+  const auto key = override.substr(0, override.find('='));
+  for (const auto& coupled : axes)
+    for (const auto& axis : coupled)
+      if (axis.key == key)
+        throw BadInput(fmt::format(
+            "--set {}: {} is an axis of [sweep], expected "
+            "--set 'sweep.{}=[...]'",
+            override, key, fmt::join(coupled | std::views::transform(&Axis::name), ", ")));
+}
+
+// The point of that number; the last axis runs fastest.
+Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
+                 const std::string& path, const std::string& folder) {
+  Point point;
+  std::vector<Replacement> replacements;
+  for (const auto& coupled : std::views::reverse(axes)) {
+    const auto count = coupled[0].values.size();
+    for (const auto& axis : std::views::reverse(coupled)) {
+      const toml::node& value = *axis.values[number % count];
+      replacements.push_back({axis.key, &value});
+      point.at.insert(point.at.begin(), {axis.name, to_toml(value)});
+    }
+    number /= count;
+  }
+  point.experiment = bind_settings(file, replacements, path, folder);
+  point.numbers = find_numbers(file, replacements);
+  return point;
+}
+
+// The file without what says nothing about what a point does.
+std::map<std::string, std::string> find_settings(const toml::table& file) {
+  std::map<std::string, std::string> settings;
+  for_each_key(file, [&](const std::string& key, const toml::node& node) {
+    const auto section = key.substr(0, key.find('.'));
+    for (const char* name : {"title", "question"})
+      if (section == name) return;
+    settings[key] = to_toml(node);
+  });
+  return settings;
+}
+
+}  // namespace
+
+ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
+  std::ifstream in(path);
+  if (!in || !std::filesystem::is_regular_file(path))
+    throw BadInput(fmt::format("{}: the experiment file cannot be read", path));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_experiment(text, path, std::filesystem::path(path).parent_path().string(), overrides);
+}
+
+ExperimentFile read_experiment(const std::string& text, const std::string& path,
+                               const std::string& folder,
+                               const std::vector<std::string>& overrides) {
+  toml::table file = parse(text, path);
+  std::vector<std::string> order;
+  add_names(order, file, path);
+  for (const auto& override : overrides) {
+    override_key(file, override);
+    add_names(order, file, path);
+  }
+
+  const auto axes = read_axes(file, order, path);
+  for (const auto& override : overrides) check_not_shadowed(override, axes);
+  ExperimentFile experiment{path, resolve(file, axes, path),    {},
+                            {},   read_definitions(file, path), read_checks(file, path, folder)};
+  experiment.folder = folder;
+  experiment.plots = read_plots(file, path, folder);
+  experiment.bests = read_bests(file, path);
+  experiment.report = read_report(file, path);
+  for (const auto& coupled : axes) {
+    std::vector<std::string> names;
+    for (const auto& axis : coupled) {
+      names.push_back(axis.name);
+      experiment.axis_keys.push_back(axis.key);
+    }
+    std::ranges::copy(names, std::back_inserter(experiment.axes));
+    if (names.size() > 1) experiment.coupled.push_back(std::move(names));
+  }
+  experiment.settings = find_settings(file);
+  const auto points = count_points(axes, path);
+  for (std::size_t i = 0; i < points; ++i)
+    experiment.points.push_back(make_point(file, axes, i, path, folder));
+  return experiment;
+}
+
+std::string name_of(const Point& point) {
+  std::string name;
+  for (const auto& at : point.at)
+    name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", at.axis, at.toml);
+  return name;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,117 @@
+#include "experiments/laboratory/file/expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/errors.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using base::BadInput;
+
+std::string trim(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\n") + 1 - first);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (auto at = text.find(separator); at != std::string::npos; at = text.find(separator, begin)) {
+    parts.push_back(trim(text.substr(begin, at - begin)));
+    begin = at + 1;
+  }
+  parts.push_back(trim(text.substr(begin)));
+  return parts;
+}
+
+// 'tree' is tree.
+std::string without_quotes(const std::string& text) {
+  const bool is_quoted = text.size() > 2 && (text.front() == '"' || text.front() == '\'') &&
+                         text.back() == text.front();
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+RowReference::Condition parse_condition(const std::string& text, const std::string& place) {
+  const auto equals = text.find('=');
+  RowReference::Condition condition{trim(text.substr(0, equals)), {}};
+  if (equals != std::string::npos) condition.text = trim(text.substr(equals + 1));
+  if (!base::Formula::is_name(condition.axis) || condition.text.empty())
+    throw BadInput(fmt::format("{}: found \"{}\", expected AXIS = VALUE", place, text));
+  try {
+    condition.value.emplace(condition.text, place);
+  } catch (const BadInput&) {  // a text: Rows says so if the axis is one of numbers
+  }
+  condition.text = without_quotes(condition.text);
+  return condition;
+}
+
+// `text` with its braces.
+RowReference parse_reference(const std::string& text, const std::string& place) {
+  const auto parts = split(text.substr(1, text.size() - 2), '@');
+  if (parts.size() != 2 || !base::Formula::is_name(parts[0]))
+    throw BadInput(
+        fmt::format("{}: found {}, expected {{COLUMN @ AXIS = VALUE, ...}}", place, text));
+  RowReference reference{text, parts[0], {}};
+  for (const auto& condition : split(parts[1], ','))
+    reference.conditions.push_back(parse_condition(condition, place + ": " + text));
+  return reference;
+}
+
+// A name that can stand in a formula and still says what it stands for.
+std::string spell_as_name(std::string text) {
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return "row" + text;
+}
+
+}  // namespace
+
+Expression::Expression(const std::string& text, const std::string& place)
+    : formula_(replace_references(text, place), place) {}
+
+std::string Expression::replace_references(const std::string& text, const std::string& place) {
+  std::string replaced;
+  std::size_t begin = 0;
+  for (auto open = text.find('{'); open != std::string::npos; open = text.find('{', begin)) {
+    const auto close = text.find('}', open);
+    if (close == std::string::npos)
+      throw BadInput(fmt::format("{}: found \"{}\", expected a }} for each {{", place, text));
+    auto reference = parse_reference(text.substr(open, close + 1 - open), place);
+    auto name = spell_as_name(reference.text);
+    const auto is_taken = [&] {
+      const auto* other = find_reference(name);
+      return other && other->text != reference.text;
+    };
+    while (is_taken()) name += '_';
+    replaced += text.substr(begin, open - begin) + name;
+    references_.emplace(name, std::move(reference));
+    begin = close + 1;
+  }
+  return replaced + text.substr(begin);
+}
+
+const RowReference* Expression::find_reference(const std::string& variable) const {
+  const auto found = references_.find(variable);
+  return found == references_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Expression::names() const {
+  std::vector<std::string> names;
+  for (const auto& variable : variables())
+    if (!find_reference(variable)) names.push_back(variable);
+  for (const auto& [variable, reference] : references_) {
+    names.push_back(reference.column);
+    for (const auto& condition : reference.conditions)
+      if (condition.value)
+        std::ranges::copy(condition.value->variables(), std::back_inserter(names));
+  }
+  return names;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,153 @@
+#include "experiments/laboratory/file/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/file/program.hpp"
+#include "experiments/laboratory/file/values.hpp"
+#include "experiments/laboratory/table/table.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using base::BadInput;
+
+constexpr std::size_t MAX_POINTS = 100'000;
+
+// The axes of [sweep] as a flat table: names with dots may stand there with or without quotes.
+void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
+  for (auto&& [name, node] : from) {
+    const auto dotted = prefix + std::string(name.str());
+    if (auto* table = node.as_table())
+      flatten(*table, dotted + ".", into);
+    else
+      node.visit([&](auto& value) {
+        into.insert(join_names(dotted), std::move(value));
+      });  // with its line
+  }
+}
+
+toml::table* flatten_sweep(toml::table& file, const std::string& origin) {
+  auto* node = file.get("sweep");
+  if (!node) return nullptr;
+  if (!node->is_table())
+    throw BadInput(fmt::format("{}: sweep: expected a section of axes", origin));
+  toml::table flat;
+  flatten(*node->as_table(), "", flat);
+  *node->as_table() = std::move(flat);
+  return node->as_table();
+}
+
+// 2 and 2.0 are one value.
+std::string spell(const toml::node& value) {
+  if (const auto* list = value.as_array()) {
+    std::string text;
+    for (const auto& entry : *list) text += spell(entry) + ",";
+    return text;
+  }
+  const bool is_number = value.is_number() && std::abs(*value.value<double>()) < 0x1p53;
+  return is_number ? fmt::format("{}", *value.value<double>()) : to_toml(value);
+}
+
+// The values of each axis, of a list of values or, for several axes, of lists of one of each.
+void read_values(Coupled& axes, const Place& at) {
+  const auto* list = at.node.as_array();
+  if (!list || list->empty()) at.refuse("an array of values, at least one");
+  std::set<std::string> known;
+  for (const auto& entry : *list) {
+    const auto* values = entry.as_array();
+    if (axes.size() > 1 && (!values || values->size() != axes.size()))
+      Place{at.origin, at.key, "", entry}.refuse(fmt::format(
+          "an array of {} values, {}", axes.size(), at.key.substr(at.key.find('.') + 1)));
+    if (!known.insert(spell(entry)).second)
+      at.refuse(fmt::format("each value once, {} is there twice", to_toml(entry)));
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      axes[i].values.push_back(axes.size() > 1 ? values->get(i) : &entry);
+  }
+}
+
+}  // namespace
+
+std::string join_names(std::string_view name) {
+  return fmt::format("{}", fmt::join(split_names(name), ", "));
+}
+
+void add_names(std::vector<std::string>& order, toml::table& file, const std::string& origin) {
+  const auto* sweep = flatten_sweep(file, origin);
+  if (!sweep) return;
+  std::vector<std::tuple<unsigned, unsigned, std::string>> found;
+  for (auto&& [name, values] : *sweep) {
+    const auto& source = values.source().begin;
+    found.emplace_back(source.line, source.column, std::string(name.str()));
+  }
+  std::ranges::sort(found);
+  for (const auto& [line, column, name] : found)
+    if (std::ranges::find(order, name) == order.end()) order.push_back(name);
+}
+
+std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
+                               const std::string& origin) {
+  std::vector<Coupled> all;
+  std::set<std::string> keys;
+  const auto* sweep = file["sweep"].as_table();
+  if (!sweep) return all;
+  const auto program = read_program(file, origin);
+  for (const auto& names : order) {
+    if (!sweep->contains(names)) continue;  // --set has replaced the section
+    const Place at{origin, "sweep." + names, "", *sweep->get(names)};
+    Coupled axes;
+    for (const auto& name : split_names(names)) {
+      axes.push_back(name_axis(name, program, origin));
+      if (!keys.insert(axes.back().key).second)
+        at.refuse("each axis once, " + axes.back().key + " is there already");
+    }
+    read_values(axes, at);
+    all.push_back(std::move(axes));
+  }
+  return all;
+}
+
+std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
+                    const std::string& origin) {
+  if (axes.empty()) return to_toml(file);
+  toml::table rest = file;
+  rest.erase("sweep");
+  std::string text = to_toml(rest) + "\n\n[sweep]";
+  const auto program = read_program(file, origin);
+  const auto name_of = [&](const Axis& axis) {
+    const bool is_short =
+        !axis.key.starts_with("model.") && name_axis(axis.name, program, origin).key == axis.key;
+    return is_short ? axis.name : axis.key;
+  };
+  for (const auto& coupled : axes) {
+    std::vector<std::string> names, entries;
+    for (const auto& axis : coupled) names.push_back(name_of(axis));
+    for (std::size_t i = 0; i < coupled[0].values.size(); ++i) {
+      std::vector<std::string> values;
+      for (const auto& axis : coupled) values.push_back(to_toml(*axis.values[i]));
+      const auto entry = join_texts(values, ", ");
+      entries.push_back(coupled.size() > 1 ? "[" + entry + "]" : entry);
+    }
+    const auto name = join_texts(names, ", ");
+    const bool is_bare = name.find_first_of(".,") == std::string::npos;
+    text +=
+        fmt::format("\n{} = [{}]", is_bare ? name : "\"" + name + "\"", join_texts(entries, ", "));
+  }
+  return text;
+}
+
+std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path) {
+  double points = 1;
+  for (const auto& coupled : axes) points *= static_cast<double>(coupled[0].values.size());
+  if (points > MAX_POINTS)
+    throw BadInput(fmt::format(
+        "{}: [sweep] spans {} points, expected at most {}", path,
+        points < 1e15 ? fmt::format("{:.0f}", points) : fmt::format("{:.3g}", points), MAX_POINTS));
+  return static_cast<std::size_t>(points);
+}
+
+}  // namespace laboratory

@@ -1,0 +1,11 @@
+#pragma once
+// The one hash: of contents, where equal means the same.
+#include <string>
+#include <string_view>
+
+namespace laboratory {
+
+// 128 bits (XXH3) as 32 hexadecimal digits, the same on every machine.
+std::string hash_of(std::string_view bytes);
+
+}  // namespace laboratory

@@ -1,0 +1,196 @@
+#include "experiments/laboratory/host/jobs.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "simulator/machine/engine.hpp"
+#include "simulator/machine/faults.hpp"
+
+namespace laboratory {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// While it lives, the first SIGINT or SIGTERM is noted instead of ending the program.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    interrupted = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted = interrupted + 1; };
+    sigaction(SIGINT, &action, &old_int_);
+    sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~SignalGuard() {
+    sigaction(SIGINT, &old_int_, nullptr);
+    sigaction(SIGTERM, &old_term_, nullptr);
+  }
+
+ private:
+  struct sigaction old_int_ {
+  }, old_term_{};
+};
+
+// A child process and the text it has sent so far: one byte of status, then result or message.
+struct Child {
+  pid_t pid = -1;
+  std::size_t index = 0;
+  std::string text;
+};
+
+void write_all(int fd, const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t n = write(fd, text.data() + at, text.size() - at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) _exit(1);
+    at += static_cast<std::size_t>(n);
+  }
+}
+
+void hold_signals(int how) {
+  sigset_t asked;
+  sigemptyset(&asked);
+  sigaddset(&asked, SIGINT);
+  sigaddset(&asked, SIGTERM);
+  sigprocmask(how, &asked, nullptr);
+}
+
+[[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a parent that was killed
+  for (int asked : {SIGINT, SIGTERM}) signal(asked, [](int) { machine::request_stop(); });
+  hold_signals(SIG_UNBLOCK);
+  std::string reply;
+  try {
+    reply = '\0' + job(index);
+  } catch (const std::exception& error) {
+    reply = static_cast<char>(exit_code_of(error)) + std::string(error.what());
+  }
+  write_all(fd, reply);
+  _exit(0);  // without the parent's destructors
+}
+
+class Pool {
+ public:
+  ~Pool() {
+    for (auto& [fd, child] : children_) {
+      kill(child.pid, SIGKILL);
+      waitpid(child.pid, nullptr, 0);
+      close(fd);
+    }
+  }
+
+  void start(const Job& job, std::size_t index) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    std::fflush(nullptr);
+    hold_signals(SIG_BLOCK);  // until the child has handlers of its own
+    const pid_t pid = fork();
+    if (pid != 0) hold_signals(SIG_UNBLOCK);
+    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid == 0) {
+      close(ends[0]);
+      run_child(ends[1], job, index);
+    }
+    close(ends[1]);
+    children_[ends[0]] = {pid, index, {}};
+  }
+
+  // Waits until a child has ended.
+  JobEnd wait_any() {
+    for (;;) {
+      std::vector<pollfd> fds;
+      for (const auto& [fd, child] : children_) fds.push_back({fd, POLLIN, 0});
+      const int ready = poll(fds.data(), fds.size(), 1000);
+      if (interrupted > 1) throw Interrupted();
+      if (interrupted == 1 && !std::exchange(stopping_, true)) stop_all();
+      if (ready <= 0) continue;
+      for (const auto& p : fds)
+        if (p.revents != 0)
+          if (auto ended = read_some(p.fd)) return std::move(*ended);
+    }
+  }
+
+  std::size_t size() const { return children_.size(); }
+
+ private:
+  void stop_all() {
+    for (const auto& [fd, child] : children_) kill(child.pid, SIGINT);
+  }
+
+  std::optional<JobEnd> read_some(int fd) {
+    char buffer[65536];
+    const ssize_t n = read(fd, buffer, sizeof buffer);
+    Child& child = children_.at(fd);
+    if (n > 0) {
+      child.text.append(buffer, static_cast<std::size_t>(n));
+      return std::nullopt;
+    }
+    int status = 0;
+    waitpid(child.pid, &status, 0);
+    close(fd);
+    const Child ended = std::move(child);
+    children_.erase(fd);
+    if (WIFSIGNALED(status) || ended.text.empty())
+      return JobEnd{ended.index, "",
+                    fmt::format("its process ended abnormally ({})",
+                                WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "no result")};
+    std::string body = ended.text.substr(1);
+    if (ended.text[0] != '\0') throw JobFailed(body, ended.text[0]);
+    return JobEnd{ended.index, std::move(body), ""};
+  }
+
+  std::map<int, Child> children_;  // by the pipe's reading end
+  bool stopping_ = false;
+};
+
+}  // namespace
+
+void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
+                  const std::function<void(JobEnd)>& ended) {
+  const SignalGuard guard;
+  Pool pool;
+  std::size_t started = 0;
+  for (;;) {
+    while (!interrupted && started < count && pool.size() < std::max<std::size_t>(parallel, 1))
+      pool.start(job, started++);
+    if (pool.size() == 0) return;
+    ended(pool.wait_any());
+  }
+}
+
+std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job) {
+  std::vector<std::string> results(count);
+  std::size_t finished = 0;
+  for_each_job(count, parallel, job, [&](JobEnd end) {
+    if (!end.died.empty()) throw JobFailed(fmt::format("task {}: {}", end.index + 1, end.died), 1);
+    results[end.index] = std::move(end.result);
+    ++finished;
+  });
+  if (interrupted && finished == 0) throw Interrupted();
+  return results;
+}
+
+bool was_interrupted() { return interrupted != 0; }
+
+int exit_code_of(const std::exception& error) {
+  if (const auto* failed = dynamic_cast<const JobFailed*>(&error)) return failed->exit_code;
+  if (dynamic_cast<const machine::Fault*>(&error)) return 3;
+  if (dynamic_cast<const base::InvariantBroken*>(&error)) return 1;
+  if (dynamic_cast<const ChecksFailed*>(&error)) return 1;
+  if (dynamic_cast<const Interrupted*>(&error) || dynamic_cast<const CutShort*>(&error)) return 130;
+  return 2;
+}
+
+}  // namespace laboratory

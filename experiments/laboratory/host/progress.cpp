@@ -1,0 +1,43 @@
+#include "experiments/laboratory/host/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace laboratory {
+
+using std::chrono::steady_clock;
+
+Progress::Progress(std::string what, std::size_t there)
+    : what_(std::move(what)),
+      there_(there),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::say(const std::string& line) {
+  fmt::print(stderr, "{}{}\n", terminal_ ? "\r\x1b[K" : "", line);
+  shown_ = {};
+}
+
+void Progress::show(std::size_t done, std::size_t total) {
+  const auto now = steady_clock::now();
+  if (!terminal_ || (done < total && now - shown_ < std::chrono::milliseconds(100))) return;
+  shown_ = now;
+  constexpr std::size_t WIDTH = 30;
+  const std::size_t filled = total == 0 ? WIDTH : WIDTH * done / total;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  std::string left;
+  if (done > there_ && done < total)
+    left = fmt::format(", about {:.0f} s left", elapsed * static_cast<double>(total - done) /
+                                                    static_cast<double>(done - there_));
+  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{:<{}}] {}/{}{}", what_, "", filled, "", WIDTH - filled,
+             done, total, left);
+  std::fflush(stderr);
+}
+
+}  // namespace laboratory

@@ -1,0 +1,231 @@
+#include "experiments/laboratory/judge/best.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "experiments/laboratory/table/axis_values.hpp"
+
+namespace laboratory {
+namespace {
+
+constexpr double TIE = 0.0005;  // who is better by less is not
+
+using Axes = std::vector<std::size_t>;
+
+struct Measured {
+  std::size_t row = 0;
+  double value = 0;
+};
+
+// A combination of values of some axes, and the points that have it.
+struct Group {
+  std::vector<Value> at;
+  std::vector<Measured> points;
+};
+
+Axes find_axes(const Table& table, const std::vector<std::string>& names) {
+  Axes axes;
+  for (const auto& name : names) axes.push_back(*table.find(name));
+  return axes;
+}
+
+// The axes that vary, without those in `without` and those that go with others.
+Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
+  Axes axes;
+  for (std::size_t axis = 0; axis < table.axes; ++axis)
+    if (std::ranges::find(without, axis) == without.end() &&
+        distinct(table, rows, axis).size() > 1 && !is_determined(table, rows, axis, without) &&
+        !is_determined(table, rows, axis, axes))
+      axes.push_back(axis);
+  return axes;
+}
+
+std::vector<Value> values_at(const Table& table, std::size_t row, const Axes& axes) {
+  std::vector<Value> values;
+  for (const auto axis : axes) values.push_back(table.rows[row][axis]);
+  return values;
+}
+
+std::vector<Group> group_by(const Table& table, const std::vector<Measured>& points,
+                            const Axes& axes) {
+  std::vector<Group> groups;
+  for (const auto& point : points) {
+    auto at = values_at(table, point.row, axes);
+    auto group = std::ranges::find(groups, at, &Group::at);
+    if (group == groups.end()) group = groups.insert(groups.end(), Group{at, {}});
+    group->points.push_back(point);
+  }
+  return groups;
+}
+
+// By how much the better of two values is better, as a share: of a time how much longer the other
+// takes.
+double share_gained(bool least, double better, double worse) {
+  return least ? worse / better - 1 : better / worse - 1;
+}
+
+std::vector<std::string> names_of(const Table& table, const Axes& axes) {
+  std::vector<std::string> names;
+  for (const auto axis : axes) names.push_back(table.columns[axis]);
+  return names;
+}
+
+std::string value_column(const BestSpec& spec) {
+  return base::Formula::is_name(spec.of) ? spec.of : "value";
+}
+
+double in_percent(double share) { return std::round(share * 1000) / 10; }
+
+// "least time: mesh in 3, line in 1 of 4 cases, by 12.5 % at most."
+void tell_winners(BestAnswer& answer, const std::map<std::string, std::size_t>& wins) {
+  std::vector<std::pair<std::string, std::size_t>> sorted(wins.begin(), wins.end());
+  std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);
+  std::vector<std::string> parts;
+  for (const auto& [name, count] : sorted) parts.push_back(fmt::format("{} in {}", name, count));
+  double most = 0;
+  for (const auto& row : answer.best.rows) most = std::max(most, as_number(row.back()).value_or(0));
+  answer.findings.push_back(fmt::format("{}: {} of {} cases, by {:.1f} % at most.", answer.name,
+                                        join_texts(parts, ", "), answer.best.rows.size(), most));
+}
+
+void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
+             const std::vector<Measured>& points, const Axes& over, const Axes& for_each) {
+  answer.best.columns = names_of(table, for_each);
+  answer.best.axes = for_each.size();
+  for (const auto& column : {std::string("best"), value_column(spec), std::string("runner_up"),
+                             "runner_up_" + value_column(spec), std::string("better by %")})
+    answer.best.columns.push_back(column);
+  std::map<std::string, std::size_t> wins;
+  for (auto& group : group_by(table, points, for_each)) {
+    std::ranges::stable_sort(group.points, [&](const Measured& a, const Measured& b) {
+      return spec.least ? a.value < b.value : a.value > b.value;
+    });
+    const auto& first = group.points[0];
+    std::string name = name_values(table, first.row, over);
+    std::size_t next = 1;
+    const auto gained = [&] {
+      return share_gained(spec.least, first.value, group.points[next].value);
+    };
+    std::set<std::string> named{name};  // other axes may have more points of one name
+    for (; next < group.points.size() && gained() < TIE; ++next)
+      if (const auto tied = name_values(table, group.points[next].row, over);
+          named.insert(tied).second)
+        name += " or " + tied;
+    ++wins[name];
+    auto& row = answer.best.rows.emplace_back(group.at);
+    row.insert(row.end(), {name, first.value});
+    if (next < group.points.size())
+      row.insert(row.end(), {name_values(table, group.points[next].row, over),
+                             group.points[next].value, in_percent(gained())});
+    row.resize(answer.best.columns.size());
+  }
+  tell_winners(answer, wins);
+}
+
+// What a step of the axis gains for each time that it doubles on the way.
+double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& from,
+                         const std::pair<double, double>& to) {
+  const double doublings = std::log2(to.first / from.first);
+  return std::pow(1 + share_gained(spec.least, to.second, from.second), 1 / doublings) - 1;
+}
+
+void find_end(BestAnswer& answer, const BestSpec& spec, const Table& table,
+              const std::vector<Measured>& points, std::size_t axis, const Axes& groups) {
+  answer.pays.columns = names_of(table, groups);
+  answer.pays.axes = groups.size();
+  answer.pays.columns.push_back("pays_up_to_" + spec.pays);
+  answer.pays.columns.emplace_back("next doubling gains %");
+  for (const auto& group : group_by(table, points, groups)) {
+    std::map<double, double> curve;
+    for (const auto& p : group.points)
+      if (const auto x = as_number(table.rows[p.row][axis]); x && *x > 0) curve[*x] = p.value;
+    if (curve.empty()) continue;
+    auto& row = answer.pays.rows.emplace_back(group.at);
+    auto end = curve.begin();
+    Value next;
+    for (auto step = std::next(end); step != curve.end(); end = step++) {
+      const double gain = gain_per_doubling(spec, *end, *step);
+      if (gain >= spec.gain) continue;
+      next = in_percent(gain);
+      break;
+    }
+    row.insert(row.end(), {to_cell(end->first), next});
+    answer.findings.push_back(fmt::format(
+        "{}doubling {} pays up to {:g}{}.",
+        group.at.empty() ? "" : name_values(table, group.points[0].row, groups) + ": ",
+        make_label(spec.pays), end->first,
+        std::holds_alternative<std::monostate>(next) ? ", the most that was tried" : ""));
+  }
+}
+
+BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows) {
+  const auto& [spec, of, where] = question;
+  const Table& table = rows.table();
+  BestAnswer answer;
+  answer.name = spec.name;
+  const auto chosen = choose_rows(rows, where);
+  std::vector<Measured> points;
+  RowList left_out;
+  for (const auto row : chosen) {
+    const auto value = rows.eval(of, row);
+    if (!value) left_out.push_back(row);
+    if (value && std::isfinite(*value)) points.push_back({row, *value});
+  }
+  if (const auto note = note_left_out(table, left_out)) answer.notes.push_back(*note);
+  const Axes over = find_axes(table, spec.over);
+  const Axes for_each =
+      spec.for_each.empty() ? other_axes(table, chosen, over) : find_axes(table, spec.for_each);
+  compare(answer, spec, table, points, over, for_each);
+  if (spec.pays.empty()) return answer;
+  const auto axis = *table.find(spec.pays);
+  Axes groups = for_each;
+  std::erase_if(groups,
+                [&](auto a) { return a == axis || is_determined(table, chosen, a, {axis}); });
+  groups.insert(groups.end(), over.begin(), over.end());
+  find_end(answer, spec, table, points, axis, groups);
+  return answer;
+}
+
+// Rows with the first `axes` columns as one text.
+void append(Table& csv, const std::string& name, const Table& table) {
+  const auto axes = static_cast<std::ptrdiff_t>(table.axes);
+  for (const auto& row : table.rows) {
+    std::vector<std::string> at;
+    for (std::size_t i = 0; i < table.axes; ++i)
+      at.push_back(fmt::format("{} = {}", table.columns[i], to_string(row[i])));
+    auto& added = csv.rows.emplace_back(std::vector<Value>{name, join_texts(at, ", ")});
+    added.insert(added.end(), row.begin() + axes, row.end());
+  }
+}
+
+}  // namespace
+
+std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows) {
+  std::vector<BestAnswer> answers;
+  for (const auto& question : plan.questions) answers.push_back(answer_question(question, rows));
+  return answers;
+}
+
+Table make_best_csv(const std::vector<BestAnswer>& answers) {
+  Table csv{.columns = {"question", "at", "best", "value", "runner_up", "runner_up_value",
+                        "better_by_percent"},
+            .axes = 2,
+            .rows = {}};
+  for (const auto& answer : answers) append(csv, answer.name, answer.best);
+  return csv;
+}
+
+Table make_pays_csv(const std::vector<BestAnswer>& answers) {
+  Table csv{.columns = {"question", "at", "pays_up_to", "next_doubling_gains_percent"},
+            .axes = 2,
+            .rows = {}};
+  for (const auto& answer : answers) append(csv, answer.name, answer.pays);
+  return csv;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,242 @@
+#include "experiments/laboratory/judge/check_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "base/errors.hpp"
+#include "base/spelling.hpp"
+#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/points/machine_model.hpp"
+#include "experiments/laboratory/points/results.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using base::BadInput;
+
+// Depth first: what a definition names comes before it.
+struct Sorter {
+  std::map<std::string, CheckPlan::Let>& left;
+  std::vector<CheckPlan::Let>& sorted;
+  std::vector<std::string> way;
+
+  void visit(const std::string& name) {
+    const auto found = left.find(name);
+    if (found == left.end()) return;
+    const bool again = std::ranges::find(way, name) != way.end();
+    way.push_back(name);
+    if (again)
+      throw BadInput(fmt::format("{}: {}, expected definitions that do not need each other",
+                                 found->second.definition.place,
+                                 fmt::join(std::ranges::find(way, name), way.end(), " needs ")));
+    for (const auto& needed : found->second.formula.names()) visit(needed);
+    way.pop_back();
+    sorted.push_back(std::move(found->second));
+    left.erase(found);
+  }
+};
+
+std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
+  std::map<std::string, CheckPlan::Let> left;
+  for (const auto& d : definitions)
+    left.emplace(d.name, CheckPlan::Let{d, Expression(d.formula, d.place)});
+  std::vector<CheckPlan::Let> sorted;
+  while (!left.empty()) Sorter{left, sorted, {}}.visit(left.begin()->first);
+  return sorted;
+}
+
+void find_column(const Table& table, const std::string& column, const std::string& place,
+                 const std::string& whose) {
+  if (table.find(column)) return;
+  throw BadInput(fmt::format("{}: unknown column \"{}\" of {}, the nearest is \"{}\"", place,
+                             column, whose, base::nearest_name(column, table.columns)));
+}
+
+Table parse_reference(const std::string& path, const std::string& place) {
+  try {
+    return parse_csv(read_file(path), path);
+  } catch (const std::exception& error) {
+    throw BadInput(fmt::format("{}: reference: {}", place, error.what()));
+  }
+}
+
+// Of a [[check]] or a [[plot]].
+template <class Spec>
+std::optional<Table> read_reference(const Spec& spec) {
+  if (spec.reference.empty()) return std::nullopt;
+  Table table = parse_reference(spec.reference, spec.place);
+  for (const auto& key : spec.keys) find_column(table, key, spec.place + ": keys", spec.reference);
+  find_column(table, spec.column, spec.place + ": column", spec.reference);
+  const auto column = *table.find(spec.column);
+  for (const auto& row : table.rows)
+    if (std::holds_alternative<std::string>(row[column]))
+      throw BadInput(fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing",
+                                 spec.place, spec.reference, spec.column, to_string(row[column])));
+  return table;
+}
+
+// Every expression of the plan, with what visits it.
+template <class Visit>
+void for_each_expression(const CheckPlan& plan, const Visit& visit) {
+  const auto visit_all = [&](std::initializer_list<const std::optional<Expression>*> all) {
+    for (const auto* expression : all)
+      if (*expression) visit(**expression);
+  };
+  for (const auto& let : plan.lets) visit(let.formula);
+  for (const auto& c : plan.comparisons) visit_all({&c.of, &c.formula, &c.where, &c.calibrated});
+  for (const auto& f : plan.figures) {
+    visit(f.x);
+    for (const auto& y : f.y) visit(y);
+    visit_all({&f.where, &f.growth});
+  }
+  for (const auto& q : plan.questions) {
+    visit(q.of);
+    visit_all({&q.where});
+  }
+}
+
+// Keys and numbers of the model have dots and are known before the run; columns come later.
+void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
+  const auto& point = file.points[0];
+  Variables variables(point, make_model(point.experiment));
+  for (const auto& let : plan.lets) variables.add(let.definition.name, 0, let.definition.place);
+  for_each_expression(plan, [&](const Expression& expression) {
+    for (const auto& name : expression.variables()) {
+      const auto* reference = expression.find_reference(name);
+      const auto& wanted = reference ? reference->column : name;
+      if (wanted.find('.') != std::string::npos) variables.get(wanted, expression.place());
+    }
+  });
+}
+
+std::optional<Expression> compile(const std::string& text, const std::string& place,
+                                  const char* key) {
+  if (text.empty()) return std::nullopt;
+  return Expression(text, fmt::format("{}: {}", place, key));
+}
+
+std::vector<Expression> compile_all(const std::vector<std::string>& texts,
+                                    const std::string& place) {
+  std::vector<Expression> expressions;
+  for (const auto& text : texts) expressions.emplace_back(text, place);
+  return expressions;
+}
+
+bool is_defined(const ExperimentFile& file, const std::string& name) {
+  return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
+}
+
+// What stands in the column of an axis of texts; nothing for other columns.
+std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
+  std::vector<std::string> texts;
+  if (const auto column = table.find(axis))
+    for (const auto& row : table.rows)
+      if (const auto* text = std::get_if<std::string>(&row[*column])) texts.push_back(*text);
+  return texts;
+}
+
+void check_axes(const Table& table, const std::vector<std::string>& axes,
+                const std::string& place) {
+  Table only{.columns = {table.columns.begin(),
+                         table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes)},
+             .rows = {}};
+  for (const auto& axis : axes)
+    if (!only.find(axis))
+      throw BadInput(fmt::format("{}: \"{}\" is no axis of the results, the nearest is \"{}\"",
+                                 place, axis, base::nearest_name(axis, only.columns)));
+}
+
+void check_columns(const CheckPlan& plan, const Table& table, const std::vector<Value>& row) {
+  for (const auto& c : plan.comparisons) {
+    const auto& [of, place] = std::tie(c.check.of, c.check.place);
+    if (!c.of) find_column(table, of, place + ": of", "the results");
+    if (!c.of && std::holds_alternative<std::string>(row[*table.find(of)]))
+      throw BadInput(fmt::format("{}: of: {} is a text, expected a column of numbers", place, of));
+    for (const auto& key : c.check.keys) find_column(table, key, place + ": keys", "the results");
+  }
+  for (const auto& f : plan.figures) {
+    check_axes(table, f.spec.series, f.spec.place + ": series");
+    for (const auto& key : f.spec.keys)
+      find_column(table, key, f.spec.place + ": keys", "the results");
+  }
+  for (const auto& [spec, of, where] : plan.questions) {
+    check_axes(table, spec.over, spec.place + ": over");
+    check_axes(table, spec.for_each, spec.place + ": for_each");
+    if (!spec.pays.empty()) check_axes(table, {spec.pays}, spec.place + ": pays");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table) {
+  std::vector<std::string> notes;
+  for_each_expression(plan, [&](const Expression& expression) {
+    for (const auto& variable : expression.variables()) {
+      const auto* reference = expression.find_reference(variable);
+      if (!reference) continue;
+      for (const auto& [axis, text, value] : reference->conditions) {
+        const auto texts = texts_of(table, axis);
+        if (texts.empty() || std::ranges::find(texts, text) != texts.end()) continue;
+        notes.push_back(fmt::format("{}: {}: no point has {} = {}, the nearest is \"{}\"",
+                                    expression.place(), reference->text, axis, text,
+                                    base::nearest_name(text, texts)));
+      }
+    }
+  });
+  return notes;
+}
+
+CheckPlan plan_checks(const ExperimentFile& file) {
+  CheckPlan plan;
+  plan.lets = sort_definitions(file.definitions);
+  for (const auto& check : file.checks)
+    plan.comparisons.push_back(
+        {check, is_defined(file, check.of) ? compile(check.of, check.place, "of") : std::nullopt,
+         compile(check.formula, check.place, "formula"), compile(check.where, check.place, "where"),
+         compile(check.calibrated, check.place, "calibrated"), read_reference(check)});
+  for (const auto& plot : file.plots)
+    plan.figures.push_back({plot, Expression(plot.x, plot.place + ": x"),
+                            compile_all(plot.y, plot.place + ": y"),
+                            compile(plot.where, plot.place, "where"),
+                            compile(plot.growth, plot.place, "growth"), read_reference(plot)});
+  for (const auto& best : file.bests)
+    plan.questions.push_back(
+        {best, Expression(best.of, best.place + ": of"), compile(best.where, best.place, "where")});
+  if (!plan.lets.empty() || !plan.is_empty()) check_dotted_names(plan, file);
+  return plan;
+}
+
+Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table) {
+  Rows rows(file, table);
+  for (const auto& [definition, formula] : plan.lets)
+    rows.define(definition.name, formula, definition.place);
+  return rows;
+}
+
+void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t point,
+                 const Table& table, const std::vector<Value>& row) {
+  if (plan.is_empty()) return;
+  ExperimentFile alone;
+  alone.points = {file.points[point]};
+  const Table one{.columns = table.columns, .axes = table.axes, .rows = {row}};
+  const Rows rows = make_rows(plan, alone, one);
+  for_each_expression(plan, [&](const Expression& expression) { rows.check(expression, 0); });
+  check_columns(plan, table, row);
+}
+
+Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file) {
+  if (plan.is_empty()) return {};
+  return [&](const Point& point, const nlohmann::ordered_json& result) {
+    if (!is_complete(result)) return;
+    const ExperimentFile alone{file.path, {}, file.axes, {point}, {}, {}, file.coupled};
+    const Table table = make_table(alone, {result});
+    check_names(plan, alone, 0, table, table.rows[0]);
+  };
+}
+
+}  // namespace laboratory

@@ -1,0 +1,76 @@
+#include "experiments/laboratory/points/network_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/points/farm_run.hpp"
+#include "topologies/route/given_routes.hpp"
+
+namespace laboratory {
+
+using base::BadInput;
+using topologies::Topology;
+
+topologies::RoutingTable find_routes(const Experiment& experiment, const Topology& topology) {
+  return experiment.routes.empty() ? topologies::make_routes(topology)
+                                   : topologies::load_routes(topology, experiment.routes);
+}
+
+std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
+                                               const Topology& topology) {
+  const auto refuse = [](const std::string& why) { throw BadInput("network.tree_links: " + why); };
+  const auto& links = experiment.tree_links;
+  if (experiment.tree == "per_root" && !links.empty())
+    refuse("these are of the tree \"single\", but network.tree is \"per_root\"");
+  if (links.empty())
+    return experiment.tree == "single" ? std::optional(make_tree_links(topology)) : std::nullopt;
+  for (const auto& [a, b] : links)
+    if (std::max(a, b) >= topology.processors)
+      refuse(fmt::format("found [{}, {}], expected processors from 0 to {}", a, b,
+                         topology.processors - 1));
+  try {
+    return check_tree_links(topology, links);
+  } catch (const base::BadInput& error) {
+    refuse(error.what());
+  }
+  return std::nullopt;
+}
+
+std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
+                                                const Topology& topology) {
+  std::vector<programs::PlannedFault> faults;
+  for (const auto& [fault, place] : experiment.faults) {
+    const bool is_link = fault.b >= 0;
+    if (std::max(fault.a, fault.b) >= topology.processors)
+      throw BadInput(fmt::format("{}: found {}, expected processors from 0 to {}", place,
+                                 std::max(fault.a, fault.b), topology.processors - 1));
+    const auto [low, high] = std::minmax(fault.a, fault.b);
+    const bool is_there = std::ranges::any_of(topology.links, [&](const auto& link) {
+      return link.a.processor == low && link.b.processor == high;
+    });
+    if (is_link && !is_there)
+      throw BadInput(fmt::format("{}: found link = [{}, {}], but no link of {} joins the two",
+                                 place, fault.a, fault.b, topology.name));
+    faults.push_back(fault);
+  }
+  return faults;
+}
+
+void check_network(const Experiment& experiment) {
+  const auto topology = make_workers(experiment);
+  if (!experiment.routes.empty()) find_routes(experiment, topology);
+  find_tree(experiment, topology);
+  find_faults(experiment, topology);
+}
+
+std::string network_key(const Experiment& e) {
+  auto key = fmt::format("{} {} {} {} {}", e.topology, e.workers, e.switches, e.routes, e.tree);
+  for (const auto& [a, b, count] : e.switches_between) key += fmt::format(" {} {} {}", a, b, count);
+  for (const auto& [a, b] : e.tree_links) key += fmt::format(" tree {} {}", a, b);
+  for (const auto& [fault, place] : e.faults) key += fmt::format(" fault {} {}", fault.a, fault.b);
+  return key;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,106 @@
+#include "experiments/laboratory/points/origin.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/points/version.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using base::BadInput;
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+fs::path file_in(const fs::path& results) { return results / POINTS_ORIGIN; }
+
+fs::path resolve(const fs::path& path) {
+  return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path));
+}
+
+std::string name_of(const std::string& file) { return fs::path(file).stem().string(); }
+
+std::string describe(const std::string& name, const std::string& title) {
+  return title.empty() ? fmt::format("\"{}\"", name) : fmt::format("\"{}\" ({})", name, title);
+}
+
+// As it was spelled, where that is still the same folder; else found from the results.
+fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
+  const fs::path spelled = fs::path(file).parent_path();
+  const auto found = resolve(resolve(results) / folder);
+  return resolve(spelled) == found ? spelled : found;
+}
+
+Origin read_origin(const fs::path& results, const ordered_json& json) {
+  Origin origin;
+  RunOptions& options = origin.options;
+  options.file = json.at("file").get<std::string>();
+  options.output = results.string();
+  for (const auto& set : json.at("set")) options.overrides.push_back(set.get<std::string>());
+  if (json.at("until_s").is_number()) options.until_s = json["until_s"].get<double>();
+  const auto folder = find_folder(results, options.file, json.at("folder").get<std::string>());
+  origin.file =
+      read_experiment(json.at("experiment").get<std::string>(), options.file, folder.string(), {});
+  return origin;
+}
+
+}  // namespace
+
+ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
+                         const fs::path& results) {
+  const auto folder = resolve(file.folder);
+  return {
+      {"tlab", VERSION},
+      {"name", name_of(file.path)},
+      {"title", file.points[0].experiment.title},
+      {"file", file.path},
+      {"folder", folder.lexically_relative(resolve(results)).string()},
+      {"set", options.overrides},
+      {"until_s", std::isfinite(options.until_s) ? ordered_json(options.until_s) : ordered_json()},
+      {"experiment", file.resolved}};
+}
+
+void save_origin(const fs::path& results, const ordered_json& origin) {
+  const auto file = file_in(results);
+  const auto text = origin.dump(2) + "\n";
+  if (fs::is_regular_file(file) && read_file(file) == text) return;
+  fs::create_directories(file.parent_path());
+  write_file(file, text);
+}
+
+void check_same_experiment(const fs::path& results, const ExperimentFile& file) {
+  auto source = file_in(results);
+  if (!fs::is_regular_file(source)) source = results / "run.json";
+  if (!fs::is_regular_file(source)) return;
+  const auto known = ordered_json::parse(read_file(source), nullptr, false);
+  if (!known.is_object() || !known.contains("name")) return;
+  const auto text = [&](const char* key) {
+    return known.contains(key) && known[key].is_string() ? known[key].get<std::string>() : "";
+  };
+  const auto name = name_of(file.path), title = file.points[0].experiment.title;
+  const auto folder = resolve(file.folder);
+  const bool is_same_file = resolve(resolve(results) / text("folder")) == folder;
+  if (text("name") == name && (is_same_file || text("title") == title)) return;
+  throw BadInput(
+      fmt::format("{}: holds results of the experiment {}, but this one is {}; expected another "
+                  "folder (-o)",
+                  results.string(), describe(text("name"), text("title")), describe(name, title)));
+}
+
+Origin load_origin(const fs::path& results, const fs::path& file) {
+  const auto path = results / file;
+  if (!fs::is_regular_file(path))
+    throw BadInput(fmt::format("{}: no results of tlab run: {} is not there", results.string(),
+                               file.string()));
+  try {
+    return read_origin(results, ordered_json::parse(read_file(path)));
+  } catch (const ordered_json::exception& error) {
+    throw BadInput(fmt::format("{}: damaged: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace laboratory

@@ -1,0 +1,112 @@
+#include "experiments/laboratory/report/network_drawings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/points/farm_run.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/points/results.hpp"
+#include "topologies/draw/load_drawing.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+// A share of the time; rounding may lead a hair beyond.
+double busy(const ordered_json& of, const std::string& name) {
+  return std::clamp(of.at(name).at("busy").get<double>(), 0.0, 1.0);
+}
+
+std::array<double, 2> both_ways(const ordered_json& links, const std::string& a,
+                                const std::string& b) {
+  return {busy(links, a + ">" + b), busy(links, b + ">" + a)};
+}
+
+std::string worker(int id) { return fmt::format("worker{}", id + 1); }
+
+// Of a full root the farm has opened a link: it is not there.
+void keep_links_of(topologies::Topology& topology, const ordered_json& links) {
+  std::erase_if(topology.links, [&](const topologies::Link& link) {
+    return !links.contains(worker(link.a.processor) + ">" + worker(link.b.processor));
+  });
+}
+
+std::string draw(const Point& point, const ordered_json& use) {
+  auto topology = make_workers(point.experiment);
+  const auto &cpus = use.at("cpus"), &links = use.at("links");
+  keep_links_of(topology, links);
+  topologies::Loads loads;
+  for (const auto& at : point.at)
+    loads.title +=
+        fmt::format("{}{} {}", loads.title.empty() ? "" : ", ", at.axis, to_string(to_value(at)));
+  for (int id = 0; id < topology.processors; ++id) {
+    loads.processors.push_back(busy(cpus, worker(id)));
+    loads.labels.push_back(std::to_string(id + 1));
+  }
+  for (const auto& link : topology.links)
+    loads.links.push_back(both_ways(links, worker(link.a.processor), worker(link.b.processor)));
+  const auto root = worker(topology.root);
+  loads.extras = {{"coordinator", busy(cpus, "coordinator"), "", {}},
+                  {"database", busy(cpus, "database"), "coordinator", {}},
+                  {"display", busy(cpus, "display"), "coordinator", {}}};
+  for (std::size_t i = 0; i < loads.extras.size(); ++i) {
+    auto& extra = loads.extras[i];
+    extra.link = both_ways(links, extra.name, i == 0 ? root : "coordinator");
+  }
+  return to_load_svg(topology, loads);
+}
+
+// "tree-workers-16-objects-800"
+std::string file_name(const Point& point) {
+  std::string name;
+  for (const auto& at : point.at) name += "-" + at.axis + "-" + to_string(to_value(at));
+  if (name.empty()) name = "-" + point.experiment.topology;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '-';
+  return name.substr(1);
+}
+
+// Of points alike but for their workers the one with most.
+std::vector<bool> find_largest(const Simulation& s) {
+  std::map<std::string, std::size_t> largest;
+  const std::size_t column = *s.table.find("workers");
+  const auto workers = [&](std::size_t i) {
+    return as_number(s.table.rows[s.table.row_of(i)][column]).value_or(0);
+  };
+  for (std::size_t i = 0; i < s.file.points.size(); ++i) {
+    std::string key;
+    for (const auto& at : s.file.points[i].at)
+      if (at.axis != "workers") key += at.axis + at.toml + "\n";
+    const auto [known, added] = largest.emplace(key, i);
+    if (!added && workers(i) > workers(known->second)) known->second = i;
+  }
+  std::vector<bool> is_largest(s.file.points.size());
+  for (const auto& [key, i] : largest) is_largest[i] = true;
+  return is_largest;
+}
+
+}  // namespace
+
+std::vector<ReportDrawing> draw_networks(const fs::path& folder, const Simulation& s) {
+  std::vector<ReportDrawing> drawings;
+  if (s.file.report.networks == "none" || !is_farm(s.file)) return drawings;
+  const auto is_largest = find_largest(s);
+  fs::create_directory(folder / "networks");
+  for (std::size_t i = 0; i < s.file.points.size(); ++i) {
+    if (!is_complete(s.results[i]) || (s.file.report.networks == "largest" && !is_largest[i]))
+      continue;
+    const Point& point = s.file.points[i];
+    const auto svg = draw(point, load_record(folder / s.records[i]).at("use"));
+    write_file(folder / "networks" / (file_name(point) + ".svg"), svg);
+    if (is_largest[i]) drawings.push_back({name_of(point), svg});
+  }
+  return drawings;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,140 @@
+#include "experiments/laboratory/table/laws.hpp"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/table/fit_curve.hpp"
+
+namespace laboratory {
+namespace {
+
+struct Points {
+  std::vector<double> n, speedup, growth;
+};
+
+bool is_good(double value) { return std::isfinite(value) && value > 0; }
+
+// Those with a processor to share the work with: n = 1 fits any serial fraction.
+Points choose_points(const std::vector<double>& n, const std::vector<double>& speedup,
+                     const std::vector<double>& growth) {
+  base::check_equal("points of a fit", speedup.size(), n.size());
+  base::check_equal("growths of a fit", growth.size(), n.size());
+  Points chosen;
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    if (!is_good(n[i]) || !is_good(speedup[i]) || !is_good(growth[i]) || n[i] <= 1) continue;
+    chosen.n.push_back(n[i]);
+    chosen.speedup.push_back(speedup[i]);
+    chosen.growth.push_back(growth[i]);
+  }
+  return chosen;
+}
+
+Estimate make_estimate(const std::string& name, double value, double variance, std::size_t free) {
+  const double error = std::sqrt(std::max(0.0, variance));
+  const double t = gsl_cdf_tdist_Pinv(0.975, static_cast<double>(free));
+  return {name, value, error, value - t * error, value + t * error};
+}
+
+double root_mean(double sum, std::size_t points) {
+  return std::sqrt(std::max(0.0, sum) / static_cast<double>(points));
+}
+
+// The serial fraction s of y = s (1 - 1/n).
+std::optional<Fit> fit_share(const std::string& law, const std::string& minimised,
+                             const std::vector<double>& n, const std::vector<double>& y) {
+  if (n.size() < 2) return std::nullopt;
+  std::vector<double> shared;
+  for (const double processors : n) shared.push_back(1 - 1 / processors);
+  double serial = 0, variance = 0, squares = 0;
+  gsl_fit_mul(shared.data(), 1, y.data(), 1, n.size(), &serial, &variance, &squares);
+  return Fit{law,
+             {make_estimate("serial fraction", serial, variance, n.size() - 1)},
+             minimised,
+             root_mean(squares, n.size()),
+             n.size()};
+}
+
+}  // namespace
+
+double amdahl_speedup(double serial, double n) { return 1 / (serial + (1 - serial) / n); }
+
+double gustafson_speedup(double serial, double n) { return n + (1 - n) * serial; }
+
+double sun_ni_speedup(double serial, double n, double growth) {
+  const double parallel = (1 - serial) * growth;
+  return (serial + parallel) / (serial + parallel / n);
+}
+
+std::optional<double> karp_flatt(double n, double speedup) {
+  if (!is_good(n) || !is_good(speedup) || n <= 1) return std::nullopt;
+  return (1 / speedup - 1 / n) / (1 - 1 / n);
+}
+
+std::optional<double> serial_gustafson(double n, double speedup) {
+  if (!is_good(n) || !is_good(speedup) || n <= 1) return std::nullopt;
+  return (n - speedup) / (n - 1);
+}
+
+std::optional<Fit> fit_amdahl(const std::vector<double>& n, const std::vector<double>& speedup) {
+  const auto points = choose_points(n, speedup, std::vector<double>(n.size(), 1));
+  std::vector<double> y;
+  for (std::size_t i = 0; i < points.n.size(); ++i)
+    y.push_back(1 / points.speedup[i] - 1 / points.n[i]);
+  return fit_share("Amdahl", "time / time on one", points.n, y);
+}
+
+std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector<double>& speedup) {
+  const auto points = choose_points(n, speedup, std::vector<double>(n.size(), 1));
+  std::vector<double> y;
+  for (std::size_t i = 0; i < points.n.size(); ++i)
+    y.push_back(1 - points.speedup[i] / points.n[i]);
+  return fit_share("Gustafson", "efficiency", points.n, y);
+}
+
+std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<double>& speedup,
+                              const std::vector<double>& growth) {
+  const auto points = choose_points(n, speedup, growth);
+  if (points.n.size() < 2) return std::nullopt;
+  double start = 0;
+  for (std::size_t i = 0; i < points.n.size(); ++i)
+    start += *serial_gustafson(points.n[i], points.speedup[i]) / double(points.n.size());
+  const auto found =
+      fit_curve(points.n.size(), std::clamp(start, 0.01, 0.9), [&](double serial, std::size_t i) {
+        return (sun_ni_speedup(serial, points.n[i], points.growth[i]) - points.speedup[i]) /
+               points.n[i];
+      });
+  if (!found) return std::nullopt;
+  return Fit{"Sun-Ni",
+             {make_estimate("serial fraction", found->value, found->variance, points.n.size() - 1)},
+             "efficiency",
+             root_mean(found->squares, points.n.size()),
+             points.n.size()};
+}
+
+std::optional<Fit> fit_log(const std::vector<double>& x, const std::vector<double>& y) {
+  base::check_equal("points of a fit", y.size(), x.size());
+  std::vector<double> logarithms, values;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!is_good(x[i]) || !std::isfinite(y[i])) continue;
+    logarithms.push_back(std::log10(x[i]));
+    values.push_back(y[i]);
+  }
+  const auto count = logarithms.size();
+  if (count < 3 || std::ranges::max(logarithms) == std::ranges::min(logarithms))
+    return std::nullopt;
+  double a = 0, k = 0, a_variance = 0, covariance = 0, k_variance = 0, squares = 0;
+  gsl_fit_linear(logarithms.data(), 1, values.data(), 1, count, &a, &k, &a_variance, &covariance,
+                 &k_variance, &squares);
+  return Fit{
+      "log",
+      {make_estimate("a", a, a_variance, count - 2), make_estimate("k", k, k_variance, count - 2)},
+      "y",
+      root_mean(squares, count),
+      count};
+}
+
+}  // namespace laboratory

@@ -1,3 +1,0 @@
-#include "experiments/commands.hpp"
-
-int main(int argc, char** argv) { return experiments::run_tlab(argc, argv); }

@@ -1,0 +1,68 @@
+#include "renderer/image/image.hpp"
+
+namespace renderer {
+
+namespace {
+
+std::int64_t to_fixed(double value) {
+  constexpr double MAX = Samples::MAX_CONTRIBUTION * Samples::ONE;
+  const double units = value * Samples::ONE;
+  if (!(units == units)) return 0;
+  return std::llrint(units > MAX ? MAX : units < -MAX ? -MAX : units);
+}
+
+// Wraps, as unsigned integers do: defined, and still associative.
+void add_fixed(std::int64_t& sum, std::int64_t value) {
+  sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) +
+                                  static_cast<std::uint64_t>(value));
+}
+
+std::uint8_t to_byte(std::int64_t sum) {
+  constexpr std::int64_t ONE = std::int64_t{1} << 32;
+  if (sum <= 0) return 0;
+  if (sum >= ONE) return 255;
+  return static_cast<std::uint8_t>((sum * 255 + ONE / 2) >> 32);
+}
+
+void add_fixed(Samples::Sums& sums, const Samples::Sums& others) {
+  add_fixed(sums.r, others.r);
+  add_fixed(sums.g, others.g);
+  add_fixed(sums.b, others.b);
+}
+
+}  // namespace
+
+void Samples::add(std::uint32_t sample, const Rgb& contribution) {
+  Sums& s = sums[sample];
+  add_fixed(s.r, to_fixed(contribution.r));
+  add_fixed(s.g, to_fixed(contribution.g));
+  add_fixed(s.b, to_fixed(contribution.b));
+}
+
+Samples& Samples::operator+=(const Samples& other) {
+  for (std::size_t i = 0; i < sums.size(); ++i) add_fixed(sums[i], other.sums[i]);
+  return *this;
+}
+
+void Samples::add(int x, int y, const Samples& rectangle) {
+  for (int row = 0; row < rectangle.height; ++row)
+    for (int column = 0; column < rectangle.width; ++column)
+      add_fixed(sums[static_cast<std::size_t>((y + row) * width + x + column)],
+                rectangle.sums[static_cast<std::size_t>(row * rectangle.width + column)]);
+}
+
+Rgb Samples::get(std::uint32_t sample) const {
+  const Sums& s = sums[sample];
+  return {static_cast<double>(s.r) / ONE, static_cast<double>(s.g) / ONE,
+          static_cast<double>(s.b) / ONE};
+}
+
+std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(3 * samples.sums.size());
+  for (const Samples::Sums& s : samples.sums)
+    for (const std::int64_t sum : {s.r, s.g, s.b}) bytes.push_back(to_byte(sum));
+  return bytes;
+}
+
+}  // namespace renderer

@@ -1,0 +1,169 @@
+#include "renderer/radiosity/light/solve.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "renderer/radiosity/light/relight.hpp"
+
+namespace radiosity {
+
+using renderer::Op;
+using renderer::Work;
+
+namespace {
+
+double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
+
+std::vector<std::uint32_t> count_up(std::size_t n) {
+  std::vector<std::uint32_t> all(n);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
+  Rgb corners;
+  for (const auto corner : mesh.patches[p].corners) corners += state.received[corner];
+  if (mean == Mean::corners) return 0.25 * corners;
+  return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
+}
+
+// What reaches a vertex, and what of it is reflected.
+Rgb reflect(const Eye& eye, const Vertex& vertex, const Patch& sender, const Rgb& radiosity,
+            Work& work) {
+  const Rgb factor = eval_factors(eye, vertex, sender, work);
+  return eye.mesh.materials[vertex.material].reflectance * factor * radiosity;
+}
+
+}  // namespace
+
+Vertex make_centre(const Patch& patch) {
+  return {patch.centre, patch.centre, patch.normal, patch.material, patch.object};
+}
+
+std::vector<std::uint32_t> all_vertices(const Mesh& mesh) { return count_up(mesh.vertices.size()); }
+std::vector<std::uint32_t> all_patches(const Mesh& mesh) { return count_up(mesh.patches.size()); }
+
+State make_state(const Mesh& mesh) {
+  State state;
+  for (const Vertex& v : mesh.vertices)
+    state.radiosity.push_back(mesh.materials[v.material].emission);
+  for (const Patch& p : mesh.patches) state.unshot.push_back(mesh.materials[p.material].emission);
+  state.received.resize(mesh.vertices.size());
+  state.in_centre.resize(mesh.patches.size());
+  return state;
+}
+
+std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
+                              std::span<const std::uint32_t> patches, Work& work) {
+  Shot best;
+  for (const auto patch : patches) {
+    const double power = sum(state.unshot[patch]) * mesh.patches[patch].area;
+    if (power > best.power) best = {patch, state.unshot[patch], power};
+  }
+  work[Op::patch_compared] += patches.size();
+  return best.power > 0 ? std::optional(best) : std::nullopt;
+}
+
+void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+             std::span<const std::uint32_t> vertices, State& state, Work& work) {
+  for (const auto v : vertices) {
+    state.received[v] = reflect(eye, eye.mesh.vertices[v], sender, radiosity, work);
+    state.radiosity[v] += state.received[v];
+  }
+  work[Op::vertex_lit] += vertices.size();
+}
+
+void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+                        std::span<const std::uint32_t> patches, State& state, Work& work) {
+  for (const auto p : patches)
+    state.in_centre[p] = reflect(eye, make_centre(eye.mesh.patches[p]), sender, radiosity, work);
+  work[Op::vertex_lit] += patches.size();
+}
+
+void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,
+            State& state, Work& work) {
+  for (const auto p : patches) {
+    if (p == shot.patch) state.unshot[p] = {};
+    state.unshot[p] += eval_mean(mesh, p, mean, state);
+  }
+  work[Op::patch_lit] += patches.size();
+}
+
+Unshot& Unshot::operator+=(const Unshot& other) {
+  r += other.r;
+  g += other.g;
+  b += other.b;
+  return *this;
+}
+
+Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uint32_t> patches) {
+  Unshot total;
+  const double unit = Unshot::ONE / sum(mesh.emitted);
+  for (const auto p : patches) {
+    const Rgb power = unit * mesh.patches[p].area * state.unshot[p];
+    total += {std::llround(power.r), std::llround(power.g), std::llround(power.b)};
+  }
+  return total;
+}
+
+double eval_share(const Unshot& unshot) {
+  return static_cast<double>(unshot.r + unshot.g + unshot.b) / Unshot::ONE;
+}
+
+Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot) {
+  const double unit = sum(mesh.emitted) / Unshot::ONE / mesh.area;
+  const auto ambient = [&](std::int64_t unsent, double reflectance) {
+    return unit * static_cast<double>(unsent) / (1 - reflectance);
+  };
+  return {ambient(unshot.r, mesh.reflectance.r), ambient(unshot.g, mesh.reflectance.g),
+          ambient(unshot.b, mesh.reflectance.b)};
+}
+
+void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertices) {
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    vertices[v] += mesh.materials[mesh.vertices[v].material].reflectance * ambient;
+}
+
+namespace {
+
+Solution shoot_all(const Mesh& mesh, const Mesh* fine, const SolveParams& params,
+                   const std::function<bool(int shots, double unshot)>& step) {
+  check(params.factor);
+  const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
+  const auto fine_vertices = fine ? all_vertices(*fine) : std::vector<std::uint32_t>{};
+  State state = make_state(mesh), fine_state = fine ? make_state(*fine) : State{};
+  Solution solution;
+  Work& work = solution.work;
+  for (;; ++solution.shots) {
+    const Unshot unshot = sum_unshot(mesh, state, patches);
+    solution.unshot = eval_share(unshot);
+    solution.ambient = eval_ambient(mesh, unshot);
+    if (step && !step(solution.shots, solution.unshot)) break;
+    if (solution.shots >= params.shots || solution.unshot <= params.tolerance) break;
+    const auto shot = find_shot(mesh, state, patches, work);
+    if (!shot) break;
+    const Patch& sender = mesh.patches[shot->patch];
+    receive({mesh, params.factor}, sender, shot->radiosity, vertices, state, work);
+    if (fine)
+      receive({*fine, params.factor}, sender, shot->radiosity, fine_vertices, fine_state, work);
+    if (params.mean == Mean::simpson)
+      receive_in_centres({mesh, params.factor}, sender, shot->radiosity, patches, state, work);
+    settle(mesh, *shot, patches, params.mean, state, work);
+  }
+  solution.vertices = std::move(fine ? fine_state.radiosity : state.radiosity);
+  return solution;
+}
+
+}  // namespace
+
+Solution solve(const Mesh& mesh, const SolveParams& params,
+               const std::function<bool(int shots, double unshot)>& step) {
+  return shoot_all(mesh, nullptr, params, step);
+}
+
+Solution relight(const Mesh& coarse, const Mesh& fine, const SolveParams& params,
+                 const std::function<bool(int shots, double unshot)>& step) {
+  return shoot_all(coarse, &fine, params, step);
+}
+
+}  // namespace radiosity

@@ -1,0 +1,63 @@
+#pragma once
+// A room cut into patches. Neighbours share vertices where the illumination is smooth; where it is
+// not (another reflectance, emission or normal, a crease) vertices are doubled (3.1.4.2).
+
+#include <array>
+
+#include "renderer/radiosity/room/room.hpp"
+
+namespace radiosity {
+
+struct Vertex {
+  Vec at;
+  Vec lit;     ///< where its illumination is found: `at`, but on the border of a surface a little
+               ///< inside, where what touches the border is seen
+  Vec normal;  ///< unit
+  std::uint32_t material = 0;
+  std::uint32_t object = 0;  ///< of Mesh::blockers that it lies on
+};
+
+/// A convex quad. Its corners run counter-clockwise as seen from its front and have the parameters
+/// (s, t) = (0,0), (1,0), (1,1), (0,1).
+struct Patch {
+  std::array<std::uint32_t, 4> corners{};  ///< indices into Mesh::vertices
+  std::array<Vec, 4> at;                   ///< where the corners are
+  Vec centre;
+  Vec normal;  ///< unit
+  double area = 0;
+  std::uint32_t material = 0;
+  std::uint32_t object = 0;  ///< of Mesh::blockers
+  std::uint32_t face = 0;    ///< index into Room::faces
+};
+
+/// A flat mirror, whole; it reflects at its front and is black at its back.
+struct Mirror {
+  std::vector<Vec> corners;  ///< counter-clockwise
+  Vec normal;                ///< unit
+  Vec centre;                ///< mean of the corners
+  double width = 0;          ///< its area over its longest edge
+  std::uint32_t material = 0;
+  std::uint32_t object = 0;  ///< of Mesh::blockers
+};
+
+struct Mesh {
+  std::vector<Material> materials;
+  std::vector<Vertex> vertices;
+  std::vector<Patch> patches;
+  std::vector<Mirror> mirrors;
+  renderer::Scene blockers;  ///< every face once: what rays are cast against
+  double area = 0;           ///< of all patches
+  Rgb emitted;               ///< power of all patches
+  Rgb reflectance;           ///< mean of all patches, by area
+};
+
+struct MeshParams {
+  int refine = 1;       ///< multiplies the divisions of every face, 1 to 1000
+  double inset = 0.01;  ///< how far inside border vertices are lit: a share of the way to the mean
+                        ///< centre of their patches, 0..0.5
+};
+
+/// The room must pass check(). BadInput beyond 10 million patches.
+Mesh make_mesh(const Room& room, const MeshParams& params);
+
+}  // namespace radiosity

@@ -1,0 +1,182 @@
+#include "renderer/radiosity/room/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "renderer/files/tokens.hpp"
+
+namespace radiosity {
+
+namespace {
+
+constexpr int MAX_DIVISIONS = 10000, MAX_SIDE = 65536;
+constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;  // shares of the face's size, and of its square
+constexpr double OFF_PLANE = 1e-6;                 // share of the face's size
+constexpr double NO_TURN = 1e-6;                   // sine of the angle between two edges
+
+void require(bool holds, const std::string& found, const std::string& expected) {
+  if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
+}
+
+std::string show(const Vec& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
+// Finite, and so small that products stay finite. A NaN compares false.
+void require_finite(const Vec& v, const std::string& what) {
+  const double max = renderer::MAX_NUMBER;
+  require(std::abs(v.x) <= max && std::abs(v.y) <= max && std::abs(v.z) <= max,
+          fmt::format("{} at {}", what, show(v)),
+          fmt::format("finite numbers up to {:g} in magnitude", max));
+}
+
+double eval_size(std::span<const Vec> corners) {
+  renderer::Bounds bounds;
+  for (const Vec& c : corners) bounds = renderer::join(bounds, c);
+  return length(bounds.hi - bounds.lo);
+}
+
+void check_plane(std::span<const Vec> corners, double size) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    require(length(corners[(i + 1) % n] - corners[i]) > REPEATED * size,
+            fmt::format("corners {} and {} both at {}", i + 1, (i + 1) % n + 1, show(corners[i])),
+            "corners apart");
+  const Vec area = eval_area_normal(corners);
+  require(length(area) > 2 * NO_AREA * size * size, fmt::format("{} corners around no area", n),
+          "a face with an area: corners not on one line, no edges that cross");
+  const Vec normal = normalize(area);
+  Vec centre;
+  for (const Vec& c : corners) centre += (1.0 / static_cast<double>(n)) * c;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double off = std::abs(dot(normal, corners[i] - centre));
+    require(
+        off <= OFF_PLANE * size,
+        fmt::format("corner {} off the plane of the face by {:.3g}", i + 1, off),
+        fmt::format("a flat face: at most {:.3g}, {:g} of its size", OFF_PLANE * size, OFF_PLANE));
+  }
+}
+
+// Every corner turns left, and all are seen from the first within half a turn: once around.
+void check_convex(std::span<const Vec> corners) {
+  const std::size_t n = corners.size();
+  const Vec normal = normalize(eval_area_normal(corners));
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec &a = corners[(i + n - 1) % n], &b = corners[i], &c = corners[(i + 1) % n];
+    const double turn = dot(normal, cross(normalize(b - a), normalize(c - b)));
+    require(std::abs(turn) >= NO_TURN || dot(b - a, c - b) < 0,
+            fmt::format("corner {} on the line between its neighbours", i + 1),
+            "a turn at every corner");
+    require(turn >= NO_TURN, fmt::format("a face that is not convex at corner {}", i + 1),
+            "a convex face");
+  }
+  const Vec edge = corners[1] - corners[0];
+  for (std::size_t i = 2; i < n; ++i)
+    require(dot(normal, cross(edge, corners[i] - corners[0])) > 0 &&
+                dot(normal, cross(corners[i - 1] - corners[0], corners[i] - corners[0])) > 0,
+            fmt::format("a face that goes around more than once before corner {}", i + 1),
+            "a convex face");
+}
+
+void check_normals(const Face& face) {
+  if (face.normals.empty()) return;
+  require(face.normals.size() == face.corners.size(),
+          fmt::format("{} normals", face.normals.size()),
+          fmt::format("one for each of the {} corners, or none", face.corners.size()));
+  const Vec front = eval_area_normal(face.corners);
+  for (std::size_t i = 0; i < face.normals.size(); ++i) {
+    require_finite(face.normals[i], fmt::format("the normal of corner {}", i + 1));
+    require(dot(face.normals[i], front) > 0,
+            fmt::format("the normal {} of corner {}", show(face.normals[i]), i + 1),
+            "one on the side of the face's front, from which corners run counter-clockwise");
+  }
+}
+
+}  // namespace
+
+void check_material(const Material& material) {
+  const auto each = [](const Rgb& c, const auto& holds) {
+    return holds(c.r) && holds(c.g) && holds(c.b);
+  };
+  const auto tell = [](const char* what, const Rgb& c) {
+    return fmt::format("{} {} {} {}", what, c.r, c.g, c.b);
+  };
+  const Rgb &reflectance = material.reflectance, &emission = material.emission;
+  if (material.mirror) {
+    require(each(reflectance, [](double x) { return x >= 0 && x <= 1; }),
+            tell("a mirror's reflectance", reflectance), "0 to 1");
+    require(each(emission, [](double x) { return x == 0; }), tell("a mirror's emission", emission),
+            "none: a mirror only reflects");
+  } else {
+    require(each(reflectance, [](double x) { return x >= 0 && x < 1; }),
+            tell("a diffuse reflectance", reflectance), "0 or more and less than 1");
+    require(each(emission, [](double x) { return x >= 0 && x <= renderer::MAX_NUMBER; }),
+            tell("an emission", emission), fmt::format("0 to {:g}", renderer::MAX_NUMBER));
+  }
+}
+
+void check_face(const Face& face, std::size_t materials) {
+  const std::span<const Vec> corners = face.corners;
+  require(corners.size() >= 3, fmt::format("{} corners", corners.size()), "3 or more");
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    require_finite(corners[i], fmt::format("corner {}", i + 1));
+  check_plane(corners, eval_size(corners));
+  check_convex(corners);
+  check_normals(face);
+  const auto in_range = [](int n) { return n >= 1 && n <= MAX_DIVISIONS; };
+  require(in_range(face.along) && in_range(face.across),
+          fmt::format("{} x {} patches", face.along, face.across),
+          fmt::format("1 to {} each way", MAX_DIVISIONS));
+  require(face.material < materials, fmt::format("material {}", face.material),
+          fmt::format("an index below {}, the number of materials", materials));
+}
+
+void check_crease(const Crease& crease) {
+  require_finite(crease.a, "a crease's first end");
+  require_finite(crease.b, "a crease's second end");
+  require(length(crease.b - crease.a) > 0,
+          fmt::format("both ends of a crease at {}", show(crease.a)), "ends apart");
+}
+
+bool lies_on_a_face(const Crease& crease, const Room& room) {
+  return std::any_of(room.faces.begin(), room.faces.end(), [&](const Face& face) {
+    const Vec normal = normalize(eval_area_normal(face.corners));
+    const auto is_on = [&](const Vec& end) {
+      return std::abs(dot(normal, end - face.corners[0])) <= 1e-6 * eval_size(face.corners);
+    };
+    return is_on(crease.a) && is_on(crease.b);
+  });
+}
+
+renderer::View check_view(const renderer::View& view) {
+  require_finite(view.from, "the view's 'from'");
+  require_finite(view.at, "the view's 'at'");
+  require_finite(view.up, "the view's 'up'");
+  const auto in_range = [](int n) { return n >= 1 && n <= MAX_SIDE; };
+  require(in_range(view.width) && in_range(view.height),
+          fmt::format("a picture of {} x {} pixels", view.width, view.height),
+          fmt::format("1 to {} each way", MAX_SIDE));
+  renderer::Scene scene;
+  scene.view = view;
+  finish(scene);
+  return scene.view;
+}
+
+void check_light(const Room& room, const std::string& name) {
+  const auto need = [&](bool holds, const char* found, const char* expected) {
+    const char* colon = name.empty() ? "" : ": ";
+    if (!holds)
+      throw base::BadInput(fmt::format("{}{}found {}, expected {}", name, colon, found, expected));
+  };
+  const auto any = [&](const auto& holds) {
+    return std::any_of(room.faces.begin(), room.faces.end(),
+                       [&](const Face& f) { return holds(room.materials[f.material]); });
+  };
+  need(!room.faces.empty(), "no face", "one or more");
+  need(any([](const Material& m) { return !m.mirror; }), "nothing but mirrors",
+       "a face that is none");
+  need(any([](const Material& m) { return max_component(m.emission) > 0; }), "no face that emits",
+       "one or more: without light there is nothing to see");
+}
+
+}  // namespace radiosity

@@ -1,0 +1,72 @@
+#include "renderer/radiosity/room/planar.hpp"
+
+namespace radiosity {
+
+Vec eval_mean(std::span<const Vec> corners) {
+  Vec sum;
+  for (const Vec& corner : corners) sum += corner;
+  return (1.0 / static_cast<double>(corners.size())) * sum;
+}
+
+std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance) {
+  std::vector<double> heights;
+  bool above = false;
+  for (const Vec& corner : polygon) {
+    const double height = eval_height(plane, corner);
+    heights.push_back(std::abs(height) <= tolerance ? 0 : height);
+    above = above || heights.back() > 0;
+  }
+  std::vector<Vec> part;
+  if (!above) return part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = (i + 1) % polygon.size();
+    const double here = heights[i], there = heights[next];
+    if (here >= 0) part.push_back(polygon[i]);
+    if ((here > 0 && there < 0) || (here < 0 && there > 0))
+      part.push_back(lerp(polygon[i], polygon[next], here / (here - there)));
+  }
+  return part;
+}
+
+std::optional<std::array<Vec, 2>> cut(std::span<const Vec> polygon, const Plane& plane) {
+  std::array<Vec, 2> ends;
+  std::size_t found = 0;
+  double here = eval_height(plane, polygon.back());
+  const Vec* last = &polygon.back();
+  for (const Vec& corner : polygon) {
+    const double there = eval_height(plane, corner);
+    if ((here > 0) != (there > 0) && found < 2)
+      ends[found++] = lerp(*last, corner, here / (here - there));
+    here = there;
+    last = &corner;
+  }
+  if (found < 2) return std::nullopt;
+  return ends;
+}
+
+std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& normal) {
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec& a = polygon[i];
+    const Vec inward = cross(normal, polygon[(i + 1) % polygon.size()] - a);
+    if (dot(inward, inward) == 0) continue;
+    const Vec unit = normalize(inward);
+    planes.push_back({unit, dot(unit, a)});
+  }
+  return planes;
+}
+
+std::optional<Interval> clip_segment(const Vec& a, const Vec& b, std::span<const Plane> planes,
+                                     double margin) {
+  Interval part;
+  for (const Plane& plane : planes) {
+    const double at_a = eval_height(plane, a) - margin, at_b = eval_height(plane, b) - margin;
+    if (at_a < 0 && at_b < 0) return std::nullopt;
+    if (at_a < 0) part.from = std::max(part.from, at_a / (at_a - at_b));
+    if (at_b < 0) part.to = std::min(part.to, at_a / (at_a - at_b));
+  }
+  if (part.from >= part.to) return std::nullopt;
+  return part;
+}
+
+}  // namespace radiosity

@@ -1,0 +1,97 @@
+#include "renderer/radiosity/show/reconstruct.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "renderer/radiosity/show/hermite.hpp"
+#include "renderer/radiosity/show/twists.hpp"
+
+namespace radiosity {
+namespace {
+
+// Of a patch's corners in their order.
+constexpr std::size_t S[] = {0, 1, 1, 0}, T[] = {0, 0, 1, 1};
+
+// Of a corner's derivatives along its edges, to the next corner and to the previous one, those by s
+// and t: edges run along s or t, up or down.
+void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const Rgb& to_next,
+                const Rgb& to_prev) {
+  const std::size_t s = S[corner], t = T[corner];
+  const bool next_is_s = corner % 2 == 0;
+  const Slots at = find_slots(s, t);
+  g[at.value] = value;
+  g[at.by_s] = (s == 0 ? 1.0 : -1.0) * (next_is_s ? to_next : to_prev);
+  g[at.by_t] = (t == 0 ? 1.0 : -1.0) * (next_is_s ? to_prev : to_next);
+}
+
+// Vertex by vertex; every corner of every patch belongs to one.
+std::vector<Rgb> make_bicubic(const Mesh& mesh, std::span<const Rgb> vertices, Twist twist) {
+  const Fans fans = make_fans(mesh);
+  const std::vector<Slopes<Rgb>> slopes = find_slopes(mesh, fans, vertices);
+  std::vector<Rgb> values(16 * mesh.patches.size());
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    Slopes<Slopes<Rgb>> bend;
+    if (twist == Twist::estimated) bend = find_bend(mesh, fans, slopes, v);
+    for (const Wedge& w : fans.at(v)) {
+      const std::span<Rgb> g = std::span(values).subspan(16 * std::size_t{w.patch}, 16);
+      const Vertex& vertex = mesh.vertices[v];
+      set_corner(g, w.corner, vertices[v],
+                 along(slopes[v], unfold(vertex, mesh.vertices[w.next].at)),
+                 along(slopes[v], unfold(vertex, mesh.vertices[w.prev].at)));
+      const std::size_t s = S[w.corner], t = T[w.corner];
+      const Slots at = find_slots(s, t);
+      switch (twist) {
+        case Twist::zero:
+          break;
+        case Twist::diagonal:
+          // "Substituting s + t for d": along s + t the slopes by s and by t add up.
+          g[at.by_st] = g[at.by_s] + g[at.by_t];
+          break;
+        case Twist::estimated:
+          g[at.by_st] = (s == t ? 1.0 : -1.0) * find_twist(mesh, w, slopes[v], bend);
+          break;
+      }
+    }
+  }
+  return values;
+}
+
+std::vector<Rgb> make_corners(const Mesh& mesh, std::span<const Rgb> vertices, bool flat) {
+  std::vector<Rgb> values;
+  values.reserve(4 * mesh.patches.size());
+  for (const Patch& patch : mesh.patches) {
+    Rgb sum;
+    for (const std::uint32_t v : patch.corners) sum += vertices[v];
+    for (const std::uint32_t v : patch.corners) values.push_back(flat ? 0.25 * sum : vertices[v]);
+  }
+  return values;
+}
+
+}  // namespace
+
+Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
+                         const ReconstructionParams& params) {
+  if (vertices.size() != mesh.vertices.size())
+    throw std::invalid_argument(
+        fmt::format("found {} illuminations, expected one for each of {} "
+                    "vertices",
+                    vertices.size(), mesh.vertices.size()));
+  if (params.kind == Reconstruction::bicubic)
+    return {params.kind, make_bicubic(mesh, vertices, params.twist)};
+  return {params.kind, make_corners(mesh, vertices, params.kind == Reconstruction::flat)};
+}
+
+Rgb eval_illumination(const Illumination& illumination, std::uint32_t patch, double s, double t) {
+  const std::span<const Rgb> values = illumination.values;
+  Rgb sum;
+  if (illumination.kind == Reconstruction::bicubic) {
+    sum = eval_hermite(values.subspan(16 * std::size_t{patch}).first<16>(), s, t);
+  } else {
+    const auto corners = values.subspan(4 * std::size_t{patch}, 4);
+    for (std::size_t i = 0; i < 4; ++i) sum += (S[i] ? s : 1 - s) * (T[i] ? t : 1 - t) * corners[i];
+  }
+  return {std::max(0.0, sum.r), std::max(0.0, sum.g), std::max(0.0, sum.b)};
+}
+
+}  // namespace radiosity

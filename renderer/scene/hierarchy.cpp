@@ -1,0 +1,162 @@
+#include "renderer/scene/hierarchy.hpp"
+
+#include <algorithm>
+
+namespace renderer {
+
+namespace {
+
+constexpr std::uint32_t NONE = Box::INNER;
+
+struct Node {
+  Bounds bounds;
+  std::uint32_t item = NONE;
+  std::uint32_t parent = NONE;
+  std::uint32_t first = NONE, last = NONE, next = NONE;  // children, sibling
+  std::uint32_t count = 0;                               // children
+};
+
+struct Tree {
+  std::vector<Node> nodes;
+  std::uint32_t root = NONE;
+};
+
+std::uint32_t add_node(Tree& tree, const Bounds& bounds, std::uint32_t item) {
+  tree.nodes.push_back({bounds, item});
+  return static_cast<std::uint32_t>(tree.nodes.size() - 1);
+}
+
+void append_child(Tree& tree, std::uint32_t parent, std::uint32_t child) {
+  Node& p = tree.nodes[parent];
+  tree.nodes[child].parent = parent;
+  tree.nodes[child].next = NONE;
+  if (p.first == NONE)
+    p.first = child;
+  else
+    tree.nodes[p.last].next = child;
+  p.last = child;
+  ++p.count;
+}
+
+// Puts an inner node in the place of `leaf` and `leaf` under it.
+std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
+  const std::uint32_t inner = add_node(tree, tree.nodes[leaf].bounds, NONE);
+  const std::uint32_t parent = tree.nodes[leaf].parent;
+  tree.nodes[inner].parent = parent;
+  tree.nodes[inner].next = tree.nodes[leaf].next;
+  if (parent == NONE) {
+    tree.root = inner;
+  } else {
+    Node& p = tree.nodes[parent];
+    std::uint32_t* link = &p.first;
+    while (*link != leaf) link = &tree.nodes[*link].next;
+    *link = inner;
+    if (p.last == leaf) p.last = inner;
+  }
+  append_child(tree, inner, leaf);
+  return inner;
+}
+
+// The best node found so far for a new object to join.
+struct Choice {
+  std::uint32_t node = NONE;
+  double cost = Bounds::INF;
+
+  void offer(std::uint32_t other, double other_cost) {
+    if (other_cost < cost) *this = {other, other_cost};
+  }
+};
+
+// A way down the tree; `inherited` is what the nodes above `node` cost more.
+struct Way {
+  std::uint32_t node;
+  double inherited;
+};
+
+// Weighs `object` as one more child of `way.node` and in a pair with each of the leaves under it;
+// adds the ways on to `ways`.
+void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
+           std::vector<Way>& ways) {
+  const Node& n = tree.nodes[way.node];
+  const double area = half_area(join(n.bounds, object));
+  const double inherited = way.inherited + (area - half_area(n.bounds)) * n.count;
+  best.offer(way.node, inherited + area);
+  const std::size_t before = ways.size();
+  double least_growth = Bounds::INF;
+  for (std::uint32_t c = n.first; c != NONE; c = tree.nodes[c].next) {
+    const Node& child = tree.nodes[c];
+    const double joined = half_area(join(child.bounds, object));
+    const double growth = joined - half_area(child.bounds);
+    if (child.item != NONE) best.offer(c, inherited + 2 * joined);
+    if (growth < least_growth) ways.resize(before);
+    if (growth <= least_growth && child.item == NONE) ways.push_back({c, inherited});
+    least_growth = std::min(least_growth, growth);
+  }
+  std::reverse(ways.begin() + static_cast<std::ptrdiff_t>(before), ways.end());
+}
+
+// The node that `object` should join: an inner one as one more child, a leaf to form a pair.
+// A node costs its area times its children; a choice at any level also pays for the growth of
+// every node above it. The way down leads to the child, box or leaf, that grows least; it ends at
+// a leaf, and where nothing below can be better, as every place costs the object's own area.
+// Of children that grow equally (several boxes contain the object) every one is tried: where
+// Goldsmith and Salmon take the one of the nearest centre, or any, the least cost decides here.
+std::uint32_t find_place(const Tree& tree, const Bounds& object) {
+  Choice best{tree.root};
+  if (tree.nodes[tree.root].item != NONE) return best.node;
+  const double own = half_area(object);
+  std::vector<Way> ways = {{tree.root, 0}};
+  while (!ways.empty()) {
+    const Way way = ways.back();
+    ways.pop_back();
+    if (way.inherited + own < best.cost) weigh(tree, object, way, best, ways);
+  }
+  return best.node;
+}
+
+void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
+  const std::uint32_t leaf = add_node(tree, object, item);
+  if (tree.root == NONE) {
+    tree.root = leaf;
+    return;
+  }
+  std::uint32_t place = find_place(tree, object);
+  if (tree.nodes[place].item != NONE) place = make_pair_place(tree, place);
+  append_child(tree, place, leaf);
+  for (std::uint32_t up = place; up != NONE; up = tree.nodes[up].parent)
+    tree.nodes[up].bounds = join(tree.nodes[up].bounds, object);
+}
+
+}  // namespace
+
+Hierarchy make_hierarchy(std::span<const Bounds> objects) {
+  Tree tree;
+  tree.nodes.reserve(2 * objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    insert(tree, objects[i], static_cast<std::uint32_t>(i));
+
+  // Flatten: down to the first child, else on to the next sibling of the nearest ancestor that
+  // has one; the boxes left on the way up end here.
+  Hierarchy flat;
+  flat.boxes.reserve(tree.nodes.size());
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t node = tree.root; node != NONE;) {
+    open.push_back(static_cast<std::uint32_t>(flat.boxes.size()));
+    flat.boxes.push_back({tree.nodes[node].bounds, 0, tree.nodes[node].item});
+    if (tree.nodes[node].first != NONE) {
+      node = tree.nodes[node].first;
+      continue;
+    }
+    std::uint32_t next = NONE;
+    while (node != NONE && next == NONE) {
+      flat.boxes[open.back()].skip = static_cast<std::uint32_t>(flat.boxes.size());
+      open.pop_back();
+      next = tree.nodes[node].next;
+      node = tree.nodes[node].parent;
+    }
+    node = next;
+  }
+  return flat;
+}
+
+}  // namespace renderer

@@ -1,0 +1,32 @@
+#pragma once
+// Automatic bounding-volume hierarchy: J. Goldsmith and J. Salmon, "Automatic Creation of Object
+// Hierarchies for Ray Tracing", IEEE CG&A 7(5), 1987. Objects are inserted one by one, in the
+// order given, each where the expected number of tests per ray grows least.
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "renderer/scene/bounds.hpp"
+
+namespace renderer {
+
+/// One volume of the hierarchy, or a leaf: one object.
+struct alignas(64) Box {
+  static constexpr std::uint32_t INNER = std::numeric_limits<std::uint32_t>::max();
+  Bounds bounds;
+  std::uint32_t skip = 0;      ///< index of the next box when this one is missed
+  std::uint32_t item = INNER;  ///< what a leaf holds; INNER for a box of boxes
+};
+
+/// Depth first, children in the order they were inserted: a walk needs no stack. After a box that
+/// is met comes the one stored next, after one that is missed the one at its `skip`.
+struct Hierarchy {
+  std::vector<Box> boxes;
+};
+
+/// A leaf's `item` is the object's index in `objects`. No objects, no boxes.
+Hierarchy make_hierarchy(std::span<const Bounds> objects);
+
+}  // namespace renderer

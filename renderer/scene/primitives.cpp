@@ -1,0 +1,125 @@
+#include "renderer/scene/primitives.hpp"
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+
+namespace renderer {
+
+namespace {
+
+constexpr double MAX_BEND = 0.05;   // of a polygon, relative to its size
+constexpr double MIN_AREA = 1e-12;  // of a polygon, relative to the square of its size
+
+void require(bool holds, const std::string& found, const char* expected) {
+  if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
+}
+
+// Newell's method: right for any simple polygon, concave ones and nearly flat ones included.
+Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
+  Vec sum;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
+    sum += cross(corners[j] - centre, corners[i] - centre);
+  return sum;
+}
+
+}  // namespace
+
+Sphere make_sphere(const Vec& centre, double radius, Tag tag) {
+  require(radius > 0, fmt::format("a sphere of radius {}", radius), "a radius > 0");
+  return {centre, radius, tag};
+}
+
+Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>& pool) {
+  require(corners.size() >= 3, fmt::format("a polygon of {} vertices", corners.size()),
+          "3 or more");
+  Bounds box;
+  Vec centre;
+  for (const Vec& p : corners) {
+    box = join(box, p);
+    centre += (1.0 / static_cast<double>(corners.size())) * p;
+  }
+  const double size = max_abs(box.hi - box.lo);
+  const Vec newell = eval_newell_normal(corners, centre);
+  require(length(newell) > MIN_AREA * size * size, "a polygon without area",
+          "vertices that are not all on one line");
+
+  Polygon made;
+  made.normal = normalize(newell);
+  made.offset = dot(made.normal, centre);
+  for (const Vec& p : corners)
+    require(std::abs(dot(made.normal, p) - made.offset) <= MAX_BEND * size,
+            "a polygon that is not flat", "vertices in one plane, within 5 % of its size");
+  made.tag = tag;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(made.normal[axis]) > std::abs(made.normal[made.w]))
+      made.w = static_cast<std::uint8_t>(axis);
+  made.u = static_cast<std::uint8_t>((made.w + 1) % 3);
+  made.v = static_cast<std::uint8_t>((made.w + 2) % 3);
+  made.first = static_cast<std::uint32_t>(pool.size());
+  made.count = static_cast<std::uint32_t>(corners.size());
+  for (const Vec& p : corners) pool.push_back({p[made.u], p[made.v]});
+  return made;
+}
+
+Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
+                 std::vector<Corner>& pool, std::vector<Vec>& normal_pool) {
+  require(corners.size() == corner_normals.size(),
+          fmt::format("{} normals for {} vertices", corner_normals.size(), corners.size()),
+          "one each");
+  Patch made{make_polygon(corners, tag, pool), static_cast<std::uint32_t>(normal_pool.size())};
+  Vec sum;
+  for (const Vec& n : corner_normals) {
+    require(length(n) > 0, "a normal of length 0", "a direction");
+    normal_pool.push_back(normalize(n));
+    sum += normal_pool.back();
+  }
+  if (dot(sum, made.flat.normal) < 0) {
+    made.flat.normal = -made.flat.normal;
+    made.flat.offset = -made.flat.offset;
+  }
+  return made;
+}
+
+Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag) {
+  require(base_radius >= 0 && apex_radius >= 0,
+          fmt::format("a cone of radii {} and {}", base_radius, apex_radius), "radii >= 0");
+  require(base_radius + apex_radius > 0, "a cone of radii 0 and 0", "one radius > 0");
+  const double height = length(apex - base);
+  require(height > 0, "a cone whose ends coincide", "two different end points");
+  return {base, normalize(apex - base), height, base_radius, (apex_radius - base_radius) / height,
+          tag};
+}
+
+Bounds make_bounds(const Sphere& sphere) {
+  return grow({sphere.centre, sphere.centre}, sphere.radius);
+}
+
+Bounds make_bounds(const Polygon& polygon, const std::vector<Corner>& pool) {
+  Bounds box;
+  for (std::uint32_t i = polygon.first; i < polygon.first + polygon.count; ++i) {
+    const Corner& c = pool[i];
+    // The dropped coordinate follows from the plane.
+    const double w =
+        (polygon.offset - polygon.normal[polygon.u] * c.u - polygon.normal[polygon.v] * c.v) /
+        polygon.normal[polygon.w];
+    const Vec p = polygon.w == 0   ? Vec{w, c.u, c.v}
+                  : polygon.w == 1 ? Vec{c.v, w, c.u}
+                                   : Vec{c.u, c.v, w};
+    box = join(box, p);
+  }
+  return box;
+}
+
+Bounds make_bounds(const Cone& cone) {
+  // A disc of radius r across unit axis a reaches r * sqrt(1 - a_i^2) along coordinate i.
+  const Vec& a = cone.axis;
+  const auto reach = [](double c) { return std::sqrt(std::max(0.0, 1 - c * c)); };
+  const Vec across{reach(a.x), reach(a.y), reach(a.z)};
+  const Vec apex = cone.base + cone.height * a;
+  const double apex_radius = std::max(0.0, cone.base_radius + cone.slope * cone.height);
+  return join(Bounds{cone.base - cone.base_radius * across, cone.base + cone.base_radius * across},
+              Bounds{apex - apex_radius * across, apex + apex_radius * across});
+}
+
+}  // namespace renderer

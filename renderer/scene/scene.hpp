@@ -1,0 +1,88 @@
+#pragma once
+// A scene: surfaces, lights, a view, primitives by kind, and the hierarchy over them.
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/scene/hierarchy.hpp"
+#include "renderer/scene/primitives.hpp"
+
+namespace renderer {
+
+/// NFF's `f`. Reflected and transmitted light is not tinted: kr = ks and kt = t, for all colours.
+struct Surface {
+  Rgb colour{1, 1, 1};
+  double kd = 1;     ///< diffuse, 0..1; also the ambient coefficient, ka = kd * colour
+  double ks = 0;     ///< specular, 0..1
+  double shine = 0;  ///< Phong's exponent, >= 0
+  double t = 0;      ///< transmitted, 0..1
+  double ior = 1;    ///< index of refraction relative to outside; > 0 where t > 0
+};
+
+struct Light {
+  Vec at;
+  Rgb intensity{1, 1, 1};
+};
+
+/// NFF's `v`. The angle spans the height of the image; pixels are square.
+struct View {
+  Vec from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
+  double angle = 45;              ///< degrees, 0..180 exclusive
+  double hither = 0;              ///< kept; rays start at `from` whatever it says
+  int width = 512, height = 512;  ///< the file's own resolution, in pixels
+  // Derived by finish():
+  Vec right{}, above{}, ahead{};  ///< unit, of the image plane
+  double half_height = 0;         ///< of the image plane at distance 1
+};
+
+enum class Kind : std::uint8_t { sphere, polygon, patch, cone };
+
+/// Where an object is stored: a kind and an index, in 32 bits.
+struct Place {
+  std::uint32_t bits = 0;
+  static Place of(Kind kind, std::size_t index) {
+    return {static_cast<std::uint32_t>(index) << 2 | static_cast<std::uint32_t>(kind)};
+  }
+  Kind kind() const { return static_cast<Kind>(bits & 3); }
+  std::uint32_t index() const { return bits >> 2; }
+};
+
+/// Fill the lists with the add_ functions, then call finish() once.
+struct Scene {
+  std::vector<Surface> surfaces;
+  std::vector<Light> lights;
+  Rgb background;
+  View view;
+  std::vector<Place> objects;  ///< in file order
+  // Primitives by kind; after finish() in the order of the hierarchy's leaves.
+  std::vector<Sphere> spheres;
+  std::vector<Polygon> polygons;
+  std::vector<Patch> patches;
+  std::vector<Cone> cones;
+  std::vector<Corner> corners;  ///< of polygons and patches
+  std::vector<Vec> normals;     ///< of patches' corners
+  Hierarchy hierarchy;          ///< a leaf's item is a Place's bits
+  double epsilon = 0;           ///< set by finish(): hits nearer than this are none. 1e-10 of the
+                                ///< largest coordinate
+};
+
+// Each adds one object, of the surface added last. BadInput for a degenerate shape, for a scene
+// without surfaces, and beyond 2^30 objects.
+void add_sphere(Scene& scene, const Vec& centre, double radius);
+void add_polygon(Scene& scene, std::span<const Vec> corners);
+void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals);
+void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
+              double apex_radius);
+
+/// Derives the view's image plane, the hierarchy (boxes grown by 1e-12 of the largest coordinate,
+/// so that rounding never makes a ray miss the box of what it hits) and epsilon. BadInput for an
+/// impossible view.
+void finish(Scene& scene);
+
+inline std::size_t object_count(const Scene& scene) { return scene.objects.size(); }
+/// Boxes that rays are tested against; an object has none of its own.
+inline std::size_t box_count(const Scene& scene) {
+  return scene.hierarchy.boxes.size() - scene.objects.size();
+}
+
+}  // namespace renderer

@@ -1,0 +1,50 @@
+#pragma once
+// The sequential renderer: what every parallel one must equal, bit for bit.
+
+#include <functional>
+
+#include "renderer/image/image.hpp"
+#include "renderer/trace/shade.hpp"
+
+namespace renderer {
+
+/// Rays intersected, by kind.
+struct RayCounts {
+  std::uint64_t primary = 0, primary_hit = 0 /* of those, that hit something */;
+  std::uint64_t reflected = 0, transmitted = 0, shadow = 0;
+
+  std::uint64_t total() const { return primary + reflected + transmitted + shadow; }
+  void add(RayKind kind, bool hit);
+  RayCounts& operator+=(const RayCounts& other);
+  bool operator==(const RayCounts&) const = default;
+};
+
+struct Rendering {
+  Samples samples;  ///< of the whole image; 0 outside the area of interest
+  RayCounts rays;
+  Work work;
+};
+
+/// A rectangle of the image, rendered alone.
+struct Block {
+  Area area;
+  Samples samples;  ///< of the area's pixels only
+  RayCounts rays;
+  Work work;
+};
+
+/// Traces every ray of `area`, which lies within the image of `params`. The sums are those that
+/// render() finds there.
+Block render_block(const Scene& scene, const Params& params, const Area& area);
+/// The same; `access` is told of every part of the scene that is read.
+Block render_block(const Scene& scene, const Params& params, const Area& area, Access& access);
+
+/// Called with the rows done and the rows there are, after every row, by one thread at a time.
+using Progress = std::function<void(int done, int rows)>;
+
+/// Traces every ray of `params.area`. Result, counts and work do not depend on `threads` (host
+/// threads, 1..1024). std::invalid_argument as check(); what `progress` throws ends the rendering.
+Rendering render(const Scene& scene, const Params& params, int threads = 1,
+                 const Progress& progress = {});
+
+}  // namespace renderer

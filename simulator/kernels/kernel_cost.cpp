@@ -1,0 +1,37 @@
+#include "simulator/kernels/kernel_cost.hpp"
+
+#include <cmath>
+#include <ctime>
+
+#include "simulator/machine/process.hpp"
+
+namespace kernels {
+
+double host_cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void KernelCost::charge(double host_s, const renderer::Work& work) {
+  const auto cycles = cycles_per_host_s_
+                          ? machine::Cycles{std::llround(host_s * *cycles_per_host_s_)}
+                          : counted_(work.counts);
+  host_s_ += host_s;
+  charged_ += cycles;
+  machine::this_process().charge(cycles);
+}
+
+machine::OperationCosts intersection_costs(const machine::Model& model) {
+  return {model, "intersection", renderer::op_names()};
+}
+
+machine::OperationCosts tree_costs(const machine::Model& model) {
+  const auto first_of_shading = static_cast<std::size_t>(renderer::Op::surface_shaded);
+  auto costs = intersection_costs(model);
+  const machine::OperationCosts central(model, "central", renderer::op_names());
+  costs.replace_from(first_of_shading, central);
+  return costs;
+}
+
+}  // namespace kernels

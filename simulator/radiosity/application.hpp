@@ -1,0 +1,93 @@
+#pragma once
+// The application process of every processor. AMP has a process each for computing, tasks, data and
+// control beside the router (figure 5.3); here they are one, as 5.1 proposes for IIRRA. In each
+// round
+//
+//   SEQ
+//     SEQ i = 0 FOR children         -- in whatever order they come
+//       from.router ? candidate
+//     parent ! brightest
+//     from.router ? shot             -- GLOBAL, from the root; or show my vertices; or stop
+//     receive
+//     others ! border, others ? border
+//     settle
+#include "simulator/kernels/kernel_cost.hpp"
+#include "simulator/radiosity/messages.hpp"
+#include "simulator/radiosity/radiosity.hpp"
+#include "simulator/shared_memory/scene_items.hpp"
+
+namespace amp {
+
+using machine::Cycles;
+
+// What all processes know.
+struct Common {
+  const radiosity::Mesh& mesh;
+  const Params& params;
+  MessageBytes bytes;
+  machine::OperationCosts costs;
+  std::optional<shared_memory::SceneItems> items;  // where geometry is shared
+  int root = 0;
+  Cycles message_made, message_read;  // by an application
+  Cycles colour_copied;               // into a message, or out of it
+};
+
+// A processor's place in the tree, and its way to the network.
+struct Node {
+  int id = 0, parent = 0;  // the root's parent is itself
+  std::size_t children = 0;
+  Share share;
+  network::Client* client = nullptr;
+  shared_memory::DataManager* manager = nullptr;  // where geometry is shared
+};
+
+class Application {
+ public:
+  Application(const Common& common, const Node& node);
+  virtual ~Application() = default;
+  // Until it is told to stop.
+  virtual void run();
+
+  const Node& node() const { return node_; }
+  const radiosity::State& state() const { return state_; }
+  const renderer::Work& work() const { return work_; }
+  double host_s() const { return kernel_.host_s(); }
+  // Of each shot what it was charged for.
+  const std::vector<Cycles>& charged() const { return charged_; }
+
+ protected:
+  // The best of its own patches and of all below.
+  Candidate reduce();
+  void shoot(const radiosity::Shot& shot);
+  network::Message wait_message();
+  void charge_message(Cycles identification, const AmpMessage::Content& content);
+  void send(network::Address to, AmpMessage::Content content);
+
+  const Common& common_;
+  const Node node_;
+  radiosity::State state_;  // of its own vertices and patches
+
+ private:
+  Candidate find_best();
+  bool obey(const network::Message& message);
+  void shoot_at_shared(const radiosity::Shot& shot);
+  Shown show(const Show& asked) const;
+  void light(const radiosity::Eye& eye, const radiosity::Patch& sender,
+             const radiosity::Rgb& radiosity, renderer::Work& work);
+  void give();
+  void wait_for_borders();
+  void keep(const network::Message& message);
+  template <class Kernel>
+  void charge(Kernel kernel);
+
+  kernels::KernelCost kernel_;
+  renderer::Work work_;
+  std::vector<Cycles> charged_{1};
+  // That came before they were waited for: of children, and of who shares vertices.
+  std::vector<Candidate> candidates_;
+  std::vector<network::Message> borders_;
+};
+
+const AmpMessage::Content& read(const network::Message& message);
+
+}  // namespace amp

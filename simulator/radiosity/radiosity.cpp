@@ -1,0 +1,227 @@
+#include "simulator/radiosity/radiosity.hpp"
+
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "simulator/kernels/placement.hpp"
+#include "simulator/kernels/records.hpp"
+#include "simulator/radiosity/loss.hpp"
+#include "simulator/radiosity/root.hpp"
+#include "topologies/route/routes.hpp"
+
+namespace amp {
+
+using base::BadInput;
+using radiosity::Mesh;
+
+namespace {
+
+Cycles compiled(const machine::Model& model, const char* operation) {
+  const auto cycles = static_cast<double>(get_operation(model, operation).value);
+  return {std::llround(cycles * model.software.occam_factor)};
+}
+
+// A block move of its words, from an address in a table to the next place, or the other way.
+Cycles copy_of_colour(const machine::Model& model) {
+  const auto words = static_cast<std::int64_t>(get_bytes(model, "colour") / 4);
+  return {get_instruction(model, "move_setup").value + words * model.channel.copy_word.value};
+}
+
+std::uint64_t geometry_bytes(const machine::Model& model, const Mesh& mesh) {
+  return kernels::scene_bytes(model, mesh.blockers);
+}
+
+shared_memory::DataParams data_params(const machine::Model& model, const Mesh& mesh,
+                                      const Params& params, int root) {
+  shared_memory::DataParams data;
+  const double bytes = static_cast<double>(geometry_bytes(model, mesh));
+  data.cache_bytes = static_cast<std::uint64_t>(std::llround(params.cache_percent / 100 * bytes));
+  data.server_cache_bytes = static_cast<std::uint64_t>(bytes);
+  data.coordinator = root;
+  return data;
+}
+
+// Room for all that can be on its way: from each processor a candidate, a request or a reply, and
+// its borders.
+network::Params network_params(const Common& common, const shared_memory::DataParams& data,
+                               const machine::Model& model, const std::vector<Share>& shares) {
+  std::size_t borders = 0;  // messages
+  for (const Share& share : shares)
+    for (const Border& border : share.out)
+      borders += 1 + border.vertices.size() / MessageBytes::MOST;
+  network::Params params;
+  params.method = common.params.method;
+  params.buffers = 3 * shares.size() + 2 + borders;
+  params.longest = common.bytes.longest();
+  if (common.items)
+    params.longest = std::max(
+        params.longest, shared_memory::longest_message(model, common.items->catalogue(), data));
+  return params;
+}
+
+class Amp {
+ public:
+  Amp(const machine::Model& model, const topologies::Topology& topology, const Mesh& mesh,
+      const Params& params)
+      : model_(model),
+        mesh_(mesh),
+        params_(params),
+        common_{mesh,
+                params,
+                MessageBytes(model),
+                {model, "radiosity", renderer::op_names()},
+                {},
+                topology.root,
+                compiled(model, "message_made"),
+                compiled(model, "message_read"),
+                copy_of_colour(model)},
+        machine_(model) {
+    if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
+    auto shares = distribute(mesh, topology.processors, params.distribution);
+    if (params.exchange) exchange_borders(shares, mesh.vertices.size());
+    const auto data = data_params(model, mesh, params, topology.root);
+    for (int id = 0; id < topology.processors; ++id) {
+      auto& processor =
+          machine_.add_processor(fmt::format("p{}", id), get_bytes(model, "worker_memory"));
+      kernels::load_program(processor);
+    }
+    network_.emplace(machine_,
+                     make_routing(params.method, topology, topologies::make_routes(topology)),
+                     network_params(common_, data, model, shares));
+    if (common_.items) memory_.emplace(machine_, *network_, common_.items->catalogue(), data);
+    make_nodes(std::move(shares));
+  }
+
+  Result run();
+
+ private:
+  void make_nodes(std::vector<Share> shares);
+  void allocate(const Node& node);
+  void start();
+  Result take_result(machine::End end);
+
+  const machine::Model& model_;
+  const Mesh& mesh_;
+  const Params& params_;
+  Common common_;
+  machine::Machine machine_;
+  std::optional<network::Network> network_;
+  std::optional<shared_memory::VirtualMemory> memory_;
+  std::vector<Node> nodes_;
+  std::vector<std::unique_ptr<Application>> applications_;
+  Root* root_ = nullptr;
+  observe::Use before_;
+  std::optional<observe::Use> after_;
+};
+
+void Amp::make_nodes(std::vector<Share> shares) {
+  const auto& routing = network_->routing();
+  for (int id = 0; id < routing.processors(); ++id) {
+    Node node;
+    node.id = node.parent = id;
+    if (id != common_.root) node.parent = routing.neighbour(id, routing.port_to(id, common_.root));
+    node.share = std::move(shares[static_cast<std::size_t>(id)]);
+    node.client = &network_->client(id);
+    if (memory_) node.manager = &memory_->manager(id);
+    allocate(node);
+    nodes_.push_back(std::move(node));
+  }
+  for (const Node& node : nodes_)
+    if (node.id != common_.root) ++nodes_[static_cast<std::size_t>(node.parent)].children;
+}
+
+void Amp::allocate(const Node& node) {
+  auto& memory = machine_.processors()[static_cast<std::size_t>(node.id)]->memory();
+  const auto room = [&](std::uint64_t count, const char* record, const char* what) {
+    memory.allocate(count * get_bytes(model_, record), what, {});
+  };
+  room(node.share.patches.size(), "radiosity_patch", "its patches");
+  room(node.share.vertices.size(), "radiosity_vertex", "its vertices");
+  std::size_t told = 0;
+  for (const Border& border : node.share.in) told += border.vertices.size();
+  room(told, "colour", "what others tell it of theirs");
+  if (!memory_) memory.allocate(geometry_bytes(model_, mesh_), "the faces and their hierarchy", {});
+  if (node.id == common_.root) room(mesh_.vertices.size(), "colour", "the display's vertices");
+}
+
+void Amp::start() {
+  before_ = observe::collect(machine_);
+  for (const Node& node : nodes_) {
+    auto& processor = *machine_.processors()[static_cast<std::size_t>(node.id)];
+    if (node.id == common_.root) {
+      const auto on_solved = [this] { after_ = observe::collect(machine_); };
+      auto root = std::make_unique<Root>(common_, node, nodes_, on_solved);
+      root_ = root.get();
+      applications_.push_back(std::move(root));
+    } else {
+      applications_.push_back(std::make_unique<Application>(common_, node));
+    }
+    kernels::start(processor, "application", machine::Priority::low,
+                   [application = applications_.back().get()] { application->run(); });
+  }
+}
+
+Result Amp::take_result(machine::End end) {
+  Result result;
+  result.end = end;
+  if (!after_) after_ = observe::collect(machine_);
+  result.use = between(before_, *after_);
+  result.time_s = result.use.time_s;
+  result.shots = root_->shots();
+  result.frames = root_->frames();
+  result.total_s = result.frames.empty() ? machine_.now().value : result.frames.back().at_s;
+  result.loss = eval_loss(model_, mesh_, params_, applications_, result.time_s);
+  for (const auto& application : applications_) {
+    result.work += application->work();
+    result.kernel_host_s += application->host_s();
+    for (const auto cycles : application->charged()) result.kernel_cycles += cycles;
+    result.vertices_done_max = std::max<std::uint64_t>(result.vertices_done_max,
+                                                       application->node().share.vertices.size());
+  }
+  if (memory_) result.data = memory_->use();
+  result.routers = network_->use();
+  return result;
+}
+
+Result Amp::run() {
+  start();
+  observe::Watch unwatched, &watch = params_.watch ? *params_.watch : unwatched;
+  const auto end = observe::run(machine_, watch);
+  Result result = take_result(end);
+  result.events = watch.events;
+  return result;
+}
+
+}  // namespace
+
+void check(const machine::Model& model, const Mesh& mesh, int processors, const Params& params) {
+  check(params.solve.factor);
+  const auto refuse = [](const std::string& text) { throw BadInput(text); };
+  if (mesh.patches.size() < static_cast<std::size_t>(processors))
+    refuse(
+        fmt::format("network: found {} processors, expected at most as many as the room has "
+                    "patches, {}",
+                    processors, mesh.patches.size()));
+  if (params.cache_percent == 0) return;
+  if (!(params.cache_percent > 0 && params.cache_percent <= 100))
+    refuse(fmt::format("program.cache_percent: found {}, expected 0 to 100", params.cache_percent));
+  if (params.cycles_per_host_s)
+    refuse(
+        "run.cost: found timed, expected counted: a kernel that waits for data "
+        "(program.cache_percent) cannot be timed, other processes run meanwhile");
+  const auto whole = geometry_bytes(model, mesh);
+  const auto largest = std::max(get_bytes(model, "object"), get_bytes(model, "box"));
+  if (const auto bytes = data_params(model, mesh, params, 0).cache_bytes; bytes < largest)
+    refuse(
+        fmt::format("program.cache_percent: found {} % of a geometry of {} bytes, a cache of "
+                    "{}, expected at least the {} bytes of its largest record",
+                    params.cache_percent, whole, bytes, largest));
+}
+
+Result run_radiosity(const machine::Model& model, const topologies::Topology& topology,
+                     const Mesh& mesh, const Params& params) {
+  check(model, mesh, topology.processors, params);
+  return Amp(model, topology, mesh, params).run();
+}
+
+}  // namespace amp

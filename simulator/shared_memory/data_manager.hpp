@@ -1,0 +1,91 @@
+#pragma once
+// Virtual shared memory (5.1.2): on every processor a manager that finds data for the application
+// there, and answers what others ask. It has no process of its own (LSGP): the application calls
+// it, and whenever it does the manager looks at the channel from the router.
+#include <array>
+#include <deque>
+
+#include "simulator/network/network.hpp"
+#include "simulator/shared_memory/data_messages.hpp"
+#include "simulator/shared_memory/items.hpp"
+
+namespace shared_memory {
+
+using machine::Cycles;
+using machine::Seconds;
+
+struct DataUse {
+  std::array<std::uint64_t, LEVELS> found{};  // accesses, by where the item was
+  std::uint64_t requests = 0;                 // sent
+  std::uint64_t request_links = 0;            // that they have passed, up to who answered
+  // Links from here to whom the requests were addressed, that they were spared.
+  std::uint64_t spared_by_path = 0, spared_by_queue = 0;
+  std::uint64_t seen = 0;  // requests of others; each was one of these:
+  std::uint64_t answered = 0, queued = 0, passed_on = 0;
+  Seconds waited{};  // for replies
+
+  std::uint64_t accesses() const;
+  std::uint64_t found_at(Level level) const { return found[static_cast<std::size_t>(level)]; }
+  DataUse& operator+=(const DataUse& other);
+  DataUse& operator-=(const DataUse& earlier);
+};
+
+// Cycles of a manager's work: the model's [operation] data_*.
+struct DataCosts {
+  explicit DataCosts(const machine::Model& model);
+  Cycles look_up, touch, insert, drop;
+  std::uint64_t request_bytes, reply_bytes;  // of a reply, beside the record
+  Seconds idle_period;
+};
+
+class DataManager {
+ public:
+  DataManager(network::Client& client, const network::Routing& routing, const DataCosts& costs)
+      : costs_(costs), routing_(routing), client_(client) {}
+  virtual ~DataManager() = default;
+  DataManager(const DataManager&) = delete;
+  DataManager& operator=(const DataManager&) = delete;
+
+  // Returns when the application may read the item (figure 5.21). Serves others first.
+  virtual void access(Item item) = 0;
+  // Serves what waits on the channel from the router (figure 5.20).
+  void look();
+  // For an application without work: serves others until a message comes that is for no data
+  // manager, and returns that. Looks at the channel every idle period.
+  network::Message serve() { return serve_every(costs_.idle_period); }
+  // The same for one that waits in an ALT until something comes: serves at once.
+  network::Message serve_at_once() { return serve_every({}); }
+  // The same for an application that has ended: its process becomes a server, and never returns.
+  [[noreturn]] void serve_for_ever();
+
+  network::Client& client() { return client_; }
+  const DataUse& use() const { return use_; }
+
+ protected:
+  // A request of another one, or a reply.
+  virtual void handle_request(const network::Message& message, const DataMessage& request) = 0;
+  virtual void handle_reply(const DataMessage& reply) = 0;
+
+  void count(Level level) { ++use_.found[static_cast<std::size_t>(level)]; }
+  // Asks `to` for a record, and serves until handle_reply has seen it.
+  void fetch(std::size_t record, network::Address to);
+  // Sends a record to who asked for it by a request that had passed so many links.
+  void reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level, int links);
+  // What a record on its way into a cache costs, `dropped` others out of it.
+  void charge_insertion(int dropped);
+
+  const DataCosts costs_;
+  const network::Routing& routing_;
+  DataUse use_;
+
+ private:
+  void take();
+  void wait_for_message(Seconds period);
+  network::Message serve_every(Seconds period);
+
+  network::Client& client_;
+  bool has_reply_ = false;
+  std::deque<network::Message> others_;  // that are for no data manager
+};
+
+}  // namespace shared_memory

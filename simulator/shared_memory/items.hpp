@@ -1,0 +1,38 @@
+#pragma once
+// Items of data that any processor may need: objects, surfaces, light sources (5.1.2.3).
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace shared_memory {
+
+// Two levels: its class, and its number in the class.
+struct Item {
+  int of_class = 0;
+  int number = 0;
+  auto operator<=>(const Item&) const = default;
+};
+
+// Which items there are, and their sizes. Places count through all items: class after class.
+class Catalogue {
+ public:
+  // Bytes of each item, by class and number. Throws base::BadInput if there are none.
+  explicit Catalogue(std::vector<std::vector<std::uint64_t>> bytes);
+
+  std::size_t size() const { return items_.size(); }
+  Item item(std::size_t place) const { return items_.at(place); }
+  std::size_t place(Item item) const;  // throws std::out_of_range for an item that is not there
+  std::uint64_t bytes(Item item) const { return bytes_.at(place(item)); }
+  std::uint64_t largest() const;  // bytes of the largest item
+  std::uint64_t total() const;    // of all together
+
+ private:
+  std::vector<std::size_t> first_;  // place of each class's first item, and the end
+  std::vector<Item> items_;
+  std::vector<std::uint64_t> bytes_;
+};
+
+// One class of items of one size.
+Catalogue make_catalogue(int items, std::uint64_t bytes);
+
+}  // namespace shared_memory

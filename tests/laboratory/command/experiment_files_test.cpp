@@ -1,0 +1,101 @@
+// Every experiment below experiments/, in a reduced size: its checks hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/laboratory/support/tlab.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is left out of those that would take long.
+const std::map<std::string, std::vector<std::string>>& reductions() {
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"latency/both-ways", {"program.messages=200", "sweep.bytes=[16, 4096]"}},
+      {"latency/farm-limits", {"sweep.topology=[\"tree\"]", "sweep.workers=[5, 11, 17]"}},
+      {"latency/amdahl", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
+      {"latency/gustafson", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
+      {"latency/message", {"sweep.switches=[0, 3]", "sweep.bytes=[0, 1, 4, 65536]"}},
+      {"latency/pipeline", {"sweep.stages=[3, 8]", "sweep.bytes=[4, 1000]"}},
+      {"latency/broadcast", {"sweep.bytes=[100]"}},
+      {"shared-scene",
+       {"scene.objects=400", "image.width=16", "image.height=16", "sweep.workers=[4]",
+        "sweep.cache_percent=[0, 10, 100]"}},
+      {"farm", {"sweep.objects=[200]", "sweep.workers=[1, 2, 5, 7]"}},
+      {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 2, 4, 7]"}},
+      {"thesis/bounds", {"sweep.workers=[4]", "sweep.depth=[2, 5]"}},
+      {"topologies",
+       {"sweep.task=[\"ray\", \"block:2x2\"]", "image.width=24", "image.height=24",
+        "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 8], [\"amp\", 1], "
+        "[\"amp\", 8]]"}},
+      {"amdahl", {"sweep.width, height=[[16, 16], [32, 32]]", "sweep.workers=[1, 4, 16]"}},
+      {"routers",
+       {"sweep.topology=[\"mesh:4x4\"]", "sweep.load=[0.01, 0.05]", "program.window_s=0.02"}},
+      {"data-managers",
+       {"sweep.topology=[\"mesh:4x4\"]", "sweep.cache_percent=[10]", "sweep.zipf=[1]"}},
+      {"soak", {"program.messages=5000"}},
+      {"thesis/table-5.2", {"sweep.message_bytes=[4]"}},
+      {"thesis/table-5.3", {"program.messages=500", "sweep.message_bytes=[4, 32, 512]"}},
+      {"thesis/figure-5.8", {"sweep.s_p=[0.1, 0.5, 1]", "sweep.n=[2, 10]"}},
+      {"thesis/table-5.4", {"sweep.cache_percent=[1, 36, 100]"}},
+      {"radiosity-scaling",
+       {"program.refine=3", "program.max_shots=10", "program.width=32", "program.height=24",
+        "sweep.topology=[\"mesh\"]", "sweep.workers=[1, 16]", "let.least=\"6\""}},
+      {"radiosity-distribution",
+       {"program.refine=2", "program.max_shots=3", "program.width=32", "program.height=24",
+        "sweep.borders, cache_percent=[[\"exchanged\", 0], [\"exchanged\", 50]]"}},
+      {"thesis/figure-3.8",
+       {"program.tolerance=0.1", "program.reference_refine=4", "program.width=160",
+        "program.height=120", "network.workers=1"}},
+      {"thesis/figure-3.9",
+       {"program.tolerance=0.1", "program.reference_refine=4", "program.width=160",
+        "program.height=120"}},
+      {"thesis/figure-3.16",
+       {"program.tolerance=0.1", "program.refine=1", "program.width=64", "program.height=48",
+        "network.workers=1"}},
+      {"thesis/figure-3.18",
+       {"program.tolerance=0.1", "program.width=64", "program.height=48", "network.workers=1"}},
+      {"latency/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
+  };
+  return all;
+}
+
+// "latency/soft", ...: those with checks, not the machine models beside them.
+std::vector<std::string> find_experiments() {
+  const fs::path root = TLAB_SOURCE_DIR "/experiments";
+  std::vector<std::string> found;
+  for (const auto& file : fs::recursive_directory_iterator(root)) {
+    if (file.path().extension() != ".toml") continue;
+    if (read_file(file.path()).find("[[check]]") == std::string::npos) continue;
+    found.push_back(file.path().lexically_relative(root).replace_extension().string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+class Experiments : public testing::TestWithParam<std::string> {};
+
+TEST_P(Experiments, ChecksHold) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"verify",
+                                     TLAB_SOURCE_DIR "/experiments/" + GetParam() + ".toml"};
+  if (const auto reduced = reductions().find(GetParam()); reduced != reductions().end())
+    for (const auto& set : reduced->second) arguments.insert(arguments.end(), {"--set", set});
+  const auto done = tlab(folder.path, arguments);
+  EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+  EXPECT_NE(done.out.find(" hold, 0 do not\n"), std::string::npos) << done.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()),
+                         [](const auto& at) {
+                           std::string name = at.param;
+                           for (char& c : name)
+                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace laboratory

@@ -1,0 +1,161 @@
+// tlab radiosity as its users meet it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "experiments/laboratory/host/files.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+
+namespace laboratory {
+namespace {
+
+// A room with a lamp in its ceiling, one wall of which is a mirror.
+const char* const ROOM = R"(material wall reflect 0.5 0.6 0.7
+material lamp reflect 0 0 0 emit 9 9 9
+mirror glass reflect 0.9 0.9 0.9
+quad wall  0 0 0  1 0 0  1 1 0  0 1 0  divide 2 2
+quad wall  0 0 1  0 1 1  1 1 1  1 0 1  divide 2 2
+quad wall  0 0 0  0 1 0  0 1 1  0 0 1  divide 2 2
+quad wall  1 0 0  1 0 1  1 1 1  1 1 0  divide 2 2
+quad wall  0 0 0  0 0 1  1 0 1  1 0 0  divide 2 2
+quad glass 0 1 0  1 1 0  1 1 1  0 1 1
+quad lamp  0.3 0.3 0.9  0.3 0.6 0.9  0.6 0.6 0.9  0.6 0.3 0.9
+view from 0.5 0.1 0.5 at 0.5 1 0.45 up 0 0 1 angle 80 size 24 16
+)";
+
+class RadiosityCommand : public testing::Test {
+ protected:
+  RadiosityCommand() { std::ofstream(folder_.path / "a.room") << ROOM; }
+
+  Outcome run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"radiosity", "a.room", "-o"});
+    return tlab(folder_.path, arguments);
+  }
+  std::string read(const char* name) const { return read_file(folder_.path / name); }
+  nlohmann::json stats(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"i.png", "--stats", "s.json"});
+    const auto done = run(arguments);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return nlohmann::json::parse(read("s.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RadiosityCommand, WritesTheSameBytesEveryTimeAndSaysHow) {
+  for (const char* name : {"a.png", "b.png", "a.exr", "b.exr"}) {
+    const auto done = run({name});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_EQ(done.err, "");
+    EXPECT_NE(done.out.find("21 patches"), std::string::npos) << done.out;
+    EXPECT_EQ(done.out.find("gamma 2.2") != std::string::npos, name[2] == 'p') << done.out;
+  }
+  EXPECT_EQ(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("a.exr"), read("b.exr"));
+  EXPECT_GT(read("a.exr").size(), 24 * 16 * 12u);
+  EXPECT_EQ(folder_.names(),
+            (std::vector<std::string>{"a.exr", "a.png", "a.room", "b.exr", "b.png"}));
+}
+
+// Each option reaches what it is for.
+TEST_F(RadiosityCommand, OptionsChangeWhatTheySay) {
+  const auto plain = stats({});
+  EXPECT_EQ(plain["patches"], 21);
+  EXPECT_EQ(plain["mirrors"], 1);
+  EXPECT_EQ(plain["width"], 24);
+  EXPECT_EQ(plain["height"], 16);
+  EXPECT_LE(plain["unshot"], 0.001);
+  EXPECT_EQ(plain["picture_work"]["sample_updated"], 24 * 16);
+  EXPECT_GT(plain["picture_work"]["ray_reflected"], 0);
+  EXPECT_GT(plain["work"]["light_mirrored"], 0);
+  const std::string picture = read("i.png");
+
+  EXPECT_EQ(stats({"--refine", "2"})["patches"], 84);
+  EXPECT_EQ(stats({"--shots", "1"})["shots"], 1);
+  EXPECT_GT(stats({"--shots", "1"})["unshot"], 0.1);
+  EXPECT_LT(stats({"--tolerance", "0.1"})["shots"], plain["shots"]);
+  EXPECT_EQ(stats({"--mirrors", "0"})["work"]["light_mirrored"], 0);
+  EXPECT_EQ(stats({"--size", "7x5"})["picture_work"]["sample_updated"], 35);
+  EXPECT_EQ(stats({"--pixel-samples", "3"})["picture_work"]["sample_updated"], 9 * 24 * 16);
+  EXPECT_EQ(stats({"--depth", "0"})["picture_work"]["ray_reflected"], 0);
+  EXPECT_EQ(stats({"--preview"})["picture_work"]["ray_intersected"], 0);
+  EXPECT_EQ(stats({"--exposure", "0.25"})["exposure"], 0.25);
+  EXPECT_EQ(stats({"--gamma", "1"})["gamma"], 1);
+  EXPECT_GT(stats({"--samples", "12"})["work"]["delta_area"], plain["work"]["delta_area"]);
+
+  std::set<std::string> pictures{picture};
+  for (const std::vector<std::string>& other :
+       std::vector<std::vector<std::string>>{{"--reconstruction", "flat"},
+                                             {"--reconstruction", "bilinear"},
+                                             {"--twist", "zero"},
+                                             {"--preview"},
+                                             {"--shots", "1"},
+                                             {"--shots", "1", "--no-ambient"},
+                                             {"--gamma", "1"},
+                                             {"--exposure", "0.2"}}) {
+    stats(other);
+    EXPECT_TRUE(pictures.insert(read("i.png")).second) << testing::PrintToString(other);
+  }
+  stats({"--reconstruction", "bicubic", "--ambient", "--exposure", "auto", "--creases", "file"});
+  EXPECT_EQ(read("i.png"), picture);
+}
+
+TEST_F(RadiosityCommand, CreasesAreTheFilesFoundOrNone) {
+  std::ofstream(folder_.path / "a.room", std::ios::app) << "crease 0.3 0 0  0.3 1 0\n";
+  EXPECT_EQ(stats({"--creases", "none"})["creases"], 0);
+  EXPECT_EQ(stats({"--creases", "file"})["creases"], 1);
+  EXPECT_GT(stats({})["patches"], stats({"--creases", "none"})["patches"]);
+  EXPECT_GT(stats({"--creases", "auto"})["creases"], 1);
+}
+
+TEST_F(RadiosityCommand, MistakesHaveTheirExitCodeAndLeaveNothing) {
+  std::ofstream(folder_.path / "bad.room") << "material wall reflect 0.5 0.5 2\n";
+  const auto before = folder_.names();
+  struct Mistake {
+    std::vector<std::string> arguments;
+    const char* message;
+  };
+  for (const auto& [arguments, message] : std::vector<Mistake>{
+           {{}, "SCENE"},
+           {{"a.room"}, "--output"},
+           {{"no.room", "-o", "i.png"}, "no.room"},
+           {{"bad.room", "-o", "i.png"}, "bad.room:1"},
+           {{"a.txt", "-o", "i.png"}, ".room"},
+           {{"a.room", "-o", "i.jpg"}, "expected a name that ends in .png or .exr"},
+           {{"a.room", "-o", "no/such/i.png"}, "expected a file in a folder that is there"},
+           {{"a.room", "-o", "no/such/i.exr"}, "expected a file in a folder that is there"},
+           {{"a.room", "-o", "i.exr", "--gamma", "1"}, "linear"},
+           {{"a.room", "-o", "i.exr", "--exposure", "1"}, "linear"},
+           {{"a.room", "-o", "i.png", "--stats", "i.png"}, "--stats"},
+           {{"a.room", "-o", "i.png", "--size", "5"}, "expected WxH"},
+           {{"a.room", "-o", "i.png", "--size", "0x5"}, "found 0 x 5"},
+           {{"a.room", "-o", "i.png", "--refine", "0"}, "--refine"},
+           {{"a.room", "-o", "i.png", "--samples", "0"}, "samples: found 0"},
+           {{"a.room", "-o", "i.png", "--shots", "-1"}, "--shots"},
+           {{"a.room", "-o", "i.png", "--tolerance", "2"}, "--tolerance"},
+           {{"a.room", "-o", "i.png", "--tolerance", "nan"}, "--tolerance"},
+           {{"a.room", "-o", "i.png", "--mirrors", "9"}, "reflections: found 9"},
+           {{"a.room", "-o", "i.png", "--reconstruction", "smooth"}, "bicubic"},
+           {{"a.room", "-o", "i.png", "--twist", "left"}, "estimated"},
+           {{"a.room", "-o", "i.png", "--creases", "all"}, "auto"},
+           {{"a.room", "-o", "i.png", "--pixel-samples", "0"}, "pixel samples: found 0"},
+           {{"a.room", "-o", "i.png", "--depth", "-1"}, "picture depth: found -1"},
+           {{"a.room", "-o", "i.png", "--exposure", "0"}, "expected auto, or a number above 0"},
+           {{"a.room", "-o", "i.png", "--exposure", "1x"}, "expected auto, or a number above 0"},
+           {{"a.room", "-o", "i.png", "--gamma", "0"}, "--gamma"},
+           {{"a.room", "-o", "i.png", "--gamma", "nan"}, "--gamma"},
+       }) {
+    auto all = arguments;
+    all.insert(all.begin(), "radiosity");
+    const auto outcome = tlab(folder_.path, all);
+    const auto what = testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << what << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << what << outcome.err;
+    EXPECT_EQ(folder_.names(), before) << what;
+  }
+}
+
+}  // namespace
+}  // namespace laboratory

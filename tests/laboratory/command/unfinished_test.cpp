@@ -1,0 +1,223 @@
+// Runs that are cut short, and runs that are watched.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/table/table.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string FARM = TLAB_SOURCE_DIR "/experiments/farm.toml";
+
+std::vector<std::string> one_point(std::vector<std::string> more) {
+  std::vector<std::string> all{"run",   FARM,
+                               "--set", "image.width=16",
+                               "--set", "check=[]",
+                               "--set", "image.height=12",
+                               "--set", "sweep.objects=[20]",
+                               "--set", "sweep.workers=[3]"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+std::string cell(const Table& table, const char* column, std::size_t row = 0) {
+  return to_string(table.rows.at(row)[*table.find(column)]);
+}
+
+TEST(ExperimentsUntil, TheLimitIsInSimulatedSecondsAndTheResultsSayThatTheyAreIncomplete) {
+  const TemporaryFolder folder;
+  for (const char* until : {"0.001", "0.1", "1e6"}) {
+    const auto done = tlab(folder.path, one_point({"-o", "r", "--until", until}));
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+    const auto run = json::parse(read_file(folder.path / "r/run.json"));
+    const bool whole = until == std::string("1e6");
+    EXPECT_EQ(cell(table, "ended"), whole ? "done" : "limit") << until;
+    EXPECT_EQ(run["complete"], whole);
+    EXPECT_NE(done.out.find(whole ? "Ended: done" : "1 cut short at the time limit"),
+              std::string::npos)
+        << done.out;
+    if (until == std::string("0.1")) {
+      const double setup = *as_number(table.rows[0][*table.find("setup_s")]);
+      const double time = *as_number(table.rows[0][*table.find("time_s")]);
+      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // what was measured until then
+      EXPECT_GT(*as_number(table.rows[0][*table.find("rays")]), 0);
+    }
+  }
+}
+
+TEST(ExperimentsUntil, APatternThatIsCutShortHasNoNumbersAndChecksPassItOver) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml")
+      << "[program]\nname = \"message\"\n[sweep]\nbytes = [10, 1000000]\n[[check]]\n"
+         "name = \"c\"\nof = \"latency_s\"\nwithin_abs = 1\nformula = \"0\"\n";
+  const auto done = tlab(folder.path, {"run", "e.toml", "-o", "r", "--until", "0.01"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+  EXPECT_EQ(cell(table, "ended", 0), "done");
+  EXPECT_EQ(cell(table, "ended", 1), "limit");
+  EXPECT_EQ(cell(table, "latency_s", 1), "");
+  EXPECT_NE(done.out.find("at 1 point(s)"), std::string::npos) << done.out;
+}
+
+// Starts tlab, interrupts it, and returns its exit code.
+int interrupt(const fs::path& folder, const std::vector<std::string>& arguments) {
+  const pid_t pid = fork();
+  if (pid == 0) {
+    if (chdir(folder.c_str()) != 0) _exit(99);
+    std::vector<std::string> all{"tlab"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (auto& a : all) argv.push_back(a.data());
+    freopen("out.txt", "w", stdout);
+    freopen("err.txt", "w", stderr);
+    const int code = run_tlab(static_cast<int>(argv.size()), argv.data());
+    std::fflush(nullptr);
+    _exit(code);
+  }
+  // When the first point has begun: its folder is there, and some time has passed.
+  for (int i = 0; i < 500 && !fs::exists(folder / (".r.partial-" + std::to_string(pid))); ++i)
+    usleep(10'000);
+  usleep(300'000);
+  kill(pid, SIGINT);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// Points that would take hours: those begun are kept, marked; the third is not begun.
+TEST(ExperimentsInterrupt, WhatWasMeasuredIsKeptAndMarked) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml")
+      << "[image]\nwidth = 4000\nheight = 200\n[machine]\ndatabase_memory_bytes = 1000000000\n"
+         "[sweep]\nworkers = [1, 2, 3]\n";
+  EXPECT_EQ(interrupt(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"}), 130)
+      << read_file(folder.path / "err.txt");
+  const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+  ASSERT_EQ(table.rows.size(), 2u);
+  for (std::size_t row : {0, 1}) EXPECT_EQ(cell(table, "ended", row), "interrupt");
+  const auto run = json::parse(read_file(folder.path / "r/run.json"));
+  EXPECT_EQ(run["complete"], false);
+  EXPECT_NE(run["ended"].get<std::string>().find("1 not started"), std::string::npos);
+}
+
+TEST(ExperimentsTrace, FilesAreWrittenAndTheResultsAreTheSame) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(tlab(folder.path, one_point({"-o", "plain"})).exit_code, 0);
+  const auto done = tlab(folder.path, one_point({"-o", "traced", "--trace", "t.json", "--timeline",
+                                                 "t.svg", "--from", "0.01"}));
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(read_file(folder.path / "plain/results.csv"),
+            read_file(folder.path / "traced/results.csv"));
+  const auto trace = json::parse(read_file(folder.path / "t.json"));
+  EXPECT_GT(trace["traceEvents"].size(), 1000u);
+  EXPECT_NE(read_file(folder.path / "t.json").find("worker1.application"), std::string::npos);
+  EXPECT_NE(read_file(folder.path / "t.svg").find("worker3"), std::string::npos);
+  ASSERT_EQ(tlab(folder.path, one_point({"-o", "traced", "--trace", "t.paje"})).exit_code, 0);
+  EXPECT_EQ(read_file(folder.path / "t.paje").substr(0, 9), "%EventDef");
+}
+
+TEST(ExperimentsTrace, AProgramThatFailsLeavesItsTraceAndNoResults) {
+  const TemporaryFolder folder;
+  const auto failed = tlab(folder.path, one_point({"-o", "r", "--timeline", "t.svg", "--set",
+                                                   "machine.database_memory_bytes=146432"}));
+  EXPECT_EQ(failed.exit_code, 3) << failed.err;
+  EXPECT_NE(failed.err.find("out of memory"), std::string::npos) << failed.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"t.svg"});
+}
+
+TEST(ExperimentsTrace, MistakesAreNamed) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::vector<std::string>& more) {
+    const auto done = tlab(folder.path, one_point(more));
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    return done.err;
+  };
+  EXPECT_NE(told({"--trace", "t.txt"}).find("ends in .json or .paje"), std::string::npos);
+  EXPECT_NE(told({"--timeline", "t.json"}).find("ends in .svg"), std::string::npos);
+  EXPECT_NE(told({"--trace", "t.json", "--set", "sweep.workers=[1, 2]"}).find("has 2 points"),
+            std::string::npos);
+  EXPECT_NE(told({"-o", "r", "--trace", "no/such/folder/t.json"}).find("no/such/folder/t.json"),
+            std::string::npos);
+  told({"--until", "0"});
+  told({"--until", "soon"});
+  EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+TEST(ExperimentsTimed, TheHostsSpeedIsRecorded) {
+  const TemporaryFolder folder;
+  const auto done = tlab(folder.path, one_point({"-o", "r", "--set", "run.cost=\"timed\""}));
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const auto run = json::parse(read_file(folder.path / "r/run.json"));
+  const auto& speed = run["host_speed"]["t805-25"];
+  EXPECT_GT(speed["cycles_per_host_s"].get<double>(), 0);
+  EXPECT_GE(speed["spread"].get<double>(), 0);
+  EXPECT_NE(done.out.find("cycles a second of host CPU"), std::string::npos);
+}
+
+// Whole-image times of both cost modes, printed; the host's speed is only trusted where told so.
+TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
+  const TemporaryFolder folder;
+  const auto time_with = [&](const std::string& cost) {
+    const auto done =
+        tlab(folder.path, {"run", FARM, "-o", "r", "--set", "check=[]", "--set", "image.width=30",
+                           "--set", "image.height=30", "--set", "sweep.objects=[800]", "--set",
+                           "sweep.workers=[1]", "--set", "run.cost=\"" + cost + "\""});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+    return *as_number(table.rows[0][*table.find("time_s")]);
+  };
+  const double ratio = time_with("timed") / time_with("counted");
+  fmt::print("spheres:800, timed over counted: {:.3f}\n", ratio);
+  EXPECT_GT(ratio, 0);
+  if (std::getenv("TLAB_IDLE_HOST")) {
+    EXPECT_NEAR(ratio, 1, 0.25);
+  }
+}
+
+TEST(ExperimentsDeadlock, IsReportedWithItsCycleAndExitCode3) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
+  const auto failed = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+  EXPECT_EQ(failed.exit_code, 3);
+  for (const char* part : {"deadlock at 0.", "p0.station on p0 waits for out on p1.in",
+                           "from p1.station", "the cycle:"})
+    EXPECT_NE(failed.err.find(part), std::string::npos) << part << "\n" << failed.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"e.toml"});
+}
+
+TEST(ExperimentsSwitches, LinkSwitchesMakeLinksSlowerWhereTheyAre) {
+  const TemporaryFolder folder;
+  const auto time_with = [&](const std::string& switches) {
+    const auto done = tlab(folder.path, one_point({"-o", "r", "--set", "network.topology=\"line\"",
+                                                   "--set", "network.switches=" + switches}));
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+    return *as_number(table.rows[0][*table.find("time_s")]);
+  };
+  const double none = time_with("0"), some = time_with("[[1, 0, 3]]"), all = time_with("3");
+  EXPECT_EQ(time_with("[[0, 1, 3], [1, 2, 3]]"), all);
+  EXPECT_NE(some, none);
+  EXPECT_NE(all, some);
+  for (const char* bad : {"[[0, 2, 1]]", "17", "[[0, 1]]", "\"x\""})
+    EXPECT_EQ(tlab(folder.path, one_point({"--set", "network.topology=\"line\"", "--set",
+                                           std::string("network.switches=") + bad}))
+                  .exit_code,
+              2)
+        << bad;
+}
+
+}  // namespace
+}  // namespace laboratory

@@ -1,0 +1,208 @@
+// Experiment files: what they say, and what is said about mistakes in them.
+#include "experiments/laboratory/file/experiment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/points/farm_run.hpp"
+#include "tests/laboratory/support/load.hpp"
+
+namespace laboratory {
+namespace {
+
+TEST(ExperimentsFile, DefaultsAreOnePoint) {
+  const auto file = load("");
+  ASSERT_EQ(file.points.size(), 1u);
+  const Experiment& e = file.points[0].experiment;
+  EXPECT_EQ(e.model, "t805-25");
+  EXPECT_EQ(make_workers(e).name, "tree:7");
+  EXPECT_EQ(scene_source(e), "spheres:200");
+  EXPECT_EQ(e.farm.image.limits.depth, 15);
+}
+
+TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
+  const auto file = load("[sweep]\nobjects = [200, 800]\nworkers = [1, 2, 3]\n");
+  EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers"}));
+  ASSERT_EQ(file.points.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(file.points[i].experiment.objects, i < 3 ? 200 : 800);
+    EXPECT_EQ(file.points[i].experiment.workers, static_cast<std::int64_t>(i % 3 + 1));
+  }
+}
+
+TEST(ExperimentsFile, CoupledAxesMoveTogether) {
+  const std::string text =
+      "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]\n";
+  const auto file = load(text);
+  EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers", "height"}));
+  EXPECT_EQ(file.coupled, (std::vector<std::vector<std::string>>{{"workers", "height"}}));
+  ASSERT_EQ(file.points.size(), 6u);
+  EXPECT_EQ(file.points[5].experiment.objects, 800);
+  EXPECT_EQ(file.points[5].experiment.workers, 4);
+  EXPECT_EQ(file.points[5].experiment.farm.image.height, 32);
+  EXPECT_EQ(name_of(file.points[5]), "objects = 800, workers = 4, height = 32");
+  EXPECT_TRUE(file.resolved.ends_with(
+      "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]"))
+      << file.resolved;
+  EXPECT_EQ(load(file.resolved).resolved, file.resolved);
+  for (const char* key : {"sweep.workers, height", "sweep.\"workers,height\""})
+    EXPECT_EQ(load(text, {std::string(key) + "=[[3, 8]]"}).points.size(), 2u) << key;
+  EXPECT_EQ(load(text, {"sweep={\"workers, height\" = [[3, 8]]}"}).points.size(), 1u);
+  for (const auto& [sweep, message] : std::vector<std::pair<std::string, std::string>>{
+           {"\"workers, height\" = [[1, 16], [2]]",
+            "sweep.workers, height: found [ 2 ], expected an array of 2 values, workers, height"},
+           {"\"workers, height\" = [1, 2]", "found 1, expected an array of 2 values"},
+           {"\"workers, height\" = [[1, 16], [1, 16.0]]", "expected each value once, [ 1, 16.0 ]"},
+           {"\"workers, heigt\" = [[1, 16]]", "unknown axis \"heigt\""},
+           {"\"workers, workers\" = [[1, 1]]", "expected each axis once, network.workers"},
+           {"height = [1]\n\"workers, height\" = [[1, 16]]",
+            "expected each axis once, image.height"}})
+    EXPECT_NE(
+        message_of<base::BadInput>([&, &s = sweep] { load("[sweep]\n" + s + "\n"); }).find(message),
+        std::string::npos)
+        << message_of<base::BadInput>([&, &s = sweep] { load("[sweep]\n" + s + "\n"); });
+}
+
+TEST(ExperimentsFile, SetReplacesAnyKey) {
+  const auto file = load("[network]\ntopology = \"tree\"\n[sweep]\nworkers = [1, 2]\n",
+                         {"network.topology=ring", "sweep.workers=[5]", "image.width=64",
+                          "title=\"A = b\"", "sweep.objects=[7, 9]"});
+  ASSERT_EQ(file.points.size(), 2u);
+  EXPECT_EQ(file.points[0].experiment.topology, "ring");
+  EXPECT_EQ(file.points[1].experiment.workers, 5);
+  EXPECT_EQ(file.points[1].experiment.objects, 9);
+  EXPECT_EQ(file.points[0].experiment.title, "A = b");
+  EXPECT_EQ(file.points[0].experiment.farm.image.width, 64);
+}
+
+TEST(ExperimentsFile, StagesAndOrders) {
+  const auto file = load(
+      "[[stage]]\nmin_cell = 4\ndepth_reflected = 1\n[[stage]]\narea = [1, 2, 3, 4]\n"
+      "[[order]]\nat_s = 2\nmin_influence = 0.5\n[[order]]\nat_s = 3.5\nnon_interactive = true\n");
+  const auto& p = file.points[0].experiment.farm;
+  ASSERT_EQ(p.stages.size(), 2u);
+  EXPECT_EQ(p.stages[0].min_cell, 4);
+  EXPECT_EQ(p.stages[1].area, (renderer::Area{1, 2, 3, 4}));
+  ASSERT_EQ(p.script.size(), 2u);
+  EXPECT_EQ(std::get<farm::Limits>(p.script[0].command.content).min_influence, 0.5);
+  EXPECT_TRUE(std::holds_alternative<farm::NonInteractive>(p.script[1].command.content));
+}
+
+TEST(ExperimentsFile, PathsAreRelativeToTheFile) {
+  const auto file = load("[scene]\nsource = \"a/b.nff\"\n[network]\ntopology = \"net.dot\"\n");
+  const Experiment& e = file.points[0].experiment;
+  const auto folder = std::filesystem::path(file.path).parent_path();
+  EXPECT_EQ(e.scene, (folder / "a/b.nff").string());
+  EXPECT_EQ(e.topology, (folder / "net.dot").string());
+}
+
+TEST(ExperimentsFile, TopologiesOfANumberOfWorkers) {
+  for (const auto& [name, workers, spec] :
+       std::vector<std::tuple<std::string, int, std::string>>{{"tree", 5, "tree:5"},
+                                                              {"line", 1, "line:1"},
+                                                              {"ring", 2, "line:2"},
+                                                              {"ring", 3, "ring:3"},
+                                                              {"mesh", 12, "mesh:3x4"},
+                                                              {"mesh", 7, "mesh:1x7"},
+                                                              {"torus", 9, "torus:3x3"},
+                                                              {"torus", 4, "torus:2x2"},
+                                                              {"torus", 8, "torus:2x4"},
+                                                              {"binary", 12, "binary:12"},
+                                                              {"amp", 20, "amp:20"},
+                                                              {"hypercube", 16, "hypercube:4"},
+                                                              {"hypercube", 8, "hypercube:3"},
+                                                              {"tree:4:2", 9, "tree:4:2"}}) {
+    Experiment e;
+    e.topology = name;
+    e.workers = workers;
+    EXPECT_EQ(make_workers(e).name, spec);
+  }
+  Experiment e;
+  e.topology = "hypercube";
+  for (const int workers : {6, 32, 256}) {
+    e.workers = workers;
+    const auto told = message_of<base::BadInput>([&] { make_workers(e); });
+    EXPECT_NE(told.find("network.workers: found " + std::to_string(workers)), told.npos) << told;
+    EXPECT_NE(told.find("expected 1, 2, 4, 8 or 16"), told.npos) << told;
+  }
+}
+
+TEST(ExperimentsFile, EveryTopologyCanBeSizedByAPowerOfTwo) {
+  for (const char* name : {"line", "ring", "binary", "tree", "mesh", "torus", "hypercube", "amp"})
+    for (int workers = 1; workers <= 256; workers *= 2) {
+      if (name == std::string("hypercube") && workers > 16) break;
+      Experiment e;
+      e.topology = name;
+      e.workers = workers;
+      const auto topology = make_workers(e);
+      EXPECT_EQ(topology.processors, workers) << name;
+      EXPECT_NO_THROW(topologies::check(topology)) << name << workers;
+    }
+}
+
+TEST(ExperimentsFile, MistakesAreNamed) {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"[scene]\nobject = 3\n",
+            "e.toml:2: unknown key \"scene.object\", the nearest valid "
+            "key is \"scene.objects\""},
+           {"titel = 1\n", "unknown key \"titel\", the nearest valid key is \"title\""},
+           {"[network]\nworkers = 0\n",
+            "e.toml:2: network.workers: found 0, expected a whole number from 1 to 16384"},
+           {"[network]\nworkers = 2.5\n", "found 2.5, expected a whole number"},
+           {"[network]\nworkers = \"two\"\n", "expected a whole number"},
+           {"[image]\nfeelers = \"some\"\n", "expected one of all, front"},
+           {"[image]\nmin_influence = nan\n", "expected a number from 0 to 1"},
+           {"[image]\narea = [1, 2]\n", "expected [x, y, width, height] in pixels"},
+           {"[sweep]\nworker = [1]\n",
+            "unknown axis \"worker\" in [sweep], the nearest valid one "
+            "is \"workers\""},
+           {"[sweep]\nworkers = 3\n", "sweep.workers: found 3, expected an array of values"},
+           {"[sweep]\nworkers = []\n",
+            "sweep.workers: found [], expected an array of values, at least one"},
+           {"[sweep]\nworkers = [1, 2, 1]\n", "expected each value once, 1 is there twice"},
+           {"[sweep]\nambient = [2, 0.5, 2.0]\n", "expected each value once, 2.0 is there twice"},
+           {"sweep = 3\n", "sweep: expected a section of axes"},
+           {"[scene\nobjects = 3\n", "e.toml:1: "},
+           {"stage = 3\n", "expected one or more [[stage]]"},
+           {"[[stage]]\ncell = 3\n", "unknown key \"cell\", the nearest valid key is \"min_cell\""},
+           {"[run]\ncost = \"guessed\"\n", "expected one of counted"}}) {
+    const auto told = message_of<base::BadInput>([&, text = text] { load(text); });
+    EXPECT_NE(told.find(message), std::string::npos) << text << told;
+  }
+  for (const char* override : {"workers", "=3", "sweep.workers.deep=3"})
+    EXPECT_NE(message_of<base::BadInput>([&] { load("[sweep]\nworkers=[1]\n", {override}); }), "")
+        << override;
+  EXPECT_NE(message_of<base::BadInput>([] { load_experiment("/nowhere/e.toml", {}); }), "");
+}
+
+TEST(ExperimentsFile, TooManyPointsAreRefusedBeforeTheyAreMade) {
+  std::string list = "[1";
+  for (int i = 2; i <= 10'000; ++i) list += fmt::format(", {}", i);
+  const std::string sweep = "[sweep]\nworkers = " + list + "]\nobjects = " + list + "]\n";
+  for (const auto& [more, count] :
+       {std::pair("", "100000000 points"), std::pair("width = [1, 2]\n", "200000000 points")})
+    EXPECT_NE(message_of<base::BadInput>([&, more = more] {
+                load(sweep + more);
+              }).find(fmt::format("spans {}, expected at most 100000", count)),
+              std::string::npos);
+}
+
+// The resolved text gives the same experiment: its points in the same order, its numbers exact.
+TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
+  const auto file = load(
+      "title = \"a \\\"b\\\"\"\n[sweep]\n\"model.link.one_way_rate\" = [1.7e6, 1e6]\n"
+      "\"network.workers\" = [3, 2]\nobjects = [30, 2, 10]\n",
+      {"model.cpu.clock=20.1e6"});
+  const auto again = read_experiment(file.resolved, "e.toml", "", {});
+  ASSERT_EQ(again.points.size(), file.points.size());
+  EXPECT_EQ(again.axes, file.axes);
+  EXPECT_EQ(again.settings, file.settings);
+  EXPECT_EQ(again.resolved, file.resolved);
+  for (std::size_t i = 0; i < file.points.size(); ++i)
+    EXPECT_EQ(name_of(again.points[i]), name_of(file.points[i]));
+}
+
+}  // namespace
+}  // namespace laboratory

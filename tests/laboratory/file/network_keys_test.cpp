@@ -1,0 +1,178 @@
+// Routes, trees and faults of an experiment file.
+#include <limits>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/file/network_schema.hpp"
+#include "experiments/laboratory/points/network_setup.hpp"
+#include "experiments/laboratory/points/point_key.hpp"
+#include "experiments/laboratory/table/table.hpp"
+#include "simulator/machine/faults.hpp"
+#include "tests/laboratory/support/load.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace laboratory {
+namespace {
+
+const std::string CENSUS = "[program]\nname = \"census\"\n[network]\ntopology = \"ring:4\"\n";
+
+std::string told_by_load(const std::string& text) {
+  return message_of<base::BadInput>([&] { load(text); });
+}
+
+std::optional<topologies::TreeLinks> tree_of(const std::string& keys) {
+  const auto e = load(CENSUS + keys).points[0].experiment;
+  return find_tree(e, topologies::make_topology("ring:4"));
+}
+
+// Of a file that holds [[fault]] only, on a ring of four.
+std::vector<programs::PlannedFault> faults_of(const std::string& text) {
+  const auto file = toml::parse(text, std::string_view("e.toml"));
+  Experiment experiment;
+  experiment.faults = read_faults({"e.toml", "fault", "", *file.get("fault")});
+  return find_faults(experiment, topologies::make_topology("ring:4"));
+}
+
+TEST(ExperimentsNetworkKeys, TheTreeIsPerRootUnlessSaid) {
+  EXPECT_FALSE(tree_of(""));
+  EXPECT_FALSE(tree_of("tree = \"per_root\"\ntree_links = []\n"));
+  EXPECT_EQ(tree_of("tree = \"single\"\n"), (topologies::TreeLinks{{0, 1}, {0, 3}, {2, 3}}));
+  const topologies::TreeLinks given{{0, 3}, {1, 2}, {2, 3}};
+  EXPECT_EQ(tree_of("tree = \"single\"\ntree_links = [[3, 2], [1, 2], [0, 3]]\n"), given);
+  EXPECT_EQ(tree_of("tree_links = [[3, 2], [1, 2], [0, 3]]\n"), given);
+}
+
+TEST(ExperimentsNetworkKeys, MistakesInTreesAreNamed) {
+  for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
+           {"tree = \"per_root\"\ntree_links = [[0, 1]]\n", "but network.tree is \"per_root\""},
+           {"tree_links = [[0, 4]]\n",
+            "network.tree_links: found [0, 4], expected processors from"},
+           {"tree_links = [[0, 2]]\n", "network.tree_links: found [0, 2], but no link joins"},
+           {"tree_links = [[0, 1], [1, 2]]\n", "no link reaches processor 3"},
+           {"tree_links = [[0, 1], [1, 2], [2, 3], [3, 0]]\n", "[3, 0], which closes a cycle"},
+           {"tree_links = [[0, -1]]\n", "e.toml:5: network.tree_links: found"},
+           {"tree_links = 3\n", "found 3, expected the links of a spanning tree, [[a, b], ...]"},
+           {"tree = \"one\"\n", "expected one of per_root, single"}}) {
+    const auto told = message_of<base::BadInput>([&, keys = keys] { tree_of(keys); });
+    EXPECT_NE(told.find(message), std::string::npos) << keys << told;
+  }
+}
+
+TEST(ExperimentsNetworkKeys, OnlyProgramsThatUseThemHaveRoutesAndFaults) {
+  for (const char* key : {"routes = \"r.csv\"", "tree = \"single\"", "tree_links = [[0, 1]]"}) {
+    const std::string network = std::string("[network]\n") + key + "\n";
+    for (const char* program : {"farm", "metrics"}) {
+      const auto told = told_by_load(fmt::format("[program]\nname = \"{}\"\n{}", program, network));
+      EXPECT_NE(
+          told.find(fmt::format("the program {} has no use for routes and trees, expected one "
+                                "of census",
+                                program)),
+          std::string::npos)
+          << told;
+    }
+  }
+  const std::string fault = "[[fault]]\nprocessor = 1\nat_s = 1\n";
+  EXPECT_NE(told_by_load(fault).find("fault: the program farm has no use for faults"),
+            std::string::npos);
+  EXPECT_NE(told_by_load(CENSUS + fault).find("the program census has no use for faults"),
+            std::string::npos);
+}
+
+TEST(ExperimentsFaults, AreOfLinksOrProcessors) {
+  using Fault = programs::PlannedFault;
+  EXPECT_EQ(faults_of("fault = []\n"), std::vector<Fault>{});
+  EXPECT_EQ(faults_of("[[fault]]\nlink = [3, 0]\nat_s = 0.5\n[[fault]]\nprocessor = 2\nat_s = 0\n"),
+            (std::vector<Fault>{{0.5, 3, 0}, {0, 2, -1}}));
+}
+
+// What for_each_key visits enters the point's key.
+TEST(ExperimentsFaults, BelongToThePoint) {
+  const auto file = toml::parse("[[fault]]\nprocessor = 1\nat_s = 0.25\n");
+  std::string visited;
+  for_each_key(file, [&](const std::string& key, const toml::node& node) {
+    visited += key + " " + to_toml(node);
+  });
+  EXPECT_TRUE(visited.starts_with("fault [")) << visited;
+  EXPECT_NE(visited.find("at_s = 0.25"), std::string::npos) << visited;
+}
+
+TEST(ExperimentsFaults, MistakesAreNamed) {
+  const std::string good = "[[fault]]\nprocessor = 0\nat_s = 1\n[[fault]]\n";  // four lines
+  for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
+           {"processor = 4\nat_s = 1\n",
+            "e.toml:4: [[fault]] 2: found 4, expected processors from 0 to 3"},
+           {"link = [0, 9]\nat_s = 1\n",
+            "e.toml:4: [[fault]] 2: found 9, expected processors from 0 to 3"},
+           {"link = [0, 2]\nat_s = 1\n",
+            "[[fault]] 2: found link = [0, 2], but no link of ring:4 joins the two"},
+           {"link = [1, 1]\nat_s = 1\n", "no link of ring:4 joins the two"},
+           {"at_s = 1\n", "e.toml:4: [[fault]] 2: found no link and no processor, expected either"},
+           {"link = [0, 1]\nprocessor = 1\nat_s = 1\n", "found both a link and a processor"},
+           {"processor = 1\n", "e.toml:4: [[fault]] 2: \"at_s\" is missing"},
+           {"processor = 1\nat_s = -2\n",
+            "e.toml:6: [[fault]] 2: at_s: found -2, expected a number from 0"},
+           {"processor = 1\nat_s = nan\n", "[[fault]] 2: at_s: found nan, expected a number"},
+           {"processor = 1\nat_s = inf\n", "[[fault]] 2: at_s: found inf, expected a number"},
+           {"processor = -1\nat_s = 1\n", "[[fault]] 2: processor: found -1"},
+           {"link = [0]\nat_s = 1\n", "e.toml:5: [[fault]] 2: link: found"},
+           {"link = [0, 1.5]\nat_s = 1\n", "expected two processors that a link joins, [a, b]"},
+           {"links = [0, 1]\nat_s = 1\n", "the nearest valid key is \"link\""}}) {
+    const auto told = message_of<base::BadInput>([&, keys = keys] { faults_of(good + keys); });
+    EXPECT_NE(told.find(message), std::string::npos) << keys << told;
+  }
+}
+
+TEST(ExperimentsRoutes, OfAFileBelongToThePoint) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& row) {
+    std::ofstream(folder.path / "r.csv") << "from,to,path\n" + row;
+  };
+  std::ofstream(folder.path / "e.toml") << CENSUS << "routes = \"r.csv\"\n";
+  const auto passed = [&] {
+    const auto done = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const auto table = parse_csv(read_file(folder.path / "r/results.csv"), "r");
+    std::vector<double> counts;
+    for (const auto& row : table.rows)
+      counts.push_back(*as_number(row[*table.find("routes_through")]));
+    return counts;
+  };
+  write("0,2,0-3-2\n");
+  const auto three = passed();
+  write("0,2,0-1-2\n");
+  const auto one = passed();
+  EXPECT_EQ(one[1] - three[1], 2);
+  EXPECT_EQ(three[3] - one[3], 2);
+  EXPECT_NE(read_file(folder.path / "r/run.json").find("r.csv\": \""), std::string::npos);
+  write("0,2,0-2\n");
+  const auto refused = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("e.toml: "), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("r.csv:2: found a step from 0 to 2"), std::string::npos)
+      << refused.err;
+}
+
+TEST(ExperimentsRoutes, AreAnAxis) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "r.csv") << "from,to,path\n0,2,0-3-2\n";
+  std::ofstream(folder.path / "e.toml") << CENSUS << "[sweep]\nroutes = [\"\", \"r.csv\"]\n"
+                                        << "tree = [\"per_root\", \"single\"]\n";
+  const auto done = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const auto table = parse_csv(read_file(folder.path / "r/results.csv"), "r");
+  EXPECT_EQ(table.rows.size(), 16u);
+  EXPECT_EQ(table.rows[8][0], Value("r.csv"));
+}
+
+TEST(ExperimentsRoutes, AndTreesEnterThePointsKey) {
+  const auto key = [](const std::string& more) {
+    return make_keys(load(CENSUS + more), std::numeric_limits<double>::infinity()).at(0);
+  };
+  EXPECT_EQ(key(""), key(""));
+  EXPECT_NE(key(""), key("tree = \"single\"\n"));
+  EXPECT_NE(key("tree_links = [[0, 1], [1, 2], [2, 3]]\n"),
+            key("tree_links = [[0, 1], [1, 2], [3, 0]]\n"));
+}
+
+}  // namespace
+}  // namespace laboratory

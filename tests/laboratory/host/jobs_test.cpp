@@ -1,0 +1,52 @@
+// Tasks in child processes: their results, their failures, and processes that are killed.
+#include "experiments/laboratory/host/jobs.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <map>
+
+namespace laboratory {
+namespace {
+
+TEST(ExperimentsJobs, ResultsComeInOrder) {
+  const auto results =
+      run_jobs(7, 3, [](std::size_t i) { return std::string(i * 100'000, char('a' + i)); });
+  ASSERT_EQ(results.size(), 7u);
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_EQ(results[i], std::string(i * 100'000, char('a' + i)));
+}
+
+TEST(ExperimentsJobs, AProcessThatIsKilledDoesNotStopTheOthers) {
+  std::map<std::size_t, JobEnd> ends;
+  const Job job = [](std::size_t i) {
+    if (i == 1) raise(SIGKILL);
+    return std::to_string(i);
+  };
+  for_each_job(4, 2, job, [&](JobEnd end) { ends[end.index] = end; });
+  ASSERT_EQ(ends.size(), 4u);
+  for (const auto& [i, end] : ends) {
+    EXPECT_EQ(end.died, i == 1 ? "its process ended abnormally (Killed)" : "");
+    EXPECT_EQ(end.result, i == 1 ? "" : std::to_string(i));
+  }
+  EXPECT_THROW(run_jobs(4, 2, job), JobFailed);
+}
+
+TEST(ExperimentsJobs, AnExceptionEndsTheOthers) {
+  try {
+    for_each_job(
+        4, 2,
+        [](std::size_t i) -> std::string {
+          if (i == 2) throw std::runtime_error("no such scene");
+          return "";
+        },
+        [](const JobEnd& end) { EXPECT_NE(end.index, 2u); });
+    FAIL() << "nothing was thrown";
+  } catch (const JobFailed& failed) {
+    EXPECT_STREQ(failed.what(), "no such scene");
+    EXPECT_EQ(failed.exit_code, 2);
+  }
+}
+
+}  // namespace
+}  // namespace laboratory

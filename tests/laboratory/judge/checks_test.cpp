@@ -1,0 +1,239 @@
+// Checks: a table of results against formulas and references.
+#include <fstream>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/judge/check_results.hpp"
+#include "tests/laboratory/support/support.hpp"
+
+namespace laboratory {
+namespace {
+
+// Three points whose results are as given here, whatever the pattern would say.
+struct Case {
+  TemporaryFolder folder;
+  ExperimentFile file;
+  Table table{.columns = {"topology", "bytes", "latency_s", "note"},
+              .axes = 2,
+              .rows = {{"line", std::int64_t{1}, 1.0, "a"},
+                       {"mesh:2x2", std::int64_t{2}, 2.2, "b"},
+                       {"line", std::int64_t{4}, 4.0, {}}}};
+
+  explicit Case(const std::string& checks, const std::vector<std::string>& overrides = {}) {
+    std::ofstream(folder.path / "ref.csv")
+        << "# published\nbytes,latency_s,other\n1,1.0,5\n2,2.0,\n4,,5\n8,8.0,5\n";
+    std::ofstream(folder.path / "words.csv") << "bytes,latency_s\n1,fast\n";
+    std::ofstream(folder.path / "e.toml")
+        << "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2, 4]\n"
+        << checks;
+    file = load_experiment((folder.path / "e.toml").string(), overrides);
+  }
+  std::vector<CheckResult> eval() const { return eval_checks(plan_checks(file), file, table); }
+  std::string message() const {
+    return message_of<base::BadInput>([&] { eval(); });
+  }
+};
+
+std::string check(const std::string& rest) {
+  return "[[check]]\nname = \"c\"\nof = \"latency_s\"\n" + rest;
+}
+
+TEST(ExperimentsChecks, RelativeErrorsDecide) {
+  const std::string formula = "formula = \"bytes\"\n";
+  for (const auto& [limit, verdict] : std::vector<std::pair<std::string, Verdict>>{
+           {"within = 0.11\n", Verdict::holds},
+           {"within = 0.09\n", Verdict::fails},
+           {"within_mean = 0.034\n", Verdict::holds},
+           {"within = 0.11\nwithin_mean = 0.03\n", Verdict::fails},
+           {"within_abs = 0.21\n", Verdict::holds},
+           {"within_abs = 0.19\n", Verdict::fails},
+           {"within = 0.01\nwhere = \"topology_is_line\"\n", Verdict::holds},
+           {"within = 0.01\nwhere = \"topology_is_mesh_2x2\"\n", Verdict::fails},
+           {"within = 1\nwhere = \"topology_is_ring\"\n", Verdict::unmatched}}) {
+    const Case test(check(formula + limit));
+    EXPECT_EQ(test.eval().at(0).verdict, verdict) << limit;
+  }
+}
+
+TEST(ExperimentsChecks, EveryPointIsCompared) {
+  const auto result = Case(check("formula = \"bytes\"\nwithin = 0.01\n")).eval().at(0);
+  ASSERT_EQ(result.points.size(), 3u);
+  EXPECT_EQ(result.worst, 1u);
+  EXPECT_NEAR(result.points[1].error, 0.1, 1e-12);
+  EXPECT_NEAR(result.mean, 0.1 / 3, 1e-12);
+  EXPECT_TRUE(result.points[0].holds);
+  EXPECT_FALSE(result.points[1].holds);
+}
+
+TEST(ExperimentsChecks, WhatIsNoNumberFails) {
+  for (const char* formula : {"0 / 0", "1 / 0", "note_missing"}) {
+    Case test(check("formula = \"" + std::string(formula) + "\"\nwithin = 1e9\n"));
+    test.table.columns[3] = "note_missing";
+    for (auto& row : test.table.rows) row[3] = {};
+    const auto result = test.eval().at(0);
+    EXPECT_EQ(result.verdict, Verdict::fails) << formula;
+    EXPECT_NE(summarize(result, test.table).find("not a number (simulated 1, expected "),
+              std::string::npos)
+        << summarize(result, test.table);
+  }
+}
+
+TEST(ExperimentsChecks, DefinitionsMayNeedOthersInAnyOrder) {
+  const Case test(check("formula = \"a\"\nwithin_abs = 1e9\n") +
+                  "[let]\na = \"b + c\"\nb = \"c * bytes\"\nc = 2\n");
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.points.at(0).expected, 4);
+  EXPECT_EQ(result.points.at(2).expected, 10);
+}
+
+TEST(ExperimentsChecks, FormulasNameColumnsKeysAndTheModel) {
+  const Case test("[model.link]\none_way_rate = 1000\n" +
+                  check("formula = \"bytes + 0 * sweepless\"\nwithin_abs = 1e9\n") +
+                  "[let]\nsweepless = \"program.bytes + link.one_way_rate / 1000 + cpu.clock\"\n");
+  EXPECT_EQ(test.eval().at(0).points.at(2).expected, 4);
+}
+
+TEST(ExperimentsChecks, ReferencesAreMatchedByTheirKeys) {
+  const Case test(check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwithin = 0.2\n"));
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.verdict, Verdict::holds);
+  ASSERT_EQ(result.points.size(), 2u);  // the empty cell is none
+  EXPECT_EQ(result.points[1].expected, 2);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("1 row(s)"), std::string::npos);
+  EXPECT_NE(result.notes[0].find("bytes = 8"), std::string::npos);
+  const Case other(
+      check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\ncolumn = \"other\"\n"
+            "within = 0.2\n"));
+  EXPECT_EQ(other.eval().at(0).verdict, Verdict::fails);
+  const Case none(
+      check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwhere = \"bytes > 4\"\n"
+            "within = 0.2\n"));
+  EXPECT_EQ(none.eval().at(0).verdict, Verdict::unmatched);
+}
+
+TEST(ExperimentsChecks, TablesShowPointsAndOfManyTheWorst) {
+  const Case test(check("formula = \"bytes\"\nwithin = 0.01\n"));
+  const auto result = test.eval().at(0);
+  const auto all = make_check_table(result, test.table, 3);
+  EXPECT_EQ(all.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "formula",
+                                                   "error %", "mark"}));
+  ASSERT_EQ(all.rows.size(), 3u);
+  EXPECT_EQ(all.rows[1][5], Value("fails, worst"));
+  EXPECT_EQ(make_check_table(result, test.table, 2).rows.at(0), all.rows[1]);
+  const auto csv = make_checks_csv({result}, test.table);
+  EXPECT_EQ(csv.columns, (std::vector<std::string>{"check", "topology", "bytes", "simulated",
+                                                   "expected", "error", "kind"}));
+  EXPECT_EQ(csv.rows.size(), 3u);
+  EXPECT_TRUE(summarize(result, test.table)
+                  .starts_with("FAILED   c: latency_s at 3 point(s), worst error 10 % (within 1 %)"
+                               " at topology = mesh:2x2, bytes = 2"));
+}
+
+TEST(ExperimentsChecks, ADefinitionCanBeChecked) {
+  const Case test("[let]\ntwice = \"2 * latency_s\"\n[[check]]\nname = \"c\"\nof = \"twice\"\n" +
+                  std::string("formula = \"2 * bytes\"\nwithin = 0.11\n"));
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.verdict, Verdict::holds);
+  EXPECT_EQ(result.points.at(1).simulated, 4.4);
+}
+
+TEST(ExperimentsChecks, WhatTheModelWasFittedToIsToldApart) {
+  const std::string text = check("formula = \"bytes\"\nwithin = 0.2\nwithin_mean = 0.2\n");
+  const Case test(text + "calibrated = \"bytes != 4\"\n");
+  const auto result = test.eval().at(0);
+  ASSERT_TRUE(result.predicted);
+  EXPECT_EQ(result.predicted->points, 1u);
+  EXPECT_EQ(result.predicted->worst, 2u);
+  EXPECT_EQ(result.predicted->mean, 0);
+  EXPECT_NE(summarize(result, test.table).find("of the 1 predicted alone: mean 0 %, worst 0 %"),
+            std::string::npos)
+      << summarize(result, test.table);
+  const auto shown = make_check_table(result, test.table, 3);
+  const auto kind = shown.find("kind");
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(shown.rows[1][*kind], Value("calibrated"));
+  EXPECT_EQ(shown.rows[2][*kind], Value("predicted"));
+  const Case all(text + "calibrated = \"1\"\n");
+  EXPECT_FALSE(all.eval().at(0).predicted);
+}
+
+TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
+  const Case test(check("formula = \"bytes + 0 * {latency_s @ bytes = bytes / 2}\"\nwithin = 1\n"));
+  const auto result = test.eval().at(0);
+  EXPECT_TRUE(result.points.empty()) << "the topologies differ";
+  EXPECT_EQ(result.verdict, Verdict::unmatched);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("3 point(s) left out"), std::string::npos);
+  EXPECT_NE(result.notes[0].find("topology = mesh:2x2, bytes = 2"), std::string::npos);
+}
+
+TEST(ExperimentsChecks, TextsThatNoPointHasAreNoted) {
+  const auto notes = [](const std::string& reference) {
+    const Case test(check("formula = \"" + reference + "\"\nwithin = 1\n"));
+    return note_unknown_texts(plan_checks(test.file), test.table);
+  };
+  EXPECT_EQ(notes("{latency_s @ topology = mesh:2x2} + {latency_s @ topology = 'line'}"),
+            std::vector<std::string>{});
+  EXPECT_EQ(notes("{latency_s @ bytes = 3}"), std::vector<std::string>{}) << "a number";
+  const auto found = notes("{latency_s @ topology = lin}");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].ends_with(
+      "{latency_s @ topology = lin}: no point has topology = lin, the nearest is \"line\""))
+      << found[0];
+}
+
+TEST(ExperimentsChecks, EmptyCellsAreLeftOut) {
+  Case test(check("formula = \"bytes\"\nwithin = 0.01\n"));
+  test.table.rows[1][2] = {};
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.verdict, Verdict::holds);
+  EXPECT_EQ(result.points.size(), 2u);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("1 point(s) left out"), std::string::npos);
+}
+
+TEST(ExperimentsChecks, MistakesAreNamed) {
+  const std::string good = "formula = \"bytes\"\n", in = "within = 1\n";
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {check(good), "e.toml:5: check \"c\": expected a tolerance"},
+           {check(in), "expected either a formula or a reference"},
+           {check(good + in + "within_abs = 1\n"), "not both"},
+           {check(good + in + "keys = [\"bytes\"]\n"), "expected keys"},
+           {check(good + in + "column = \"x\"\n"), "expected no column"},
+           {check(good + "within = -1\n"), "e.toml:9: within: found -1, expected a number from 0"},
+           {check(good + "wihtin = 1\n"), "e.toml:9: unknown key \"wihtin\", the nearest valid"},
+           {"[[check]]\nname = \"c\"\n" + good + in, "\"of\" is missing"},
+           {"[[check]]\nof = \"x\"\n" + good + in, "\"name\" is missing"},
+           {"[[check]]\nname = \"c\"\nof = \"latency\"\n" + good + in,
+            "check \"c\": of: unknown column \"latency\" of the results, the nearest is "
+            "\"latency_s\""},
+           {"[[check]]\nname = \"c\"\nof = \"topology\"\n" + good + in,
+            "of: topology is a text, expected a column of numbers"},
+           {check("formula = \"byte\"\n" + in),
+            "check \"c\": formula: unknown variable \"byte\", the nearest is \"bytes\""},
+           {check("formula = \"cpu.clok\"\n" + in), "the nearest is \"cpu.clock\""},
+           {check("formula = \"topology\"\n" + in), "topology is a text, expected a comparison"},
+           {check(good + in + "where = \"a +\"\n"), "check \"c\": where: found \"a +\""},
+           {check(good + in) + "[let]\na = \"b\"\nb = \"a\"\n",
+            "let.a: a needs b needs a, expected definitions that do not need each other"},
+           {check(good + in) + "[let]\nbytes = 3\n", "there is a bytes already"},
+           {check(good + in) + "[let]\n\"a b\" = 3\n", "expected a name of letters"},
+           {check(good + in) + "[let]\na = true\n", "let.a: found true, expected a text"},
+           {check(good + in) + "[let]\na = \"nothing + 1\"\n", "let.a: unknown variable"},
+           {check("reference = \"no.csv\"\nkeys = [\"bytes\"]\n" + in), "no.csv: cannot open"},
+           {check("reference = \"ref.csv\"\nkeys = [\"byte\"]\n" + in),
+            "keys: unknown column \"byte\" of "},
+           {check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\ncolumn = \"x\"\n" + in),
+            "column: unknown column \"x\""},
+           {check("reference = \"words.csv\"\nkeys = [\"bytes\"]\n" + in),
+            "found \"fast\", expected a number"}}) {
+    const auto told = message_of<base::BadInput>([&, text = text] { Case(text).eval(); });
+    EXPECT_NE(told.find(message), std::string::npos) << text << told;
+  }
+  for (const char* override : {"check=3", "check=[3]", "let=3"})
+    EXPECT_NE(message_of<base::BadInput>([&] { Case("", {override}); }), "") << override;
+  EXPECT_TRUE(Case(check(good + in), {"check=[]"}).eval().empty());
+}
+
+}  // namespace
+}  // namespace laboratory

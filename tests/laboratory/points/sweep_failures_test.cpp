@@ -1,0 +1,195 @@
+// Sweeps whose points fail, results of another experiment, mistakes, and disks that fill.
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/laboratory/table/table.hpp"
+#include "tests/laboratory/support/sweep.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The second point deadlocks, or is out of memory.
+const char* const SOME_FAIL =
+    "[image]\nwidth = 16\nheight = 12\n[[check]]\nname = \"c\"\nof = \"rays\"\nwithin = 1e-9\n"
+    "formula = \"rays\"\n[sweep]\n"
+    "database_memory_bytes = [146432, 200000000, 146433]\nworkers = [2]\n";
+
+TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
+  std::ofstream(folder.path / "e.toml") << SOME_FAIL;
+  for (const char* jobs : {"1", "3"}) {
+    const auto failed = run({"-o", std::string("r") + jobs, "--jobs", jobs});
+    EXPECT_EQ(failed.exit_code, 3) << failed.err;
+    EXPECT_TRUE(contains(failed.err, "tlab: at database_memory_bytes = 146433, workers = 2: "))
+        << failed.err;
+    EXPECT_TRUE(contains(failed.err, "2 of 3 point(s) failed, at database_memory_bytes = 146432"))
+        << failed.err;
+    EXPECT_TRUE(contains(failed.out, "1 of 3 points are done, 2 out of simulated memory"))
+        << failed.out;
+    EXPECT_TRUE(contains(failed.out, "ok       c: rays at 1 point(s)")) << failed.out;
+  }
+  EXPECT_EQ(visible("r1"), visible("r3"));
+  const auto table = parse_csv(visible("r1")["results.csv"], "results.csv");
+  ASSERT_EQ(table.rows.size(), 3u);
+  for (std::size_t row = 0; row < 3; ++row) {
+    const bool fails = row != 1;
+    EXPECT_EQ(to_string(table.rows[row][*table.find("ended")]), fails ? "out of memory" : "done");
+    EXPECT_EQ(to_string(table.rows[row][*table.find("time_s")]) == "", fails);
+    EXPECT_EQ(to_string(table.rows[row][*table.find("objects")]), "200");
+  }
+  const auto json = nlohmann::json::parse(read_file(folder.path / "r1/run.json"));
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_TRUE(contains(json["points"][0]["message"], "out of memory"));
+  EXPECT_TRUE(json["points"][1].contains("use"));
+  // Those that failed are tried again; a point alone has its own exit code.
+  EXPECT_TRUE(contains(run({"-o", "r1", "--list"}).out, "workers = 2\tthere"));
+  const auto again = run({"-o", "r1"});
+  EXPECT_EQ(again.exit_code, 3);
+  EXPECT_TRUE(contains(again.out, "1 of 3 points were there")) << again.out;
+  EXPECT_EQ(run({"-o", "r1", "--point", "0"}).exit_code, 3);
+  EXPECT_EQ(run({"-o", "r1", "--point", "1"}).exit_code, 0);
+  EXPECT_EQ(tlab(folder.path, {"merge", "r1"}).exit_code, 2);
+  EXPECT_EQ(visible("r1"), visible("r3"));
+  EXPECT_EQ(tlab(folder.path, {"report", "r1"}).exit_code, 0);
+  EXPECT_EQ(visible("r1"), visible("r3"));
+}
+
+TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
+  std::ofstream(folder.path / "e.toml") << SOME_FAIL;
+  const auto failed = run({"-o", "r", "--set", "sweep.database_memory_bytes=[146432, 146433]"});
+  EXPECT_EQ(failed.exit_code, 3);
+  EXPECT_TRUE(contains(failed.err, "2 of 2 point(s) failed")) << failed.err;
+  EXPECT_TRUE(contains(failed.err, "nothing was written")) << failed.err;
+  EXPECT_EQ(folder.names(), Arguments{"e.toml"});
+}
+
+// The first point of equal images fails: another one has the key images, and the report.
+TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
+  ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 12\nheight = 8\n[[stage]]\nmin_cell = 4\n[[stage]]\n[scene]\n"
+             "objects = 20\n[sweep]\ndatabase_memory_bytes = [132000, 200000000]\n");
+  EXPECT_EQ(run({"-o", "r"}).exit_code, 3);
+  EXPECT_EQ(visible("r")["image-spheres-20-stage1.png"],
+            visible("whole")["image-spheres-20-stage1.png"]);
+  EXPECT_TRUE(contains(visible("r")["report.html"], "spheres-20-stage1, after"));
+}
+
+// Images without records may be another process's, whose records are still to come.
+TEST_F(Sweep, ImagesOfOtherProcessesStay) {
+  write_file(folder.path / "e.toml", SOME_FAIL);
+  ASSERT_EQ(run({"-o", "r", "--point", "1"}).exit_code, 0);
+  for (const auto& record : records("r")) fs::remove(record);
+  const auto count = [&] {
+    return std::distance(fs::recursive_directory_iterator(folder.path / "r/points"),
+                         fs::recursive_directory_iterator());
+  };
+  const auto before = count();
+  EXPECT_EQ(run({"-o", "r", "--point", "0"}).exit_code, 3);
+  EXPECT_EQ(count(), before);
+}
+
+TEST_F(Sweep, DeadlocksAreReportedPointByPoint) {
+  std::ofstream(folder.path / "e.toml")
+      << "[program]\nname = \"deadlock\"\n[sweep]\n\"model.cpu.clock\" = [20e6, 25e6]\n";
+  const auto failed = run({"-o", "r"});
+  EXPECT_EQ(failed.exit_code, 3);
+  EXPECT_TRUE(contains(failed.err, "tlab: at cpu.clock = ")) << failed.err;
+  EXPECT_TRUE(contains(failed.err, "deadlock at 0.")) << failed.err;
+  EXPECT_FALSE(fs::exists(folder.path / "r"));
+}
+
+TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
+  ASSERT_EQ(run({"-o", "r", "--set", "title=\"first\""}).exit_code, 0);
+  const auto before = visible("r");
+  fs::create_directory(folder.path / "deep");
+  std::ofstream(folder.path / "other.toml") << SWEEP;
+  std::ofstream(folder.path / "deep/e.toml") << "title = \"second\"\n" << SWEEP;
+  for (const auto& [file, told] :
+       {std::pair("other.toml", "of the experiment \"e\" (first), but this one is \"other\""),
+        std::pair("deep/e.toml", "\"e\" (first), but this one is \"e\" (second)")})
+    for (const Arguments& more :
+         {Arguments{"run", file, "-o", "r"}, Arguments{"run", file, "-o", "r", "--point", "0"},
+          Arguments{"verify", file, "-o", "r"}}) {
+      const auto refused = tlab(folder.path, more);
+      EXPECT_EQ(refused.exit_code, 2) << file;
+      EXPECT_TRUE(contains(refused.err, told)) << refused.err;
+      EXPECT_EQ(visible("r"), before);
+    }
+  // Another title of the same file is the same experiment; so are results without a name.
+  EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
+  fs::remove_all(folder.path / "r/points");
+  EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 2);
+  std::ofstream(folder.path / "r/run.json") << "{\"tlab\": \"0.0.9\"}";
+  EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
+}
+
+// A name that no column has is found when the first point has ended, and costs no point.
+TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
+  const auto mistaken = run({"-o", "r", "--jobs", "1", "--set", "let={half=\"rayz / 2\"}", "--set",
+                             "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
+  EXPECT_EQ(mistaken.exit_code, 2);
+  EXPECT_TRUE(contains(mistaken.err, "rayz")) << mistaken.err;
+  EXPECT_EQ(records("r").size(), 1u);
+  const auto mended = run({"-o", "r"});
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_TRUE(contains(mended.out, "1 of 6 points were there")) << mended.out;
+}
+
+TEST_F(Sweep, MistakesAreNamed) {
+  for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
+           {{"--point", "6"}, "--point 6: expected the number of a point, or two as in 0-9"},
+           {{"--point", "5-4"}, "--point 5-4"},
+           {{"--point", "0-6"}, "from 0 to 5"},
+           {{"--point", "-1"}, "--point"},
+           {{"--point", "one"}, "--point one"},
+           {{"--point", "0", "--set", "run.cost=timed"}, "found cost = \"timed\""},
+           {{"--jobs", "0"}, "--jobs"},
+           {{"--set", "sweep.workers=[]"}, "at least one"},
+           {{"--set", "farm.max_cell=3"}, "e.toml: farm.max_cell: found 3"},
+           {{"--set", "farm.task=block:2x2"}, "e.toml: farm.task: found a block"},
+           {{"--set", "network.topology=hypercube"}, "e.toml: network.workers: found 3"},
+           {{"--list", "--point", "0"}, "--list"}}) {
+    auto arguments = more;
+    arguments.insert(arguments.end(), {"-o", "r"});
+    const auto done = run(arguments);
+    EXPECT_EQ(done.exit_code, 2) << told << done.out;
+    EXPECT_TRUE(contains(done.err, told)) << told << "\n" << done.err;
+  }
+  EXPECT_EQ(tlab(folder.path, {"merge", "r"}).exit_code, 2);
+  EXPECT_EQ(tlab(folder.path, {"report", "r"}).exit_code, 2);
+  EXPECT_EQ(folder.names(), Arguments{"e.toml"});
+}
+
+// A disk that fills: no file may be longer than this.
+Outcome run_with_limit(const fs::path& folder, const Arguments& arguments, rlim_t bytes) {
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit limit{bytes, old.rlim_max};
+  signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &limit);
+  const auto outcome = tlab(folder, arguments);
+  setrlimit(RLIMIT_FSIZE, &old);
+  return outcome;
+}
+
+TEST_F(Sweep, ADiskThatFillsLosesNothing) {
+  ASSERT_EQ(run({"-o", "r", "--set", "sweep.workers=[5]"}).exit_code, 0);
+  const auto before = visible("r");
+  const auto full = run_with_limit(folder.path, {"run", "e.toml", "-o", "r"}, 12'000);
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_TRUE(contains(full.err, "File too large")) << full.err;
+  EXPECT_EQ(visible("r"), before);
+  EXPECT_EQ(records("r").size(), 8u);
+  const auto none = run_with_limit(folder.path, {"run", "e.toml", "-o", "s"}, 100);
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_TRUE(contains(none.err, "s/points/")) << none.err;
+  const auto resumed = run({"-o", "r"});
+  EXPECT_TRUE(contains(resumed.out, "6 of 6 points were there")) << resumed.out;
+}
+
+}  // namespace
+}  // namespace laboratory

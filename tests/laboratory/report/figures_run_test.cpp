@@ -1,0 +1,66 @@
+// Declared figures and answers in a whole run: which files, and what is said about mistakes.
+#include <fstream>
+
+#include "experiments/laboratory/table/table.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+
+namespace laboratory {
+namespace {
+
+// The problem grows with the machine.
+const std::string SWEEP =
+    "[program]\nname = \"law\"\nscaled = 1\n[sweep]\nserial_fraction = [0.05, 0.2]\n"
+    "\"workers, work_cycles\" = [[1, 10000000], [2, 20000000], [4, 40000000]]\n";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+struct Trial {
+  TemporaryFolder folder;
+  Outcome outcome;
+  explicit Trial(const std::string& text) {
+    std::ofstream(folder.path / "e.toml") << text;
+    outcome = tlab(folder.path, {"run", "e.toml", "-o", "out"});
+  }
+  std::string read(const std::string& name) const { return read_file(folder.path / "out" / name); }
+};
+
+TEST(ExperimentsFigures, ARunWritesWhatItFound) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
+  const Trial run(SWEEP +
+                  "[[plot]]\nname = \"gustafson\"\nx = \"processors\"\ny = \"speedup\"\n"
+                  "fit = \"gustafson\"\noptimum = true\n"
+                  "[[best]]\nname = \"most\"\nof = \"speedup\"\nleast = false\n"
+                  "over = [\"serial_fraction\"]\npays = \"processors\"\n");
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const auto fits = parse_csv(run.read("fits.csv"), "fits.csv");
+  ASSERT_EQ(fits.rows.size(), 2u) << "coupled axes make one curve";
+  EXPECT_NEAR(*as_number(fits.rows[1][*fits.find("value")]), 0.2, 0.02);
+  EXPECT_EQ(parse_csv(run.read("best.csv"), "best.csv").rows.size(), 3u);
+  EXPECT_EQ(parse_csv(run.read("pays.csv"), "pays.csv").rows.size(), 2u);
+  EXPECT_TRUE(contains(run.read("plots/gustafson.svg"), "Gustafson's law"));
+  EXPECT_FALSE(std::filesystem::exists(run.folder.path / "out/plots/speedup.svg"));
+  const auto html = run.read("report.html");
+  for (const char* part : {"What was found", "serial fraction 0.05: serial fraction by Gustafson:",
+                           "still rising at 4", "<h3>most</h3>"})
+    EXPECT_TRUE(contains(html, part)) << part;
+  // Results of their own kind, which the next run may replace.
+  EXPECT_EQ(tlab(run.folder.path, {"run", "e.toml", "-o", "out"}).exit_code, 0);
+}
+
+TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {
+  const Trial plot(SWEEP + "[[plot]]\nname = \"p\"\nx = \"processors\"\ny = \"spedup\"\n");
+  EXPECT_EQ(plot.outcome.exit_code, 2);
+  EXPECT_TRUE(contains(plot.outcome.err,
+                       "plot \"p\": y: unknown variable \"spedup\", the nearest is \"speedup\""))
+      << plot.outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(plot.folder.path / "out/results.csv"));
+  const Trial best(SWEEP + "[[best]]\nname = \"b\"\nof = \"speedup\"\nover = [\"workers\"]\n");
+  EXPECT_EQ(best.outcome.exit_code, 2);
+  EXPECT_TRUE(contains(best.outcome.err, "best \"b\": over: \"workers\" is no axis of the results"))
+      << best.outcome.err;
+}
+
+}  // namespace
+}  // namespace laboratory

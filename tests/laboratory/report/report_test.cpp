@@ -1,0 +1,198 @@
+#include "experiments/laboratory/report/report.hpp"
+
+#include <map>
+#include <regex>
+
+#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/report/html.hpp"
+#include "tests/laboratory/support/support.hpp"
+
+namespace laboratory {
+namespace {
+
+using namespace std::string_literals;
+
+// One black pixel.
+const std::string PNG =
+    "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0\0\nIDAT\x78\x9c"
+    "\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71\0\0\0\0IEND\xae\x42\x60\x82"s;
+
+constexpr const char* SVG =
+    "<?xml version=\"1.0\"?><!-- x -->\n<svg viewBox=\"0 0 1 1\" "
+    "xmlns=\"http://www.w3.org/2000/svg\"><title>Gnuplot</title><desc>Produced by</desc>"
+    "<g id=\"a\"><path id='b'/><use xlink:href='#b' id='c' fill=\"url(#a)\"/></g></svg>";
+
+Report make_example(const TemporaryFolder& folder) {
+  Report report;
+  report.title = "Farm <script>alert('1')</script>";
+  report.question = "Is \"a\" < b & c?";
+  report.table = {.columns = {"topology", "workers", "time_s", "hidden"}, .axes = 2, .rows = {}};
+  for (int w = 1; w <= 30; ++w)
+    report.table.rows.push_back({"<b>" + std::to_string(w), std::int64_t{w}, 100.0 / w, "secret"});
+  report.shown_columns = {"topology", "workers", "time_s"};
+  report.facts = {{"Machine", "T805 <25>"}};
+  for (const auto* name : {"time_s", "speedup"}) {
+    report.plots.push_back({.name = name,
+                            .title = "T",
+                            .x_label = "x",
+                            .y_label = "y",
+                            .series = {},
+                            .y_min = {},
+                            .y_max = {}});
+    write_file(folder.path / (name + ".svg"s), SVG);
+  }
+  report.plots_folder = folder.path;
+  write_file(folder.path / "image.png", PNG);
+  report.images = {{"The <image>", folder.path / "image.png"}};
+  report.experiment_toml = "title = \"<script>\"\n";
+  report.command = "tlab run a.toml --set 'x=\"y\"'";
+  report.model = {{"clock_mhz", "25", "MHz", "datasheet", "<p. 1>"}};
+  report.notes = {"see https://example.org/ & think"};
+  return report;
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+TEST(ExperimentsReport, FiguresCarryTheirTablesAndDrawingsTheirCaptions) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  report.findings = {"a < b"};
+  const Table numbers{.columns = {"series", "value"}, .axes = 1, .rows = {{"s", 4.5}}};
+  report.plot_parts = {{"", {numbers, Table{}}, {"left <out>"}}, {}};
+  report.answers = {{"Which is best?", {numbers}, {}}, {"Nothing", {}, {}}};
+  report.drawings = {{"tree:7 & load", SVG}, {"ring:3", SVG}};
+  const auto html = make_report(report);
+  std::size_t at = 0;
+  for (const char* part :
+       {"<h2>What was found</h2>", "<li>a &lt; b</li>", "<h2>Machine</h2>", "<h2>Plots</h2>",
+        "id=\"plot1-a\"", "left &lt;out&gt;", "4.5", "id=\"plot2-a\"", "<h2>Answers</h2>",
+        "<h3>Which is best?</h3>", "<h2>Results</h2>", "<h2>Load of the network</h2>",
+        "id=\"network1-a\"", "tree:7 &amp; load", "id=\"network2-a\"", "<h2>Images</h2>",
+        "<h2>Settings</h2>", "<h2>How to reproduce</h2>", "<h2>Machine model</h2>"}) {
+    const auto found = html.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part;
+    at = found;
+  }
+  EXPECT_EQ(html.find("Nothing"), std::string::npos);
+  EXPECT_EQ(count(html, "<details open>"), 1u);
+}
+
+TEST(ExperimentsReport, LoadsAreATableOfTheirOwn) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  EXPECT_EQ(make_report(report).find("Loads"), std::string::npos);
+  report.load_columns = {report.table.columns[0], report.table.columns.back()};
+  const auto html = make_report(report);
+  const auto results = html.find("<h2>Results</h2>");
+  EXPECT_GT(html.find("<details><summary>Loads</summary>\n<div"), results);
+  EXPECT_LT(html.find("</details>", results), html.find("All ", results));
+}
+
+TEST(ExperimentsReport, NeedsNothingFromOutside) {
+  const TemporaryFolder folder;
+  const auto html = make_report(make_example(folder));
+  const std::regex reference(R"((src|href)\s*=\s*["']([^"']{0,12}))", std::regex::icase);
+  std::size_t references = 0;
+  for (std::sregex_iterator it(html.begin(), html.end(), reference), end; it != end; ++it) {
+    const auto target = (*it)[2].str();
+    EXPECT_TRUE(target.starts_with("data:") || target.starts_with("#")) << it->str();
+    ++references;
+  }
+  EXPECT_EQ(references, 4u);  // the image, the CSV, a reference in each plot
+  EXPECT_EQ(count(html, "@import"), 0u);
+  EXPECT_EQ(count(html, "<link"), 0u);
+}
+
+TEST(ExperimentsReport, EscapesEveryText) {
+  const TemporaryFolder folder;
+  const auto html = make_report(make_example(folder));
+  for (const auto* tag : {"<script", "<b>", "<25>", "<image>", "<p. 1>"})
+    EXPECT_EQ(count(html, tag), 0u) << tag;
+  EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);  // title, heading, experiment
+  EXPECT_EQ(escape_html("<&>\"'\x01"), "&lt;&amp;&gt;&quot;&#39;\xef\xbf\xbd");
+}
+
+TEST(ExperimentsReport, HoldsEveryRowAndTheShownColumns) {
+  const TemporaryFolder folder;
+  const auto report = make_example(folder);
+  const auto html = make_report(report);
+  const auto times = format_column(report.table, 2);
+  for (std::size_t i = 0; i < report.table.rows.size(); ++i)
+    EXPECT_EQ(count(html, "<th scope=\"row\">&lt;b&gt;" + std::to_string(i + 1) +
+                              "</th><th scope=\"row\" class=\"number\">" + std::to_string(i + 1) +
+                              "</th><td class=\"number\">" + times[i] + "</td></tr>"),
+              1u);
+  EXPECT_EQ(count(html, "secret"), 0u);
+  EXPECT_EQ(count(html, to_base64(to_csv(report.table))), 1u);
+  EXPECT_EQ(count(html, to_base64(PNG)), 1u);
+  EXPECT_EQ(html, make_report(report));
+}
+
+TEST(ExperimentsReport, IdentifiersAreUnique) {
+  const TemporaryFolder folder;
+  const auto html = make_report(make_example(folder));
+  std::map<std::string, int> ids;
+  const std::regex id(R"( id=["']([^"']*))");
+  for (std::sregex_iterator it(html.begin(), html.end(), id), end; it != end; ++it)
+    EXPECT_EQ(++ids[(*it)[1]], 1) << it->str();
+  EXPECT_EQ(ids.size(), 6u);
+  EXPECT_EQ(count(html, "href='#plot2-b'"), 1u);
+  EXPECT_EQ(count(html, "url(#plot2-a)"), 1u);
+  EXPECT_EQ(count(html, "Gnuplot"), 0u);
+}
+
+TEST(ExperimentsReport, TagsAreBalanced) {
+  const TemporaryFolder folder;
+  auto html = make_report(make_example(folder));
+  std::vector<std::string> open;
+  const std::regex tag(R"(<(/?)([a-z0-9]+)[^>]*?(/?)>)");
+  for (std::sregex_iterator it(html.begin(), html.end(), tag), end; it != end; ++it) {
+    const auto name = (*it)[2].str();
+    if (name == "meta" || name == "img" || (*it)[3] == "/") continue;
+    if ((*it)[1] != "/") {
+      open.push_back(name);
+      continue;
+    }
+    ASSERT_FALSE(open.empty()) << it->str();
+    ASSERT_EQ(open.back(), name);
+    open.pop_back();
+  }
+  EXPECT_TRUE(open.empty());
+}
+
+TEST(ExperimentsReport, LeavesOutWhatIsEmpty) {
+  Report report;
+  report.title = "Nothing";
+  EXPECT_EQ(count(make_report(report), "<section>"), 0u);
+}
+
+TEST(ExperimentsReport, BadFilesAreNamed) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  write_file(folder.path / "image.png", "GIF89a");
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { make_report(report); }),
+            (folder.path / "image.png").string() + ": 6 bytes that are no PNG image, expected one");
+  report.images[0].png = folder.path / "none.png";
+  EXPECT_NE(message_of<std::system_error>([&] { make_report(report); }).find("none.png"),
+            std::string::npos);
+  write_file(folder.path / "speedup.svg", "");
+  EXPECT_NE(message_of<std::invalid_argument>([&] { make_report(report); }).find("no <svg>"),
+            std::string::npos);
+}
+
+TEST(ExperimentsReport, Base64AsInTheStandard) {  // RFC 4648, section 10
+  EXPECT_EQ(to_base64(""), "");
+  EXPECT_EQ(to_base64("f"), "Zg==");
+  EXPECT_EQ(to_base64("fo"), "Zm8=");
+  EXPECT_EQ(to_base64("foo"), "Zm9v");
+  EXPECT_EQ(to_base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(to_base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(to_base64("\xff\xfe\xfd"), "//79");
+}
+
+}  // namespace
+}  // namespace laboratory

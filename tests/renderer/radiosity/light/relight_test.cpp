@@ -1,0 +1,54 @@
+// Patches send, elements receive.
+#include "renderer/radiosity/light/relight.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity {
+namespace {
+
+Room make_lit_room(std::uint64_t seed) {
+  test::Random random(seed);
+  Room room = test::make_furnished(random, 1, 2);
+  room.materials = {{"wall", {0.6, 0.5, 0.4}, {}}, {"lamp", {}, {9, 8, 7}}};
+  test::add_quad(room, 1, {1, 1, 1.9}, {0, 0.4, 0}, {0.4, 0, 0}, 2, 2);
+  return room;
+}
+
+TEST(Relight, OfTheSameMeshIsSolve) {
+  const auto mesh = make_mesh(make_lit_room(1), {});
+  const auto params = test::make_params(0.05);
+  const auto solved = solve(mesh, params), again = relight(mesh, mesh, params);
+  EXPECT_EQ(again.vertices, solved.vertices);
+  EXPECT_EQ(again.ambient, solved.ambient);
+  EXPECT_EQ(again.shots, solved.shots);
+}
+
+// A vertex that both meshes have, lit at the same place, gets the same.
+TEST(Relight, VerticesOfBothMeshesAgree) {
+  MeshParams fine;
+  fine.refine = 3;
+  fine.inset = 0;
+  MeshParams coarse;
+  coarse.inset = 0;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto room = make_lit_room(seed);
+    const auto one = make_mesh(room, coarse), three = make_mesh(room, fine);
+    const auto params = test::make_params(0.1);
+    const auto solved = solve(one, params), lit = relight(one, three, params);
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < one.vertices.size(); ++i)
+      for (std::size_t j = 0; j < three.vertices.size(); ++j) {
+        const Vertex &a = one.vertices[i], &b = three.vertices[j];
+        if (length(a.at - b.at) > 1e-9 || length(a.normal - b.normal) > 1e-9) continue;
+        ++common;
+        EXPECT_NEAR(lit.vertices[j].r, solved.vertices[i].r, 1e-6 + 1e-3 * solved.vertices[i].r)
+            << "seed " << seed;
+      }
+    EXPECT_GE(common, one.vertices.size());
+  }
+}
+
+}  // namespace
+}  // namespace radiosity

@@ -1,0 +1,238 @@
+// Faces cut along creases: whatever the creases, the quads fill the face, meet edge to edge, and
+// the creases are among their edges.
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "renderer/radiosity/mesh/divide.hpp"
+#include "tests/renderer/support.hpp"
+
+namespace radiosity::test {
+namespace {
+
+using renderer::test::Random;
+
+constexpr double TOUCH = 0.1;  // of a patch's width: as far may a crease be moved
+
+struct Flat {
+  Face face;
+  Vec u, v;  // across each other, in its plane
+  double width = 0;
+  Vec at(double x, double y) const { return x * u + y * v; }
+};
+
+// Corners on an ellipse: convex.
+Flat make_polygon(Random& random, int corners) {
+  const auto [u, v] = renderer::test::make_plane(random.direction());
+  Flat flat{{}, u, v, 0};
+  const double flatness = random.range(0.5, 1), turn = random.unit();
+  double shortest = 1e9;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + turn + random.range(0, 0.5)) / corners;
+    flat.face.corners.push_back(flat.at(2 * std::cos(angle), 2 * flatness * std::sin(angle)));
+  }
+  flat.face.along = 1 + random.below(4);
+  flat.face.across = corners == 4 ? 1 + random.below(4) : flat.face.along;
+  for (std::size_t i = 0; i < flat.face.corners.size(); ++i) {
+    const double edge =
+        length(flat.face.corners[(i + 1) % flat.face.corners.size()] - flat.face.corners[i]);
+    const int steps = corners != 4 ? 2 * flat.face.along
+                      : i % 2 == 0 ? flat.face.along
+                                   : flat.face.across;
+    shortest = std::min(shortest, edge / steps);
+  }
+  flat.width = shortest;
+  return flat;
+}
+
+Flat make_rectangle(Random& random) {
+  Flat flat = make_polygon(random, 4);
+  const double x = random.range(0.5, 2), y = random.range(0.5, 2);
+  flat.face.corners = {flat.at(-x, -y), flat.at(x, -y), flat.at(x, y), flat.at(-x, y)};
+  flat.width = std::min(2 * x / flat.face.along, 2 * y / flat.face.across);
+  return flat;
+}
+
+std::vector<Crease> make_creases(Random& random, const Flat& flat, int count) {
+  std::vector<Crease> creases;
+  for (int i = 0; i < count; ++i) {
+    const auto number = [&] { return random.range(-2, 2); };
+    const double ax = number(), ay = number(), bx = number(), by = number();
+    creases.push_back({flat.at(ax, ay), flat.at(bx, by)});
+  }
+  return creases;
+}
+
+double eval_area(std::span<const Vec> corners) { return length(eval_area_normal(corners)) / 2; }
+
+// Checks everything that holds for any division; the smallest angle of its quads, degrees.
+double check_division(const Flat& flat, const Division& division) {
+  const Vec normal = normalize(eval_area_normal(flat.face.corners));
+  double least = 180;
+  double area = 0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const auto& quad : division.quads) {
+    std::vector<Vec> corners;
+    for (const auto corner : quad) corners.push_back(division.points.at(corner));
+    area += eval_area(corners);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ((sides[{quad[i], quad[(i + 1) % 4]}]++), 0) << "an edge is used twice";
+      const Vec ahead = corners[(i + 1) % 4] - corners[i],
+                behind = corners[(i + 3) % 4] - corners[i];
+      const double sine = dot(normal, cross(ahead, behind)) / (length(ahead) * length(behind));
+      EXPECT_GT(sine, 0) << "not convex, or clockwise";
+      const double angle = std::atan2(sine, dot(ahead, behind) / (length(ahead) * length(behind)));
+      least = std::min(least, angle * 180 / std::numbers::pi);
+    }
+  }
+  EXPECT_NEAR(area, eval_area(flat.face.corners), 1e-9 * area);
+  // An edge without another quad on its other side is on the face's border.
+  double border = 0, around = 0;
+  for (const auto& [edge, count] : sides)
+    if (!sides.contains({edge.second, edge.first}))
+      border += length(division.points[edge.first] - division.points[edge.second]);
+  for (std::size_t i = 0; i < flat.face.corners.size(); ++i)
+    around += length(flat.face.corners[(i + 1) % flat.face.corners.size()] - flat.face.corners[i]);
+  // (Where no crease crosses the face it is divided as without, which may double points.)
+  if (division.points != divide_face(flat.face, 1).points) {
+    EXPECT_NEAR(border, around, 1e-9 * around);
+  }
+  for (const auto& [a, b] : division.creases)
+    EXPECT_TRUE(sides.contains({a, b}) || sides.contains({b, a})) << "not an edge";
+  return least;
+}
+
+double distance_to(const Vec& p, const Vec& a, const Vec& b) {
+  const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+  return length(a + t * (b - a) - p);
+}
+
+// Points of the creases that are inside the face lie on edges that are listed; these lie on
+// creases.
+void check_creases(const Flat& flat, const Division& division, std::span<const Crease> creases) {
+  const Vec normal = normalize(eval_area_normal(flat.face.corners));
+  const auto& c = flat.face.corners;
+  const double touch = TOUCH * flat.width;
+  const auto is_inside = [&](const Vec& p) {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const Vec edge = normalize(c[(i + 1) % c.size()] - c[i]);
+      if (dot(normal, cross(edge, p - c[i])) < 2 * touch) return false;
+    }
+    return true;
+  };
+  for (const Crease& crease : creases)
+    for (int i = 1; i < 50 && length(crease.b - crease.a) > 2 * touch; ++i) {
+      const Vec p = crease.a + i / 50.0 * (crease.b - crease.a);
+      if (!is_inside(p)) continue;
+      double nearest = 1e9;
+      for (const auto& [a, b] : division.creases)
+        nearest = std::min(nearest, distance_to(p, division.points[a], division.points[b]));
+      // A crease's end may run through a corner of a cell for up to a touch.
+      ASSERT_LE(nearest, 1.5 * touch) << "crease not covered";
+    }
+  for (const auto& [a, b] : division.creases)
+    for (const auto point : {a, b}) {
+      double nearest = 1e9;
+      for (const Crease& crease : creases)
+        nearest = std::min(nearest, distance_to(division.points[point], crease.a, crease.b));
+      ASSERT_LE(nearest, 1.5 * touch) << "edge not on a crease";
+    }
+}
+
+TEST(DivideCreases, AnyFaceAndCreases) {
+  std::vector<double> angles;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const Flat flat =
+        seed % 2 == 0 ? make_rectangle(random) : make_polygon(random, 3 + random.below(4));
+    auto creases = make_creases(random, flat, 1 + random.below(6));
+    for (std::size_t i = 1; i < creases.size() && seed % 4 == 0; i += 2) {
+      const auto& c = flat.face.corners;
+      const double s = random.unit();
+      creases[i] = {eval_bilinear(c, s, random.unit()), eval_bilinear(c, s, 1)};  // along a side
+    }
+    const Division division = divide_face(flat.face, 1, creases);
+    angles.push_back(check_division(flat, division));
+    check_creases(flat, division, creases);
+    if (testing::Test::HasFailure()) return;
+  }
+  // Creases meet at any angle, and so do the quads' edges.
+  std::sort(angles.begin(), angles.end());
+  EXPECT_GT(angles.front(), 0.3);
+  EXPECT_GT(angles[angles.size() / 20], 1.5);
+  EXPECT_GT(angles[angles.size() / 2], 10);
+}
+
+TEST(DivideCreases, Hundreds) {
+  Random random{77};
+  const Flat flat = make_rectangle(random);
+  const auto creases = make_creases(random, flat, 300);
+  const Division division = divide_face(flat.face, 2, creases);
+  check_division(flat, division);
+  EXPECT_LT(division.quads.size(), 30'000u);
+}
+
+// A rectangle of 4 x 3 in 4 x 3 patches.
+Face make_wall() {
+  Face face;
+  face.corners = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}};
+  face.along = 4;
+  face.across = 3;
+  return face;
+}
+
+TEST(DivideCreases, AlongTheSidesItStaysAGrid) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    Flat flat = make_rectangle(random);
+    const auto& c = flat.face.corners;
+    std::vector<Crease> creases;
+    const auto at = [&](double s, double t) { return eval_bilinear(c, s, t); };
+    for (int i = random.below(6); i >= 0; --i) {
+      const double s = random.unit(), t = random.unit(), other = random.unit();
+      creases.push_back(i % 2 == 0 ? Crease{at(s, t), at(s, other)}
+                                   : Crease{at(s, t), at(other, t)});
+    }
+    const Division division = divide_face(flat.face, 1, creases);
+    EXPECT_NEAR(check_division(flat, division), 90, 1e-6);
+    check_creases(flat, division, creases);
+    const auto count = static_cast<std::size_t>(creases.size());
+    EXPECT_LE(division.quads.size(),
+              (flat.face.along + 2 * count) * (flat.face.across + 2 * count));
+  }
+}
+
+TEST(DivideCreases, LinesOfTheGridGiveWay) {
+  // At a third of a patch and nearer the line moves, further it stays.
+  for (const auto& [x, columns] :
+       {std::pair{2.0, 4u}, {2.3, 4u}, {1.7, 4u}, {2.4, 5u}, {3.95, 4u}}) {
+    const std::vector<Crease> creases{{{x, 0, 0}, {x, 1.2, 0}}};
+    const Division division = divide_face(make_wall(), 1, creases);
+    EXPECT_EQ(division.quads.size(), columns * 3) << x;
+    EXPECT_EQ(division.creases.size(), 1u) << x;
+  }
+}
+
+TEST(DivideCreases, ThoseElsewhereChangeNothing) {
+  const Face wall = make_wall();
+  const Division plain = divide_face(wall, 2);
+  const std::vector<Crease> elsewhere{{{1, 1, 0.01}, {2, 2, 0.01}},   // before the face
+                                      {{1, 1, 0}, {2, 2, 1}},         // through it
+                                      {{4.2, 0, 0}, {4.2, 3, 0}},     // beside it
+                                      {{-1, 2.5, 0}, {0.4, 3.9, 0}},  // past its corner
+                                      {{1, 1, 0}, {1, 1, 0}}};        // of no length
+  const Division division = divide_face(wall, 2, elsewhere);
+  EXPECT_EQ(division.points, plain.points);
+  EXPECT_EQ(division.quads, plain.quads);
+  EXPECT_TRUE(division.creases.empty());
+  // On the border it is listed.
+  const std::vector<Crease> border{{{0, 0, 0}, {4, 0, 0}}};
+  EXPECT_EQ(divide_face(wall, 2, border).quads, plain.quads);
+  EXPECT_EQ(divide_face(wall, 2, border).creases.size(), 8u);
+}
+
+}  // namespace
+}  // namespace radiosity::test

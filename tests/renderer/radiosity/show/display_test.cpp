@@ -1,0 +1,192 @@
+// From radiosity to files.
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <gtest/gtest.h>
+#include <png.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <system_error>
+
+#include "renderer/radiosity/show/picture.hpp"
+#include "tests/renderer/support.hpp"
+
+namespace radiosity::test {
+namespace {
+
+struct TemporaryFolder {
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "tlab-test-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error(name);
+    path = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  std::set<std::string> names() const {
+    std::set<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(path))
+      found.insert(entry.path().filename().string());
+    return found;
+  }
+
+  std::filesystem::path path;
+};
+
+constexpr double INF = std::numeric_limits<double>::infinity();
+
+Picture make_random_picture(std::uint64_t seed = 3) {
+  renderer::test::Random random{seed};
+  Picture picture{31, 17, {}};
+  for (int i = 0; i < 31 * 17; ++i)
+    picture.pixels.push_back(std::pow(10, random.range(-3, 1)) * random.colour());
+  return picture;
+}
+
+TEST(Display, BytesAreThePowerOfTheExposedLight) {
+  const Picture picture{2, 1, {{0.5, 2, -1}, {0.1, std::nan(""), INF}}};
+  EXPECT_EQ(make_rgb8(picture, {1, 1}), (std::vector<std::uint8_t>{128, 255, 0, 26, 0, 255}));
+  EXPECT_EQ(make_rgb8(picture, {0.5, 1}), (std::vector<std::uint8_t>{64, 255, 0, 13, 0, 255}));
+  // 255 * sqrt(0.5) = 180.3, 255 * sqrt(0.1) = 80.6
+  EXPECT_EQ(make_rgb8(picture, {1, 2}), (std::vector<std::uint8_t>{180, 255, 0, 81, 0, 255}));
+}
+
+TEST(Display, ExposureCutsOffTheShareThatIsLeft) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Picture picture = make_random_picture(seed);
+    for (const double share : {0.0, 0.3, 0.5, 0.99, 1.0}) {
+      const double exposure = find_exposure(picture, share);
+      int above = 0, white = 0;
+      for (const Rgb& pixel : picture.pixels) {
+        const double light = exposure * max_component(pixel);
+        above += light > 1 + 1e-12;
+        white += std::abs(light - 1) <= 1e-12;
+      }
+      EXPECT_GE(white, 1) << "seed " << seed;
+      const int last = std::max(1, static_cast<int>(std::ceil(share * 31 * 17)));
+      EXPECT_EQ(above, 31 * 17 - last) << "seed " << seed << " share " << share;
+    }
+  }
+  EXPECT_EQ(find_exposure({2, 1, {{}, {}}}), 1);
+  EXPECT_EQ(find_exposure({2, 1, {{}, {0, 4, 1}}}, 0.5), 0.25);
+}
+
+TEST(Display, DifferencesAreNeverNegative) {
+  const Picture a{2, 1, {{1, 2, 3}, {0, 0, 0.5}}}, b{2, 1, {{2, 0, 3}, {0.25, 0, 0}}};
+  const Picture expected{2, 1, {{4, 8, 0}, {1, 0, 2}}};
+  EXPECT_EQ(make_difference(a, b, 4), expected);
+  EXPECT_EQ(make_difference(b, a, 4), expected);
+  EXPECT_THROW(make_difference(a, {1, 2, {{}, {}}}), std::invalid_argument);
+}
+
+TEST(Exr, ReadsBackEqual) {
+  const TemporaryFolder folder;
+  Picture picture = make_random_picture();
+  picture.pixels[5] = {1e300, -1e300, 1e-300};
+  const auto path = (folder.path / "a.exr").string();
+  save_exr(path, picture);
+  Imf::InputFile file(path.c_str());
+  const auto& header = file.header();
+  ASSERT_EQ(header.dataWindow().max.x, 30);
+  ASSERT_EQ(header.dataWindow().max.y, 16);
+  std::vector<float> floats(3 * picture.pixels.size());
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string name(1, "RGB"[c]);
+    ASSERT_NE(header.channels().findChannel(name), nullptr);
+    EXPECT_EQ(header.channels().findChannel(name)->type, Imf::FLOAT);
+    frame.insert(name,
+                 Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(floats.data() + c), 12, 12 * 31));
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(0, 16);
+  constexpr float MOST = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    if (i == 5) continue;
+    EXPECT_EQ(floats[3 * i], static_cast<float>(picture.pixels[i].r));
+    EXPECT_EQ(floats[3 * i + 1], static_cast<float>(picture.pixels[i].g));
+    EXPECT_EQ(floats[3 * i + 2], static_cast<float>(picture.pixels[i].b));
+  }
+  EXPECT_EQ(floats[15], MOST);
+  EXPECT_EQ(floats[16], -MOST);
+  EXPECT_EQ(floats[17], 0);
+}
+
+TEST(RadiosityPng, ReadsBackEqual) {
+  const TemporaryFolder folder;
+  const Picture picture = make_random_picture();
+  const auto path = (folder.path / "a.png").string();
+  save_png(path, picture, {0.7, 2.2});
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_file(&image, path.c_str()));
+  EXPECT_EQ(image.width, 31u);
+  EXPECT_EQ(image.height, 17u);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+  ASSERT_TRUE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr));
+  EXPECT_EQ(bytes, make_rgb8(picture, {0.7, 2.2}));
+}
+
+using Save = std::function<void(const std::string&, const Picture&)>;
+
+class PictureFiles : public testing::TestWithParam<Save> {};
+
+TEST_P(PictureFiles, SamePictureSameBytesAndNothingLeftBeside) {
+  const TemporaryFolder folder;
+  const auto at = [&](const char* name) { return (folder.path / name).string(); };
+  const auto read = [&](const char* name) {
+    std::ifstream in(at(name), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  GetParam()(at("a"), make_random_picture());
+  std::ofstream(at("b")) << "something older";
+  GetParam()(at("b"), make_random_picture());
+  EXPECT_GT(read("a").size(), 100u);
+  EXPECT_EQ(read("a"), read("b"));
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a", "b"}));
+}
+
+TEST_P(PictureFiles, WhatCannotBeWrittenIsAnError) {
+  const TemporaryFolder folder;
+  const auto at = [&](const char* name) { return (folder.path / name).string(); };
+  const Picture picture = make_random_picture();
+  EXPECT_THROW(GetParam()(at("no/such/folder"), picture), std::system_error);
+  std::filesystem::create_directory(at("folder"));
+  EXPECT_THROW(GetParam()(at("folder"), picture), std::system_error);
+  EXPECT_THROW(GetParam()(at("a"), Picture()), std::invalid_argument);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"folder"}));
+  if (!std::filesystem::exists("/dev/full")) return;
+  try {
+    GetParam()("/dev/full", picture);
+    ADD_FAILURE() << "written to a full device";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ENOSPC);
+    EXPECT_NE(std::string(error.what()).find("cannot write /dev/full"), std::string::npos);
+  }
+  EXPECT_FALSE(std::filesystem::is_regular_file("/dev/full"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, PictureFiles,
+                         testing::Values(Save(save_exr),
+                                         Save([](const std::string& path, const Picture& picture) {
+                                           save_png(path, picture, {});
+                                         })));
+
+TEST(RadiosityPng, TakesPositiveNumbersOnly) {
+  const TemporaryFolder folder;
+  const auto path = (folder.path / "a.png").string();
+  for (const Display& bad :
+       {Display{0, 1}, Display{-1, 1}, Display{INF, 1}, Display{1, 0}, Display{1, std::nan("")}})
+    EXPECT_THROW(save_png(path, make_random_picture(), bad), std::invalid_argument);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace radiosity::test

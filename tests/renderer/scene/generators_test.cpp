@@ -1,0 +1,63 @@
+// The sphereflake, and scenes by name.
+
+#include <gtest/gtest.h>
+
+#include "base/errors.hpp"
+#include "renderer/files/load.hpp"
+#include "renderer/scene/generators.hpp"
+#include "tests/renderer/support.hpp"
+
+namespace renderer::test {
+namespace {
+
+const Sphere& get_sphere(const Scene& scene, std::size_t number) {
+  return scene.spheres[scene.objects[number + 1].index()];  // object 0 is the floor
+}
+
+TEST(Sphereflake, Definition) {
+  const Scene scene = make_spheres(91);
+  EXPECT_EQ(object_count(scene), 92u);
+  EXPECT_EQ(scene.objects[0].kind(), Kind::polygon);
+  const Sphere& root = get_sphere(scene, 0);
+  EXPECT_EQ(root.centre, (Vec{0, 0, 0}));
+  EXPECT_EQ(root.radius, 0.5);
+  const Sphere& grandchild = get_sphere(scene, 10);  // the first child's first child
+  EXPECT_EQ(grandchild.centre, (Vec{0.420314, 0.420314, 0.618405}));
+  EXPECT_EQ(grandchild.radius, 0.0555556);
+  EXPECT_EQ(scene.surfaces[root.tag.surface].ks, 0.5);
+  EXPECT_EQ(scene.lights.size(), 3u);
+}
+
+TEST(Sphereflake, EachTouchesItsParent) {
+  const Scene scene = make_spheres(7381);
+  for (std::size_t i = 1; i < 7381; ++i) {
+    const Sphere &child = get_sphere(scene, i), &parent = get_sphere(scene, (i - 1) / 9);
+    ASSERT_NEAR(length(child.centre - parent.centre), child.radius + parent.radius, 3e-6) << i;
+    ASSERT_NEAR(parent.radius, 3 * child.radius, 2e-6) << i;
+  }
+}
+
+TEST(Sphereflake, OneMoreSphereIsOneMoreSphere) {
+  const Scene some = make_spheres(57), more = make_spheres(58);
+  for (std::size_t i = 0; i < 57; ++i)
+    EXPECT_EQ(get_sphere(some, i).centre, get_sphere(more, i).centre);
+}
+
+TEST(LoadScene, ByName) {
+  EXPECT_EQ(object_count(load_scene("spheres:10")), 11u);
+  for (const char* wrong : {"spheres:0", "spheres:-5", "spheres:", "spheres:1e3", "spheres:2000001",
+                            "spheres:99999999999999999999", "spheres: 7", "cubes:3", "", "x.obj",
+                            "/nowhere/x.nff", "/tmp/.nff"}) {
+    SCOPED_TRACE(wrong);
+    EXPECT_THROW(load_scene(wrong), base::BadInput);
+  }
+  try {
+    load_scene("cubes:3");
+  } catch (const base::BadInput& bad) {
+    EXPECT_STREQ(bad.what(),
+                 "found scene 'cubes:3', expected a generator (spheres:N) or a file (.nff)");
+  }
+}
+
+}  // namespace
+}  // namespace renderer::test

@@ -1,0 +1,78 @@
+// The hit does not depend on how it is searched for.
+
+#include <gtest/gtest.h>
+
+#include "renderer/scene/generators.hpp"
+#include "tests/renderer/support.hpp"
+
+namespace renderer::test {
+namespace {
+
+constexpr Traversal ALL[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
+
+TEST(Traversal, ImagesAndCountsAreEqual) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Scene scene = make_random_scene(seed, static_cast<int>(seed * 7), 3);
+    std::vector<Rendering> found;
+    for (const Traversal t : ALL) found.push_back(render(scene, make_params(32, 32, 5, t)));
+    for (const Rendering& other : found) {
+      EXPECT_EQ(other.samples, found[0].samples);
+      EXPECT_EQ(other.rays, found[0].rays);
+    }
+    EXPECT_EQ(found[0].work[Op::box_test], 0u);
+    EXPECT_LE(found[2].work[Op::box_test], found[1].work[Op::box_test]);
+  }
+}
+
+TEST(Traversal, HitsAreEqualToTheLastBit) {
+  const Scene scene = make_random_scene(99, 200);
+  Random random{7};
+  for (int i = 0; i < 5000; ++i) {
+    SCOPED_TRACE(testing::Message() << "ray " << i);
+    // Some along the axes, where a slab of a box is never left.
+    const Vec axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+    Ray ray{.origin = random.point(2), .direction = random.direction(), .influence = {}};
+    if (i % 4 == 0) ray.direction = axes[i / 4 % 3];
+    Work work;
+    std::optional<Hit> first = intersect(scene, ray, Traversal::linear, work);
+    for (const Traversal t : ALL) {
+      const std::optional<Hit> hit = intersect(scene, ray, t, work);
+      ASSERT_EQ(hit.has_value(), first.has_value());
+      if (!hit) continue;
+      ASSERT_EQ(hit->distance, first->distance);
+      ASSERT_EQ(hit->object, first->object);
+      ASSERT_EQ(hit->normal, first->normal);
+    }
+  }
+}
+
+TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
+  std::string text = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\n";
+  for (int i = 0; i < 8; ++i) text += "f 1 1 1 1 0 0 0 0\ns 0 0 0 1\np 3 -9 -9 1 9 -9 1 0 9 1\n";
+  const Scene scene = parse(text);
+  for (const Traversal t : ALL) {
+    Work work;
+    const Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}, .influence = {}};
+    const std::optional<Hit> hit = intersect(scene, ray, t, work);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->object, 0u);
+    EXPECT_EQ(hit->distance, 4);
+  }
+}
+
+TEST(Traversal, AFeelerReachesItsLightAndNoFurther) {
+  const Scene scene =
+      parse("v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n");
+  for (const Traversal t : ALL) {
+    Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}, .influence = {}, .reach = 4};
+    ray.kind = RayKind::shadow;
+    Work work;
+    EXPECT_FALSE(intersect(scene, ray, t, work));
+    ray.reach = 4.000001;
+    EXPECT_TRUE(intersect(scene, ray, t, work));
+  }
+}
+
+}  // namespace
+}  // namespace renderer::test

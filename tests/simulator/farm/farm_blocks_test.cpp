@@ -1,0 +1,133 @@
+// The farm with blocks of pixels as tasks, and what is said to limit it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/errors.hpp"
+#include "renderer/scene/generators.hpp"
+#include "simulator/farm/bottleneck.hpp"
+#include "simulator/kernels/kernel_cost.hpp"
+#include "tests/simulator/farm/farm_support.hpp"
+
+namespace farm {
+namespace {
+
+Params block_params(int width, int height) {
+  Params params = small_params();
+  params.block = Block{width, height};
+  return params;
+}
+
+Result run(const Params& params, const std::string& topology, const renderer::Scene& scene) {
+  return run_farm(machine::load_model("t805-25"), topologies::make_topology(topology), scene,
+                  params);
+}
+
+TEST(FarmBlocks, ImageAndRaysEqualTheSequentialRenderers) {
+  const auto scene = make_glass_scene();
+  const std::uint64_t seed = 4711;
+  std::mt19937_64 random(seed);
+  for (const char* topology : {"tree:1", "line:4", "torus:3x3", "amp:12", "binary:7"}) {
+    Params params = block_params(1 + int(random() % 30), 1 + int(random() % 30));
+    if (random() % 2) params.image.area = {3, 2, 1 + int(random() % 20), 1 + int(random() % 15)};
+    const auto found = isolated([&] {
+      const auto oracle = renderer::render(scene, params.image);
+      const auto farm = run(params, topology, scene);
+      return fmt::format("{} {}", farm.samples == oracle.samples, farm.rays == oracle.rays);
+    });
+    EXPECT_EQ(found, "true true") << topology << ", seed " << seed << ", blocks of "
+                                  << params.block->width << "x" << params.block->height;
+  }
+}
+
+// The blocks tile the area: every pixel is in one of them.
+TEST(FarmBlocks, TileTheArea) {
+  const std::uint64_t seed = 42;
+  std::mt19937_64 random(seed);
+  for (int round = 0; round < 200; ++round) {
+    renderer::Params image;
+    image.width = 1 + int(random() % 40);
+    image.height = 1 + int(random() % 40);
+    std::vector<int> covered(std::size_t(image.width * image.height));
+    for (const auto& block : make_blocks(image, {1 + int(random() % 50), 1 + int(random() % 50)}))
+      for (int y = block.y; y < block.y + block.height; ++y)
+        for (int x = block.x; x < block.x + block.width; ++x)
+          ++covered.at(std::size_t(y * image.width + x));
+    EXPECT_EQ(covered, std::vector<int>(covered.size(), 1))
+        << "seed " << seed << " round " << round;
+  }
+}
+
+// The centre of a farm of rays does in turn what a worker does with a block: one worker is nearly
+// as fast, without the messages of every ray.
+TEST(FarmBlocks, OneWorkerTakesTheTreesCycles) {
+  const auto scene = renderer::make_spheres(100);
+  const auto found = isolated([&] {
+    const auto r = run(block_params(24, 18), "tree:1", scene);
+    const auto work = renderer::render(scene, small_params().image).work;
+    const auto model = machine::load_model("t805-25");
+    const double cycles = double(kernels::tree_costs(model)(work.counts).value);
+    return fmt::format("{}", std::abs(double(r.kernel_cycles.value) / cycles - 1) < 1e-6 &&
+                                 r.time_s > cycles / model.cpu.clock.value);
+  });
+  EXPECT_EQ(found, "true");
+}
+
+TEST(FarmBlocks, WithWholePixelsThereAreNoStagesOrOrders) {
+  Params staged = block_params(8, 8);
+  staged.stages.push_back({});
+  EXPECT_THROW(check(staged), base::BadInput);
+  EXPECT_THROW(check(block_params(0, 8)), base::BadInput);
+}
+
+// Every link of the tree carries the whole scene once; the image is the same.
+TEST(FarmScene, IsSentDownEveryLink) {
+  const auto scene = renderer::make_spheres(60);
+  for (const bool blocks : {false, true}) {
+    Params params = blocks ? block_params(8, 8) : small_params();
+    const auto found = isolated([&] {
+      const auto before = run(params, "tree:9", scene);
+      return fmt::format("{} {}", before.setup_s, before.time_s);
+    });
+    params.scene_message = 500;
+    const auto sent = isolated([&] {
+      const auto model = machine::load_model("t805-25");
+      const auto oracle = renderer::render(scene, params.image);
+      const auto farm = run(params, "tree:9", scene);
+      const double least = double(object_count(scene) * get_bytes(model, "object")) /
+                           model.link.one_way_rate;  // s, over one link
+      return fmt::format("{} {} {}", farm.samples == oracle.samples, farm.setup_s > least,
+                         farm.setup_s);
+    });
+    EXPECT_TRUE(sent.starts_with("true true")) << sent << ", not sent: " << found;
+  }
+}
+
+std::string limit_of(const Params& params, const std::string& topology, int spheres) {
+  return isolated([&] {
+    return find_loads(run(params, topology, renderer::make_spheres(spheres)))[0].resource;
+  });
+}
+
+// One worker is always busy; seven with cheap rays wait for the centre; many with few blocks wait
+// for the last of them.
+TEST(FarmBottleneck, IsWhatOthersWaitFor) {
+  EXPECT_EQ(limit_of(small_params(), "tree:1", 60), "workers");
+  EXPECT_EQ(limit_of(small_params(), "tree:12", 60), "coordination");
+  EXPECT_EQ(limit_of(block_params(8, 9), "tree:1", 60), "workers");
+  EXPECT_EQ(limit_of(block_params(8, 9), "tree:40", 60), "tasks");
+}
+
+// A process's waits and its CPU's idle time tell the same: the database's only process waits
+// whenever its CPU is idle.
+TEST(FarmBottleneck, WaitsFillTheTimeThatTheCpuDoesNot) {
+  const auto sum = isolated([&] {
+    const auto use = run(small_params(), "tree:5", renderer::make_spheres(60)).use;
+    const auto& process = find_process(use, "database.ray.database");
+    const double waited = process.output_s + process.input_s + process.alternative_s;
+    return fmt::format("{}", (waited + find_cpu(use, "database").busy_s) / use.time_s);
+  });
+  EXPECT_NEAR(std::stod(sum), 1, 0.001);
+}
+
+}  // namespace
+}  // namespace farm

@@ -1,0 +1,199 @@
+// The farm: whatever the machine, the picture is the sequential renderer's.
+#include "simulator/farm/farm.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "renderer/scene/generators.hpp"
+#include "simulator/machine/faults.hpp"
+#include "tests/simulator/farm/farm_support.hpp"
+
+namespace farm {
+namespace {
+
+// Runs the farm and says how it differs from the sequential renderer; "" if it does not.
+std::string compare(const std::string& topology, const renderer::Scene& scene,
+                    const Params& params) {
+  return isolated([&]() -> std::string {
+    const auto oracle = renderer::render(scene, params.image);
+    const auto farm = run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
+                               scene, params);
+    if (!(farm.rays == oracle.rays))
+      return fmt::format("{} rays, not {}", farm.rays.total(), oracle.rays.total());
+    return farm.samples == oracle.samples ? "" : "other samples";
+  });
+}
+
+TEST(Farm, ImageEqualsTheSequentialRenderersOnEveryTopology) {
+  const auto glass = make_glass_scene(), spheres = renderer::make_spheres(60);
+  for (const char* topology : {"tree:1", "tree:4", "tree:7", "line:1", "line:4", "line:7", "ring:4",
+                               "ring:7", "mesh:1x1", "mesh:2x2", "mesh:1x7", "mesh:3x3",
+                               "torus:3x3", "hypercube:3", "hypercube:4", "star:4", "tree:20:2"}) {
+    EXPECT_EQ(compare(topology, glass, small_params()), "") << topology;
+    EXPECT_EQ(compare(topology, spheres, small_params()), "") << topology;
+  }
+}
+
+// What the user asks for changes the order in which rays are processed, never the picture.
+TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
+  const auto scene = make_glass_scene();
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    std::mt19937_64 random(seed);
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Params params = small_params();
+    params.seed = random();
+    params.max_cell = 1 << random() % 6;
+    params.stages.clear();
+    for (auto n = 1 + random() % 4; n > 0; --n) params.stages.push_back(random_limits(random));
+    machine::Seconds at{0};
+    for (auto n = random() % 4; n > 0; --n) {
+      at += {static_cast<double>(random() % 1000) * 1e-3};
+      Command command;
+      if (random() % 3 == 0)
+        command.content = NonInteractive{};
+      else
+        command.content = random_limits(random);
+      params.script.push_back({at, command});
+    }
+    EXPECT_EQ(compare(fmt::format("tree:{}", 1 + random() % 9), scene, params), "");
+  }
+}
+
+TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
+  const auto scene = renderer::make_spheres(60);
+  auto run = [&] {
+    return isolated([&] {
+      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:5"),
+                              scene, small_params());
+      std::string text = fmt::format("{:a} {:a} {}", r.time_s, r.setup_s, r.events);
+      for (const auto& cpu : r.use.cpus) text += fmt::format(" {:a}", cpu.busy_s);
+      for (const auto& link : r.use.links) text += fmt::format(" {:a} {}", link.busy_s, link.bytes);
+      return text;
+    });
+  };
+  EXPECT_EQ(run(), run());
+}
+
+// Eq 4.24 and 4.25: no more rays are in the farm than it has buffers, and no more feelers wait than
+// their descendants. A worker buffers a ray in its router, in each sender, before and in its
+// application and in its results router; the coordinator in its sender.
+TEST(Farm, RaysInFarmAndFeelersAreBounded) {
+  for (int workers : {1, 2, 5, 13}) {
+    const std::size_t buffers = 1 + static_cast<std::size_t>(workers) * 4 +
+                                static_cast<std::size_t>(workers - 1);  // a sender per child
+    const std::string bound = isolated([&] {
+      const auto r = run_farm(machine::load_model("t805-25"),
+                              topologies::make_topology(fmt::format("tree:{}", workers)),
+                              renderer::make_spheres(60), small_params());
+      const std::size_t lights = 3;
+      return fmt::format("{} {}", r.peak_tasks_in_farm <= buffers,
+                         r.peaks.feelers <= (r.peak_tasks_in_farm + 1) * lights);
+    });
+    EXPECT_EQ(bound, "true true") << workers;
+  }
+}
+
+// More workers are never slower as long as the centre is not the bottleneck, and never faster than
+// their number.
+TEST(Farm, SpeedUpGrowsAndStaysBelowTheNumberOfWorkers) {
+  const auto scene = renderer::make_spheres(400);
+  auto time = [&](int workers) {
+    return std::stod(isolated([&] {
+      return fmt::format("{:.17g}",
+                         run_farm(machine::load_model("t805-25"),
+                                  topologies::make_topology(fmt::format("tree:{}", workers)), scene,
+                                  small_params())
+                             .time_s);
+    }));
+  };
+  const double one = time(1), two = time(2), four = time(4);
+  EXPECT_LT(two, one);
+  EXPECT_LT(four, two);
+  EXPECT_LE(one / two, 2.0);
+  EXPECT_LE(one / four, 4.0);
+  EXPECT_GT(one / four, 3.0);
+}
+
+struct Refusal {
+  const char* topology;
+  std::uint64_t memory;
+  int exit_code;
+  const char* message;
+};
+
+TEST(Farm, FaultsSayWhoAndWhat) {
+  for (const auto& [topology, memory, exit_code, message] : {
+           Refusal{"tree:2", 140'000, 3,
+                   "worker1 is out of memory at 0.000000 s: the scene's objects"},
+           Refusal{"tree:2", 100, 3,
+                   "the program asked for 131072 bytes, 100 of 100 are available"},
+           Refusal{"star:5", 1 << 22, 2, "the root uses all four ports"},
+           Refusal{"tree:1", 0, 3, "the initial rays asked for 2147420880 bytes, 25034752 of"},
+       }) {
+    try {
+      isolated([&, topology = topology, memory = memory] {
+        Params params = small_params();
+        if (memory > 0)
+          params.worker_memory = memory;
+        else
+          params.image.width = params.image.height = 5181;
+        run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
+                 renderer::make_spheres(400), params);
+        return std::string();
+      });
+      ADD_FAILURE() << topology << " ran";
+    } catch (const laboratory::JobFailed& failed) {
+      EXPECT_EQ(failed.exit_code, exit_code) << topology;
+      EXPECT_NE(std::string(failed.what()).find(message), std::string::npos) << failed.what();
+    }
+  }
+}
+
+// The initial rays fit, their descendants do not.
+TEST(Farm, TheDatabaseCanRunOutOfMemory) {
+  try {
+    isolated([] {
+      Params params = small_params();
+      params.database_memory = 131072 + 80 * 24 * 18;  // the program and the initial rays
+      run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:1"),
+               renderer::make_spheres(60), params);
+      return std::string();
+    });
+    ADD_FAILURE() << "it ran";
+  } catch (const laboratory::JobFailed& failed) {
+    EXPECT_EQ(failed.exit_code, 3);
+    EXPECT_NE(std::string(failed.what()).find("the ray database asked for 80 bytes, 0 of 165632"),
+              std::string::npos)
+        << failed.what();
+  }
+}
+
+// A key image is the picture at the end of a stage: what has contributed so far.
+TEST(Farm, KeyImagesGrowTowardsTheImage) {
+  const std::string told = isolated([] {
+    Params params = small_params();
+    params.image.ambient = 0.5;
+    Limits coarse, fine;
+    coarse.min_cell = 8;
+    coarse.depth_reflected = 1;
+    fine.depth_reflected = fine.depth_transmitted = 1;
+    params.stages = {coarse, fine, Limits{}};
+    const auto scene = make_glass_scene();
+    const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+                            scene, params);
+    std::string lit;
+    auto count = [](const renderer::Samples& samples) {
+      int n = 0;
+      for (const auto& s : samples.sums) n += s.r != 0 || s.g != 0 || s.b != 0;
+      return n;
+    };
+    for (const auto& key : r.key_images) lit += fmt::format("{} ", count(key.samples));
+    return lit + fmt::format("{}", count(r.samples));
+  });
+  EXPECT_EQ(told, fmt::format("{} {} {}", 3 * 3, 24 * 18, 24 * 18));
+}
+
+}  // namespace
+}  // namespace farm

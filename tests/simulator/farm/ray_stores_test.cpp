@@ -1,0 +1,146 @@
+// The ray database's stores against a plain oracle.
+#include "simulator/farm/ray_stores.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "renderer/scene/generators.hpp"
+#include "tests/simulator/farm/farm_support.hpp"
+
+namespace farm {
+namespace {
+
+const Cells CELLS{.width = 32, .max_cell = 8};
+
+renderer::Ray random_ray(std::mt19937_64& random) {
+  auto any = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  renderer::Ray ray;
+  ray.kind = static_cast<renderer::RayKind>(any(4));
+  const double f = any(5) / 4.0;
+  ray.influence = {f, f / 2, f / 3};
+  ray.level = static_cast<std::uint16_t>(1 + any(4));
+  ray.sample = static_cast<std::uint32_t>(any(32 * 32));
+  ray.through = any(2) == 0;
+  return ray;
+}
+
+// A list that is searched: what the stores must do, without their structure.
+struct Oracle {
+  std::vector<renderer::Ray> rays;
+  Limits limits;
+
+  bool shadow(const renderer::Ray& r) const { return r.kind == renderer::RayKind::shadow; }
+  // 0: feelers, 1: within the limits, 2: beyond.
+  int rank(const renderer::Ray& r) const {
+    return shadow(r) ? 0 : is_interactive(r, limits, CELLS) ? 1 : 2;
+  }
+  // Whether `taken` may come first, and removes one like it.
+  bool take(const renderer::Ray& taken) {
+    const auto same = std::ranges::find_if(rays, [&](const renderer::Ray& r) {
+      return r.sample == taken.sample && r.kind == taken.kind && r.level == taken.level &&
+             r.influence.r == taken.influence.r && r.through == taken.through;
+    });
+    if (same == rays.end()) return false;
+    const int rank_taken = rank(*same);
+    for (const auto& other : rays) {
+      if (rank(other) < rank_taken) return false;
+      if (rank_taken == 1 && rank(other) == 1 && goes_before(other, *same, CELLS)) return false;
+    }
+    rays.erase(same);
+    return true;
+  }
+};
+
+TEST(RayStores, GiveEveryRayOnceByPriority) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    Oracle oracle{{}, random_limits(random)};
+    RayStores stores(CELLS, oracle.limits);
+    DatabaseWork work;
+    for (int step = 0; step < 300; ++step) {
+      const auto choice = random() % 16;
+      if (choice == 0) {
+        oracle.limits = random_limits(random);
+        stores.set_limits(oracle.limits, work);
+      } else if (choice < 9) {
+        oracle.rays.push_back(random_ray(random));
+        stores.add(oracle.rays.back(), work);
+      } else {
+        const bool any = random() % 2 == 0;
+        const auto ray = stores.take(any, work);
+        const bool some = std::ranges::any_of(
+            oracle.rays, [&](const auto& r) { return any || oracle.rank(r) < 2; });
+        ASSERT_EQ(ray.has_value(), some);
+        if (ray) {
+          ASSERT_TRUE(oracle.take(*ray));
+        }
+      }
+      ASSERT_EQ(stores.size(), oracle.rays.size());
+    }
+  }
+}
+
+TEST(RayStores, CountTheirWork) {
+  RayStores stores(CELLS, {});
+  DatabaseWork work;
+  renderer::Ray weak, strong;
+  weak.influence = {0.5, 0.5, 0.5};
+  strong.influence = {1, 1, 1};
+  stores.add(weak, work);
+  EXPECT_EQ(work.heap_step, 0u);
+  stores.add(strong, work);  // passes the weak one
+  EXPECT_EQ(work.heap_step, 1u);
+  EXPECT_EQ(work.record_stored, 2u);
+  EXPECT_EQ(work.ray_classified, 2u);
+  EXPECT_EQ(stores.take(false, work)->influence.r, 1);
+  EXPECT_EQ(stores.peaks().heap, 2u);
+}
+
+// A heap of n rays is deep log2(n): no operation takes more steps.
+TEST(RayStores, HeapStepsAreLogarithmic) {
+  std::mt19937_64 random(7);
+  RayStores stores(CELLS, {});
+  for (std::size_t n = 1; n <= 1000; ++n) {
+    DatabaseWork work;
+    renderer::Ray ray = random_ray(random);
+    ray.kind = renderer::RayKind::reflected;
+    stores.add(ray, work);
+    EXPECT_LE(std::size_t{1} << work.heap_step, n);
+  }
+}
+
+TEST(Priority, CellsAreTheLargestSquaresWithThatCorner) {
+  const Cells cells{.width = 100, .max_cell = 16};
+  auto size_at = [&](std::uint32_t x, std::uint32_t y) { return cells.size_of(y * 100 + x); };
+  EXPECT_EQ(size_at(0, 0), 16);
+  EXPECT_EQ(size_at(32, 64), 16);
+  EXPECT_EQ(size_at(8, 0), 8);
+  EXPECT_EQ(size_at(8, 4), 4);
+  EXPECT_EQ(size_at(3, 16), 1);
+  EXPECT_EQ(size_at(6, 10), 2);
+}
+
+TEST(Priority, InitialRaysAreOnePerPixelLargestCellsFirstAndShuffled) {
+  const auto scene = renderer::make_spheres(1);
+  renderer::Params params;
+  params.width = 24;
+  params.height = 20;
+  const Cells cells{.width = 24, .max_cell = 8};
+  const auto rays = make_initial_rays(scene, params, cells, 1);
+  const auto other = make_initial_rays(scene, params, cells, 2);
+  std::vector<std::uint32_t> samples, other_samples;
+  for (const auto& ray : rays) samples.push_back(ray.sample);
+  for (const auto& ray : other) other_samples.push_back(ray.sample);
+  EXPECT_TRUE(std::ranges::is_sorted(samples, std::greater<>(),
+                                     [&](std::uint32_t s) { return cells.size_of(s); }));
+  EXPECT_NE(samples, other_samples);
+  std::ranges::sort(samples);
+  ASSERT_EQ(samples.size(), 24u * 20u);
+  for (std::uint32_t i = 0; i < samples.size(); ++i) EXPECT_EQ(samples[i], i);
+}
+
+}  // namespace
+}  // namespace farm

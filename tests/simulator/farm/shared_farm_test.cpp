@@ -1,0 +1,224 @@
+// The farm whose workers hold a part of the scene each: what it computes, and what it takes.
+#include "simulator/farm/shared_farm.hpp"
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "renderer/scene/generators.hpp"
+#include "simulator/farm/bottleneck.hpp"
+#include "simulator/kernels/kernel_cost.hpp"
+#include "simulator/machine/faults.hpp"
+#include "tests/simulator/farm/farm_support.hpp"
+
+namespace farm {
+namespace {
+
+using farm::isolated;
+
+farm::Params block_params(int width, int height) {
+  farm::Params params = farm::small_params();
+  params.image.width = 16;
+  params.image.height = 12;
+  params.image.limits.depth = 3;
+  params.block = farm::Block{width, height};
+  return params;
+}
+
+SharedParams shared_params(double cache_percent) {
+  SharedParams params;
+  params.cache_percent = cache_percent;
+  return params;
+}
+
+SharedResult run(const farm::Params& params, const std::string& topology,
+                 const renderer::Scene& scene, const SharedParams& data) {
+  return run_shared_farm(machine::load_model("t805-25"), topologies::make_topology(topology), scene,
+                         params, data);
+}
+
+std::uint64_t count_tests(const renderer::Work& work) {
+  using renderer::Op;
+  return work[Op::box_test] + work[Op::sphere_test] + work[Op::polygon_test] +
+         work[Op::patch_test] + work[Op::cone_test];
+}
+
+std::string describe(const SharedParams& data) {
+  return fmt::format("{} %, {} % at the server, {}, in path {}, waiting queue {}, method {}",
+                     data.cache_percent, data.server_cache_percent,
+                     data.scheme == shared_memory::Scheme::pages ? "pages" : "items", data.in_path,
+                     data.waiting_queue, int(data.method));
+}
+
+// Every access is to one box or object that the sequential renderer tests, and is found once.
+std::string compare(const farm::Params& params, const std::string& topology,
+                    const renderer::Scene& scene, const SharedParams& data) {
+  return isolated([&] {
+    const auto oracle = renderer::render(scene, params.image);
+    const auto shared = run(params, topology, scene, data);
+    const auto& use = shared.data;
+    return fmt::format("{} {} {} {}", shared.farm.samples == oracle.samples,
+                       shared.farm.rays == oracle.rays, use.accesses() == count_tests(oracle.work),
+                       use.found_at(shared_memory::Level::local) + use.requests == use.accesses());
+  });
+}
+
+TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
+  const std::uint64_t seed = 20261122;
+  std::mt19937_64 random(seed);
+  const auto glass = farm::make_glass_scene(), spheres = renderer::make_spheres(40);
+  const network::Method methods[] = {network::Method::green, network::Method::chalmers,
+                                     network::Method::acyclic};
+  int round = 0;
+  for (const char* topology : {"tree:1", "line:3", "ring:5", "torus:3x3", "amp:8", "tree:13"})
+    for (const shared_memory::Scheme scheme :
+         {shared_memory::Scheme::items, shared_memory::Scheme::pages})
+      for (const auto method : methods) {
+        const bool small = ++round % 2;
+        SharedParams data = shared_params(small ? 40 + double(random() % 50) : 10);
+        data.scheme = scheme;
+        data.method = method;
+        data.page_items = 1 + int(random() % (small ? 2 : 4));
+        data.server_cache_percent = 50 + double(random() % 50);
+        data.in_path = random() % 2;
+        data.waiting_queue = random() % 2;
+        auto params = block_params(1 + int(random() % 8), 1 + int(random() % 8));
+        if (random() % 3 == 0) params.image.area = {3, 2, 1 + int(random() % 13), 7};
+        params.image.traversal = renderer::Traversal(random() % 2);
+        EXPECT_EQ(compare(params, topology, small ? glass : spheres, data), "true true true true")
+            << "seed " << seed << ", " << topology << ", " << describe(data);
+      }
+}
+
+// With room for all of it a worker asks for no record twice, and the disk is read once for each.
+TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
+  const auto scene = renderer::make_spheres(60);
+  const auto found = isolated([&] {
+    const auto size = size_of(scene);
+    const auto use = run(block_params(4, 4), "tree:4", scene, shared_params(100)).data;
+    return fmt::format("{} {}", use.requests <= 4 * (size.boxes + size.objects),
+                       use.found_at(shared_memory::Level::disk) <= size.boxes + size.objects);
+  });
+  EXPECT_EQ(found, "true true");
+}
+
+// Without InPathTo only the coordinator answers; a queue needs requests that are offered.
+TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
+  const auto scene = renderer::make_spheres(60);
+  SharedParams data = shared_params(20);
+  const auto on_the_way = [&] {
+    return isolated([&] {
+      const auto use = run(block_params(4, 4), "line:4", scene, data).data;
+      return fmt::format("{} {}", use.found_at(shared_memory::Level::path) > 0,
+                         use.found_at(shared_memory::Level::queue) > 0);
+    });
+  };
+  EXPECT_EQ(on_the_way(), "true true");
+  data.waiting_queue = false;
+  EXPECT_EQ(on_the_way(), "true false");
+  data.in_path = false;
+  EXPECT_EQ(on_the_way(), "false false");
+}
+
+// One worker with all in its cache: kernel + accesses * data_access cycles, and little else.
+TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
+  const auto scene = renderer::make_spheres(20);
+  const auto found = isolated([&] {
+    const auto params = block_params(8, 6);
+    const auto model = machine::load_model("t805-25");
+    const auto shared = run(params, "line:1", scene, shared_params(100));
+    const auto work = renderer::render(scene, params.image).work;
+    const double kernel = double(kernels::tree_costs(model)(work.counts).value);
+    const double accesses =
+        double(count_tests(work)) * double(get_operation(model, "data_access").value);
+    const double ratio = shared.farm.time_s * model.cpu.clock.value / (kernel + accesses);
+    return fmt::format("{} {}", std::abs(double(shared.farm.kernel_cycles.value) - kernel) < 10,
+                       ratio > 1 && ratio < 1.15 ? "near" : fmt::format("{}", ratio));
+  });
+  EXPECT_EQ(found, "true near");
+}
+
+// A memory for program, buffers and 10 % of the scene is too small for the farm where every worker
+// holds it.
+TEST(SharedFarm, RendersWhatWorkersCannotHold) {
+  const auto scene = renderer::make_spheres(800);
+  auto params = block_params(8, 6);
+  params.worker_memory = 150'000;
+  EXPECT_EQ(compare(params, "tree:4", scene, shared_params(10)), "true true true true");
+  const auto plain = isolated([&] {
+    try {
+      run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:4"), scene, params);
+    } catch (const machine::OutOfMemory&) {
+      return "out of memory";
+    }
+    return "done";
+  });
+  EXPECT_EQ(plain, "out of memory");
+}
+
+std::string error_of(const farm::Params& params, const SharedParams& data) {
+  try {
+    check(machine::load_model("t805-25"), {10, 20}, params, data);
+  } catch (const base::BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(SharedFarm, NamesBadInput) {
+  const auto good = block_params(4, 4);
+  const auto expect = [&](const char* key, const farm::Params& params, const SharedParams& data) {
+    const auto error = error_of(params, data);
+    EXPECT_TRUE(error.starts_with(key)) << error;
+  };
+  EXPECT_EQ(error_of(good, shared_params(10)), "none");
+  for (const double percent : {0.0, -1.0, 101.0, 1.0, std::nan("")})
+    expect("data.cache_percent: found ", good, shared_params(percent));
+  SharedParams server = shared_params(10);
+  server.server_cache_percent = 1;
+  expect("data.server_cache_percent: found 1 %", good, server);
+  SharedParams pages = shared_params(10);
+  pages.scheme = shared_memory::Scheme::pages;
+  expect("data.cache_percent: found 10 %", good, pages);
+  auto rays = good;
+  rays.block.reset();
+  expect("farm.task: ", rays, shared_params(10));
+  auto timed = good;
+  timed.cycles_per_host_s = 1e9;
+  expect("run.cost: ", timed, shared_params(10));
+  auto sent = good;
+  sent.scene_message = 100;
+  expect("farm.scene_message_bytes: ", sent, shared_params(10));
+}
+
+TEST(SharedFarm, MemoryThatIsTooSmallIsSaid) {
+  const auto scene = renderer::make_spheres(60);
+  auto params = block_params(4, 4);
+  params.worker_memory = 134'000;
+  const auto found = isolated([&] {
+    try {
+      run(params, "tree:4", scene, shared_params(50));
+    } catch (const base::BadInput& error) {
+      return std::string(error.what()).find("worker1") != std::string::npos ? "said" : "unclear";
+    }
+    return "done";
+  });
+  EXPECT_EQ(found, "said");
+}
+
+TEST(SharedFarm, ARunThatIsCutShortTellsWhatWasDone) {
+  const auto scene = renderer::make_spheres(60);
+  const auto found = isolated([&] {
+    auto params = block_params(2, 2);
+    observe::Watch watch;
+    watch.until = machine::Seconds{2};
+    params.watch = &watch;
+    const auto result = run(params, "tree:3", scene, shared_params(30)).farm;
+    return fmt::format("{} {} {}", machine::to_string(result.end), result.setup_s + result.time_s,
+                       farm::find_loads(result).empty());
+  });
+  EXPECT_EQ(found, "limit 2 false");
+}
+
+}  // namespace
+}  // namespace farm

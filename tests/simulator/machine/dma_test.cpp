@@ -1,0 +1,191 @@
+// Links cost the CPU: the DMA's memory cycles.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/programs/rows.hpp"
+
+namespace occam {
+namespace {
+
+double cycles_to_move(const Model& model, std::uint64_t bytes) {
+  return static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
+}
+
+// Two processors and a message from 0 to 1, whose ends are of high priority; a low process computes
+// beside each. Returns when the two have computed, and the end of the run.
+Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::uint64_t bytes) {
+  return isolated_numbers([&] {
+    Lab lab(model);
+    Processor& from = lab.cpu();
+    Processor& to = lab.neighbour(from);
+    auto& channel = lab.hard(from, to);
+    Numbers ends(2);
+    from.start("writer", Priority::high, [&] { out(channel, {bytes}); });
+    to.start("reader", Priority::high, [&] { channel.in(); });
+    for (int i = 0; i < 2; ++i)
+      lab.machine.processors()[i]->start("busy", Priority::low, [&, i] {
+        compute(cycles);
+        this_process().sync();
+        ends[i] = own_cycles();
+      });
+    lab.machine.run();
+    ends.push_back(lab.cycles());
+    return ends;
+  });
+}
+
+// blocked, then C / (1 - share).
+TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
+  const Model model = make_stealing_model();
+  const std::int64_t cycles = 31 * 1000;
+  const auto found = compute_beside_transfer(model, cycles, 10'000);
+  const auto blocked = model.channel.blocked.value;
+  for (int end : {0, 1}) EXPECT_NEAR(found.at(end), blocked + cycles * 32 / 31, ROUNDING);
+  EXPECT_NEAR(found.at(2), blocked + cycles_to_move(model, 10'000), ROUNDING);
+}
+
+// blocked, then C and two cycles for each word, and the two switches when the message has come.
+TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
+  const std::int64_t cycles = 200'000, words = 1000;
+  for (const Model& model : {make_stealing_model(), machine::load_model("t805-25"),
+                             machine::load_model("t414-20"), machine::load_model("t805-30")}) {
+    const auto found = compute_beside_transfer(model, cycles, 4 * words);
+    const auto& s = model.scheduler;
+    // At other rates than the exact model's the end of the message is resolved to a picosecond.
+    EXPECT_EQ(model.memory.steal_word, STEAL_WORD) << model.name;
+    EXPECT_NEAR(found.at(0),
+                cost_first(model, Side::writer, 4 * words) + cycles + words * STEAL_WORD +
+                    (s.preemption + s.return_to_low).value,
+                1e-3)
+        << model.name;
+    // The reader came first: outword or not, the operands are the same here.
+    EXPECT_NEAR(found.at(1), found.at(0), 1e-3) << model.name;
+  }
+}
+
+// Messages on several links, in both directions, overlapping anyhow: every word takes its cycles
+// from both of its CPUs, whatever the order.
+TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
+  struct Flow {
+    int from, to;
+    std::uint64_t bytes;
+  };
+  const std::vector<Flow> tests[] = {
+      {{0, 1, 4000}, {1, 0, 3600}},
+      {{0, 1, 4000}, {1, 0, 400}},
+      {{0, 1, 4000}, {0, 2, 8000}},
+      {{0, 1, 400}, {1, 0, 4000}, {0, 2, 8000}, {2, 0, 4}, {3, 0, 1600}, {0, 4, 44}},
+  };
+  const std::int64_t cycles = 1'000'000;
+  const Model model = make_stealing_model();
+  const auto& s = model.scheduler;
+  for (const auto& flows : tests) {
+    const auto found = isolated_numbers([&] {
+      Lab lab(model);
+      Processor& hub = lab.cpu();
+      for (int i = 0; i < 4; ++i) lab.neighbour(hub);
+      const auto& cpus = lab.machine.processors();
+      for (const Flow& flow : flows) {
+        auto& channel = lab.hard(*cpus[flow.from], *cpus[flow.to]);
+        cpus[flow.from]->start("writer", Priority::high, [&] { out(channel, {flow.bytes}); });
+        cpus[flow.to]->start("reader", Priority::high, [&] { channel.in(); });
+      }
+      double end = 0;
+      hub.start("busy", Priority::low, [&] {
+        compute(cycles);
+        this_process().sync();
+        end = own_cycles();
+      });
+      lab.machine.run();
+      return Numbers{end, static_cast<double>(hub.use().preemptions)};
+    });
+    double expected = static_cast<double>(cycles);
+    for (const Flow& flow : flows)
+      expected +=
+          static_cast<double>(model.channel.blocked.value + words_in(flow.bytes) * STEAL_WORD);
+    // (A message may end before the computation begins, or two at once.)
+    expected += found.at(1) * static_cast<double>((s.preemption + s.return_to_low).value);
+    EXPECT_LE(found.at(1), flows.size());
+    EXPECT_GE(found.at(1), 1);
+    // (A high process is slowed by what is under way when it starts: less than a cycle each.)
+    EXPECT_NEAR(found.at(0), expected, static_cast<double>(flows.size()));
+  }
+}
+
+// A high-priority process is slowed by what is under way when it begins to compute.
+TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
+  const Model model = make_stealing_model();
+  const auto found = isolated_numbers([&] {
+    Lab lab(model);
+    Processor& from = lab.cpu();
+    Processor& to = lab.neighbour(from);
+    auto& channel = lab.hard(from, to);
+    double end = 0;
+    from.start("writer", Priority::high, [&] { out(channel, {10'000}); });
+    to.start("reader", Priority::high, [&] { channel.in(); });
+    from.start("busy", Priority::high, [&] {
+      wait_until_cycle(4096);
+      compute(31 * 100);
+      end = own_cycles();
+    });
+    lab.machine.run();
+    return Numbers{end};
+  });
+  EXPECT_EQ(found.at(0), 4096 + 32 * 100);
+}
+
+// Random messages beside random computation: whatever interleaves, no cycle is lost or taken twice.
+TEST(Dma, ConservesCyclesUnderRandomTraffic) {
+  const Model model = make_stealing_model();
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    std::uint64_t state = seed * 2 + 1;
+    const auto random = [&] {
+      return (state = state * 6364136223846793005u + 1442695040888963407u) >> 40;
+    };
+    std::vector<std::uint64_t> lengths;
+    for (auto n = 1 + random() % 20; n > 0; --n) lengths.push_back(4 * (1 + random() % 100));
+    const auto found = isolated_numbers([&] {
+      Lab lab(model);
+      Processor& a = lab.cpu();
+      Processor& b = lab.neighbour(a);
+      auto &there = lab.hard(a, b), &back = lab.hard(b, a);
+      const auto gap = static_cast<std::int64_t>(random() % 500);
+      const auto priority = [&] { return BOTH_PRIORITIES[random() % 2]; };
+      for (auto* channel : {&there, &back}) {
+        (channel == &there ? a : b).start("writer", priority(), [&, channel] {
+          for (auto bytes : lengths) compute(gap), out(*channel, {bytes});
+        });
+        (channel == &there ? b : a).start("reader", priority(), [&, channel] {
+          for (std::size_t i = 0; i < lengths.size(); ++i) channel->in();
+        });
+      }
+      for (Processor* cpu : {&a, &b})
+        for (int i = 0; i < 2; ++i)
+          cpu->start("busy", Priority::low, [] { compute(1'000'000), this_process().sync(); });
+      lab.machine.run();
+      const auto n = static_cast<std::int64_t>(lengths.size());
+      const auto charged = 2'000'000 + n * (gap + 2 * model.channel.blocked.value);
+      Numbers found;
+      for (Processor* cpu : {&a, &b}) {
+        found.push_back(lab.busy_cycles(*cpu) - static_cast<double>(charged));
+        found.push_back(static_cast<double>(cpu->use().preemptions));
+      }
+      return found;
+    });
+    std::int64_t words = 0;
+    for (auto bytes : lengths) words += 2 * words_in(bytes);
+    const auto& s = model.scheduler;
+    for (std::size_t cpu : {0, 1}) {
+      const double n = found.at(2 * cpu + 1), stolen = static_cast<double>(words * STEAL_WORD);
+      const auto there = static_cast<double>(s.preemption.value),
+                 back = static_cast<double>(s.return_to_low.value);
+      // High processes are slowed by what is known when they start: a few cycles more or less.
+      const double slack = 0.05 * static_cast<double>(20 * lengths.size() + 500 * lengths.size());
+      EXPECT_GE(found.at(2 * cpu), stolen + n * there - slack);
+      EXPECT_LE(found.at(2 * cpu), stolen + n * (there + back) * 1.05 + slack);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace occam

@@ -1,0 +1,44 @@
+// Machines whose links are cut.
+#pragma once
+
+#include "tests/simulator/programs/rows.hpp"
+
+namespace occam {
+
+inline machine::Seconds at_cycle(const Lab& lab, double cycle) {
+  return {cycle / lab.machine.model().cpu.clock.value};
+}
+
+// Two joined processors, whose link is cut.
+struct CutPair {
+  CutPair(double cycle, const Model& model = make_exact_model(), int switches = 0) : lab(model) {
+    lab.machine.connect(a, b, switches);
+    lab.machine.cut_link(a, b, at_cycle(lab, cycle));
+  }
+  Lab lab;
+  Processor& a = lab.cpu();
+  Processor& b = lab.cpu();
+};
+
+// A process that outputs or inputs one message, and what came of it: 1 if it was moved, and when.
+struct Attempt {
+  Processor& on;
+  Priority priority;
+  Side side;
+  Channel<Words>& channel;
+  std::int64_t computes = 0;
+  std::uint64_t bytes = 8;
+  double moved = -1, end = -1;
+
+  void start() {
+    on.start(side == Side::writer ? "writer" : "reader", priority, [this] {
+      compute(computes);
+      moved =
+          side == Side::writer ? out_or_fail(channel, {bytes}) : in_or_fail(channel).has_value();
+      this_process().sync();
+      end = own_cycles();
+    });
+  }
+};
+
+}  // namespace occam

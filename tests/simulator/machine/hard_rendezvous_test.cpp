@@ -1,0 +1,123 @@
+// Channels on a link: when a transfer starts and ends, and what arrives.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/programs/rows.hpp"
+
+namespace occam {
+namespace {
+
+constexpr std::uint64_t LENGTHS[] = {0, 1, 4, 5, 8, 100, 4001};
+constexpr double HAIR = 1e-3;  // cycles; SimGrid resolves a picosecond
+
+struct HardCase {
+  bool reader_made_first, by_alt;
+  Priority writer, reader;
+  std::int64_t writer_computes, reader_computes;
+  std::uint64_t bytes;
+};
+
+std::vector<HardCase> make_hard_cases(bool by_alt) {
+  std::vector<HardCase> cases;
+  for (bool reader_made_first : {false, true})
+    for (auto writer : BOTH_PRIORITIES)
+      for (auto reader : BOTH_PRIORITIES)
+        for (auto [w, r] : {std::pair{0, 0}, {700, 0}, {0, 700}, {10, 700}})
+          for (auto bytes : LENGTHS)
+            cases.push_back({reader_made_first, by_alt, writer, reader, w, r, bytes});
+  return cases;
+}
+
+// Both ends pay their operands and the start of their instruction; the later one starts the
+// transfer. An ALT sees the output at the turn of its guard, or of altwt, or is woken by it.
+double expected_end(const Model& model, const HardCase& c) {
+  const auto& alt = model.alternative;
+  const auto written = c.writer_computes + cost_first(model, Side::writer, c.bytes);
+  auto read = c.reader_computes;
+  if (c.by_alt) {
+    read += alt.setup.value;
+    read += (written <= read ? alt.enable_ready : alt.enable_not).value;
+    read += (written <= read ? alt.wait_ready : alt.wait_not).value;
+    read = std::max(read, written) + (alt.disable + alt.end).value;
+  }
+  read += cost_first(model, Side::reader, c.bytes);
+  return static_cast<double>(std::max(written, read)) +
+         static_cast<double>(c.bytes) / model.link.one_way_rate * model.cpu.clock.value;
+}
+
+void expect_hard_times(const Model& model, const std::vector<HardCase>& cases) {
+  const auto found = isolated_numbers([&] {
+    Lab lab(model);
+    std::deque<std::array<double, 3>> ends(cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      Processor& a = lab.cpu();
+      Processor& b = lab.neighbour(a);
+      auto& channel = cases[i].reader_made_first ? lab.hard(b, a) : lab.hard(a, b);
+      auto write = [&, i] {
+        compute(cases[i].writer_computes);
+        out(channel, {cases[i].bytes, i});
+        ends[i][0] = own_cycles();
+      };
+      auto read = [&, i] {
+        compute(cases[i].reader_computes);
+        Words got;
+        cases[i].by_alt ? pri_alt(when(channel, got, [] {})) : in(channel, got);
+        ends[i][1] = own_cycles();
+        ends[i][2] = static_cast<double>(got.content);
+      };
+      if (cases[i].reader_made_first) a.start("reader", cases[i].reader, read);
+      (cases[i].reader_made_first ? b : a).start("writer", cases[i].writer, write);
+      if (!cases[i].reader_made_first) b.start("reader", cases[i].reader, read);
+    }
+    lab.machine.run();
+    Numbers all;
+    for (const auto& e : ends) all.insert(all.end(), e.begin(), e.end());
+    return all;
+  });
+  std::string wrong;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto& c = cases[i];
+    const double end = expected_end(model, c), w = found.at(3 * i), r = found.at(3 * i + 1);
+    if (std::abs(w - end) > HAIR || std::abs(r - end) > HAIR)
+      wrong += fmt::format(
+          "{} writer at {}, {} reader at {} made {}, {} bytes: ended at {} and {}, not {}\n",
+          name_of(c.writer), c.writer_computes, name_of(c.reader), c.reader_computes,
+          c.reader_made_first ? "first" : "second", c.bytes, w, r, end);
+    EXPECT_EQ(found.at(3 * i + 2), i);
+  }
+  EXPECT_EQ(wrong, "");
+}
+
+TEST(HardRendezvous, StartsWhenBothEndsAreThereAndTakesBytesOverRate) {
+  expect_hard_times(make_exact_model(), make_hard_cases(false));
+  expect_hard_times(make_complete_model(), make_hard_cases(false));
+  expect_hard_times(machine::load_model("t805-25"), make_hard_cases(false));
+  expect_hard_times(machine::load_model("t414-20"), make_hard_cases(false));
+}
+
+// Whether the guard was ready is a matter of simulated times, not of who was created first.
+TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
+  expect_hard_times(make_exact_model(), make_hard_cases(true));
+  expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));
+}
+
+// The output comes at any cycle of the ALT: before, while its guard is enabled, while altwt
+// executes, after. (In the same cycle as the instruction that looks, either may come first.)
+TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
+  const Model model = make_complete_model();
+  const auto& alt = model.alternative;
+  const auto turn = 100 + alt.setup.value;
+  std::vector<HardCase> cases;
+  for (auto writer : BOTH_PRIORITIES)
+    for (auto reader : BOTH_PRIORITIES)
+      for (bool reader_made_first : {false, true})
+        for (std::int64_t computes = 40; computes < 140; ++computes) {
+          const auto written = computes + cost_first(model, Side::writer, 8);
+          if (written != turn && written != turn + alt.enable_ready.value &&
+              written != turn + alt.enable_not.value)
+            cases.push_back({reader_made_first, true, writer, reader, computes, 100, 8});
+        }
+  expect_hard_times(model, cases);
+}
+
+}  // namespace
+}  // namespace occam

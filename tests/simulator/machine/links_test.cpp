@@ -1,0 +1,133 @@
+// Links: how long transfers take, alone, both ways, beside others and over several hops.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/programs/rows.hpp"
+
+namespace occam {
+namespace {
+
+constexpr double HAIR = 1e-3;  // cycles; SimGrid resolves a picosecond
+
+// All start at once. Returns how many cycles after that each has arrived.
+struct Flow {
+  int from, to;
+  std::uint64_t bytes;
+};
+Numbers run_flows(int processors, const std::vector<std::pair<int, int>>& links,
+                  const std::vector<Flow>& flows) {
+  constexpr std::int64_t start = 4096;
+  return isolated_numbers([&] {
+    Lab lab;
+    for (int i = 0; i < processors; ++i) lab.cpu();
+    const auto& cpus = lab.machine.processors();
+    for (auto [a, b] : links) lab.machine.connect(*cpus[a], *cpus[b]);
+    Numbers ends(flows.size());
+    for (std::size_t i = 0; i < flows.size(); ++i) {
+      auto& channel = lab.hard(*cpus[flows[i].from], *cpus[flows[i].to]);
+      cpus[flows[i].from]->start("writer", Priority::low, [&channel, &flows, i] {
+        wait_until_cycle(start);
+        out(channel, {flows[i].bytes});
+      });
+      cpus[flows[i].to]->start("reader", Priority::low, [&channel, &ends, i] {
+        channel.in();
+        ends[i] = own_cycles() - start;
+      });
+    }
+    lab.machine.run();
+    return ends;
+  });
+}
+
+// Slack: a CPU starts its transfers one after the other.
+TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
+  const Model model = make_exact_model();
+  const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
+               half = model.link.both_ways_rate / clock / 2;  // bytes a cycle
+  constexpr std::uint64_t n = 100'000, m = 40'000;
+  constexpr double slack = 200;
+  EXPECT_NEAR(run_flows(2, {{0, 1}}, {{0, 1, n}}).at(0), n / one, slack);
+  for (double end : run_flows(2, {{0, 1}}, {{0, 1, n}, {1, 0, n}}))
+    EXPECT_NEAR(end, n / half, slack);
+  const auto uneven = run_flows(2, {{0, 1}}, {{0, 1, n}, {1, 0, m}});
+  EXPECT_NEAR(uneven.at(1), m / half, slack);
+  EXPECT_NEAR(uneven.at(0), m / half + (n - m) / one, slack);
+  // A star: in on two links, out on two.
+  for (double end :
+       run_flows(5, {{0, 1}, {0, 2}, {3, 0}, {4, 0}}, {{0, 1, n}, {0, 2, n}, {3, 0, n}, {4, 0, n}}))
+    EXPECT_NEAR(end, n / one, slack);
+}
+
+// Unloaded, over d links: every hop's sender starts (the reader waits already), then bytes/rate.
+TEST(Link, StoreAndForwardOverALine) {
+  for (int hops : {1, 2, 7})
+    for (std::uint64_t bytes : {1, 80, 3000}) {
+      const auto found = isolated_numbers([&] {
+        Lab lab;
+        std::vector<Channel<Words>*> line;
+        Processor* last = &lab.cpu();
+        for (int i = 0; i < hops; ++i) {
+          Processor& next = lab.neighbour(*last);
+          line.push_back(&lab.hard(*last, next));
+          last = &next;
+        }
+        double end = 0;
+        for (int i = 0; i <= hops; ++i)
+          lab.machine.processors()[i]->start("relay", Priority::high, [&, i] {
+            const Words message = i > 0 ? line[i - 1]->in() : Words{bytes};
+            i < hops ? out(*line[i], message) : void(end = own_cycles());
+          });
+        lab.machine.run();
+        return Numbers{end};
+      });
+      const Model model = make_exact_model();
+      const double hop =
+          static_cast<double>(model.channel.blocked.value) +
+          static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
+      EXPECT_NEAR(found.at(0), hops * hop, HAIR) << hops << " hops, " << bytes << " bytes";
+    }
+}
+
+// The real models at every link speed: the slope is the rate of the table, a direction alone and
+// both.
+TEST(Link, RatesOfTheModelsAtEverySpeed) {
+  constexpr std::uint64_t bytes = 100'000;
+  for (const auto& name : machine::builtin_models())
+    for (const char* speed : {"20e6", "10e6", "5e6"}) {
+      const Model model = machine::override_model(name, {{"link.bit_rate", speed}}, "tests");
+      const auto found = isolated_numbers([&] {
+        Lab lab(model);
+        Processor& a = lab.cpu();
+        Processor& b = lab.neighbour(a);
+        Processor& c = lab.cpu();
+        Processor& d = lab.neighbour(c);
+        Numbers ends(3);
+        const auto flow = [&](Processor& from, Processor& to, double& end) {
+          auto& channel = lab.hard(from, to);
+          from.start("writer", Priority::high, [&] { out(channel, {bytes}); });
+          to.start("reader", Priority::high,
+                   [&] { channel.in(), end = this_process().now().value; });
+        };
+        flow(a, b, ends[0]);
+        flow(c, d, ends[1]);
+        flow(d, c, ends[2]);
+        lab.machine.run();
+        return ends;
+      });
+      const double start =
+          static_cast<double>(cost_first(model, Side::writer, bytes)) / model.cpu.clock.value;
+      EXPECT_NEAR(found.at(0), start + bytes / model.link.one_way_rate, 1e-10) << name << speed;
+      for (int i : {1, 2})  // (the second of a processor's two starts a moment later)
+        EXPECT_NEAR(found.at(i), start + 2 * bytes / model.link.both_ways_rate, 2 * start)
+            << name << " at " << speed;
+    }
+}
+
+// 45 bit times a word, as measured: 2.25 us; 1000 words in 2.25 ms.
+TEST(Link, WordOfTheRealMachineTakesItsMeasuredTime) {
+  const Model model = machine::load_model("t805-25");
+  EXPECT_NEAR(4 / model.link.one_way_rate, 2.25e-6, 1e-15);
+  EXPECT_NEAR(4000 / model.link.one_way_rate, 4000 * 11.25 / 20e6, 1e-12);
+}
+
+}  // namespace
+}  // namespace occam

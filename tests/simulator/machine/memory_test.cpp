@@ -1,0 +1,184 @@
+// Where a program's words are: wait states, workspaces off chip, and the models that differ.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/machine/random_machine.hpp"
+#include "tests/simulator/programs/rows.hpp"
+
+namespace occam {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+Model make_model(const Settings& settings, const char* base = "t805-25") {
+  return machine::override_model(base, settings, "tests");
+}
+
+Model make_waiting_model(int wait_states, bool off_chip) {
+  Settings settings{{"memory.wait_states", std::to_string(wait_states)}};
+  if (off_chip) settings.emplace_back("memory.workspace_word", "\"memory.external_word\"");
+  return make_model(settings);
+}
+
+// The cycles of a rendezvous of w words on one processor: both ends.
+double time_rendezvous(const Model& model, std::uint64_t bytes) {
+  return isolated_numbers([&] {
+           Lab lab(model);
+           auto& channel = lab.soft();
+           Processor& cpu = lab.cpu();
+           cpu.start("reader", Priority::low, [&] { channel.in(); });
+           cpu.start("writer", Priority::low, [&] { out(channel, {bytes}); });
+           lab.machine.run();
+           return Numbers{lab.cycles()};
+         })
+      .at(0);
+}
+
+// External memory of 3 cycles and s wait states: a word is read and written in 2 (3 + s).
+TEST(Memory, WaitStatesLengthenTheCopy) {
+  for (int s : {0, 1, 2, 5})
+    for (std::int64_t w : {2, 10, 1000}) {
+      const Model model = make_waiting_model(s, false);
+      EXPECT_NEAR(time_rendezvous(model, static_cast<std::uint64_t>(4 * w)),
+                  (4 + 20) + (4 + 19) + w * 2 * (3 + s), ROUNDING);
+      EXPECT_EQ(model.memory.steal_word, 3 + s - 1);
+      // A workspace on chip: nothing else changes.
+      EXPECT_EQ(model.alternative.enable_not.value, 5 + 1 + 2 + 1);
+      EXPECT_EQ(machine::get_instruction(model, "ldl").value, 2);
+      EXPECT_EQ(machine::get_instruction(model, "load").value, 3 + (3 + s) - 1);
+    }
+}
+
+// A variable takes 3 + s cycles instead of one, and an instruction that deschedules touches three.
+TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
+  for (int s : {0, 1, 2}) {
+    SCOPED_TRACE(fmt::format("{} wait states", s));
+    const Model model = make_waiting_model(s, true);
+    const int word = 3 + s, more = word - 1, deschedule = 3 * more;
+    EXPECT_EQ(machine::get_instruction(model, "ldl").value, 1 + word);
+    EXPECT_EQ(machine::get_instruction(model, "stl").value, word);
+    EXPECT_EQ(machine::get_instruction(model, "lend").value, 10 + 4 * more);
+    EXPECT_EQ(model.channel.operands.value, 1 + (1 + word) + 1);
+    EXPECT_EQ(model.channel.blocked.value, 20 + deschedule);
+    EXPECT_EQ(model.channel.soft_setup.value, 19 + deschedule);
+    EXPECT_EQ(model.scheduler.start_process.value, 12 + deschedule);
+    EXPECT_EQ(model.scheduler.end_process.value, 13 + deschedule);
+    EXPECT_EQ(model.scheduler.run_process.value, 11 + deschedule);
+    EXPECT_EQ(model.alternative.enable_not.value, 6 + (1 + word) + 1 + more);
+    EXPECT_EQ(model.alternative.wait_not.value, 18 + deschedule);
+    EXPECT_EQ(model.alternative.timer_wait_not.value, 49 + deschedule);
+    EXPECT_EQ(model.alternative.disable.value, 9 + (1 + word) + 2 + more);
+    EXPECT_EQ(model.timer.wait_future.value, 31 + (1 + word) + deschedule);
+    const std::int64_t w = 5, operands = 3 + word;
+    EXPECT_NEAR(time_rendezvous(model, 4 * w),
+                (operands + 20 + deschedule) + (operands + 19 + deschedule + w * 2 * word),
+                ROUNDING);
+  }
+}
+
+// No operation of any model gets cheaper by slower memory.
+TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
+  for (const auto& name : machine::builtin_models())
+    for (bool off_chip : {false, true}) {
+      Model last;
+      for (int s = 0; s < 5; ++s) {
+        Settings settings{{"memory.wait_states", std::to_string(s)}};
+        if (off_chip) settings.emplace_back("memory.workspace_word", "\"memory.external_word\"");
+        const Model model = make_model(settings, name.c_str());
+        const Model& before = s > 0 ? last : machine::load_model(name);
+        for (std::size_t i = 0; i < model.entries.size(); ++i) {
+          EXPECT_EQ(model.entries[i].key, before.entries[i].key);
+          EXPECT_GE(model.entries[i].value, before.entries[i].value) << model.entries[i].key;
+        }
+        last = model;
+      }
+    }
+}
+
+// The run of a random program: its end, and what every CPU spent.
+Numbers run_plan(const Plan& plan, const Model& model) {
+  return isolated_numbers([&] {
+    Lab lab(model);
+    build_machine(lab, plan);
+    std::deque<std::string> logs;
+    std::string wrong;
+    for (const Stream& stream : plan.streams) start_stream(lab, stream, logs.emplace_back(), wrong);
+    lab.machine.run();
+    Numbers all{lab.machine.now().value};
+    for (const auto& cpu : lab.machine.processors()) all.push_back(lab.busy_cycles(*cpu));
+    return all;
+  });
+}
+
+// One stream through a chain of processes, each of whose waits only delays others.
+TEST(Memory, MoreWaitStatesAreNeverFaster) {
+  for (std::uint64_t seed = 400; seed < 416; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Plan plan = make_plan(seed);
+    plan.streams.resize(1);
+    Numbers last(1 + plan.topology.processors);
+    for (bool off_chip : {false, true})
+      for (int s : {0, 1, 4}) {
+        if (off_chip && s == 0) std::ranges::fill(last, 0);
+        const auto found = run_plan(plan, make_waiting_model(s, off_chip));
+        EXPECT_GE(found.at(0) * (1 + 1e-9), last.at(0)) << s << " wait states";
+        last = found;
+      }
+  }
+}
+
+TEST(Memory, OffChipIsNeverFasterThanOnChip) {
+  for (std::uint64_t seed = 400; seed < 410; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Plan plan = make_plan(seed);
+    plan.streams.resize(1);
+    const auto on_chip = run_plan(plan, make_on_chip_model()),
+               data = run_plan(plan, make_waiting_model(0, false)),
+               all = run_plan(plan, make_waiting_model(0, true));
+    EXPECT_LE(on_chip.at(0), data.at(0) * (1 + 1e-9));
+    EXPECT_LE(data.at(0), all.at(0) * (1 + 1e-9));
+  }
+}
+
+// The four models and the three link speeds: a slower one is never faster, over random programs of
+// one stream.
+TEST(Models, SlowerClocksAndLinksAreNeverFaster) {
+  for (std::uint64_t seed = 500; seed < 508; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Plan plan = make_plan(seed);
+    plan.streams.resize(1);
+    plan.streams[0].lengths.resize(1);
+    const auto time = [&](const char* base, const char* bit_rate) {
+      return run_plan(plan, make_model({{"link.bit_rate", bit_rate}}, base)).at(0);
+    };
+    const char* const by_speed[] = {"t805-30", "t805-25", "t800-20", "t414-20"};
+    for (int i = 1; i < 4; ++i)
+      EXPECT_LT(time(by_speed[i - 1], "20e6"), time(by_speed[i], "20e6")) << by_speed[i];
+    for (const char* model : by_speed) {
+      EXPECT_LT(time(model, "20e6"), time(model, "10e6")) << model;
+      EXPECT_LT(time(model, "10e6"), time(model, "5e6")) << model;
+    }
+  }
+}
+
+TEST(Models, DifferInWhatTheirFilesSay) {
+  const auto difference = [](const char* a, const char* b) {
+    return machine::describe_difference(machine::load_model(a), machine::load_model(b));
+  };
+  const auto holds = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const auto t800 = difference("t805-25", "t800-20");
+  EXPECT_TRUE(holds(t800, "cpu.clock"));
+  EXPECT_TRUE(holds(t800, "scheduler.slice"));
+  EXPECT_FALSE(holds(t800, "link."));
+  EXPECT_FALSE(holds(t800, "channel."));
+  const auto t414 = difference("t800-20", "t414-20");
+  EXPECT_TRUE(holds(t414, "link.one_way_rate"));
+  EXPECT_TRUE(holds(t414, "instruction.add"));
+  const auto none = difference("t805-25", "t805-25");
+  const auto entries = machine::load_model("t805-25").entries.size();
+  EXPECT_TRUE(holds(none, fmt::format("{} other entries are the same", entries).c_str())) << none;
+}
+
+}  // namespace
+}  // namespace occam

@@ -1,0 +1,111 @@
+// Random machines: random topologies, crossed by streams of messages that random chains of
+// processes relay.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "tests/support/support.hpp"
+#include "topologies/make/generators.hpp"
+#include "topologies/route/routes.hpp"
+
+namespace occam {
+
+// One processor on a stream's way. Two processes joined by a soft channel, or one.
+struct Stage {
+  int processor;
+  bool two;
+  Priority priority[2];
+  std::int64_t computes;  // a message
+};
+
+struct Stream {
+  std::vector<Stage> stages;
+  std::vector<std::uint64_t> lengths;  // of its messages
+};
+
+struct Plan {
+  topologies::Topology topology;
+  std::vector<Stream> streams;  // no two on one link direction
+};
+
+inline Plan make_plan(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const char* const specs[] = {"line:5",    "ring:6",      "tree:10", "mesh:3x4",
+                               "torus:3x3", "hypercube:4", "star:5"};
+  Plan plan{topologies::make_generated(specs[seed % std::size(specs)]), {}};
+  const auto routes = topologies::make_routes(plan.topology);
+  const auto neighbours = topologies::neighbours(plan.topology);
+  std::map<std::pair<int, int>, bool> taken;
+  const auto pick = [&] { return static_cast<int>(random() % plan.topology.processors); };
+  const auto kind = random() % 3;  // all high, all low, mixed
+  const auto priority = [&] { return BOTH_PRIORITIES[kind < 2 ? kind : random() % 2]; };
+  for (int tries = 3 * plan.topology.processors; tries > 0; --tries) {
+    std::vector<int> path{pick()};
+    for (const int to = pick(); path.back() != to;)
+      path.push_back(std::ranges::find(neighbours[path.back()], routes.next_port(path.back(), to),
+                                       &topologies::Neighbour::port)
+                         ->processor);
+    bool is_free = path.size() > 1;
+    for (std::size_t i = 1; i < path.size(); ++i) is_free &= !taken[{path[i - 1], path[i]}];
+    if (!is_free) continue;
+    Stream stream;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (i > 0) taken[{path[i - 1], path[i]}] = true;
+      stream.stages.push_back({path[i],
+                               random() % 2 == 0,
+                               {priority(), priority()},
+                               static_cast<std::int64_t>(random() % 3000)});
+    }
+    for (auto n = 1 + random() % 30; n > 0; --n)
+      stream.lengths.push_back(1 + random() % (random() % 4 == 0 ? 2000 : 60));
+    plan.streams.push_back(std::move(stream));
+  }
+  return plan;
+}
+
+// Starts the processes of a stream. The sink notes what is wrong and when messages came.
+inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::string& wrong) {
+  const auto& cpus = lab.machine.processors();
+  Channel<Words>* from = nullptr;
+  for (std::size_t i = 0; i < stream.stages.size(); ++i) {
+    const Stage& stage = stream.stages[i];
+    Processor& cpu = *cpus[stage.processor];
+    const bool last = i + 1 == stream.stages.size();
+    Channel<Words>* to = last ? nullptr : &lab.hard(cpu, *cpus[stream.stages[i + 1].processor]);
+    auto take = [&stream](Channel<Words>* channel, std::size_t n) {
+      return channel ? channel->in() : Words{stream.lengths[n], n};
+    };
+    auto give = [&](Channel<Words>* channel, std::size_t n, const Words& message) {
+      if (channel) return out(*channel, message);
+      if (message.content != n || message.length != stream.lengths[n])
+        wrong += fmt::format("message {} is {}\n", n, message.content);
+      log += fmt::format("{:a} ", own_cycles());
+    };
+    Channel<Words>* middle = stage.two ? &lab.soft() : nullptr;
+    cpu.start("stage", stage.priority[0], [=, &stream, &stage] {
+      for (std::size_t n = 0; n < stream.lengths.size(); ++n) {
+        const Words message = take(from, n);
+        compute(stage.computes);
+        give(middle ? middle : to, n, message);
+      }
+      this_process().sync();
+    });
+    if (middle)
+      cpu.start("second half", stage.priority[1], [=, &stream] {
+        for (std::size_t n = 0; n < stream.lengths.size(); ++n) give(to, n, middle->in());
+        this_process().sync();
+      });
+    from = to;
+  }
+}
+
+inline void build_machine(Lab& lab, const Plan& plan) {
+  for (int i = 0; i < plan.topology.processors; ++i) lab.cpu();
+  const auto& cpus = lab.machine.processors();
+  for (const auto& link : plan.topology.links)
+    lab.machine.connect(*cpus[link.a.processor], *cpus[link.b.processor]);
+}
+
+}  // namespace occam

@@ -1,0 +1,158 @@
+// How a run ends: when all is done, at its limit, at the user's wish.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/machine/failures.hpp"
+
+namespace occam {
+namespace {
+
+using machine::End;
+using machine::Seconds;
+
+Seconds date_of_cycle(const Lab& lab, std::int64_t cycle) {
+  return Cycles{cycle} / lab.machine.model().cpu.clock;
+}
+
+// Two processors that exchange messages for ever, and compute.
+void start_endless(Lab& lab) {
+  Processor& a = lab.cpu();
+  Processor& b = lab.neighbour(a);
+  auto &there = lab.hard(a, b), &back = lab.hard(b, a);
+  a.start("ping", Priority::high, [&] {
+    for (;;) out(there, {100}), back.in(), compute(300);
+  });
+  b.start("pong", Priority::low, [&] {
+    for (;;) there.in(), out(back, {60}), compute(77);
+  });
+  for (int i = 0; i < 2; ++i)
+    b.start("busy", Priority::low, [] {
+      for (;;) compute(10'000), this_process().sync();
+    });
+}
+
+TEST(Run, EndsAtItsLimitWithNothingBeyond) {
+  for (std::int64_t limit : {1, 20, 21, 1000, 4096, 12'345, 100'000}) {
+    SCOPED_TRACE(fmt::format("limit {}", limit));
+    const auto found = isolated_numbers([&] {
+      Lab lab;
+      start_endless(lab);
+      const End end = lab.machine.run(date_of_cycle(lab, limit));
+      Numbers all{static_cast<double>(end == End::limit), lab.cycles()};
+      for (const auto& cpu : lab.machine.processors()) all.push_back(lab.busy_cycles(*cpu));
+      for (const auto& link : lab.machine.links())
+        all.push_back(link->use().busy.value * lab.machine.model().cpu.clock.value);
+      return all;
+    });
+    EXPECT_EQ(found.at(0), 1);
+    EXPECT_EQ(found.at(1), limit);
+    for (std::size_t i = 2; i < found.size(); ++i) {
+      EXPECT_GE(found[i], 0);
+      EXPECT_LE(found[i], static_cast<double>(limit) * (1 + 1e-12));
+    }
+    EXPECT_EQ(found.at(3), limit);  // the second processor always has work
+  }
+}
+
+// The same run, seen at a limit or beyond it: what has happened by then is the same.
+TEST(Run, LimitDoesNotChangeWhatHappensBefore) {
+  const auto seen = [](std::int64_t limit, std::int64_t until) {
+    return isolated([&] {
+      Lab lab;
+      std::string log;
+      start_endless(lab);
+      lab.cpu().start("clock", Priority::high, [&] {
+        for (std::int64_t at = 64; at <= until; at += 64) {
+          wait_until_cycle(at);
+          for (const auto& cpu : lab.machine.processors())
+            log += fmt::format("{:a} ", lab.busy_cycles(*cpu));
+          for (const auto& link : lab.machine.links()) log += fmt::format("{} ", link->use().bytes);
+        }
+      });
+      lab.machine.run(date_of_cycle(lab, limit));
+      return log;
+    });
+  };
+  EXPECT_EQ(seen(50'001, 49'984), seen(200'000, 49'984));
+}
+
+TEST(Run, IsDoneBeforeItsLimit) {
+  for (std::int64_t limit : {1000, 1001, 50'000}) {
+    const auto found = isolated_numbers([&] {
+      Lab lab;
+      lab.cpu().start("short", Priority::low, [] { compute(1000); });
+      const End end = lab.machine.run(date_of_cycle(lab, limit));
+      return Numbers{static_cast<double>(end == End::done), lab.cycles()};
+    });
+    EXPECT_EQ(found, (Numbers{1, 1000})) << "limit " << limit;
+  }
+}
+
+TEST(Run, StopsWhenTheUserWants) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    start_endless(lab);
+    Processor& cpu = lab.cpu();
+    cpu.start("user", Priority::high, [] {
+      wait_until_cycle(40'000);
+      machine::request_stop();
+    });
+    const End end = lab.machine.run();
+    return Numbers{static_cast<double>(end == End::interrupt), lab.cycles()};
+  });
+  EXPECT_EQ(found.at(0), 1);
+  EXPECT_GE(found.at(1), 40'000);
+  EXPECT_LE(found.at(1), 41'000);
+}
+
+// A computation that was pre-empted, a slice that was not needed, a timeout that did not fire: none
+// of their timers moves the clock at the end.
+TEST(Run, EndsWithItsLastProcess) {
+  const Model model = make_exact_model();
+  const auto found = isolated_numbers([&] {
+    Lab lab;
+    Processor& cpu = lab.cpu();
+    auto& channel = lab.soft();
+    cpu.start("timeout", Priority::high, [&] {
+      Words got;
+      pri_alt(after(100'000, [] {}), when(channel, got, [] {}));
+    });
+    cpu.start("a", Priority::low, [&] { compute(3 * model.scheduler.slice.value); });
+    cpu.start("b", Priority::low, [&] { compute(100), out(channel, {}); });
+    lab.machine.run();
+    return Numbers{lab.cycles() - lab.busy_cycles(cpu)};
+  });
+  EXPECT_EQ(found.at(0), 0);
+}
+
+// What runs at a limit is unwound: destructors of what processes hold are called.
+TEST(Run, UnwindsWhatHasNotEnded) {
+  const auto found = isolated_numbers([] {
+    double released = 0;
+    struct Holder {
+      double& count;
+      ~Holder() { count += 1; }
+    };
+    {
+      Lab lab;
+      Processor& cpu = lab.cpu();
+      auto& channel = lab.soft();
+      for (auto priority : BOTH_PRIORITIES)
+        cpu.start("holder", priority, [&, priority] {
+          Holder holder{released};
+          if (priority == Priority::high) channel.in();
+          par({{"branch", Priority::low,
+                [&] {
+                  Holder inner{released};
+                  compute(1 << 30), this_process().sync();
+                }},
+               {"own", Priority::low, [&] { compute(1 << 30), this_process().sync(); }}});
+        });
+      lab.machine.run(date_of_cycle(lab, 100'000));
+    }
+    return Numbers{released};
+  });
+  EXPECT_EQ(found.at(0), 3);
+}
+
+}  // namespace
+}  // namespace occam

@@ -1,0 +1,176 @@
+// Channels of one processor: when a rendezvous is over, what it costs, and what arrives.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/programs/rows.hpp"
+
+namespace occam {
+namespace {
+
+constexpr std::uint64_t LENGTHS[] = {0, 1, 4, 5, 8, 100, 4001};
+
+struct SoftCase {
+  bool writer_first;
+  Priority first, second;
+  std::uint64_t bytes;
+};
+
+std::vector<SoftCase> make_soft_cases() {
+  std::vector<SoftCase> cases;
+  for (bool writer_first : {true, false})
+    for (auto first : BOTH_PRIORITIES)
+      for (auto second : BOTH_PRIORITIES)
+        for (auto bytes : LENGTHS) cases.push_back({writer_first, first, second, bytes});
+  return cases;
+}
+
+// The first pays its operands and `blocked`; the second, who comes at `date`, its operands, set-up
+// and copy; then both go on, and a high one pre-empts a low one.
+void expect_soft_times(const Model& model) {
+  constexpr std::int64_t date = 102'400;  // a tick of every clock
+  const auto cases = make_soft_cases();
+  const auto found = isolated_numbers([&] {
+    Lab lab(model);
+    std::deque<std::array<double, 3>> ends(cases.size());  // first, second, what was received
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      auto& channel = lab.soft();
+      auto meet = [&, i](bool writes) {
+        if (writes)
+          out(channel, {cases[i].bytes, i});
+        else
+          ends[i][2] = static_cast<double>(channel.in().content);
+      };
+      Processor& cpu = lab.cpu();
+      cpu.start("first", cases[i].first, [&, meet, i] {
+        meet(cases[i].writer_first);
+        ends[i][0] = own_cycles();
+      });
+      cpu.start("second", cases[i].second, [&, meet, i] {
+        wait_until_cycle(date);
+        meet(!cases[i].writer_first);
+        ends[i][1] = own_cycles();
+      });
+    }
+    lab.machine.run();
+    Numbers all;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      all.insert(all.end(), ends[i].begin(), ends[i].end());
+      all.push_back(lab.busy_cycles(*lab.machine.processors()[i]));
+    }
+    return all;
+  });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto& c = cases[i];
+    SCOPED_TRACE(fmt::format("{} first, {} then {}, {} bytes", c.writer_first ? "writer" : "reader",
+                             name_of(c.first), name_of(c.second), c.bytes));
+    const Side first = c.writer_first ? Side::writer : Side::reader,
+               second = c.writer_first ? Side::reader : Side::writer;
+    const bool preempts = c.first == Priority::high && c.second == Priority::low;
+    const auto there = preempts ? model.scheduler.preemption.value : 0;
+    const auto back = preempts ? model.scheduler.return_to_low.value : 0;
+    const auto cost = cost_second(model, second, c.bytes);
+    EXPECT_NEAR(found.at(4 * i), date + cost + there, ROUNDING);
+    EXPECT_NEAR(found.at(4 * i + 1), date + cost + there + back, ROUNDING);
+    EXPECT_EQ(found.at(4 * i + 2), i);
+    EXPECT_NEAR(
+        found.at(4 * i + 3),
+        model.timer.wait_future.value + cost_first(model, first, c.bytes) + cost + there + back,
+        ROUNDING);
+  }
+}
+
+TEST(SoftRendezvous, TakesTheOperandsSetupAndCopyOfTheSecondToCome) {
+  expect_soft_times(make_exact_model());
+  expect_soft_times(make_complete_model());
+  expect_soft_times(make_on_chip_model());
+  expect_soft_times(machine::load_model("t805-25"));
+  expect_soft_times(machine::load_model("t414-20"));
+}
+
+// The published form, on chip: in and out 2w+19, outword 3 more; 20 for the first to come;
+// operands 4.
+TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
+  const Model model = make_on_chip_model();
+  for (auto bytes : LENGTHS) {
+    const std::int64_t w = words_in(bytes), one_word = bytes == 4 ? 3 : 0;
+    EXPECT_EQ(cost_first(model, Side::reader, bytes), 4 + 20);
+    EXPECT_EQ(cost_first(model, Side::writer, bytes), 4 + 20 + one_word);
+    EXPECT_EQ(cost_second(model, Side::reader, bytes), 4 + 2 * w + 19);
+    EXPECT_EQ(cost_second(model, Side::writer, bytes), 4 + 2 * w + 19 + one_word);
+  }
+}
+
+// No bytes: nothing is copied, and the two still meet.
+TEST(SoftRendezvous, OfNoBytes) {
+  const Model model = make_complete_model();
+  for (auto first : BOTH_PRIORITIES)
+    for (auto second : BOTH_PRIORITIES) {
+      const auto found = isolated_numbers([&] {
+        Lab lab(model);
+        auto& channel = lab.soft();
+        Processor& cpu = lab.cpu();
+        cpu.start("reader", first, [&] { channel.in(); });
+        cpu.start("writer", second, [&] { wait_until_cycle(4096), out(channel, {0}); });
+        lab.machine.run();
+        return Numbers{lab.busy_cycles(cpu)};
+      });
+      const bool preempts = first == Priority::high && second == Priority::low;
+      EXPECT_EQ(
+          found.at(0),
+          model.timer.wait_future.value + cost_first(model, Side::reader, 0) +
+              cost_second(model, Side::writer, 0) +
+              (preempts ? model.scheduler.preemption + model.scheduler.return_to_low : Cycles{0})
+                  .value);
+    }
+}
+
+TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
+  const Model model = make_exact_model();
+  const auto found = isolated_numbers([&] {
+    Lab lab(model, 2.5);
+    double end = 0;
+    auto& channel = lab.soft();
+    Processor& cpu = lab.cpu();
+    cpu.start("writer", Priority::low, [&] { out(channel, {8}); });
+    cpu.start("reader", Priority::low, [&] {
+      channel.in();
+      compute(1000);  // computation has its own scales
+      end = own_cycles();
+      this_process().sync();
+    });
+    lab.machine.run();
+    return Numbers{end};
+  });
+  const auto blocked = static_cast<double>(model.channel.blocked.value);
+  const auto copy = static_cast<double>(soft_cost(model, 8));
+  EXPECT_EQ(found.at(0), std::round(2.5 * blocked) + std::round(2.5 * copy) + 1000);
+}
+
+// On the machine `in` and `out` are one instruction each: whoever comes second copies. A high
+// process may come while a low one is at its instruction, and is then first or second.
+TEST(SoftRendezvous, IsCopiedWhenAHighProcessComesDuringTheInstructionOfALowOne) {
+  constexpr std::uint64_t bytes = 4000;
+  const Model model = make_exact_model();
+  for (bool low_writes : {true, false}) {
+    const auto found = isolated_numbers([&] {
+      Lab lab;
+      auto& channel = lab.soft();
+      auto meet = [&](bool writes) { writes ? out(channel, {bytes}) : void(channel.in()); };
+      Processor& cpu = lab.cpu();
+      cpu.start("high", Priority::high, [&] {
+        wait_until_cycle(64);
+        meet(!low_writes);
+      });
+      cpu.start("low", Priority::low, [&] {
+        compute(64 - model.channel.blocked.value / 2 - model.timer.wait_future.value);
+        meet(low_writes);
+        this_process().sync();
+      });
+      lab.machine.run();
+      return Numbers{lab.busy_cycles(cpu)};
+    });
+    EXPECT_GE(found.at(0), soft_cost(model, bytes)) << (low_writes ? "low writes" : "low reads");
+  }
+}
+
+}  // namespace
+}  // namespace occam

@@ -1,0 +1,159 @@
+// The machine's networks against an independent simulation, and both against queueing theory.
+//
+// The machine's CPUs are so fast here that routing takes no time, and its links do not slow each
+// other down; what remains is store and forward over serial links.
+#include "tests/simulator/network/second_opinion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "simulator/programs/network/traffic.hpp"
+#include "tests/support/support.hpp"
+#include "topologies/graph/metrics.hpp"
+#include "topologies/route/routes.hpp"
+
+namespace programs {
+namespace {
+
+constexpr std::uint64_t BYTES = 97;  // of a packet; its service is no multiple of a microsecond
+
+machine::Model make_ideal_model() {
+  return machine::override_model("t805-25",
+                                 {{"cpu.clock", "1e12"},
+                                  {"memory.steal_word", "0"},
+                                  {"link.both_ways_rate", "\"2 * link.one_way_rate\""}},
+                                 "the test");
+}
+
+double service_of(const machine::Model& model) {
+  return static_cast<double>(BYTES) / model.link.one_way_rate;
+}
+
+// Latencies, in the order of the arrivals.
+std::vector<double> run_machine_on(const topologies::Topology& topology,
+                                   const std::vector<Arrival>& arrivals) {
+  return occam::isolated_numbers([&] {
+    const auto model = make_ideal_model();
+    std::vector<double> latencies;
+    for (const auto& d : run_traffic(Setup{model, topology, {}}, arrivals, BYTES).deliveries)
+      latencies.push_back(d.received_s - d.sent_s);
+    return latencies;
+  });
+}
+
+std::vector<double> ask_second_opinion(const topologies::Topology& topology,
+                                       const std::vector<Arrival>& arrivals) {
+  const auto routes = make_routes(topology);
+  const auto around = neighbours(topology);
+  std::vector<second_opinion::Packet> packets;
+  for (const auto& a : arrivals)
+    packets.push_back({1e-6 * static_cast<double>(a.at_us), a.from, a.to});
+  auto latencies =
+      second_opinion::Network(packets, service_of(make_ideal_model()), [&](int from, int to) {
+        const int port = routes.next_port(from, to);
+        return std::ranges::find(around[from], port, &topologies::Neighbour::port)->processor;
+      }).run();
+  for (std::size_t i = 0; i < latencies.size(); ++i) latencies[i] -= packets[i].at_s;
+  return latencies;
+}
+
+double mean_of(std::span<const double> numbers) {
+  double sum = 0;
+  for (const double number : numbers) sum += number;
+  return sum / static_cast<double>(numbers.size());
+}
+
+// What a processor may send, in packets/s, before the busiest link has no pause any more.
+double saturating_rate(const topologies::Topology& topology) {
+  const auto busiest = eval_metrics(topology).all_to_all.messages;
+  return (topology.processors - 1) / static_cast<double>(busiest) / service_of(make_ideal_model());
+}
+
+struct Case {
+  std::string topology;
+  double share;  // of the saturating load
+  double window_us;
+};
+
+class SecondOpinion : public testing::TestWithParam<Case> {};
+
+// The same packets at the same times by the same ways: what is left is the fraction of a nanosecond
+// that a processor takes.
+TEST_P(SecondOpinion, AgreesOnTheMeanLatencyOfUniformTraffic) {
+  const auto& [name, share, window_us] = GetParam();
+  const auto topology = topologies::make_topology(name);
+  for (const std::uint64_t seed : {1, 2}) {
+    const auto arrivals = make_uniform_traffic(topology.processors,
+                                               share * saturating_rate(topology), window_us, seed);
+    const double found = mean_of(run_machine_on(topology, arrivals));
+    const double expected = mean_of(ask_second_opinion(topology, arrivals));
+    EXPECT_NEAR(found, expected, 1e-4 * expected)
+        << name << ", load " << share << ", seed " << seed << ", " << arrivals.size() << " packets";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Traffic, SecondOpinion,
+                         testing::Values(Case{"line:8", 0.1, 1e6}, Case{"line:8", 0.5, 4e5},
+                                         Case{"line:8", 0.9, 3e5}, Case{"mesh:4x4", 0.1, 3e5},
+                                         Case{"mesh:4x4", 0.5, 1e5}, Case{"mesh:4x4", 0.9, 1e5},
+                                         Case{"mesh:8x8", 0.1, 1e5}, Case{"mesh:8x8", 0.5, 3e4},
+                                         Case{"mesh:8x8", 0.9, 3e4}),
+                         [](const auto& at) {
+                           std::string name = fmt::format("{}_{:.0f}percent", at.param.topology,
+                                                          100 * at.param.share);
+                           std::ranges::replace(name, ':', '_');
+                           return name;
+                         });
+
+// One link, Poisson arrivals, a constant service s: an M/D/1 queue. A packet waits
+// rho s / (2 (1 - rho)) in the mean (Pollaczek and Khinchine).
+TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
+  const double service_s = service_of(make_ideal_model());
+  const auto topology = topologies::make_topology("line:2");
+  for (const double rho : {0.3, 0.6, 0.8}) {
+    const std::uint64_t seed = 7;
+    auto arrivals = make_uniform_traffic(2, rho / service_s, 8e6, seed);
+    std::erase_if(arrivals, [](const Arrival& a) { return a.from != 0; });
+    const auto latencies = run_machine_on(topology, arrivals);
+    // The error of the mean from the means of long batches, which hardly depend on each other.
+    constexpr std::size_t BATCHES = 20;
+    const std::size_t length = latencies.size() / BATCHES;
+    std::vector<double> waits;
+    for (std::size_t b = 0; b < BATCHES; ++b) {
+      const auto batch = std::span(latencies).subspan(b * length, length);
+      waits.push_back(mean_of(batch) - service_s);
+    }
+    const double wait = mean_of(waits);
+    double squares = 0;
+    for (const double w : waits) squares += (w - wait) * (w - wait);
+    const double error = std::sqrt(squares / (BATCHES * (BATCHES - 1)));
+    const double expected = rho * service_s / (2 * (1 - rho));
+    EXPECT_LT(error, 0.05 * expected) << "rho " << rho << ", seed " << seed;
+    EXPECT_NEAR(wait, expected, 3 * error) << "rho " << rho << ", seed " << seed;
+  }
+}
+
+// The pattern says whether its queues grow without bound.
+TEST(QueueingTheory, ASaturatedNetworkSaysSo) {
+  const auto model = make_ideal_model();
+  const auto topology = topologies::make_topology("mesh:4x4");
+  const double full = saturating_rate(topology) * service_of(model);
+  const auto pattern = std::ranges::find(all_patterns(), "traffic", &Pattern::name);
+  for (const double share : {0.1, 0.9, 1.2, 3.0}) {
+    programs::Setup setup{model, topology, {}};
+    for (const auto& p : pattern->parameters) setup.parameters[p.name] = p.value;
+    setup.parameters["bytes"] = BYTES;
+    setup.parameters["load"] = share * full;
+    const auto saturated = occam::isolated_numbers([&] {
+      const Row row = pattern->run(setup).rows.at(0);
+      return occam::Numbers{std::ranges::find(row, "saturated", &Row::value_type::first)->second};
+    });
+    EXPECT_EQ(saturated.at(0), share > 1 ? 1 : 0) << share << " of the saturating load";
+  }
+}
+
+}  // namespace
+}  // namespace programs

@@ -1,0 +1,147 @@
+// ALTs and deadlocks on links that are cut.
+#include <gtest/gtest.h>
+
+#include "tests/simulator/machine/failing_links.hpp"
+#include "tests/simulator/machine/failures.hpp"
+
+namespace occam {
+namespace {
+
+// A process waits for a message or a time-out. Returns whether it had the message (-1: neither, the
+// link failed in the middle), when, and whether the writer was told that it had.
+struct AltCase {
+  double cut;
+  Priority writer, reader;
+  std::int64_t writer_computes;
+  bool writes = true;
+};
+Numbers wait_in_alt(const AltCase& c) {
+  return isolated_numbers([&] {
+    CutPair pair(c.cut);
+    auto& channel = pair.lab.hard(pair.a, pair.b);
+    Attempt writer{pair.a, c.writer, Side::writer, channel, c.writer_computes, 40};
+    if (c.writes) writer.start();
+    Numbers found(2);
+    pair.b.start("reader", c.reader, [&] {
+      std::optional<Words> got;
+      const std::int64_t deadline = c.reader == Priority::high ? 512 : 8;  // cycle 8192
+      pri_alt(when(channel, got, [&] { found[0] = got ? 1 : -1; }),
+              after(deadline, [&] { found[0] = 0; }));
+      this_process().sync();
+      found[1] = own_cycles();
+    });
+    pair.lab.machine.run();
+    found.push_back(writer.moved);
+    return found;
+  });
+}
+
+TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
+  for (auto writer : BOTH_PRIORITIES)
+    for (auto reader : BOTH_PRIORITIES) {
+      const auto silent = wait_in_alt({1e9, writer, reader, 0, false});
+      ASSERT_EQ(silent.at(0), 0);
+      // Cut from the start; before the writer comes; while it is ahead of the clock.
+      for (const auto& [cut, computes] : {std::pair{0.0, 0}, {500.0, 3000}, {500.0, 900}}) {
+        const auto found = wait_in_alt({cut, writer, reader, computes});
+        EXPECT_EQ(found.at(0), 0) << cut;
+        EXPECT_EQ(found.at(1), silent.at(1)) << cut;
+        EXPECT_EQ(found.at(2), 0) << cut;
+      }
+    }
+}
+
+// The cut comes at any cycle: either both have the message, or neither.
+TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
+  std::array<int, 3> seen{};
+  for (auto writer : BOTH_PRIORITIES)
+    for (auto reader : BOTH_PRIORITIES)
+      for (int cut = 0; cut < 1200; cut += cut < 300 ? 2 : 100) {
+        const auto found = wait_in_alt({static_cast<double>(cut), writer, reader, 60});
+        EXPECT_EQ(found.at(0) == 1, found.at(2) == 1) << cut;
+        ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
+      }
+  for (int times : seen) EXPECT_GT(times, 0);  // in the middle; never; before
+}
+
+TEST(AltFailure, OtherGuardsGoOn) {
+  const auto found = isolated_numbers([] {
+    CutPair pair(0);
+    auto& cut = pair.lab.hard(pair.a, pair.b);
+    Processor& c = pair.lab.neighbour(pair.b);
+    auto& whole = pair.lab.hard(c, pair.b);
+    c.start("writer", Priority::low, [&] { out(whole, {8, 7}); });
+    double content = 0;
+    pair.b.start("reader", Priority::low, [&] {
+      Words got;
+      pri_alt(when(cut, got, [] {}), when(whole, got, [&] { content = 1.0 * got.content; }));
+    });
+    pair.lab.machine.run();
+    return Numbers{content};
+  });
+  EXPECT_EQ(found, Numbers{7});
+}
+
+std::string deadlock_of(double cut, const std::function<void(Lab&, Processor&, Processor&)>& body) {
+  return failure_of([&](Lab& lab) {
+    Processor& a = lab.cpu();
+    Processor& b = lab.neighbour(a);
+    lab.machine.cut_link(a, b, at_cycle(lab, cut));
+    body(lab, a, b);
+  });
+}
+
+// It does not put off the date of a deadlock that it does not change.
+TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
+  const auto blocked = make_exact_model().channel.blocked.value;
+  for (double cut : {0.0, 5000.0}) {
+    const auto report = deadlock_of(cut, [](Lab& lab, Processor& a, Processor& b) {
+      auto &there = lab.hard(a, b), &back = lab.hard(b, a);
+      a.start("Alice", Priority::low, [&] { out(there, {}); });
+      a.start("Bob", Priority::high, [&] { back.in(); });
+    });
+    EXPECT_TRUE(report.starts_with(fmt::format("Deadlock of machine at {}\n", 2 * blocked)))
+        << report;
+    EXPECT_NE(report.find("\n  Alice on cpu 0 waits for out on cpu 0 > cpu 1 (link cut)\n"
+                          "  Bob on cpu 0 waits for in on cpu 1 > cpu 0 (link cut)"),
+              std::string::npos)
+        << report;
+  }
+}
+
+// The end that may fail goes on, and the other blocks for ever; a server that inputs may.
+TEST(FailureDeadlock, OfATransferThatWasCut) {
+  const auto run = [](bool is_server, bool writer_may_fail) {
+    return deadlock_of(500, [=](Lab& lab, Processor& a, Processor& b) {
+      auto& channel = lab.hard(a, b);
+      a.start("Alice", Priority::low, [&channel, writer_may_fail] {
+        writer_may_fail ? void(channel.out_or_fail({1000})) : channel.out({1000});
+      });
+      auto& bob = b.start("Bob", Priority::low, [&] { channel.in(); });
+      if (is_server) bob.set_server();
+    });
+  };
+  EXPECT_EQ(run(true, true), "nothing\n");
+  const auto both = run(false, false), reader = run(false, true), writer = run(true, false);
+  const std::string alice = "\n  Alice on cpu 0 waits for out on cpu 0 > cpu 1 (link cut)",
+                    bob = "\n  Bob on cpu 1 waits for in on cpu 0 > cpu 1 (link cut)";
+  for (const auto& report : {both, reader, writer})
+    EXPECT_TRUE(report.starts_with("Deadlock of machine at 500\n")) << report;
+  EXPECT_TRUE(both.ends_with(alice + bob)) << both;
+  EXPECT_TRUE(reader.ends_with("any more:" + bob)) << reader;
+  EXPECT_TRUE(writer.ends_with("any more:" + alice)) << writer;
+}
+
+TEST(FailureDeadlock, OfAnAltWhoseGuardsAreAllCut) {
+  const auto report = deadlock_of(500, [](Lab& lab, Processor& a, Processor& b) {
+    auto& channel = lab.hard(a, b);
+    a.start("Alice", Priority::low, [&] { compute(1000), out(channel, {}); });
+    b.start("Bob", Priority::low, [&] { select(std::array{Guard{&channel}}); });
+  });
+  EXPECT_NE(report.find("Bob on cpu 1 waits for alt on cpu 0 > cpu 1 (link cut)"),
+            std::string::npos)
+      << report;
+}
+
+}  // namespace
+}  // namespace occam

@@ -1,0 +1,257 @@
+// Radiosity on a machine: what it computes, whatever the machine, and what it takes.
+#include "base/errors.hpp"
+#include "simulator/radiosity/radiosity.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "simulator/radiosity/messages.hpp"
+#include "tests/renderer/radiosity/support.hpp"
+#include "tests/simulator/network/router_support.hpp"
+
+namespace amp {
+namespace {
+
+using occam::isolated;
+using radiosity::Mesh;
+
+Mesh make_room(std::uint64_t seed, int n) {
+  renderer::test::Random random(seed);
+  radiosity::Room room = radiosity::test::make_furnished(random, 2, n);
+  room.materials = {{"wall", {0.7, 0.5, 0.3}, {}}, {"lamp", {}, {9, 8, 7}}};
+  radiosity::test::add_quad(room, 1, {1, 1, 1.9}, {0, 0.4, 0}, {0.4, 0, 0}, 2, 2);
+  return make_mesh(room, {});
+}
+
+Params make_params(int shots) {
+  Params params;
+  params.solve.shots = shots;
+  params.solve.tolerance = 0;
+  return params;
+}
+
+Result run(const std::string& topology, const Mesh& mesh, const Params& params,
+           const std::string& model = "t805-25") {
+  return run_radiosity(machine::load_model(model), topologies::make_topology(topology), mesh,
+                       params);
+}
+
+bool are_equal(const Frame& frame, const radiosity::Solution& oracle) {
+  return frame.vertices == oracle.vertices && frame.ambient == oracle.ambient &&
+         frame.unshot == oracle.unshot && frame.shots == oracle.shots;
+}
+
+TEST(Amp, SolutionEqualsTheSequentialOneBitForBit) {
+  const std::uint64_t seed = 20261122;
+  std::mt19937_64 random(seed);
+  const network::Method methods[] = {network::Method::green, network::Method::chalmers,
+                                     network::Method::acyclic};
+  for (const char* topology : {"line:1", "line:2", "ring:5", "tree:7", "mesh:3x3", "torus:3x3",
+                               "amp:12", "hypercube:4", "star:5"})
+    for (const auto how : {Distribution::blocks, Distribution::tiles, Distribution::work})
+      for (const bool exchange : {false, true}) {
+        const auto room = random() % 3;
+        const Mesh mesh = make_room(room, 2 + int(random() % 3));
+        Params params = make_params(1 + int(random() % 12));
+        params.distribution = how;
+        params.exchange = exchange;
+        params.method = methods[random() % 3];
+        params.show_every = int(random() % 4);
+        EXPECT_EQ(isolated([&] {
+                    const auto oracle = solve(mesh, params.solve);
+                    const auto result = run(topology, mesh, params);
+                    return fmt::format("{}", are_equal(result.frames.back(), oracle));
+                  }),
+                  "true")
+            << topology << ", distribution " << int(how) << ", exchange " << exchange << ", room "
+            << room << ", shots " << params.solve.shots << ", seed " << seed;
+      }
+}
+
+TEST(Amp, EndsWhereTheSequentialOneDoes) {
+  const Mesh mesh = make_room(1, 2);
+  Params params = make_params(1000);
+  params.solve.tolerance = 0.05;
+  EXPECT_EQ(isolated([&] {
+              const auto oracle = solve(mesh, params.solve);
+              const auto result = run("mesh:2x3", mesh, params);
+              return fmt::format("{} {}", are_equal(result.frames.back(), oracle),
+                                 oracle.shots > 20 && oracle.shots < 1000);
+            }),
+            "true true");
+}
+
+TEST(Amp, EveryFrameIsTheSequentialSolutionAfterItsShots) {
+  const Mesh mesh = make_room(2, 3);
+  Params params = make_params(11);
+  params.show_every = 3;
+  EXPECT_EQ(isolated([&] {
+              const auto result = run("ring:4", mesh, params);
+              std::string text;
+              double last = 0;
+              for (const Frame& frame : result.frames) {
+                auto until = params.solve;
+                until.shots = frame.shots;
+                text += fmt::format("{} {} {}, ", frame.shots, are_equal(frame, solve(mesh, until)),
+                                    frame.at_s > last);
+                last = frame.at_s;
+              }
+              return text + fmt::format("{}", last == result.total_s);
+            }),
+            "3 true true, 6 true true, 9 true true, 11 true true, true");
+}
+
+// With one processor nothing is lost but rounds' decisions; with many the shares are of all time.
+TEST(Amp, LossesAddUp) {
+  const Mesh mesh = make_room(0, 4);
+  for (const char* topology : {"line:1", "mesh:3x3"})
+    for (const bool exchange : {false, true})
+      EXPECT_EQ(
+          isolated([&] {
+            Params params = make_params(10);
+            params.exchange = exchange;
+            const auto r = run(topology, mesh, params);
+            const Loss& l = r.loss;
+            const double sum = l.useful + l.repeated + l.unequal + l.messages;
+            const bool alone = topology == std::string("line:1");
+            double busy = 0;
+            for (const auto& cpu : r.use.cpus) busy += cpu.busy_s;
+            busy /= static_cast<double>(r.use.cpus.size()) * r.time_s;
+            return fmt::format(
+                "{} {} {} {}", std::abs(sum - 1) < 1e-12,
+                alone
+                    ? l.useful > 0.999
+                    : l.useful<0.95, (l.repeated > 0.01) == (!exchange && !alone), busy> l.useful +
+                              l.repeated &&
+                          busy < 1 + 1e-9);
+          }),
+          "true true true true")
+          << topology << " " << exchange;
+}
+
+// The machine's time is its kernels' cycles where there is nobody to wait for.
+TEST(Amp, OneProcessorTakesItsKernelsTime) {
+  const Mesh mesh = make_room(0, 3);
+  const Params params = make_params(5);
+  EXPECT_EQ(isolated([&] {
+              const auto model = machine::load_model("t805-25");
+              const auto oracle = solve(mesh, params.solve);
+              const machine::OperationCosts costs(model, "radiosity", renderer::op_names());
+              const auto r = run("line:1", mesh, params);
+              const double kernels_s = double(costs(r.work.counts).value) / model.cpu.clock.value;
+              using renderer::Op;
+              return fmt::format("{} {}",
+                                 r.work[Op::ray_intersected] == oracle.work[Op::ray_intersected],
+                                 std::abs(r.time_s / kernels_s - 1) < 1e-3);
+            }),
+            "true true");
+}
+
+TEST(Amp, SharedGeometryGivesTheSameSolution) {
+  const Mesh mesh = make_room(1, 2);
+  for (const double percent : {100.0, 40.0})
+    for (const char* topology : {"line:1", "ring:4", "amp:6"})
+      EXPECT_EQ(isolated([&] {
+                  Params params = make_params(4);
+                  params.cache_percent = percent;
+                  const auto r = run(topology, mesh, params);
+                  return fmt::format(
+                      "{} {} {}", are_equal(r.frames.back(), solve(mesh, params.solve)),
+                      r.data.accesses() > 1000,
+                      percent == 100 || std::string(topology) == "line:1" || r.data.requests > 0);
+                }),
+                "true true true")
+          << topology << " " << percent;
+}
+
+TEST(Amp, RefusesWhatCannotBe) {
+  const Mesh mesh = make_room(0, 1);
+  const auto refusal = [&](const std::string& topology, const Params& params) {
+    return isolated([&]() -> std::string {
+      try {
+        run(topology, mesh, params);
+        return "ran";
+      } catch (const base::BadInput& error) {
+        return error.what();
+      }
+    });
+  };
+  EXPECT_NE(refusal("line:200", make_params(1)).find("found 200 processors, expected at most"),
+            std::string::npos);
+  Params params = make_params(1);
+  params.cache_percent = 0.01;
+  EXPECT_NE(refusal("line:2", params).find("program.cache_percent: found 0.01 %"),
+            std::string::npos);
+  params.cache_percent = 50;
+  params.cycles_per_host_s = 1e9;
+  EXPECT_NE(refusal("line:2", params).find("run.cost: found timed"), std::string::npos);
+}
+
+TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {
+  const Mesh mesh = make_room(0, 60);
+  EXPECT_EQ(isolated([&]() -> std::string {
+              try {
+                run("line:1", mesh, make_params(1));
+                return "ran";
+              } catch (const machine::OutOfMemory& error) {
+                return "out of memory";
+              }
+            }),
+            "out of memory");
+}
+
+TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
+  const Mesh mesh = make_room(1, 4);
+  for (const int processors : {1, 2, 7, 16, 64})
+    for (const auto how : {Distribution::blocks, Distribution::tiles, Distribution::work}) {
+      auto shares = distribute(mesh, processors, how);
+      std::vector<int> patches(mesh.patches.size()), vertices(mesh.vertices.size());
+      std::size_t most = 0, least = mesh.patches.size();
+      for (const Share& share : shares) {
+        for (const auto p : share.patches) ++patches[p];
+        most = std::max(most, share.patches.size());
+        least = std::min(least, share.patches.size());
+      }
+      EXPECT_EQ(patches, std::vector<int>(patches.size(), 1));
+      if (how != Distribution::work) {
+        EXPECT_LE(most - least, how == Distribution::blocks ? 1u : 8u);
+      }
+      exchange_borders(shares, vertices.size());
+      for (std::size_t id = 0; id < shares.size(); ++id) {
+        for (const auto v : shares[id].vertices) ++vertices[v];
+        for (const Border& out : shares[id].out) {
+          const auto& theirs = shares[static_cast<std::size_t>(out.other)].in;
+          const auto in = std::ranges::find(theirs, static_cast<int>(id), &Border::other);
+          ASSERT_NE(in, theirs.end());
+          EXPECT_EQ(in->vertices, out.vertices);
+        }
+      }
+      EXPECT_EQ(vertices, std::vector<int>(vertices.size(), 1));
+    }
+}
+
+TEST(AmpMessages, TheBrightestDoesNotDependOnTheOrder) {
+  std::mt19937_64 random(7);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Candidate> all(2 + random() % 6);
+    for (auto& candidate : all) {
+      candidate.unshot = {std::int64_t(random() % 1000), 1, 2};
+      if (random() % 4 != 0)
+        candidate.shot = radiosity::Shot{std::uint32_t(random() % 100), {}, double(random() % 3)};
+    }
+    const auto sum = [&] {
+      Candidate best;
+      for (const auto& candidate : all) best += candidate;
+      return std::tuple(best.shot ? best.shot->patch : 1000u, best.shot ? best.shot->power : -1,
+                        best.unshot.r);
+    };
+    const auto first = sum();
+    std::ranges::shuffle(all, random);
+    EXPECT_EQ(sum(), first);
+  }
+}
+
+}  // namespace
+}  // namespace amp

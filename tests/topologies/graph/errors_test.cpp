@@ -1,0 +1,188 @@
+#include "tests/topologies/support.hpp"
+#include "topologies/files/formats.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace topologies {
+namespace {
+
+struct Case {
+  std::string input;
+  std::vector<std::string> told;  // what the message must contain
+};
+
+template <typename Act>
+void expect_rejected(const std::vector<Case>& cases, Act act) {
+  for (const auto& [input, told] : cases) {
+    const auto message = rejection([&] { act(input); });
+    EXPECT_NE(message, "") << "accepted: " << input;
+    for (const auto& words : told)
+      EXPECT_NE(message.find(words), message.npos)
+          << input << "\n  told:     " << message << "\n  expected: " << words;
+  }
+}
+
+TEST(TopologyErrors, Specs) {
+  const std::string limit = "the limit is 16384";
+  expect_rejected(
+      {{"line:8x", {"\"line:8x\"", "found \"8x\"", "line:N", "N >= 1"}},
+       {"line:", {"found \"\"", "line:N"}},
+       {"line", {"found \"\"", "line:N"}},
+       {"line:-3", {"found \"-3\"", "line:N"}},
+       {"line:+3", {"found \"+3\""}},
+       {"line: 3", {"found \" 3\""}},
+       {"line:2.5", {"found \"2.5\""}},
+       {"line:0", {"line:0", "at least 1"}},
+       {"line:3:4", {"found 2 size(s)", "line:N"}},
+       {"ring:2", {"at least 3"}},
+       {"tree:0", {"at least 1"}},
+       {"tree:7:4", {"arity of 1, 2 or 3"}},
+       {"tree:7:0", {"arity of 1, 2 or 3"}},
+       {"tree:7:", {"found \"\"", "tree:N[:ARITY]"}},
+       {"tree:7:2:1", {"found 3 size(s)"}},
+       {"mesh:3", {"found 1 size(s)", "mesh:RxC"}},
+       {"mesh:3x", {"found \"\"", "mesh:RxC"}},
+       {"mesh:3x3x3", {"found 3 size(s)"}},
+       {"mesh:0x4", {"at least 1 row"}},
+       {"torus:0x4", {"at least 1 row"}},
+       {"torus:4x0", {"at least 1 row"}},
+       {"binary:0", {"at least 1 processor"}},
+       {"binary:7:2", {"found 2 size(s)", "binary:N"}},
+       {"amp:0", {"amp:0", "found 0 processors, expected 1 to 16384"}},
+       {"amp", {"found \"\"", "amp:N"}},
+       {"hypercube:5", {"processor 0 has 5 links", "4 ports"}},
+       {"star:6", {"processor 0 has 5 links", "4 ports"}},
+       {"star:0", {"at least 1"}},
+       {"line:16385", {"16385", limit}},
+       {"line:99999999999", {"99999999999", limit}},
+       {"line:99999999999x", {"where a size was expected"}},
+       {"mesh:100000x100000", {"100000", limit}},
+       {"mesh:16384x16384", {"268435456 processors", limit}},
+       {"torus:129x128", {"16512 processors", limit}},
+       {"rnig:4", {"unknown generator \"rnig\"", "did you mean \"ring\"", "torus:RxC", ".graphml"}},
+       {"hypercub:4", {"did you mean \"hypercube\""}},
+       {"Mesh:4x4", {"did you mean \"mesh\""}},
+       {"", {"no generator named", "line:N"}},
+       {":4", {"no generator named"}},
+       {std::string(100000, 'q'), {"unknown generator"}},
+       {std::string("line:3\0x", 8), {"line:3"}}},
+      [](const std::string& spec) { make_topology(spec); });
+}
+
+TEST(TopologyErrors, SizesOfGeneratorsCalledDirectly) {
+  for (const int bad : {0, -1, -100000})
+    for (auto* make : {make_line, make_ring, make_star, make_binary, make_amp})
+      EXPECT_NE(rejection([&] { make(bad); }), "") << bad;
+  EXPECT_NE(rejection([] { make_tree(-1); }), "");
+  EXPECT_NE(rejection([] { make_mesh(-2, -3); }), "");
+  EXPECT_NE(rejection([] { make_torus(-3, -3); }), "");
+  EXPECT_NE(rejection([] { make_hypercube(-1); }), "");
+  EXPECT_NE(rejection([] { make_hypercube(1 << 30); }), "");
+}
+
+TEST(TopologyErrors, Dot) {
+  expect_rejected(
+      {{"", {"x.dot", "malformed DOT", "graph"}},
+       {"graph { a -- }", {"malformed DOT"}},
+       {"graph { a -- b", {"malformed DOT"}},
+       {"graph { a [label=\"open }", {"malformed DOT"}},
+       {"graph { a -> b }", {"malformed DOT"}},
+       {"digraph { a -> }", {"malformed DOT"}},
+       {"graph { }", {"x.dot", "empty"}},
+       {"graph { a -- b; b -- b }", {"x.dot", "\"b\" is linked to itself"}},
+       {"graph { a -- b; c -- a; b -- a }", {"more than one link joins", "\"a\"", "\"b\""}},
+       {"digraph { a -> b; b -> a }", {"more than one link joins"}},
+       {"graph { a -- b; c -- d }", {"not connected", "\"c\" cannot be reached", "root \"a\""}},
+       {"graph { a -- b; a--c; a--d; a--e; a--f }", {"processor \"a\" has 5 links", "4 ports"}},
+       {"graph { a -- b [port_a=4] }", {"edge \"a\" to \"b\"", "port \"4\"", "0 to 3"}},
+       {"graph { a -- b [port_b=east] }", {"port \"east\"", "0 to 3"}},
+       {"graph { a -- b [tailport=12] }", {"port \"12\""}},
+       {"graph { a--b [port_a=1]; a--c [port_a=1] }",
+        {"port 1 of processor \"a\"", "\"b\" and \"c\""}},
+       {"graph {\n a -- b;\n c:1 -- a }", {"line 3", "\"c:\"", "port_a"}},
+       {"graph {\n {a b} -- {c d} }", {"line 2", "two groups in braces"}},
+       {"graph { root=z; a -- b }", {"root \"z\" is not a vertex", "\"a\""}},
+       {"graph { root=a; a -- b; b [root=true] }", {"both \"a\" and \"b\"", "root"}},
+       {"graph { a [root=maybe]; a -- b }", {"vertex \"a\"", "\"maybe\"", "true or false"}},
+       {"graph " + std::string(5000, '{'), {"nested braces"}}},
+      [](const std::string& text) { read_dot(text, "x.dot"); });
+}
+
+std::string graphml(const std::string& body) {
+  return "<graphml>\n<key id=\"p\" for=\"edge\" attr.name=\"port_a\" attr.type=\"int\"/>\n"
+         "<graph edgedefault=\"undirected\">\n" +
+         body + "\n</graph></graphml>";
+}
+
+TEST(TopologyErrors, Graphml) {
+  const std::string ab = R"(<node id="a"/><node id="b"/><edge source="a" target="b"/>)";
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  expect_rejected(
+      {{"", {"x.graphml", "malformed GraphML"}},
+       {"<graphml>\n<graph>\n<node></graph>", {"malformed GraphML, line 3"}},
+       {"<html></html>", {"no element <graph>"}},
+       {"<graphml></graphml>", {"no element <graph>"}},
+       {graphml(""), {"empty"}},
+       {graphml("<node/>"), {"without attribute \"id\""}},
+       {graphml(ab + "<edge source=\"a\"/>"), {"without attribute \"target\""}},
+       {graphml(ab + R"(<edge source="a" target="zz"/>)"), {"target is \"zz\"", "no node's id"}},
+       {graphml(ab + R"(<node id="a"/>)"), {"two nodes have id \"a\""}},
+       {graphml(ab + R"(<edge source="b" target="a"/>)"), {"more than one link joins"}},
+       {graphml(ab + R"(<edge source="b" target="b"/>)"), {"\"b\" is linked to itself"}},
+       {graphml(ab + R"(<node id="c"/>)"), {"\"c\" cannot be reached"}},
+       {graphml(R"(<node id="a"/><node id="b"/><edge source="a" target="b"><data key="p">7</data>)"
+                "</edge>"),
+        {"port \"7\"", "0 to 3"}},
+       {deep, {"nested elements"}}},
+      [](const std::string& text) { read_graphml(text, "x.graphml"); });
+}
+
+TEST(TopologyErrors, Files) {
+  const TemporaryFile other("net.txt", "graph { a -- b }");
+  const auto folder = testing::TempDir() + "tlab-folder-" + std::to_string(getpid()) + ".dot";
+  std::filesystem::create_directory(folder);
+  expect_rejected({{"no/such/file.dot", {"no/such/file.dot", "no such file"}},
+                   {".dot", {"unknown generator"}},
+                   {folder, {folder, "is a directory"}},
+                   {other.path, {other.path, "expected .dot, .gv or .graphml"}},
+                   {std::string(5000, 'q') + ".dot", {"no such file"}}},
+                  [](const std::string& spec) { make_topology(spec); });
+  std::filesystem::remove(folder);
+}
+
+TEST(TopologyErrors, GarbageAndCutFilesAreRejectedNotFatal) {
+  const auto t = make_topology("mesh:3x3");
+  const std::vector<std::string> whole{to_dot(t), to_graphml(t)};
+  for (unsigned seed = 0; seed < 600; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::string noise(random() % 300, '\0');
+    for (auto& c : noise) c = static_cast<char>(random());
+    for (auto text : whole) {
+      for (int flips = 0; flips < 3; ++flips)
+        text[random() % text.size()] = static_cast<char>(seed % 2 ? random() : 32 + random() % 95);
+      for (const auto& bytes : {noise, text, text.substr(0, random() % text.size())}) {
+        rejection([&] { check(read_dot(bytes, "noise.dot")); });
+        rejection([&] { check(read_graphml(bytes, "noise.graphml")); });
+      }
+    }
+  }
+}
+
+// What no reader makes, but a program may: `check` names it.
+TEST(TopologyErrors, HandMadeTopologies) {
+  const auto made = [](int processors, int root, std::vector<Link> links) {
+    return rejection([&] { check({"made", processors, root, std::move(links), {}, {}}); });
+  };
+  EXPECT_NE(made(0, 0, {}).find("no processors"), std::string::npos);
+  EXPECT_NE(made(2, 2, {{{0, 0}, {1, 0}}}).find("root 2, expected 0 to 1"), std::string::npos);
+  EXPECT_NE(made(2, 0, {{{0, 0}, {2, 0}}}).find("ends at processor 2"), std::string::npos);
+  EXPECT_NE(made(2, 0, {{{1, 0}, {0, 0}}}).find("upside down"), std::string::npos);
+  EXPECT_NE(made(2, 0, {{{0, 4}, {1, 0}}}).find("on port 4, expected 0 to 3"), std::string::npos);
+  EXPECT_NE(made(3, 0, {{{0, 0}, {2, 0}}, {{0, 1}, {1, 0}}}).find("out of order"),
+            std::string::npos);
+  EXPECT_NE(made(99999, 0, {}).find("the limit is 16384"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace topologies

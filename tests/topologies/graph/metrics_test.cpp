@@ -1,0 +1,162 @@
+#include "topologies/graph/metrics.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "tests/topologies/support.hpp"
+#include "topologies/make/generators.hpp"
+#include "topologies/route/routes.hpp"
+
+namespace topologies {
+namespace {
+
+struct Expected {
+  int links, diameter;
+  double mean;
+  int bisection;
+};
+
+void expect_metrics(const Topology& t, const Expected& expected) {
+  SCOPED_TRACE(t.name);
+  const auto m = eval_metrics(t);
+  EXPECT_EQ(m.processors, t.processors);
+  EXPECT_EQ(m.links, expected.links);
+  EXPECT_EQ(m.diameter, expected.diameter);
+  EXPECT_NEAR(m.mean_distance, expected.mean, 1e-12);
+  EXPECT_EQ(m.bisection_width, expected.bisection);
+}
+
+// The sum of distances over ordered pairs of a ring is n * floor(n^2 / 4), that of a line
+// n (n^2 - 1) / 3; in a product of graphs, each factor's counts once per pair in the other.
+double ring_sum(double n) { return n * std::floor(n * n / 4); }
+double line_sum(double n) { return n * (n * n - 1) / 3; }
+double product_mean(double sum_r, double r, double sum_c, double c) {
+  const double n = r * c;
+  return n == 1 ? 0 : (sum_r * c * c + sum_c * r * r) / (n * (n - 1));
+}
+
+TEST(TopologyClosedForms, Line) {
+  expect_metrics(make_line(1), {0, 0, 0, 0});
+  for (int n = 2; n <= 33; ++n) expect_metrics(make_line(n), {n - 1, n - 1, (n + 1) / 3.0, 1});
+}
+
+TEST(TopologyClosedForms, Ring) {
+  for (int n = 3; n <= 33; ++n)
+    expect_metrics(make_ring(n), {n, n / 2, ring_sum(n) / (n * (n - 1.0)), 2});
+}
+
+TEST(TopologyClosedForms, Mesh) {
+  for (int r = 1; r <= 7; ++r)
+    for (int c = 1; c <= 7; ++c) {
+      const auto [narrow, wide] = std::minmax(r, c);
+      const int bisection = wide == 1 ? 0 : narrow == 1 ? 1 : narrow + wide % 2;
+      expect_metrics(make_mesh(r, c), {r * (c - 1) + c * (r - 1), r + c - 2,
+                                       product_mean(line_sum(r), r, line_sum(c), c), bisection});
+    }
+}
+
+TEST(TopologyClosedForms, Torus) {
+  for (int r = 3; r <= 8; ++r)
+    for (int c = 3; c <= 8; ++c) {
+      const int bisection = 2 * (std::min(r, c) + std::max(r, c) % 2);
+      expect_metrics(make_torus(r, c), {2 * r * c, r / 2 + c / 2,
+                                        product_mean(ring_sum(r), r, ring_sum(c), c), bisection});
+    }
+}
+
+TEST(TopologyClosedForms, Hypercube) {
+  expect_metrics(make_hypercube(0), {0, 0, 0, 0});
+  for (int d = 1; d <= 4; ++d) {
+    const int n = 1 << d;
+    expect_metrics(make_hypercube(d), {d * n / 2, d, d * (n / 2) / (n - 1.0), n / 2});
+  }
+}
+
+// A tree's distances add up over its links: one with s processors below it lies on 2 s (n - s)
+// ordered routes. The deepest level is dealt in turn: two of its nodes are always far apart.
+TEST(TopologyClosedForms, Tree) {
+  for (int n = 2; n <= 60; ++n) {
+    const auto t = make_tree(n);
+    const auto tree = make_spanning_tree(t, 0);
+    const int height = std::ranges::max(tree.depth);
+    const auto deepest = std::ranges::count(tree.depth, height);
+    std::vector<int> below(n, 1);
+    double sum = 0;
+    for (int p = n - 1; p > 0; --p) {
+      below[tree.parent[p]] += below[p];
+      sum += 2.0 * below[p] * (n - below[p]);
+    }
+    const auto m = eval_metrics(t);
+    EXPECT_EQ(m.links, n - 1);
+    EXPECT_EQ(m.diameter, 2 * height - (deepest == 1)) << n;
+    EXPECT_NEAR(m.mean_distance, sum / (n * (n - 1.0)), 1e-12) << n;
+    EXPECT_EQ(m.farm.messages, *std::max_element(below.begin() + 1, below.end())) << n;
+  }
+}
+
+// Every way to halve the machine.
+int brute_bisection(const Topology& t) {
+  int best = static_cast<int>(t.links.size());
+  for (unsigned half = 0; half < 1u << (t.processors - 1); ++half) {
+    const int count = std::popcount(half);
+    if (count != t.processors / 2 && count != (t.processors + 1) / 2) continue;
+    const auto side = [&](int p) { return half >> p & 1; };
+    best = std::min<int>(best, std::ranges::count_if(t.links, [&](const Link& l) {
+                           return side(l.a.processor) != side(l.b.processor);
+                         }));
+  }
+  return best;
+}
+
+TEST(TopologyBisection, IsTheLeastOfAllHalvings) {
+  for (const auto* spec :
+       {"line:9",   "ring:3",   "ring:8",    "mesh:2x3",  "mesh:3x3",  "mesh:3x5",  "mesh:4x3",
+        "mesh:4x4", "mesh:2x7", "torus:3x3", "torus:3x4", "torus:3x5", "torus:4x4", "hypercube:4",
+        "star:5",   "tree:7",   "tree:13",   "tree:16",   "tree:15:2", "tree:14:2"}) {
+    const auto t = make_topology(spec);
+    EXPECT_EQ(eval_metrics(t).bisection_width, brute_bisection(t)) << spec;
+  }
+}
+
+TEST(TopologyBisection, IsUnknownWhenTheGeneratorDoesNotTellAndThereAreCycles) {
+  auto t = make_ring(5);
+  t.bisection_width.reset();
+  EXPECT_FALSE(eval_metrics(t).bisection_width);
+}
+
+// All-to-all load, counted by walking every route.
+TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto t = random_topology(seed);
+    const auto routes = make_routes(t);
+    const auto around = neighbours(t);
+    std::vector<std::vector<int>> load(t.processors, std::vector<int>(t.processors, 0));
+    for (int from = 0; from < t.processors; ++from)
+      for (int to = 0; to < t.processors; ++to)
+        for (int p = from; p != to;) {
+          const auto hop = std::ranges::find(around[p], routes.next_port(p, to), &Neighbour::port);
+          ++load[p][hop->processor];
+          p = hop->processor;
+        }
+    int most = 0;
+    for (const auto& row : load) most = std::max(most, std::ranges::max(row));
+    const auto busiest = eval_metrics(t).all_to_all;
+    EXPECT_EQ(busiest.messages, most);
+    EXPECT_EQ(load[busiest.from][busiest.to], most);
+  }
+}
+
+TEST(TopologyTraffic, KnownLoads) {
+  const auto line = eval_metrics(make_line(8));
+  EXPECT_EQ(line.farm.messages, 7);         // all but the root pass the root's link
+  EXPECT_EQ(line.all_to_all.messages, 16);  // 4 x 4 pairs cross the middle each way
+  EXPECT_EQ(eval_metrics(make_tree(7)).farm.messages, 2);
+  EXPECT_EQ(eval_metrics(make_hypercube(4)).all_to_all.messages, 8);
+  const auto alone = eval_metrics(make_line(1));
+  EXPECT_EQ(alone.farm.messages, 0);
+  EXPECT_EQ(alone.farm.from, -1);
+}
+
+}  // namespace
+}  // namespace topologies

@@ -1,0 +1,149 @@
+#include "topologies/route/up_down.hpp"
+
+#include "tests/topologies/support.hpp"
+#include "topologies/route/routes.hpp"
+
+namespace topologies {
+namespace {
+
+// The part that each processor is in, by its lowest processor: the root's part by the root.
+std::vector<int> find_parts(const Topology& t) {
+  std::vector<int> part(t.processors, -1);
+  const auto fill = [&](int start) {
+    const auto distance = plain_distances(t, start);
+    for (int p = 0; p < t.processors; ++p)
+      if (distance[p] >= 0) part[p] = start;
+  };
+  fill(t.root);
+  for (int p = 0; p < t.processors; ++p)
+    if (part[p] < 0) fill(p);
+  return part;
+}
+
+// A way exactly where there is one, each hop over a link, as many as the table says.
+void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
+  const auto around = neighbours(t);
+  for (int to = 0; to < t.processors; ++to) {
+    const auto distance = plain_distances(t, to);
+    for (int from = 0; from < t.processors; ++from) {
+      ASSERT_EQ(routes.hop(from, to) == RoutingTable::NONE, distance[from] < 0)
+          << from << " to " << to;
+      if (distance[from] < 0) {
+        EXPECT_EQ(routes.next_port(from, to), -1);
+        continue;
+      }
+      int links = 0;
+      for (int at = from; at != to; ++links) {
+        ASSERT_EQ(routes.distance(at, to), routes.distance(from, to) - links);
+        ASSERT_LT(links, t.processors) << from << " to " << to;
+        const auto hop = std::ranges::find(around[at], routes.next_port(at, to), &Neighbour::port);
+        ASSERT_NE(hop, around[at].end()) << from << " to " << to;
+        at = hop->processor;
+      }
+      ASSERT_EQ(routes.distance(from, to), links) << from << " to " << to;
+      ASSERT_GE(links, distance[from]);
+    }
+  }
+}
+
+// No route has a link up after one down; up is nearer to the root, then the lower number.
+void expect_up_then_down(const Topology& t, const RoutingTable& routes) {
+  const auto around = neighbours(t);
+  const auto part = find_parts(t);
+  std::vector<std::pair<int, int>> height;  // descending
+  for (int p = 0; p < t.processors; ++p) height.emplace_back(plain_distances(t, part[p])[p], p);
+  for (int to = 0; to < t.processors; ++to)
+    for (int from = 0; from < t.processors; ++from) {
+      bool down = false;
+      for (int at = from; routes.next_port(at, to) >= 0;) {
+        const int port = routes.next_port(at, to);
+        const int next = std::ranges::find(around[at], port, &Neighbour::port)->processor;
+        ASSERT_FALSE(down && height[next] < height[at]) << from << " to " << to << " at " << at;
+        down = height[at] < height[next];
+        at = next;
+      }
+    }
+}
+
+void expect_valid_up_down(const Topology& t) {
+  const auto routes = make_up_down_routes(t);
+  expect_routes_reach_all(t, routes);
+  expect_up_then_down(t, routes);
+  EXPECT_FALSE(closes_cycle(t, routes, make_tree_links(t)));
+}
+
+// random_topology, which any of its processors is the root of, and up to eight processors more.
+Topology random_machine(unsigned seed) {
+  auto t = random_topology(seed);
+  std::mt19937 random(seed + 1);
+  for (int more = static_cast<int>(random() % 9); more > 0; --more) {
+    int at = static_cast<int>(random() % static_cast<unsigned>(t.processors));
+    while (free_port(t, at) < 0) at = (at + 1) % t.processors;
+    t.links.push_back({{at, free_port(t, at)}, {t.processors++, 1}});
+  }
+  std::ranges::sort(t.links, {}, [](auto& l) { return std::pair(l.a.processor, l.b.processor); });
+  return t;
+}
+
+class TopologyUpDown : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Of, TopologyUpDown, testing::ValuesIn(SPECS), SpecName());
+
+TEST_P(TopologyUpDown, ReachesAllAndClosesNoCycle) {
+  expect_valid_up_down(make_topology(GetParam()));
+}
+
+TEST(TopologyRandomUpDown, ReachesAllAndClosesNoCycle) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto t = random_machine(seed);
+    ASSERT_NO_THROW(check(t));
+    ASSERT_LE(t.processors, 40);
+    expect_valid_up_down(t);
+  }
+}
+
+TEST(TopologyRandomUpDown, RoutesInPiecesEndWhereNoWayIsLeft) {
+  int in_pieces = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto t = random_machine(seed);
+    std::mt19937 random(seed);
+    std::erase_if(t.links, [&](const Link&) { return random() % 4 == 0; });
+    in_pieces += std::ranges::count(plain_distances(t, t.root), -1) > 0 ? 1 : 0;
+    expect_routes_reach_all(t, make_routes(t));
+    expect_valid_up_down(t);
+  }
+  EXPECT_GT(in_pieces, 100);
+}
+
+TEST(TopologyClosesCycle, OfShortestRoutesOnRingsAndTori) {
+  const auto closes = [](const std::string& spec) {
+    const auto t = make_topology(spec);
+    return closes_cycle(t, make_routes(t), make_tree_links(t));
+  };
+  for (const auto* spec : {"ring:4", "ring:5", "ring:9", "torus:4x4"})
+    EXPECT_TRUE(closes(spec)) << spec;
+  for (const auto* spec :
+       {"line:1", "line:9", "ring:3", "tree:20", "star:5", "mesh:4x4", "mesh:5x3", "hypercube:4"})
+    EXPECT_FALSE(closes(spec)) << spec;
+}
+
+// Messages to all count too: 0, 2, 3, 1 turns from south into the row, as no route does.
+TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
+  const auto t = make_topology("mesh:2x2");
+  const auto routes = make_routes(t);
+  EXPECT_FALSE(closes_cycle(t, routes, {{0, 1}, {0, 2}, {1, 3}}));
+  EXPECT_TRUE(closes_cycle(t, routes, {{0, 2}, {1, 3}, {2, 3}}));
+}
+
+// Between 1 and 3 over the root, not over 2, which is below both: as in promela/network.pml.
+TEST(TopologyUpDownRules, RingOfFourTurnsOneRoute) {
+  const auto routes = make_up_down_routes(make_topology("ring:4"));
+  const std::vector<int> ports_to_3{1, 1, 2, -1};
+  for (int p = 0; p < 4; ++p) EXPECT_EQ(routes.next_port(p, 3), ports_to_3[p]) << p;
+  const std::vector<int> ports_to_1{2, -1, 1, 2};
+  for (int p = 0; p < 4; ++p) EXPECT_EQ(routes.next_port(p, 1), ports_to_1[p]) << p;
+}
+
+}  // namespace
+}  // namespace topologies

@@ -1,0 +1,254 @@
+#include "topologies/draw/load_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/errors.hpp"
+#include "topologies/draw/graphviz.hpp"
+#include "topologies/draw/layout.hpp"
+
+namespace topologies {
+namespace {
+
+constexpr double UNIT_PT = 36;       // of a layout, on paper
+constexpr double PROCESSOR_PT = 27;  // diameter
+
+struct Colour {
+  double r, g, b;
+};
+
+// Even steps of lightness (CIE L* 88, 76, 60, 41, 20), told apart by the colour-blind.
+constexpr std::array<Colour, 5> SCALE{
+    {{219, 222, 226}, {246, 178, 66}, {229, 110, 60}, {174, 45, 96}, {72, 15, 95}}};
+
+Colour eval_scale(double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * (SCALE.size() - 1);
+  const auto low = std::min(static_cast<size_t>(at), SCALE.size() - 2);
+  const auto &a = SCALE[low], &b = SCALE[low + 1];
+  const double t = at - static_cast<double>(low);
+  return {std::lerp(a.r, b.r, t), std::lerp(a.g, b.g, t), std::lerp(a.b, b.b, t)};
+}
+
+const char* text_colour(double share) {
+  const auto [r, g, b] = eval_scale(share);
+  return 0.299 * r + 0.587 * g + 0.114 * b < 140 ? "white" : "black";
+}
+
+std::string quote(const std::string& text) {  // for DOT, where a backslash starts an escape
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (c == '&') quoted += "&amp;";
+    if (c != '&') quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+
+std::string at(const Place& place) {
+  return fmt::format("{:.2f},{:.2f}", UNIT_PT * place.x, UNIT_PT * place.y);
+}
+
+struct Half {  // of a link
+  int from, to;
+  Place swerve;
+  double load;
+};
+
+struct Node {
+  std::string name, label;
+  double load;
+  Place place;
+};
+
+std::string write_processor(int id, const Node& node, bool is_root, bool is_extra) {
+  const double width =
+      is_extra ? std::max(64.0, 7.0 * static_cast<double>(node.label.size())) : PROCESSOR_PT;
+  const auto longest = static_cast<double>(std::max<size_t>(node.label.size(), 2));
+  const double font = is_extra ? 11 : std::min(11.0, 1.5 * PROCESSOR_PT / longest);
+  return fmt::format(
+      "n{} [class=processor, shape={}, width={:.3f}, height={:.3f}, pos=\"{}\", label={}, "
+      "fillcolor=\"{}\", fontcolor={}, fontsize={:.1f}, penwidth={}, tooltip={}];\n",
+      id, is_extra ? "box" : "circle", width / 72, PROCESSOR_PT / 72, at(node.place),
+      quote(node.label), load_colour(node.load), text_colour(node.load), font, is_root ? 3 : 0.75,
+      quote(fmt::format("{}: busy {}", node.name, percent(node.load))));
+}
+
+// The half of a link that is next to `from`: what `from` sends. The whole is a Bezier curve with
+// both control points off the straight line by 4/3 of `swerve`, which is then off by `swerve`.
+std::string write_half(const Half& half, const std::vector<Node>& nodes) {
+  const auto& [from, to, swerve, load] = half;
+  const auto mix = [](const Place& a, const Place& b) {
+    return Place{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  };
+  const Place p0 = nodes[from].place, p3 = nodes[to].place;
+  const Place off{4 * swerve.x / 3, 4 * swerve.y / 3};
+  const Place p1{p0.x + off.x, p0.y + off.y}, p2{p3.x + off.x, p3.y + off.y};
+  const Place p01 = mix(p0, p1), p12 = mix(p1, p2), p23 = mix(p2, p3);
+  const Place p012 = mix(p01, p12), middle = mix(p012, mix(p12, p23));
+  return fmt::format(
+      "n{} -> n{} [class=link, pos=\"{} {} {} {}\", color=\"{}\", penwidth={:.2f}, tooltip={}];\n",
+      from, to, at(p0), at(p01), at(p012), at(middle), load_colour(load), 1.2 + 5.8 * load,
+      quote(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
+}
+
+template <typename... Args>
+void require(bool holds, const Topology& topology, fmt::format_string<Args...> message,
+             Args&&... args) {
+  if (!holds)
+    throw base::BadInput(fmt::format("loads of topology {}: {}", topology.name,
+                                     fmt::format(message, std::forward<Args>(args)...)));
+}
+
+void check_loads(const Topology& topology, const Loads& loads) {
+  constexpr double ROUNDING = 1e-6;
+  const auto check_share = [&](double share, const auto& whose) {
+    require(share >= 0 && share <= 1 + ROUNDING, topology, "found {} for {}, expected 0 to 1",
+            share, whose);
+  };
+  const auto expected = static_cast<size_t>(topology.processors);
+  require(loads.processors.size() == expected, topology, "found {} processors, expected {}",
+          loads.processors.size(), expected);
+  require(loads.links.size() == topology.links.size(), topology, "found {} links, expected {}",
+          loads.links.size(), topology.links.size());
+  require(loads.labels.empty() || loads.labels.size() == expected, topology,
+          "found {} labels, expected {} or none", loads.labels.size(), expected);
+  for (size_t p = 0; p < expected; ++p)
+    check_share(loads.processors[p], fmt::format("processor {}", p));
+  for (size_t i = 0; i < loads.links.size(); ++i)
+    for (const double share : loads.links[i]) check_share(share, fmt::format("link {}", i));
+  for (auto extra = loads.extras.begin(); extra != loads.extras.end(); ++extra) {
+    const auto before = std::ranges::subrange(loads.extras.begin(), extra);
+    const auto knows = [&](const std::string& name) {
+      return std::ranges::find(before, name, &Loads::Extra::name) != before.end();
+    };
+    require(!extra->name.empty() && !knows(extra->name), topology,
+            "found an extra processor called \"{}\", expected another name", extra->name);
+    require(extra->to.empty() || knows(extra->to), topology,
+            "\"{}\" is wired to \"{}\", expected an earlier extra processor", extra->name,
+            extra->to);
+    for (const double share : {extra->load, extra->link[0], extra->link[1]})
+      check_share(share, extra->name);
+  }
+}
+
+// The extra processors' places: rows above the topology, by the links between them and the root.
+std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
+  std::vector<size_t> row;
+  std::vector<int> width, place;
+  for (const auto& extra : loads.extras) {
+    const auto to = std::ranges::find(loads.extras, extra.to, &Loads::Extra::name);
+    row.push_back(extra.to.empty() ? 0 : row[to - loads.extras.begin()] + 1);
+    width.resize(std::max(width.size(), row.back() + 1));
+    place.push_back(width[row.back()]++);
+  }
+  std::vector<Place> places;
+  for (size_t i = 0; i < row.size(); ++i)
+    places.push_back({root.x + 2.6 * (place[i] - (width[row[i]] - 1) / 2.0),
+                      top + 1.6 * static_cast<double>(row[i] + 1)});
+  return places;
+}
+
+// A bar of colours below the drawing, whose left end is at `place`.
+std::string write_legend(const Place& place) {
+  constexpr int STEPS = 20;
+  constexpr double WIDTH = 0.3, HEIGHT = 0.35;
+  constexpr double LETTER = 0.1;  // inches: the drawing is made wide enough for its words
+  const auto text = [&](const char* name, double x, double y, const std::string& words) {
+    return fmt::format(
+        "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
+        "pos=\"{}\"];\n",
+        name, quote(words), LETTER * static_cast<double>(words.size()),
+        at({place.x + x, place.y + y}));
+  };
+  std::string out;
+  for (int i = 0; i < STEPS; ++i)
+    out += fmt::format(
+        "s{} [class=legend, shape=box, label=\"\", penwidth=0, width={:.4f}, height={:.4f}, "
+        "fillcolor=\"{}\", pos=\"{}\"];\n",
+        i, WIDTH * UNIT_PT / 72, HEIGHT * UNIT_PT / 72, load_colour((i + 0.5) / STEPS),
+        at({place.x + (i + 0.5) * WIDTH, place.y}));
+  for (int quarter = 0; quarter <= 4; ++quarter)
+    out += text(fmt::format("t{}", quarter).c_str(), quarter * STEPS * WIDTH / 4, -0.45,
+                fmt::format("{} %", 25 * quarter));
+  return out + text("about", STEPS * WIDTH / 2, -0.9,
+                    "busy; the half of a link beside a processor: what it sends");
+}
+
+std::vector<Node> make_nodes(const Topology& topology, const Loads& loads, const Layout& layout) {
+  std::vector<Node> nodes;
+  for (int p = 0; p < topology.processors; ++p) {
+    const auto label = !loads.labels.empty()      ? loads.labels[p]
+                       : !topology.labels.empty() ? topology.labels[p]
+                                                  : fmt::format("{}", p);
+    nodes.push_back({"processor " + label, label, loads.processors[p], layout.processors[p]});
+  }
+  const double top = std::ranges::max(layout.processors, {}, &Place::y).y;
+  const auto places = place_extras(loads, layout.processors[topology.root], top);
+  for (size_t i = 0; i < places.size(); ++i)
+    nodes.push_back({loads.extras[i].name, loads.extras[i].name, loads.extras[i].load, places[i]});
+  return nodes;
+}
+
+std::vector<Half> make_halves(const Topology& topology, const Loads& loads, const Layout& layout) {
+  std::vector<Half> halves;
+  const auto add = [&](int a, int b, const Place& swerve, const std::array<double, 2>& load) {
+    halves.push_back({a, b, swerve, load[0]});
+    halves.push_back({b, a, swerve, load[1]});
+  };
+  for (size_t i = 0; i < topology.links.size(); ++i)
+    add(topology.links[i].a.processor, topology.links[i].b.processor, layout.swerves[i],
+        loads.links[i]);
+  for (size_t i = 0; i < loads.extras.size(); ++i) {
+    const auto& extra = loads.extras[i];
+    const auto to = std::ranges::find(loads.extras, extra.to, &Loads::Extra::name);
+    const auto index = topology.processors + (to - loads.extras.begin());
+    add(static_cast<int>(topology.processors + i),
+        extra.to.empty() ? topology.root : static_cast<int>(index), {}, extra.link);
+  }
+  return halves;
+}
+
+// Graphviz draws links in the order of the processors that they leave: those with a busy one come
+// last, over others.
+std::vector<int> make_order(size_t nodes, const std::vector<Half>& halves) {
+  std::vector<double> busiest(nodes, 0);
+  for (const auto& half : halves) busiest[half.from] = std::max(busiest[half.from], half.load);
+  std::vector<int> order(nodes);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int id) { return busiest[id]; });
+  return order;
+}
+
+}  // namespace
+
+std::string load_colour(double share) {
+  const auto [r, g, b] = eval_scale(share);
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(r), std::lround(g), std::lround(b));
+}
+
+std::string to_load_svg(const Topology& topology, const Loads& loads) {
+  check_loads(topology, loads);
+  const auto layout = make_layout(topology);
+  const auto nodes = make_nodes(topology, loads, layout);
+  const auto title = quote(loads.title.empty() ? topology.name : loads.title);
+  std::string dot = fmt::format(
+      "digraph {} {{\nlabel={};\nlabelloc=t;\nfontname=\"sans-serif\";\nfontsize=16;\n"
+      "outputorder=edgesfirst;\nnode [style=filled, fixedsize=true, fontname=\"sans-serif\", "
+      "fontsize=11, color=\"#333333\"];\nedge [arrowhead=none];\n",
+      title, title);
+  const auto halves = make_halves(topology, loads, layout);
+  for (const int id : make_order(nodes.size(), halves))
+    dot += write_processor(id, nodes[id], id == topology.root, id >= topology.processors);
+  for (const auto& half : halves) dot += write_half(half, nodes);
+  const auto x = std::ranges::minmax(nodes, {}, [](auto& node) { return node.place.x; });
+  const auto low = std::ranges::min(nodes, {}, [](auto& node) { return node.place.y; });
+  dot += write_legend({(x.min.place.x + x.max.place.x) / 2 - 3, low.place.y - 1.6}) + "}\n";
+  return run_graphviz("neato -n2 -Tsvg", dot, topology.name);
+}
+
+}  // namespace topologies

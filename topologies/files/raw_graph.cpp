@@ -1,0 +1,112 @@
+#include "topologies/files/raw_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "base/errors.hpp"
+
+namespace topologies {
+namespace {
+
+// The processor of each vertex: its name if names are exactly 0 .. n-1, else its place in the file.
+// Fills the labels in the latter case.
+std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
+  const int n = static_cast<int>(graph.vertices.size());
+  std::map<std::string, int> number;
+  for (int i = 0; i < n; ++i) number[std::to_string(i)] = i;
+  std::vector<int> processor(n), in_file(n);
+  std::vector<bool> taken(n, false);
+  for (int v = 0; v < n; ++v) {
+    in_file[v] = v;
+    topology.labels.push_back(graph.vertices[v].name);
+    const auto found = number.find(graph.vertices[v].name);
+    if (found == number.end() || taken[found->second]) continue;
+    processor[v] = found->second;
+    taken[found->second] = true;
+  }
+  if (std::ranges::find(taken, false) != taken.end()) return in_file;
+  topology.labels.clear();
+  return processor;
+}
+
+bool read_flag(const RawVertex& vertex, const std::string& file) {
+  if (vertex.root.empty() || vertex.root == "false" || vertex.root == "0") return false;
+  if (vertex.root == "true" || vertex.root == "1") return true;
+  fail_reading(file, fmt::format("vertex \"{}\": root is \"{}\", expected true or false",
+                                 vertex.name, vertex.root));
+}
+
+int find_root(const RawGraph& graph, const std::string& file) {  // a vertex, or -1
+  int root = -1;
+  const auto designate = [&](int v) {
+    if (root >= 0 && root != v)
+      fail_reading(file, fmt::format("both \"{}\" and \"{}\" are designated as root",
+                                     graph.vertices[root].name, graph.vertices[v].name));
+    root = v;
+  };
+  for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v) {
+    if (read_flag(graph.vertices[v], file)) designate(v);
+    if (!graph.root.empty() && graph.vertices[v].name == graph.root) designate(v);
+  }
+  if (root < 0 && !graph.root.empty())
+    fail_reading(file, fmt::format("root \"{}\" is not a vertex; the first vertex is \"{}\"",
+                                   graph.root, graph.vertices[0].name));
+  return root;
+}
+
+int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& text,
+              const std::string& file) {  // -1 when absent
+  if (text.empty()) return -1;
+  if (text.size() == 1 && text[0] >= '0' && text[0] < '0' + PORTS) return text[0] - '0';
+  fail_reading(file, fmt::format("edge \"{}\" to \"{}\": found port \"{}\", expected 0 to {}",
+                                 graph.vertices[edge.source].name, graph.vertices[edge.target].name,
+                                 text, PORTS - 1));
+}
+
+// Gives ends without a port the lowest one left; -1 when none is, for `check` to complain.
+void assign_ports(Topology& topology) {
+  std::vector<std::array<bool, PORTS>> used(topology.processors);
+  const auto each_end = [&](auto visit) {
+    for (auto& [a, b] : topology.links) visit(a), visit(b);
+  };
+  each_end([&](End& end) {
+    if (end.port >= 0) used[end.processor][end.port] = true;
+  });
+  each_end([&](End& end) {
+    if (end.port >= 0) return;
+    const auto found = std::ranges::find(used[end.processor], false);
+    if (found == used[end.processor].end()) return;
+    *found = true;
+    end.port = static_cast<int>(found - used[end.processor].begin());
+  });
+}
+
+}  // namespace
+
+void fail_reading(const std::string& file, const std::string& what) {
+  throw base::BadInput(fmt::format("{}: {}", file, what));
+}
+
+Topology make_topology(const RawGraph& graph, const std::string& name) {
+  if (graph.vertices.empty()) fail_reading(name, "the graph is empty, expected a vertex at least");
+  Topology topology{name, static_cast<int>(graph.vertices.size()), 0, {}, {}, {}};
+  const auto processor = number_vertices(graph, topology);
+  const int root = find_root(graph, name);
+  if (root >= 0) topology.root = processor[root];
+  for (const auto& edge : graph.edges)
+    topology.links.push_back({{processor[edge.source], read_port(graph, edge, edge.port_a, name)},
+                              {processor[edge.target], read_port(graph, edge, edge.port_b, name)}});
+  assign_ports(topology);
+  for (auto& [a, b] : topology.links)
+    if (a.processor > b.processor) std::swap(a, b);
+  std::ranges::sort(topology.links, {},
+                    [](const Link& l) { return std::tuple(l.a.processor, l.b.processor); });
+  check(topology);
+  return topology;
+}
+
+}  // namespace topologies

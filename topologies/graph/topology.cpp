@@ -1,0 +1,122 @@
+#include "topologies/graph/topology.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/errors.hpp"
+#include "topologies/graph/search.hpp"
+
+namespace topologies {
+
+std::vector<std::vector<Neighbour>> neighbours(const Topology& topology) {
+  std::vector<std::vector<Neighbour>> result(topology.processors);
+  for (int i = 0; i < static_cast<int>(topology.links.size()); ++i) {
+    const auto& [a, b] = topology.links[i];
+    result[a.processor].push_back({a.port, b.processor, b.port, i});
+    result[b.processor].push_back({b.port, a.processor, a.port, i});
+  }
+  for (auto& around : result) std::ranges::sort(around, {}, &Neighbour::port);
+  return result;
+}
+
+int switches_between(const Topology& topology, int a, int b) {
+  const auto found = topology.switches.find(std::minmax(a, b));
+  return found == topology.switches.end() ? 0 : found->second;
+}
+
+int free_port(const Topology& topology, int processor) {
+  std::array<bool, PORTS> used{};
+  for (const auto& [a, b] : topology.links) {
+    if (a.processor == processor) used.at(a.port) = true;
+    if (b.processor == processor) used.at(b.port) = true;
+  }
+  const auto found = std::ranges::find(used, false);
+  return found == used.end() ? -1 : static_cast<int>(found - used.begin());
+}
+
+std::string describe_processor(const Topology& topology, int processor) {
+  if (processor < 0 || processor >= static_cast<int>(topology.labels.size()))
+    return fmt::format("{}", processor);
+  return fmt::format("\"{}\"", topology.labels[processor]);
+}
+
+namespace {
+
+template <typename... Args>
+void require(bool holds, const Topology& topology, fmt::format_string<Args...> message,
+             Args&&... args) {
+  if (holds) return;
+  throw base::BadInput(fmt::format("topology {}: {}", topology.name,
+                                   fmt::format(message, std::forward<Args>(args)...)));
+}
+
+void check_ends(const Topology& t) {
+  for (const auto& [a, b] : t.links) {
+    for (const End& end : {a, b})
+      require(end.processor >= 0 && end.processor < t.processors, t,
+              "a link ends at processor {}, expected 0 to {}", end.processor, t.processors - 1);
+    require(a.processor != b.processor, t, "processor {} is linked to itself",
+            describe_processor(t, a.processor));
+    require(a.processor < b.processor, t, "the link of processors {} and {} is upside down",
+            a.processor, b.processor);
+  }
+}
+
+void check_order(const Topology& t) {
+  for (size_t i = 1; i < t.links.size(); ++i) {
+    const auto pair = [&](size_t k) {
+      return std::pair(t.links[k].a.processor, t.links[k].b.processor);
+    };
+    require(pair(i - 1) != pair(i), t, "more than one link joins processors {} and {}",
+            describe_processor(t, pair(i).first), describe_processor(t, pair(i).second));
+    require(pair(i - 1) < pair(i), t, "links {} and {} are out of order", i - 1, i);
+  }
+}
+
+void check_ports(const Topology& t) {
+  std::vector<int> degree(t.processors, 0);
+  std::vector<std::array<int, PORTS>> peer(t.processors, {-1, -1, -1, -1});
+  for (const auto& [a, b] : t.links) ++degree[a.processor], ++degree[b.processor];
+  for (int p = 0; p < t.processors; ++p)
+    require(degree[p] <= PORTS, t, "processor {} has {} links, a transputer has {} ports",
+            describe_processor(t, p), degree[p], PORTS);
+  for (const auto& link : t.links)
+    for (const auto& [end, other] : {std::pair(link.a, link.b), std::pair(link.b, link.a)}) {
+      const auto name = [&](int processor) { return describe_processor(t, processor); };
+      require(end.port >= 0 && end.port < PORTS, t,
+              "the link of processor {} to {} is on port {}, expected 0 to {}", name(end.processor),
+              name(other.processor), end.port, PORTS - 1);
+      int& taken = peer[end.processor][end.port];
+      require(taken < 0, t, "port {} of processor {} is wired to both {} and {}", end.port,
+              name(end.processor), name(taken), name(other.processor));
+      taken = other.processor;
+    }
+}
+
+void check_connected(const Topology& t) {
+  const auto distance = make_search(t, t.root).distance;
+  const auto lost = std::ranges::find(distance, -1) - distance.begin();
+  require(lost == t.processors, t, "not connected: processor {} cannot be reached from the root {}",
+          describe_processor(t, static_cast<int>(lost)), describe_processor(t, t.root));
+}
+
+}  // namespace
+
+void check(const Topology& topology) {
+  const Topology& t = topology;
+  require(t.processors >= 1, t, "no processors, expected at least one");
+  require(t.processors <= MAX_PROCESSORS, t, "{} processors, the limit is {}", t.processors,
+          MAX_PROCESSORS);
+  require(t.root >= 0 && t.root < t.processors, t, "root {}, expected 0 to {}", t.root,
+          t.processors - 1);
+  require(t.labels.empty() || static_cast<int>(t.labels.size()) == t.processors, t,
+          "{} labels for {} processors", t.labels.size(), t.processors);
+  check_ends(t);
+  check_order(t);
+  check_ports(t);
+  check_connected(t);
+}
+
+}  // namespace topologies

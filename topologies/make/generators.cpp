@@ -1,0 +1,161 @@
+#include "topologies/make/generators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/errors.hpp"
+
+namespace topologies {
+namespace {
+
+Topology make_empty(std::string name, long long processors) {
+  if (processors > MAX_PROCESSORS)
+    throw base::BadInput(fmt::format("topology {}: {} processors, the limit is {}", name,
+                                     processors, MAX_PROCESSORS));
+  return {std::move(name), static_cast<int>(processors), 0, {}, {}, {}};
+}
+
+void expect(const Topology& topology, bool holds, const char* what) {
+  if (!holds) throw base::BadInput(fmt::format("topology {}: expected {}", topology.name, what));
+}
+
+void add(Topology& topology, End a, End b) {
+  if (a.processor > b.processor) std::swap(a, b);
+  topology.links.push_back({a, b});
+}
+
+Topology sorted(Topology topology) {
+  std::ranges::sort(topology.links, {},
+                    [](const Link& l) { return std::tuple(l.a.processor, l.b.processor); });
+  return topology;
+}
+
+void expect_degree(const Topology& topology, int links) {
+  if (links > PORTS)
+    throw base::BadInput(
+        fmt::format("topology {}: processor 0 has {} links, a transputer has {} ports",
+                    topology.name, links, PORTS));
+}
+
+}  // namespace
+
+//   0 2---1 1 2---1 2 2---1 3      port 1 towards lower numbers, port 2 towards higher ones
+Topology make_line(int n) {
+  auto t = make_empty(fmt::format("line:{}", n), n);
+  expect(t, n >= 1, "at least 1 processor");
+  for (int p = 1; p < n; ++p) add(t, {p - 1, 2}, {p, 1});
+  return sorted(std::move(t));
+}
+
+//   0 2---1 1 2---1 2 2---1 3      a line whose last processor
+//   1                       2      is wired to the first
+//   +-----------------------+
+Topology make_ring(int n) {
+  auto t = make_empty(fmt::format("ring:{}", n), n);
+  expect(t, n >= 3, "at least 3 processors (two would share a double link)");
+  for (int p = 0; p < n; ++p) add(t, {p, 2}, {(p + 1) % n, 1});
+  t.bisection_width = 2;
+  return sorted(std::move(t));
+}
+
+//             0               port 0 to the parent (free at the root: the coordinator's),
+//        1/  2|   \3          ports 1, 2, 3 to the children
+//        1    2    3          Level by level; the nodes of a level go to its parents in turn, so
+//       1|   1|   1|          that subtrees differ by one node at most:
+//        4    5    6          4, 5, 6 under 1, 2, 3, then 7, 8, 9 under 1, 2, 3 ...
+Topology make_tree(int n, int arity) {
+  auto t =
+      make_empty(arity == 3 ? fmt::format("tree:{}", n) : fmt::format("tree:{}:{}", n, arity), n);
+  expect(t, n >= 1, "at least 1 processor");
+  expect(t, arity >= 1 && arity <= 3, "an arity of 1, 2 or 3 (the fourth link is the parent's)");
+  int first = 0, width = 1;  // the parents are first .. first + width - 1
+  for (int level = 1; level < n;) {
+    const int nodes = std::min(width * arity, n - level);
+    for (int k = 0; k < nodes; ++k) add(t, {first + k % width, 1 + k / width}, {level + k, 0});
+    first = level, width = nodes, level += nodes;
+  }
+  return sorted(std::move(t));
+}
+
+// A tree of two children at most, on ports 1 and 2.
+Topology make_binary(int n) {
+  auto t = make_tree(n, 2);
+  t.name = fmt::format("binary:{}", n);
+  return t;
+}
+
+//   0 2---1 1 2---1 2         row by row; port 0 north, 1 west, 2 east, 3 south
+//   3       3       3
+//   |       |       |
+//   0       0       0
+//   3 2---1 4 2---1 5
+Topology make_mesh(int rows, int columns) {
+  auto t =
+      make_empty(fmt::format("mesh:{}x{}", rows, columns), static_cast<long long>(rows) * columns);
+  expect(t, rows >= 1 && columns >= 1, "at least 1 row and 1 column");
+  for (int p = 0; p < t.processors; ++p) {
+    if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
+    if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
+  }
+  // Across the longer side: straight when it is even, else with one step in the middle line.
+  const auto [narrow, wide] = std::minmax(rows, columns);
+  t.bisection_width = wide == 1 ? 0 : narrow + (wide % 2 && narrow > 1 ? 1 : 0);
+  return sorted(std::move(t));
+}
+
+//    |       |       |        a mesh whose rows and columns are rings, which take all four ports
+//   -0 2---1 1 2---1 2-       of every processor. Two in a row or column share one link (no double
+//    3       3       3        ones), one has none. With one or two columns, the first is closed by
+//    |       |       |        ports 3 and 1: port 0 of the root is free then.
+//   -3 2---1 4 2---1 5-
+//    |       |       |
+Topology make_torus(int rows, int columns) {
+  auto t =
+      make_empty(fmt::format("torus:{}x{}", rows, columns), static_cast<long long>(rows) * columns);
+  expect(t, rows >= 1 && columns >= 1, "at least 1 row and 1 column");
+  for (int p = 0; p < t.processors; ++p) {
+    const int east = p - p % columns + (p + 1) % columns, south = (p + columns) % t.processors;
+    const int north = columns < 3 && p % columns == 0 ? 1 : 0;
+    if (columns > 2 || east > p) add(t, {p, 2}, {east, 1});
+    if (rows > 2 || south > p) add(t, {p, 3}, {south, north});
+  }
+  const auto [narrow, wide] = std::minmax(rows, columns);
+  if (narrow > 2) t.bisection_width = 2 * narrow + (wide % 2 ? 2 : 0);
+  return sorted(std::move(t));
+}
+
+//     6-------7               processors whose numbers differ in one bit are linked: bits 0, 1, 2
+//    /|      /|               on ports 1, 2, 3 and bit 3 on port 0, which is free in
+//   2-------3 |               cubes of up to three dimensions
+//   | 4-----|-5
+//   |/      |/
+//   0-------1
+Topology make_hypercube(int dimensions) {
+  const auto name = fmt::format("hypercube:{}", dimensions);
+  auto t = make_empty(name, 1 << std::clamp(dimensions, 0, PORTS));
+  expect(t, dimensions >= 0, "0 to 4 dimensions");
+  expect_degree(t, dimensions);
+  for (int p = 0; p < t.processors; ++p)
+    for (int bit = 0; bit < dimensions; ++bit)
+      if (const int q = p ^ (1 << bit); p < q)
+        add(t, {p, (bit + 1) % PORTS}, {q, (bit + 1) % PORTS});
+  t.bisection_width = t.processors / 2;
+  return sorted(std::move(t));
+}
+
+//      1   2                  the centre's ports are taken in the order 1, 2, 3, 0;
+//       \ /                   a leaf is wired by its port 0
+//        0
+//       / '
+//      3   4
+Topology make_star(int n) {
+  auto t = make_empty(fmt::format("star:{}", n), n);
+  expect(t, n >= 1, "at least 1 processor");
+  expect_degree(t, n - 1);
+  for (int p = 1; p < n; ++p) add(t, {0, p % PORTS}, {p, 0});
+  return sorted(std::move(t));
+}
+
+}  // namespace topologies
