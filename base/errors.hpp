@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace base {
 
@@ -18,6 +20,14 @@ struct BadInput : std::runtime_error {
 struct InvariantBroken : std::logic_error {
   using std::logic_error::logic_error;
 };
+
+/// Throws BadInput "place: message" unless `holds`; `place` is a file, a line or a key.
+template <class... Args>
+void require(bool holds, std::string_view place, fmt::format_string<Args...> message,
+             Args&&... args) {
+  if (!holds)
+    throw BadInput(fmt::format("{}: {}", place, fmt::format(message, std::forward<Args>(args)...)));
+}
 
 /// Throws InvariantBroken, with both values, unless they are equal.
 template <class A, class B>

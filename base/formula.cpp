@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/errors.hpp"
-#include "base/spelling.hpp"
+#include "base/text.hpp"
 
 namespace base {
 
@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view NAME_CHARACTERS =
     "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-// muParser says of an unknown function only that its parenthesis is unexpected.
+// Names unknown functions: muParser itself says only that a parenthesis is unexpected.
 void check_functions(const mu::Parser& parser, const std::string& text, const std::string& place) {
   std::vector<std::string> known;
   for (const auto& [name, function] : parser.GetFunDef()) known.push_back(name);
@@ -27,11 +27,11 @@ void check_functions(const mu::Parser& parser, const std::string& text, const st
     name.erase(0, name.find_last_not_of(NAME_CHARACTERS) + 1);
     if (!Formula::is_name(name) || std::ranges::find(known, name) != known.end()) continue;
     throw BadInput(fmt::format("{}: unknown function \"{}\", the nearest is \"{}\"", place, name,
-                               base::nearest_name(name, known)));
+                               nearest_name(name, known)));
   }
 }
 
-// muParser's = would set a variable of ours.
+// Whether there is a single =, with which muParser would set a variable of ours.
 bool has_assignment(const std::string& text) {
   for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const bool compares = at > 0 && std::string_view("<>!").find(text[at - 1]) != std::string::npos;
@@ -78,7 +78,7 @@ Formula::Formula(Formula&&) noexcept = default;
 Formula& Formula::operator=(Formula&&) noexcept = default;
 
 double Formula::eval(std::span<const double> values) const {
-  base::check_equal("values of a formula", values.size(), variables_.size());
+  check_equal("values of a formula", values.size(), variables_.size());
   std::ranges::copy(values, parser_->values.begin());
   return parser_->parser.Eval();
 }

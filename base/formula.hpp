@@ -1,6 +1,6 @@
 #pragma once
-// An expression over named numbers: "hops * (t_start + bytes / link.one_way_rate)". The only door
-// to muParser, whose operators and functions it knows, and floor and ceil.
+// An expression over named numbers: "hops * (t_start + bytes / link.one_way_rate)". It has the
+// operators and functions of muParser, to which this is the only door, and floor and ceil.
 #include <memory>
 #include <span>
 #include <string>
@@ -10,21 +10,21 @@ namespace base {
 
 class Formula {
  public:
-  // `place` begins what is said about mistakes: "e.toml:12: check \"x\": formula". Names are of
-  // letters, digits, _ and dots. Throws BadInput for what is no single expression,
-  // with the text, and for a function that does not exist, with the nearest.
+  /// `place` begins the messages about mistakes: "e.toml:12: check \"x\": formula". Names consist
+  /// of letters, digits, _ and dots. Throws BadInput, with the text, unless it is one expression,
+  /// and, with the nearest name, for a function that does not exist.
   Formula(const std::string& text, std::string place);
   ~Formula();
   Formula(Formula&&) noexcept;
   Formula& operator=(Formula&&) noexcept;
 
   const std::string& place() const { return place_; }
-  // The names it uses, each once.
+  /// The names that it uses, each once.
   const std::vector<std::string>& variables() const { return variables_; }
-  // `values` in the order of `variables`. May be infinite or not a number.
+  /// Takes `values` in the order of `variables`. The result may be infinite or not a number.
   double eval(std::span<const double> values) const;
 
-  // Whether a variable may be called that.
+  /// Whether a variable may have this name.
   static bool is_name(const std::string& text);
 
  private:

@@ -1,13 +1,14 @@
 #include "base/whole_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "base/errors.hpp"
 
@@ -17,65 +18,86 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Write = std::function<int(std::FILE*)>;
+using Write = std::function<void(std::ostream&)>;
 
-[[noreturn]] void fail(const std::string& path, int error) {
+[[noreturn]] void fail(const fs::path& path, int error) {
   throw std::system_error(error != 0 ? error : EIO, std::generic_category(),
-                          fmt::format("cannot write {}", path));
+                          path.string() + ": cannot be written");
 }
 
-// Opens, writes and closes; 0 or the error.
-int write_file(const std::string& path, const Write& write) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return errno;
+// A name beside `path` that no other file has.
+fs::path partial_of(const fs::path& path) {
+  static std::atomic<int> count = 0;
+  return path.parent_path() /
+         fmt::format(".{}.partial-{}-{}", path.filename().string(), getpid(), ++count);
+}
+
+// Errors name `path`.
+void write_file(const fs::path& file, const fs::path& path, const Write& write) {
   errno = 0;
-  int error = write(file);
-  if (error == 0 && std::fflush(file) != 0) error = errno != 0 ? errno : EIO;
-  return std::fclose(file) == 0 || error != 0 ? error : errno;
+  std::ofstream out(file, std::ios::binary);
+  if (out) write(out);
+  out.close();
+  if (!out) fail(path, errno);
+}
+
+// Some file systems find out here that there was no room; some have nothing to do.
+void sync_file(const fs::path& file, const fs::path& path) {
+  const int number = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const int error = number < 0 || fsync(number) != 0 ? errno : 0;
+  if (number >= 0) close(number);
+  if (error != 0 && error != EINVAL && error != ENOTSUP) fail(path, error);
+}
+
+void write_and_rename(const fs::path& path, const Write& write) {
+  const auto partial = partial_of(path);
+  try {
+    write_file(partial, path, write);
+    sync_file(partial, path);
+    if (std::rename(partial.c_str(), path.c_str()) != 0) fail(path, errno);
+  } catch (...) {
+    unlink(partial.c_str());
+    throw;
+  }
 }
 
 }  // namespace
 
-void save_whole(const std::string& path, const Write& write) {
+void save_whole(const fs::path& path, const Write& write) {
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  // A device or a pipe cannot be replaced: it is written in place.
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    if (const int error = write_file(path, write)) fail(path, error);
-    return;
-  }
-  // What a link points to is replaced, not the link.
-  const std::string target = fs::exists(status) ? fs::canonical(path).string() : path;
-  const std::string draft = fmt::format("{}.{}.part", target, ::getpid());
-  int error = write_file(draft, write);
-  if (error == 0 && std::rename(draft.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    std::remove(draft.c_str());
-    fail(path, error);
-  }
+  const auto status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, path, write);
+  write_and_rename(fs::exists(status) ? fs::canonical(path) : path, write);
 }
 
-namespace {
-
-[[noreturn]] void fail_reading(const std::string& file, const std::string& what) {
-  throw BadInput(fmt::format("{}: {}", file, what));
+void save_whole(const fs::path& path, std::string_view bytes) {
+  save_whole(path, [&](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
 }
 
-}  // namespace
+void check_can_save(const fs::path& path) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  const auto partial = partial_of(fs::exists(status) ? fs::canonical(path) : path);
+  write_file(partial, path, [](std::ostream&) {});
+  unlink(partial.c_str());
+}
 
-std::string read_text(const std::string& path, std::size_t most) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) fail_reading(path, "no such file");
-  if (std::filesystem::is_directory(status)) fail_reading(path, "is a directory, expected a file");
+std::string read_text(const fs::path& path, std::size_t most) {
+  const int earlier = std::exchange(errno, 0);  // whoever writes a file meanwhile may need it
   std::ifstream in(path, std::ios::binary);
-  if (!in) fail_reading(path, fmt::format("cannot be opened: {}", std::strerror(errno)));
-  std::string text(most + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) fail_reading(path, "cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > most)
-    fail_reading(path, fmt::format("longer than the limit of {} bytes", most));
+  std::string text, part(1 << 16, '\0');
+  while (in && text.size() <= most) {
+    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part, 0, static_cast<std::size_t>(in.gcount()));
+  }
+  require(in || in.eof(), path.string(), "cannot be read: {}",
+          std::generic_category().message(errno));
+  require(text.size() <= most, path.string(), "longer than the limit of {} bytes", most);
+  errno = earlier;
   return text;
 }
 

@@ -1,20 +1,29 @@
 #pragma once
 // Files that are whole or absent.
-
-#include <cstdio>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string>
+#include <string_view>
 
 namespace base {
 
-/// `write` puts the bytes into the file that it is given, and returns 0 or an errno; they go to a
-/// file beside `path`, which takes its place when whole. What exists and is no regular file (a
-/// device, a pipe) is written in place. std::system_error naming `path` if it cannot be written,
-/// and then nothing is left behind.
-void save_whole(const std::string& path, const std::function<int(std::FILE*)>& write);
+/// Writes `bytes` beside `path` (".NAME.partial-PID-N"), then renames. When a step fails (a full
+/// disk, a missing folder) nothing is left behind and an older file keeps its bytes. A link is
+/// followed; what exists and is not a regular file (/dev/stdout, a pipe) is written in place.
+/// Throws std::system_error "path: cannot be written: ...".
+void save_whole(const std::filesystem::path& path, std::string_view bytes);
 
-/// The bytes of a file, at most `most`. Throws BadInput, beginning with the path, for a file that
-/// is not there, is a folder, cannot be read, or is longer.
-std::string read_text(const std::string& path, std::size_t most);
+/// Does the same with what `write` puts into the stream; what `write` throws passes through.
+void save_whole(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+
+/// Throws as save_whole would where that is known before there is anything to write: for a folder,
+/// and where no file can be made beside `path`.
+void check_can_save(const std::filesystem::path& path);
+
+/// The bytes of a file, at most `most`. Throws BadInput "path: cannot be read: ..." for a file that
+/// is not there, is a folder or cannot be read, and BadInput with the limit for a longer one.
+std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 }  // namespace base

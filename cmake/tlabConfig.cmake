@@ -1,11 +1,12 @@
 # find_package(tlab): the targets tlab::topologies, tlab::renderer, tlab::machine (the machine and the
 # vocabulary) and tlab::simulator (the farm too), and what they need.
 include(CMakeFindDependencyMacro)
-find_dependency(Boost 1.74 COMPONENTS graph context)
+find_dependency(Boost 1.74 COMPONENTS graph context filesystem)
 find_dependency(PNG)
 find_dependency(OpenEXR CONFIG)
 find_dependency(fmt)
 find_dependency(muparser)
+find_dependency(pugixml)
 find_dependency(Threads)
 include(${CMAKE_CURRENT_LIST_DIR}/simgrid.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/tlabTargets.cmake)

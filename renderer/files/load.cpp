@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "renderer/files/nff.hpp"
-#include "renderer/files/tokens.hpp"
 #include "renderer/scene/generators.hpp"
 
 namespace renderer {
@@ -16,14 +14,12 @@ Scene load_scene(std::string_view source) {
   constexpr std::string_view SPHERES = "spheres:";
   if (source.starts_with(SPHERES)) {
     const std::string_view number = source.substr(SPHERES.size());
-    int n = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
-    if (error == std::errc{} && end == number.data() + number.size()) return make_spheres(n);
+    if (const auto n = base::parse_number<int>(number)) return make_spheres(*n);
     throw base::BadInput(fmt::format("found scene {}, expected spheres:N with N from 1 to {}",
-                                     quote(source), MAX_SPHERES));
+                                     base::quote(source), MAX_SPHERES));
   }
   throw base::BadInput(fmt::format(
-      "found scene {}, expected a generator (spheres:N) or a file (.nff)", quote(source)));
+      "found scene {}, expected a generator (spheres:N) or a file (.nff)", base::quote(source)));
 }
 
 }  // namespace renderer

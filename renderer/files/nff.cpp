@@ -2,127 +2,232 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
-#include <system_error>
+#include <algorithm>
+#include <functional>
+#include <utility>
 
-#include "base/errors.hpp"
-#include "renderer/files/nff_statements.hpp"
+#include <sstream>
+
+#include "base/whole_file.hpp"
+#include "renderer/files/tokens.hpp"
 
 namespace renderer {
 
 namespace {
 
-constexpr int MAX_LIGHTS = 65535;
+constexpr int MAX_LIGHTS = 65535, MAX_VERTICES = 1 << 24;
+constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000;
 
-struct Reader {
-  Tokens tokens;
-  Scene scene{};
-  int view_line = 0;
-  std::vector<bool> light_has_colour{};
+class Reader {
+ public:
+  Reader(std::istream& in, const std::string& name, NffTarget& target)
+      : tokens_(in, name), target_(target) {}
+
+  int read() {
+    while (!tokens_.peek().empty()) read_statement();
+    if (view_line_ == 0) tokens_.fail_next("a view ('v')");
+    return view_line_;
+  }
+
+ private:
+  void read_statement() {
+    using Read = void (Reader::*)();
+    constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
+        {"v", &Reader::read_view},
+        {"b", &Reader::read_background},
+        {"l", &Reader::read_light},
+        {"f", &Reader::read_surface},
+        {"s", &Reader::read_sphere},
+        {"p", &Reader::read_polygon},
+        {"pp", &Reader::read_smooth_polygon},
+        {"c", &Reader::read_cone}};
+    if (target_.takes_emission() && tokens_.take_if("emit")) return read_emission();
+    const Read read = tokens_.take_choice(
+        STATEMENTS, target_.takes_emission() ? "a statement: v, b, l, f, # emit, p or pp"
+                                             : "a statement: v, b, l, f, s, p, pp or c");
+    target_.line = tokens_.line();
+    (this->*read)();
+  }
+
+  template <class Action>
+  void tell(const Action& action) {
+    tokens_.at_line(target_.line, action);
+  }
+
+  void require_surface(std::string_view statement) {
+    if (!has_surface_)
+      tokens_.fail(target_.line,
+                   fmt::format("found '{}', expected a surface ('f') before it", statement));
+  }
+
+  Rgb take_colour(std::string_view what) {
+    const auto take = [&] { return tokens_.take_number(what, 0, MAX_COLOUR); };
+    const double r = take(), g = take();
+    return {r, g, take()};
+  }
+
+  void read_view() {
+    if (view_line_ != 0)
+      tokens_.fail(target_.line,
+                   fmt::format("found a second 'v', expected one, that of line {}", view_line_));
+    view_line_ = target_.line;
+    const View view = take_view();
+    tell([&] { target_.set_view(view); });
+  }
+
+  View take_view() {
+    View view;
+    const std::pair<std::string_view, std::function<void()>> settings[] = {
+        {"from", [&] { view.from = tokens_.take_vec("from"); }},
+        {"at", [&] { view.at = tokens_.take_vec("at"); }},
+        {"up", [&] { view.up = tokens_.take_vec("up"); }},
+        {"angle", [&] { view.angle = tokens_.take_number("angle", 0, 180); }},
+        {"hither", [&] { view.hither = tokens_.take_number("hither", 0, MAX_NUMBER); }},
+        {"resolution", [&] {
+           view.width = tokens_.take_count("the resolution's width", 1, MAX_SIDE);
+           view.height = tokens_.take_count("the resolution's height", 1, MAX_SIDE);
+         }}};
+    constexpr std::size_t REQUIRED = 4;  // hither and resolution have defaults
+    bool seen[std::size(settings)] = {};
+    for (;;) {
+      const auto* setting = std::ranges::find(settings, tokens_.peek(),
+                                              [](const auto& named) { return named.first; });
+      if (setting == std::end(settings)) break;
+      if (std::exchange(seen[setting - settings], true))
+        tokens_.fail_next("each of the view's settings once");
+      tokens_.take();
+      setting->second();
+    }
+    for (std::size_t i = 0; i < REQUIRED; ++i)
+      if (!seen[i]) tokens_.fail_next(fmt::format("the view's '{}'", settings[i].first));
+    return view;
+  }
+
+  void read_background() {
+    const Rgb colour = take_colour("the background");
+    target_.set_background(colour);
+  }
+
+  void read_light() {
+    const Vec at = tokens_.take_vec("the light's position");
+    std::optional<Rgb> colour;
+    if (tokens_.continues()) colour = take_colour("the light's colour");
+    tell([&] { target_.add_light(at, colour); });
+  }
+
+  void read_surface() {
+    Surface s;
+    s.colour = take_colour("the surface's colour");
+    s.kd = tokens_.take_number("Kd", 0, 1);
+    s.ks = tokens_.take_number("Ks", 0, 1);
+    s.shine = tokens_.take_number("Shine", 0, MAX_SHINE);
+    s.t = tokens_.take_number("T", 0, 1);
+    const double ior = tokens_.take_number("the index of refraction", 0, MAX_IOR);
+    if (ior > 0)
+      s.ior = ior;
+    else if (s.t > 0)  // files give 0 to what is opaque
+      tokens_.fail(tokens_.line(),
+                   "found an index of refraction of 0, expected one > 0 where T > 0");
+    has_surface_ = true;
+    tell([&] { target_.set_surface(s); });
+  }
+
+  void read_emission() {
+    target_.line = tokens_.line();
+    require_surface("# emit");
+    const Rgb emission = tokens_.take_rgb("an emission");
+    tell([&] { target_.set_emission(emission); });
+  }
+
+  void read_sphere() {
+    require_surface("s");
+    const Vec centre = tokens_.take_vec("the centre");
+    const double radius = tokens_.take_number("the radius", 0, MAX_NUMBER);
+    tell([&] { target_.add_sphere(centre, radius); });
+  }
+
+  void read_polygon() {
+    require_surface("p");
+    read_corners(false);
+  }
+  void read_smooth_polygon() {
+    require_surface("pp");
+    read_corners(true);
+  }
+  void read_corners(bool with_normals) {
+    const int count = tokens_.take_count("the number of vertices", 3, MAX_VERTICES);
+    std::vector<Vec> corners, normals;
+    for (int i = 0; i < count; ++i) {
+      corners.push_back(tokens_.take_vec("a vertex"));
+      if (with_normals) normals.push_back(tokens_.take_vec("a normal"));
+    }
+    tell([&] { target_.add_polygon(std::move(corners), std::move(normals)); });
+  }
+
+  void read_cone() {
+    require_surface("c");
+    const Vec base = tokens_.take_vec("the base");
+    const double base_radius = tokens_.take_number("the base's radius", 0, MAX_NUMBER);
+    const Vec apex = tokens_.take_vec("the apex");
+    const double apex_radius = tokens_.take_number("the apex's radius", 0, MAX_NUMBER);
+    tell([&] { target_.add_cone(base, base_radius, apex, apex_radius); });
+  }
+
+  Tokens tokens_;
+  NffTarget& target_;
+  int view_line_ = 0;
+  bool has_surface_ = false;
 };
 
-void read_light(Reader& r) {
-  if (r.scene.lights.size() >= MAX_LIGHTS)
-    r.tokens.fail(r.tokens.line(),
-                  fmt::format("found more lights, expected at most {}", MAX_LIGHTS));
-  Light light{r.tokens.take_vec("the light's position")};
-  const bool coloured = r.tokens.continues();
-  if (coloured) light.intensity = r.tokens.take_rgb("the light's colour");
-  r.light_has_colour.push_back(coloured);
-  r.scene.lights.push_back(light);
-}
+// A scene, but for what finish() does.
+struct SceneTarget : NffTarget {
+  Scene scene;
+  std::vector<bool> has_colour;  // by light
 
-void read_view(Reader& r) {
-  if (r.view_line != 0)
-    r.tokens.fail(r.tokens.line(),
-                  fmt::format("found a second 'v', expected one, that of line {}", r.view_line));
-  r.view_line = r.tokens.line();
-  r.scene.view = take_view(r.tokens);
-}
-
-void read_polygon(Reader& r, bool with_normals) {
-  const int line = r.tokens.line();
-  const Outline outline = take_outline(r.tokens, with_normals);
-  at_line(r.tokens, line, [&] {
-    if (with_normals)
-      add_patch(r.scene, outline.corners, outline.normals);
-    else
-      add_polygon(r.scene, outline.corners);
-  });
-}
-
-void read_cone(Reader& r) {
-  const int line = r.tokens.line();
-  const Vec base = r.tokens.take_vec("the base");
-  const double base_radius = r.tokens.take_number("the base's radius", 0, MAX_NUMBER);
-  const Vec apex = r.tokens.take_vec("the apex");
-  const double apex_radius = r.tokens.take_number("the apex's radius", 0, MAX_NUMBER);
-  at_line(r.tokens, line, [&] { add_cone(r.scene, base, base_radius, apex, apex_radius); });
-}
-
-void read_sphere(Reader& r) {
-  const int line = r.tokens.line();
-  const Vec centre = r.tokens.take_vec("the centre");
-  const double radius = r.tokens.take_number("the radius", 0, MAX_NUMBER);
-  at_line(r.tokens, line, [&] { add_sphere(r.scene, centre, radius); });
-}
-
-void read_statement(Reader& r) {
-  constexpr std::string_view NAMES[] = {"v", "b", "l", "f", "s", "p", "pp", "c"};
-  const auto* name = std::find(std::begin(NAMES), std::end(NAMES), r.tokens.peek());
-  if (name == std::end(NAMES)) r.tokens.fail_next("a statement: v, b, l, f, s, p, pp or c");
-  r.tokens.take();
-  const int line = r.tokens.line();
-  if (name - NAMES >= 4 && r.scene.surfaces.empty())
-    r.tokens.fail(line, fmt::format("found '{}', expected a surface ('f') before the first "
-                                    "primitive",
-                                    *name));
-  switch (name - NAMES) {
-    case 0:
-      return read_view(r);
-    case 1:
-      r.scene.background = r.tokens.take_rgb("the background");
-      return;
-    case 2:
-      return read_light(r);
-    case 3:
-      r.scene.surfaces.push_back(take_surface(r.tokens));
-      return;
-    case 4:
-      return read_sphere(r);
-    case 5:
-      return read_polygon(r, false);
-    case 6:
-      return read_polygon(r, true);
-    case 7:
-      return read_cone(r);
+  void set_view(const View& view) override { scene.view = view; }
+  void set_background(const Rgb& colour) override { scene.background = colour; }
+  void add_light(const Vec& at, const std::optional<Rgb>& colour) override {
+    if (scene.lights.size() >= MAX_LIGHTS)
+      throw base::BadInput(fmt::format("found more lights, expected at most {}", MAX_LIGHTS));
+    scene.lights.push_back({at, colour.value_or(Rgb{})});
+    has_colour.push_back(colour.has_value());
   }
-}
+  void set_surface(const Surface& surface) override { scene.surfaces.push_back(surface); }
+  void add_sphere(const Vec& centre, double radius) override {
+    renderer::add_sphere(scene, centre, radius);
+  }
+  void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) override {
+    if (normals.empty())
+      renderer::add_polygon(scene, corners);
+    else
+      add_patch(scene, corners, normals);
+  }
+  void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override {
+    renderer::add_cone(scene, base, base_radius, apex, apex_radius);
+  }
+};
 
 }  // namespace
 
+int read_nff(std::istream& in, const std::string& name, NffTarget& target) {
+  return Reader(in, name, target).read();
+}
+
 Scene parse_nff(std::istream& in, const std::string& name) {
-  Reader r{Tokens(in, name)};
-  while (!r.tokens.peek().empty()) read_statement(r);
-  if (r.view_line == 0) r.tokens.fail_next("a view ('v')");
+  SceneTarget target;
+  const int view_line = read_nff(in, name, target);
+  Scene& scene = target.scene;
   // SPD: all lights together have the same energy, however many there are.
   const double share =
-      1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, r.scene.lights.size())));
-  for (std::size_t i = 0; i < r.scene.lights.size(); ++i)
-    if (!r.light_has_colour[i]) r.scene.lights[i].intensity = {share, share, share};
-  at_line(r.tokens, r.view_line, [&] { finish(r.scene); });
-  return std::move(r.scene);
+      1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, scene.lights.size())));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (!target.has_colour[i]) scene.lights[i].intensity = {share, share, share};
+  Tokens(in, name).at_line(view_line, [&] { finish(scene); });
+  return std::move(scene);
 }
 
 Scene load_nff(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw base::BadInput(fmt::format("{}: found a directory, expected an NFF file", path));
-  std::ifstream in(path);
-  if (!in)
-    throw base::BadInput(
-        fmt::format("{}: cannot be read: {}", path, std::generic_category().message(errno)));
+  std::istringstream in(base::read_text(path));
   return parse_nff(in, path);
 }
 

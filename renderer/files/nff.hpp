@@ -14,15 +14,42 @@
 // starts a comment. A primitive before any `f` is an error, as is anything degenerate.
 
 #include <istream>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {
 
-/// BadInput "name:line: found ..., expected ...".
+/// Reads an NFF scene. BadInput "name:line: found ..., expected ...".
 Scene parse_nff(std::istream& in, const std::string& name);
-/// The same from a file; BadInput if it cannot be read.
+/// Reads an NFF file; BadInput as parse_nff() and if it cannot be read.
 Scene load_nff(const std::string& path);
+
+/// What is made of a file: it is told every statement, in the file's order. A BadInput that it
+/// throws is reported with the statement's line.
+class NffTarget {
+ public:
+  virtual ~NffTarget() = default;
+  /// Whether `emit R G B`, which is no statement of NFF, is one.
+  virtual bool takes_emission() const { return false; }
+
+  virtual void set_view(const View& view) = 0;
+  virtual void set_background(const Rgb&) {}
+  virtual void add_light(const Vec& at, const std::optional<Rgb>& colour) = 0;
+  virtual void set_surface(const Surface& surface) = 0;
+  virtual void set_emission(const Rgb&) {}
+  virtual void add_sphere(const Vec& centre, double radius) = 0;
+  /// As many normals as corners, or none.
+  virtual void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) = 0;
+  virtual void add_cone(const Vec& base, double base_radius, const Vec& apex,
+                        double apex_radius) = 0;
+
+  int line = 0;  ///< of the statement that is told
+};
+
+/// Tells `target` a file. BadInput "name:line: ..."; returns the line of the view.
+int read_nff(std::istream& in, const std::string& name, NffTarget& target);
 
 }  // namespace renderer

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
-#include "base/errors.hpp"
-#include "renderer/scene/primitives.hpp"
+#include "base/text.hpp"
 
 namespace renderer {
 
@@ -15,7 +17,7 @@ namespace {
 
 constexpr std::string_view BLANKS = " \t\r\v\f";
 
-// A finite decimal number and nothing else. Whatever the locale.
+// A finite decimal number and nothing else, whatever the locale.
 std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   double value = 0;
@@ -28,42 +30,59 @@ std::optional<double> parse_number(std::string_view word) {
 
 }  // namespace
 
-std::string quote(std::string_view word) {
-  constexpr std::size_t MAX = 40;
-  std::string shown;
-  for (const char c : word.substr(0, MAX))
-    shown += c >= ' ' && c <= '~' ? std::string(1, c)
-                                  : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  return fmt::format("'{}{}'", shown, word.size() > MAX ? "..." : "");
-}
-
-std::string_view Tokens::peek() {
+void Tokens::fetch() {
   while (next_.empty()) {
     at_ = text_.find_first_not_of(BLANKS, at_);
     if (at_ == text_.npos || text_[at_] == '#') {
-      if (!std::getline(in_, text_)) {
-        text_.clear();
-        at_ = 0;
-        return {};
-      }
-      ++line_;
       at_ = 0;
+      if (!std::getline(in_, text_)) return text_.clear();
+      ++line_;
       continue;
     }
     const std::size_t end = std::min(text_.find_first_of(" \t\r\v\f#", at_), text_.size());
     next_ = text_.substr(at_, end - at_);
     at_ = end;
   }
-  return next_;
+}
+
+bool Tokens::begin_line() {
+  fetch();
+  by_line_ = !next_.empty();
+  taken_line_ = line_;
+  return by_line_;
+}
+
+std::string_view Tokens::peek() {
+  fetch();
+  return by_line_ && line_ != taken_line_ ? std::string_view() : next_;
 }
 
 std::string Tokens::take() {
-  peek();
+  if (peek().empty()) return {};
   taken_line_ = line_;
   return std::exchange(next_, {});
 }
 
+bool Tokens::take_if(std::string_view word) {
+  if (word.empty() || peek() != word) return false;
+  take();
+  return true;
+}
+
+void Tokens::skip_line() {
+  while (continues()) take();
+}
+
+void Tokens::end_line() {
+  if (continues()) fail_next("the end of the line");
+}
+
 bool Tokens::continues() { return !peek().empty() && line_ == taken_line_; }
+
+std::string Tokens::take_word(std::string_view what) {
+  if (peek().empty()) fail_next(what);
+  return take();
+}
 
 double Tokens::take_number(std::string_view what) {
   const std::optional<double> value = parse_number(peek());
@@ -97,8 +116,8 @@ Vec Tokens::take_vec(std::string_view what) {
 }
 
 Rgb Tokens::take_rgb(std::string_view what) {
-  const double r = take_number(what, 0, 1000), g = take_number(what, 0, 1000);
-  return {r, g, take_number(what, 0, 1000)};
+  const auto [r, g, b] = take_vec(what);
+  return {r, g, b};
 }
 
 void Tokens::fail(int line, std::string_view message) const {
@@ -107,9 +126,9 @@ void Tokens::fail(int line, std::string_view message) const {
 
 void Tokens::fail_next(std::string_view expected) {
   const std::string_view word = peek();
-  fail(std::max(line_, 1),
-       fmt::format("found {}, expected {}", word.empty() ? "the end of the file" : quote(word),
-                   expected));
+  if (!word.empty()) fail(line_, fmt::format("found {}, expected {}", base::quote(word), expected));
+  if (by_line_) fail(taken_line_, fmt::format("found the end of the line, expected {}", expected));
+  fail(std::max(line_, 1), fmt::format("found the end of the file, expected {}", expected));
 }
 
 }  // namespace renderer

@@ -1,11 +1,12 @@
 #pragma once
 // Words of a text file, with the line each was found on.
 
-#include <istream>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/errors.hpp"
 #include "renderer/scene/vec.hpp"
 
 namespace renderer {
@@ -19,35 +20,70 @@ class Tokens {
  public:
   Tokens(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
 
-  /// The next word without taking it; empty at the end of the file.
+  /// Begins a statement that ends with its line: until the next call no function takes words of
+  /// another line. False at the end of the file. Files that never call it may break lines anywhere.
+  bool begin_line();
+
+  /// The next word without taking it; empty at the end of the file or of the statement.
   std::string_view peek();
-  /// Takes the next word; empty at the end of the file.
+  /// Takes the next word; empty at the end.
   std::string take();
+  /// Takes the next word if it is this one.
+  bool take_if(std::string_view word);
+  /// Takes the rest of the statement's line, whatever it is.
+  void skip_line();
+  /// The statement must end here.
+  void end_line();
   /// Whether the next word is on the same line as the one taken last.
   bool continues();
-  /// A finite number up to MAX_NUMBER in magnitude; `what` names it in the error.
+
+  // In these, `what` names the value in errors.
+  std::string take_word(std::string_view what);
+  /// A finite number up to MAX_NUMBER in magnitude.
   double take_number(std::string_view what);
-  /// The same, between `lo` and `hi`.
+  /// A number from `lo` to `hi`.
   double take_number(std::string_view what, double lo, double hi);
   int take_count(std::string_view what, int lo, int hi);
   Vec take_vec(std::string_view what);
+  /// Components up to MAX_NUMBER in magnitude; whether they are a colour is not checked.
   Rgb take_rgb(std::string_view what);
+
+  /// Takes the next word, which must be the name of one of the `actions`, pairs of a name and
+  /// anything; returns what stands beside it. `expected` lists the names.
+  template <class Action, std::size_t N>
+  const Action& take_choice(const std::pair<std::string_view, Action> (&actions)[N],
+                            std::string_view expected) {
+    for (const auto& [name, action] : actions)
+      if (take_if(name)) return action;
+    fail_next(expected);
+  }
 
   /// Line of the word taken last.
   int line() const { return taken_line_; }
-  /// "name:line: message", at a given line.
+  const std::string& name() const { return name_; }
+
+  /// "name:line: message".
   [[noreturn]] void fail(int line, std::string_view message) const;
-  /// Of the next word: "found ..., expected ...".
+  /// "found ..., expected ..." about the next word.
   [[noreturn]] void fail_next(std::string_view expected);
+  /// Runs `action`; what it rejects as BadInput is reported with `line`.
+  template <typename Action>
+  void at_line(int line, const Action& action) const {
+    try {
+      action();
+    } catch (const base::BadInput& bad) {
+      fail(line, bad.what());
+    }
+  }
 
  private:
+  void fetch();
+
   std::istream& in_;
   std::string name_, text_, next_;
   std::size_t at_ = 0;
   int line_ = 0, taken_line_ = 0;
+  bool by_line_ = false;
 };
-
-/// Quoted, printable and short.
-std::string quote(std::string_view word);
 
 }  // namespace renderer

@@ -1,5 +1,13 @@
 #include "renderer/image/image.hpp"
 
+#include <fmt/format.h>
+#include <png.h>
+
+#include <cerrno>
+
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
+
 namespace renderer {
 
 namespace {
@@ -63,6 +71,30 @@ std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
   for (const Samples::Sums& s : samples.sums)
     for (const std::int64_t sum : {s.r, s.g, s.b}) bytes.push_back(to_byte(sum));
   return bytes;
+}
+
+void save_png(const std::string& path, int width, int height,
+              const std::vector<std::uint8_t>& rgb8) {
+  if (rgb8.empty())
+    throw base::BadInput("save_png: found an image of no pixels, expected 1 or more");
+  if (rgb8.size() != std::size_t{3} * static_cast<unsigned>(width) * static_cast<unsigned>(height))
+    throw base::BadInput(
+        fmt::format("save_png: found {} bytes, expected 3 for each of {} x {} pixels", rgb8.size(),
+                    width, height));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb8.data(), 0, nullptr) == 0)
+    throw std::runtime_error(fmt::format("{}: {}", path, image.message));
+  base::save_whole(path, std::string_view(bytes).substr(0, size));
+}
+
+void save_png(const std::string& path, const Samples& samples) {
+  save_png(path, samples.width, samples.height, make_rgb8(samples));
 }
 
 }  // namespace renderer

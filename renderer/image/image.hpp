@@ -10,8 +10,8 @@
 
 namespace renderer {
 
-/// Per pixel three sums in units of 2^-32 of full intensity. A single contribution is rounded to
-/// the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION (NaN counts as 0);
+/// Three sums for each pixel, in units of 2^-32 of full intensity. A single contribution is rounded
+/// to the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION (NaN counts as 0);
 /// sums are exact below 2^21 contributions of that size, and wrap beyond.
 struct Samples {
   static constexpr double ONE = 4294967296.0;  ///< 2^32
@@ -31,22 +31,20 @@ struct Samples {
 
   bool operator==(const Samples&) const = default;
   void add(std::uint32_t sample, const Rgb& contribution);
-  /// Adds those of a rectangle of the image whose upper left pixel is (x, y); it must lie within.
+  /// Adds the sums of a rectangle within the image; its upper left pixel is (x, y).
   void add(int x, int y, const Samples& rectangle);
-  /// The sums of two sets of contributions to one image; sizes must be equal.
+  /// Adds other contributions to the same image; sizes must be equal.
   Samples& operator+=(const Samples& other);
   Rgb get(std::uint32_t sample) const;
 };
 
-/// Rows from the top, 3 bytes a pixel: 0..1 to 0..255 linearly and rounded, clamped outside.
+/// Rows from the top, 3 bytes a pixel: 0..1 becomes 0..255, rounded; what is outside is clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
 
-/// An 8-bit RGB PNG. The bytes depend on the samples only (no date, no text). Written to a file
-/// beside `path`, which takes its place when whole; std::system_error naming `path` if it cannot
-/// be written, and then nothing is left behind. std::invalid_argument for an image of no pixels.
+/// Writes an 8-bit RGB PNG as base::save_whole does, with its errors. The bytes depend on the
+/// samples only (no date, no text). BadInput for an image of no pixels.
 void save_png(const std::string& path, const Samples& samples);
-/// The same of bytes in the order of make_rgb8; std::invalid_argument too where there are not
-/// 3 * width * height.
+/// Writes bytes in the order of make_rgb8(); BadInput unless there are 3 * width * height.
 void save_png(const std::string& path, int width, int height,
               const std::vector<std::uint8_t>& rgb8);
 

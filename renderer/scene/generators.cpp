@@ -11,7 +11,7 @@ namespace renderer {
 
 namespace {
 
-// Where a sphere carries its nine children, when it itself was carried towards +z: six around its
+// Directions to the nine children of a sphere that was carried towards +z itself: six around its
 // equator, 15 degrees off the axes, and three above.
 std::array<Vec, 9> make_directions() {
   const double s = (std::sqrt(6.0) - std::sqrt(2.0)) / 4, c = (std::sqrt(6.0) + std::sqrt(2.0)) / 4;
@@ -59,8 +59,8 @@ std::vector<Flake> make_sphereflake(std::size_t n) {
   return flakes;
 }
 
-// To six significant digits, as the SPD's own program writes its numbers. Where spheres touch, the
-// paths of rays depend on it: ray counts are those of the SPD's files only when rounded so.
+// Rounds to six significant digits, as the SPD's own program writes its numbers. Where spheres
+// touch, the paths of rays depend on it: only so are ray counts those of the SPD's files.
 double round_to_six_digits(double value) {
   char text[32];
   const char* end = fmt::format_to(text, "{:.6g}", value);

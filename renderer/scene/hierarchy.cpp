@@ -99,7 +99,7 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
 // A node costs its area times its children; a choice at any level also pays for the growth of
 // every node above it. The way down leads to the child, box or leaf, that grows least; it ends at
 // a leaf, and where nothing below can be better, as every place costs the object's own area.
-// Of children that grow equally (several boxes contain the object) every one is tried: where
+// If children grow equally (several boxes contain the object), every one is tried: where
 // Goldsmith and Salmon take the one of the nearest centre, or any, the least cost decides here.
 std::uint32_t find_place(const Tree& tree, const Bounds& object) {
   Choice best{tree.root};

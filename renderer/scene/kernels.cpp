@@ -24,7 +24,7 @@ Vec eval_normal(const Patch& patch, const Corner* corners, const Vec* normals, c
     const double half_tan = (a.u * b.v - a.v * b.u) / below;  // of the angle the edge is seen under
     sum += (half_tan / a_size) * normal_a + (half_tan / b_size) * normal_b;
   }
-  // Seen from the back of the projection the angles are all negative.
+  // From the back of the projection all angles are negative.
   if (dot(sum, flat.normal) < 0) sum = -sum;
   const double norm = length(sum);
   return norm > 0 && norm < NO_HIT ? (1 / norm) * sum : flat.normal;

@@ -2,10 +2,9 @@
 // One ray against one primitive. Each intersect_ returns the least distance greater than `epsilon`
 // at which the ray meets the primitive, or infinity.
 //
-// Self-intersection: `own` says that the ray starts on this very primitive. Then the root at the
-// origin is known to be exactly 0 and left out, whatever rounding would make of it: a flat
-// primitive has no other root, a quadric has one. The scene's epsilon is for other primitives that
-// pass through the origin.
+// Self-intersection: `own` says that the ray starts on this very primitive. The root at the origin
+// is then exactly 0 and left out, whatever rounding would make of it: a flat primitive has no other
+// root, a quadric has one. The scene's epsilon is for other primitives through the origin.
 
 #include <span>
 
@@ -15,7 +14,7 @@ namespace renderer {
 
 inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
-/// Counts the roots taken.
+/// Adds to `roots` if it takes a root.
 inline double intersect_sphere(const Sphere& s, const Vec& origin, const Vec& direction,
                                double epsilon, bool own, std::uint32_t& roots) {
   const Vec to_centre = s.centre - origin;
@@ -46,7 +45,7 @@ inline bool is_inside(std::span<const Corner> corners, double u, double v) {
   return inside;
 }
 
-/// Counts the times that edges were looked at.
+/// Adds to `edges` if it looks at the polygon's edges.
 inline double intersect_polygon(const Polygon& p, const Corner* pool, const Vec& origin,
                                 const Vec& direction, double epsilon, bool own,
                                 std::uint32_t& edges) {
@@ -94,8 +93,8 @@ inline Vec eval_normal(const Cone& c, const Vec& point) {
   return normalize((1 / radius) * across - c.slope * c.axis);
 }
 
-/// Between the normals of the corners by mean value coordinates (M. Floater, 2003), which are
-/// barycentric coordinates in a triangle and defined for any polygon.
+/// The normal at a point, interpolated between those of the corners by mean value coordinates
+/// (M. Floater, 2003), which are barycentric in a triangle and defined for any polygon.
 Vec eval_normal(const Patch& patch, const Corner* corners, const Vec* normals, const Vec& point);
 
 }  // namespace renderer

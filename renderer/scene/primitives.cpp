@@ -2,20 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "base/errors.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace renderer {
 
 namespace {
 
-constexpr double MAX_BEND = 0.05;   // of a polygon, relative to its size
-constexpr double MIN_AREA = 1e-12;  // of a polygon, relative to the square of its size
+// Shares of a polygon's size, and of its square.
+constexpr double MAX_BEND = 0.05, MIN_AREA = 1e-12;
 
-void require(bool holds, const std::string& found, const char* expected) {
-  if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
-}
-
-// Newell's method: right for any simple polygon, concave ones and nearly flat ones included.
+// By Newell's method: right for any simple polygon, concave ones and nearly flat ones included.
 Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   Vec sum;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)

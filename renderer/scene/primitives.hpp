@@ -1,18 +1,16 @@
 #pragma once
 // The four primitives of NFF, prepared for intersection. The make_ functions reject degenerate
-// shapes with BadInput ("found ..., expected ..."; a reader of files adds where).
+// shapes with BadInput "found ..., expected ..."; a reader of files adds the place.
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "renderer/scene/bounds.hpp"
 
 namespace renderer {
 
-/// What every primitive carries.
+/// Which object a primitive is, and of what surface.
 struct Tag {
   std::uint32_t object = 0;   ///< index in file order
   std::uint32_t surface = 0;  ///< index into Scene::surfaces
@@ -41,8 +39,8 @@ struct Polygon {
 
 /// A polygon whose normal is interpolated between those of its corners.
 struct Patch {
-  Polygon flat;               ///< its normal is on the side of the corners' normals
-  std::uint32_t normals = 0;  ///< of its first corner in the scene's pool of normals
+  Polygon flat;               ///< has its normal on the side of the corners' normals
+  std::uint32_t normals = 0;  ///< index of its first normal in the scene's pool of normals
 };
 
 /// A cone's or cylinder's side, open at both ends.
@@ -58,7 +56,7 @@ Sphere make_sphere(const Vec& centre, double radius, Tag tag);
 /// Appends its corners to `pool`. Corners off the plane by more than 5 % of the polygon's size are
 /// an error; those by less are moved into it, along the dropped axis.
 Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>& pool);
-/// One normal, not zero and of any length, for every corner.
+/// `corner_normals`: one for every corner, of any length but 0.
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
                  std::vector<Corner>& pool, std::vector<Vec>& normal_pool);
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag);

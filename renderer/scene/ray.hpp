@@ -1,6 +1,6 @@
 #pragma once
-// A ray on its own: with its influence factor and its sample it can be traced by anyone, at any
-// time and in any order (thesis, 4.3). And what it meets.
+// A ray, which carries its influence factor and its sample, so that any processor can trace it at
+// any time and in any order (thesis, 4.3); and what it meets.
 
 #include <cstdint>
 #include <limits>
@@ -11,25 +11,25 @@ namespace renderer {
 
 enum class RayKind : std::uint8_t { primary, reflected, transmitted, shadow };
 
-/// The object a ray starts on when it starts on none.
+/// The object of a ray that starts on none.
 inline constexpr std::uint32_t NO_OBJECT = std::numeric_limits<std::uint32_t>::max();
 
 struct Ray {
   Vec origin;
   Vec direction;  ///< unit length
   Rgb influence;  ///< share of this ray's intensity in its sample: f of Eq 4.15, fS of Eq 4.17
-  double reach = std::numeric_limits<double>::infinity();  ///< hits at or beyond it do not matter:
-                                                           ///< a feeler's distance to its light
-  std::uint32_t sample = 0;                                ///< y * width + x
-  std::uint32_t from = NO_OBJECT;                          ///< object the origin lies on
-  std::uint16_t level = 1;  ///< depth in the shading tree, 1 = primary; a feeler is one
-                            ///< deeper than the ray whose hit it leaves
-  std::uint16_t light = 0;  ///< of a feeler: the light it looks for
+  /// Distance from which on hits do not matter: a feeler's to its light.
+  double reach = std::numeric_limits<double>::infinity();
+  std::uint32_t sample = 0;        ///< y * width + x
+  std::uint32_t from = NO_OBJECT;  ///< object that the origin lies on
+  std::uint16_t level = 1;         ///< depth in the shading tree, 1 = primary; a feeler is one
+                                   ///< deeper than the ray whose hit it leaves
+  std::uint16_t light = 0;         ///< index of the light that a feeler looks for
   RayKind kind = RayKind::primary;
-  bool through = false;  ///< it, or an ancestor, was transmitted
+  bool through = false;  ///< whether it, or an ancestor, was transmitted
 };
 
-/// The largest of the three influence factors, which limits are compared with.
+/// The influence factor that limits are compared with.
 inline double max_influence(const Ray& ray) { return max_component(ray.influence); }
 
 struct Hit {

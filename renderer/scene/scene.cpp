@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "base/errors.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace renderer {
 
@@ -14,8 +14,7 @@ constexpr double SELF_RELATIVE = 1e-10, BOX_RELATIVE = 1e-12;
 constexpr std::size_t MAX_OBJECTS = std::size_t{1} << 30;
 
 Tag make_tag(const Scene& scene) {
-  if (scene.surfaces.empty())
-    throw base::BadInput("found a primitive, expected a surface ('f') before the first primitive");
+  require(!scene.surfaces.empty(), "a primitive", "a surface ('f') before the first primitive");
   if (scene.objects.size() >= MAX_OBJECTS)
     throw base::BadInput(fmt::format("found more objects, expected at most {}", MAX_OBJECTS));
   return {static_cast<std::uint32_t>(scene.objects.size()),
@@ -34,25 +33,6 @@ Bounds make_bounds(const Scene& scene, Place place) {
       return make_bounds(scene.cones[place.index()]);
   }
   return {};
-}
-
-// tan() in extended precision and rounded: the same double whichever library computes it.
-void finish_view(View& view) {
-  const auto require = [](bool holds, const std::string& found, const char* expected) {
-    if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
-  };
-  require(view.angle > 0 && view.angle < 180, fmt::format("a view angle of {}", view.angle),
-          "degrees between 0 and 180");
-  require(length(view.at - view.from) > 0, "a view from the point it looks at",
-          "'from' and 'at' apart");
-  view.ahead = normalize(view.at - view.from);
-  const Vec right = cross(view.ahead, view.up);
-  require(length(right) > 1e-9 * length(view.up), "an up direction along the view",
-          "'up' across the line from 'from' to 'at'");
-  view.right = normalize(right);
-  view.above = cross(view.right, view.ahead);
-  view.half_height = static_cast<double>(
-      std::tan(static_cast<long double>(view.angle) * std::numbers::pi_v<long double> / 360));
 }
 
 // Moves one kind's primitives into the order of the leaves.
@@ -94,8 +74,25 @@ void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex
   scene.objects.push_back(Place::of(Kind::cone, scene.cones.size() - 1));
 }
 
+// tan() in extended precision and rounded: the same double whichever library computes it.
+View make_image_plane(View view) {
+  require(view.angle > 0 && view.angle < 180, fmt::format("a view angle of {}", view.angle),
+          "degrees between 0 and 180");
+  require(length(view.at - view.from) > 0, "a view from the point it looks at",
+          "'from' and 'at' apart");
+  view.ahead = normalize(view.at - view.from);
+  const Vec right = cross(view.ahead, view.up);
+  require(length(right) > 1e-9 * length(view.up), "an up direction along the view",
+          "'up' across the line from 'from' to 'at'");
+  view.right = normalize(right);
+  view.above = cross(view.right, view.ahead);
+  view.half_height = static_cast<double>(
+      std::tan(static_cast<long double>(view.angle) * std::numbers::pi_v<long double> / 360));
+  return view;
+}
+
 void finish(Scene& scene) {
-  finish_view(scene.view);
+  scene.view = make_image_plane(scene.view);
   std::vector<Bounds> bounds;
   bounds.reserve(scene.objects.size());
   double scale = max_abs(scene.view.from);

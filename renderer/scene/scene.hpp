@@ -24,13 +24,16 @@ struct Light {
   Rgb intensity{1, 1, 1};
 };
 
+/// Most pixels that an image may have along a side.
+inline constexpr int MAX_SIDE = 65536;
+
 /// NFF's `v`. The angle spans the height of the image; pixels are square.
 struct View {
   Vec from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
   double angle = 45;              ///< degrees, 0..180 exclusive
-  double hither = 0;              ///< kept; rays start at `from` whatever it says
-  int width = 512, height = 512;  ///< the file's own resolution, in pixels
-  // Derived by finish():
+  double hither = 0;              ///< has no effect: rays start at `from`
+  int width = 512, height = 512;  ///< resolution that the file asks for, pixels
+  // Derived by make_image_plane():
   Vec right{}, above{}, ahead{};  ///< unit, of the image plane
   double half_height = 0;         ///< of the image plane at distance 1
 };
@@ -62,17 +65,19 @@ struct Scene {
   std::vector<Corner> corners;  ///< of polygons and patches
   std::vector<Vec> normals;     ///< of patches' corners
   Hierarchy hierarchy;          ///< a leaf's item is a Place's bits
-  double epsilon = 0;           ///< set by finish(): hits nearer than this are none. 1e-10 of the
-                                ///< largest coordinate
+  double epsilon = 0;           ///< least distance of a hit: 1e-10 of the largest coordinate
 };
 
-// Each adds one object, of the surface added last. BadInput for a degenerate shape, for a scene
-// without surfaces, and beyond 2^30 objects.
+// Each adds one object, which has the surface added last. BadInput for a degenerate shape, for a
+// scene without surfaces, and beyond 2^30 objects.
 void add_sphere(Scene& scene, const Vec& centre, double radius);
 void add_polygon(Scene& scene, std::span<const Vec> corners);
 void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals);
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius);
+
+/// The view with what is derived; BadInput for an impossible one.
+View make_image_plane(View view);
 
 /// Derives the view's image plane, the hierarchy (boxes grown by 1e-12 of the largest coordinate,
 /// so that rounding never makes a ray miss the box of what it hits) and epsilon. BadInput for an

@@ -12,24 +12,24 @@ namespace renderer {
 enum class Op : std::uint8_t {
   box_test,         ///< a ray against one bounding box
   sphere_test,      ///< a ray against one sphere
-  sphere_root,      ///< of those, that took a root: the ray's line meets the sphere
+  sphere_root,      ///< a sphere test that took a root: the ray's line meets the sphere
   polygon_test,     ///< a ray against the plane of one polygon
   patch_test,       ///< a ray against the plane of one polygon with normals
-  polygon_edges,    ///< of those, that looked at the edges: the plane is ahead
+  polygon_edges,    ///< a test of a polygon that looked at the edges: the plane is ahead
   cone_test,        ///< a ray against one cone or cylinder
   ray_intersected,  ///< one call of intersect()
-  hit_made,         ///< of those, that needed point and normal: not a feeler's
+  hit_made,         ///< a hit whose point and normal were needed: not a feeler's
   surface_shaded,   ///< one intersection turned into rays by make_children()
   feeler_made,      ///< a shadow feeler made, with its influence factor (Eq 4.17)
   ray_reflected,    ///< a reflected ray made
   ray_refracted,    ///< a transmitted ray made
   sample_updated,   ///< a contribution to be added to a sample (Eq 4.26)
-  factor_begun,     ///< radiosity: a vertex and a patch, whether they face each other
-  delta_area,       ///< of those that do, a delta area: distance, cosines, quotient (Eq 3.8)
+  factor_begun,     ///< radiosity: whether a vertex and a patch face each other
+  delta_area,       ///< a delta area of such a patch: distance, cosines, quotient (Eq 3.8)
   light_mirrored,   ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
   vertex_lit,       ///< a vertex's radiosity updated (Eq 3.9)
-  patch_lit,        ///< what a patch has to send updated, by the mean of what it got
-  patch_compared,   ///< a patch looked at for the brightest
+  patch_lit,        ///< a patch's unsent light updated, by the mean of what it received
+  patch_compared,   ///< a patch compared with the brightest so far
   COUNT
 };
 

@@ -6,7 +6,7 @@ namespace renderer {
 
 namespace {
 
-// Hears of it, with counts that are up to date.
+// Passes on what a walk reads, with counts that are up to date.
 struct Somebody {
   static constexpr bool LISTENS = true;
   Access& access;

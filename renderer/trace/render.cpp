@@ -5,8 +5,10 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
+
+#include "base/errors.hpp"
+#include "renderer/trace/shade.hpp"
 
 namespace renderer {
 
@@ -14,19 +16,19 @@ namespace {
 
 constexpr int MAX_THREADS = 1024;
 
-// What one thread keeps for itself.
+// The state of one thread.
 struct Tracer {
   const Scene& scene;
   const Params& params;
   Samples& samples;
-  Access* access = nullptr;  // who is told what is read, if anybody
+  Access* access = nullptr;  // is told what is read, unless null
   RayCounts rays{};
   Work work{};
   Children stack{};
 
-  // A pixel's shading tree, depth first, into the sample `at`.
+  // Traces a pixel's shading tree, depth first, into the sample `at`.
   void trace(int x, int y, std::uint32_t at) {
-    stack.push_back(make_primary(scene, params, x, y));
+    stack.push_back(make_primary(scene.view, params, x, y));
     while (!stack.empty()) {
       const Ray ray = stack.back();
       stack.pop_back();
@@ -92,8 +94,9 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
   return *this;
 }
 
-static Block render_pixels(const Scene& scene, const Params& params, const Area& area,
-                           Access* access) {
+namespace {
+
+Block render_pixels(const Scene& scene, const Params& params, const Area& area, Access* access) {
   Block block{area, Samples(area.width, area.height), {}, {}};
   Tracer tracer{scene, params, block.samples, access};
   std::uint32_t at = 0;
@@ -103,6 +106,8 @@ static Block render_pixels(const Scene& scene, const Params& params, const Area&
   block.work = tracer.work;
   return block;
 }
+
+}  // namespace
 
 Block render_block(const Scene& scene, const Params& params, const Area& area) {
   return render_pixels(scene, params, area, nullptr);
@@ -115,8 +120,7 @@ Block render_block(const Scene& scene, const Params& params, const Area& area, A
 Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {
   check(params);
   if (threads < 1 || threads > MAX_THREADS)
-    throw std::invalid_argument(
-        fmt::format("threads: found {}, expected 1 to {}", threads, MAX_THREADS));
+    throw base::BadInput(fmt::format("threads: found {}, expected 1 to {}", threads, MAX_THREADS));
   const Area area = get_area(params);
   Rendering result{Samples(params.width, params.height), {}, {}};
   Rows rows(area.height, progress);

@@ -4,13 +4,15 @@
 #include <functional>
 
 #include "renderer/image/image.hpp"
-#include "renderer/trace/shade.hpp"
+#include "renderer/trace/access.hpp"
+#include "renderer/trace/params.hpp"
 
 namespace renderer {
 
 /// Rays intersected, by kind.
 struct RayCounts {
-  std::uint64_t primary = 0, primary_hit = 0 /* of those, that hit something */;
+  std::uint64_t primary = 0;
+  std::uint64_t primary_hit = 0;  ///< primary rays that hit something
   std::uint64_t reflected = 0, transmitted = 0, shadow = 0;
 
   std::uint64_t total() const { return primary + reflected + transmitted + shadow; }
@@ -36,14 +38,14 @@ struct Block {
 /// Traces every ray of `area`, which lies within the image of `params`. The sums are those that
 /// render() finds there.
 Block render_block(const Scene& scene, const Params& params, const Area& area);
-/// The same; `access` is told of every part of the scene that is read.
+/// The same block; `access` is told of every part of the scene that is read.
 Block render_block(const Scene& scene, const Params& params, const Area& area, Access& access);
 
-/// Called with the rows done and the rows there are, after every row, by one thread at a time.
+/// Is called after every row, by one thread at a time.
 using Progress = std::function<void(int done, int rows)>;
 
 /// Traces every ray of `params.area`. Result, counts and work do not depend on `threads` (host
-/// threads, 1..1024). std::invalid_argument as check(); what `progress` throws ends the rendering.
+/// threads, 1..1024). BadInput as check(); what `progress` throws ends the rendering.
 Rendering render(const Scene& scene, const Params& params, int threads = 1,
                  const Progress& progress = {});
 

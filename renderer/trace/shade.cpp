@@ -4,16 +4,12 @@ namespace renderer {
 
 namespace {
 
-Vec reflect(const Vec& direction, const Vec& normal) {
-  return normalize(direction - 2 * dot(direction, normal) * normal);
-}
-
-// Rounded to float: the same value whichever library computes the power.
+// The power is rounded to float: the same value whichever library computes it.
 double eval_highlight(double cosine, double shine) {
   return cosine > 0 ? static_cast<double>(static_cast<float>(std::pow(cosine, shine))) : 0.0;
 }
 
-// A child of `ray` that leaves its hit; the direction and the influence are still to come.
+// A ray that leaves the hit of `ray`, without its direction and influence.
 Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   Ray child;
   child.origin = hit.point;
@@ -25,7 +21,7 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   return child;
 }
 
-// fS = f * (kd * cos(theta) + kr * cos^n(phi)), Eq 4.17; nothing from a light behind the surface.
+// fS = f * (kd * cos(theta) + kr * cos^n(phi)), Eq 4.17; 0 for a light behind the surface.
 Rgb eval_feeler_influence(const Surface& s, const Hit& hit, const Rgb& f, const Vec& to_light,
                           const Vec& mirrored) {
   const double cosine = dot(hit.normal, to_light);
@@ -35,6 +31,26 @@ Rgb eval_feeler_influence(const Surface& s, const Hit& hit, const Rgb& f, const 
 }
 
 }  // namespace
+
+Ray make_primary(const View& view, const Params& p, int x, int y) {
+  // Numbers of pixels, or of steps between samples that span the view from edge to edge.
+  const bool lattice = p.sample == SamplePosition::lattice;
+  const double columns = lattice ? p.width - 1 : p.width, rows = lattice ? p.height - 1 : p.height;
+  const double shift = p.sample == SamplePosition::center ? 0.5 : 0;
+  const double step = 2 * view.half_height / std::max(rows, 1.0);
+  Ray ray;
+  ray.origin = view.from;
+  ray.direction = normalize(view.ahead + (x + shift - columns / 2) * step * view.right +
+                            (rows / 2 - y - shift) * step * view.above);
+  ray.influence = {1, 1, 1};
+  ray.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(p.width) +
+               static_cast<std::uint32_t>(x);
+  return ray;
+}
+
+Vec reflect(const Vec& direction, const Vec& normal) {
+  return normalize(direction - 2 * dot(direction, normal) * normal);
+}
 
 std::optional<Vec> refract(const Vec& direction, const Vec& normal, double ratio) {
   const double eta = 1 / ratio, cosine = -dot(direction, normal);

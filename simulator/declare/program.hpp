@@ -1,17 +1,17 @@
 #pragma once
-// Patterns: small synthetic programs that show one property of the machine, to be compared with a
-// formula. One file each: its processes, what it measures, and make_NAME() for the list.
-#include <cstdint>
+// How a program declares itself: its parameters, what it needs, what it measures and how it runs.
+// The laboratory knows programs only by these declarations.
+#include <any>
 #include <functional>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
+#include "base/fields.hpp"
 #include "simulator/machine/faults.hpp"
 #include "simulator/machine/model.hpp"
+#include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
 #include "topologies/route/routes.hpp"
@@ -19,115 +19,176 @@
 
 namespace programs {
 
-// A key of [program] beside its name, and a possible axis.
-struct Parameter {
-  std::string name;
-  double value;      // where the experiment names none
-  double low, high;  // its range, ends included
-  bool whole;        // no fractions
-  std::string help;  // what it is, with its unit
-  // A named choice: a text of these in the experiment file, whose index is the value. Empty: a
-  // number.
-  std::vector<std::string> choices = {};
-  bool is_path = false;      // the name of a file, relative to the experiment's folder; "": none
-  bool is_required = false;  // of a path: none is an error
-};
+using base::Row;
 
-// A named choice; the first is the default.
-Parameter make_choice(const std::string& name, const std::vector<std::string>& choices,
-                      const std::string& help);
-// A file; none is the default.
-Parameter make_path(const std::string& name, const std::string& help, bool is_required = false);
-
-// The value of a path.
-struct NamedFile {
-  std::string text;  // as the experiment spells it
-  std::string path;  // where it is; "" for none
-};
-
-// What a run measured: columns of results.csv, their units in their names.
-using Row = std::vector<std::pair<std::string, double>>;
-
-// A picture of what was computed: equal runs give equal bytes.
-struct Image {
-  std::string name;            // "picture", of a run's images no other has it; letters, digits, "-"
-  std::optional<double> at_s;  // when it was complete, of one on the way to the last
-  std::function<void(const std::string& path)> save;                // as PNG
-  std::function<void(const std::string& path)> save_exr = nullptr;  // the same with all its range
-};
-
-// What a run gives: a row; or several, told apart by the columns of Pattern::parts, which are in
-// each of them.
-struct Rows {
-  std::vector<Row> rows;
-  std::vector<std::string> notes = {};  // sentences about the run
-  std::vector<Image> images = {};
-
-  Rows() = default;
-  Rows(Row row) : rows{std::move(row)} {}
-  explicit Rows(std::vector<Row> rows, std::vector<std::string> notes = {})
-      : rows(std::move(rows)), notes(std::move(notes)) {}
-};
-
-// What breaks while the program runs: the link between two processors, or a processor.
+/// A link or a processor that breaks while the program runs.
 struct PlannedFault {
   double at_s = 0;
   int a = 0;
-  int b = -1;  // none: the processor a
+  int b = -1;  ///< the link between a and b; -1: the processor a
 
   bool operator==(const PlannedFault&) const = default;
 };
 
-struct Pattern;
-
-// What a pattern runs on. Every parameter has a value, and it is in range.
+/// What a program runs on, beside its parameters.
 struct Setup {
   const machine::Model& model;
-  topologies::Topology topology;  // of one processor where the pattern uses none
-  std::map<std::string, double, std::less<>> parameters;
-  observe::Watch* watch = nullptr;   // its limit and trace, if there is one
-  const Pattern* pattern = nullptr;  // whose parameters these are, for `choice`
-  // Where the pattern uses routes.
-  topologies::RoutingTable routes = {};
-  std::optional<topologies::TreeLinks> tree = {};  // for messages to all; none: one of each sender
-  std::vector<PlannedFault> faults = {};           // where the pattern uses them
-  std::map<std::string, NamedFile, std::less<>> files = {};  // the parameters that are paths
-  // Where the pattern uses costs, and they are those of the host: what its time is charged.
-  std::optional<double> cycles_per_host_s = {};
-
-  // Throw base::InvariantBroken for a parameter that the pattern does not have, and for a
-  // number that is no choice.
-  double operator[](std::string_view name) const;
-  std::int64_t whole(std::string_view name) const;
-  std::string choice(std::string_view name) const;
-  const std::string& path(std::string_view name) const;  // "" for none
+  topologies::Topology topology;         ///< one processor where the program uses no network
+  observe::Watch* watch = nullptr;       ///< its limit and trace, if there is one
+  topologies::RoutingTable routes = {};  ///< where the program uses routes
+  std::optional<topologies::TreeLinks> tree = {};  ///< of messages to all; none: one each sender
+  std::vector<PlannedFault> faults = {};           ///< where the program uses faults
+  std::optional<double> cycles_per_host_s = {};    ///< where costs are timed: charge host time
+  bool profile = false;                            ///< measure the host time of kernels
 };
 
-struct Pattern {
+/// A picture of what was computed: equal runs give equal bytes.
+struct Image {
+  std::string name;  ///< "picture"; no other image of the run has it; letters, digits and "-"
+  std::optional<double> at_s;  ///< when it was complete, for one on the way to the last
+  std::function<void(const std::string& path)> save;                ///< as PNG
+  std::function<void(const std::string& path)> save_exr = nullptr;  ///< the same, all its range
+  bool is_named = false;  ///< the name says already what it shows; else points are told apart
+};
+
+/// How busy a resource was, and what with.
+struct Load {
+  std::string resource;
+  double busy = 0;    ///< share of the time
+  std::string doing;  ///< a sentence
+};
+
+/// What a run gives: a row, or several that differ in the columns of Program::parts.
+template <class R>
+struct Outcome {
+  std::vector<R> rows;
+  std::vector<std::string> notes = {};  ///< sentences about the run
+  std::vector<Image> images = {};
+  machine::End end = machine::End::done;  ///< else the row is what was measured until then
+  bool is_saturated = false;              ///< queues grow without bound
+  std::optional<observe::Use> use = {};   ///< of processors and links, for run.json
+  std::vector<Load> loads = {};
+  std::uint64_t events = 0;                  ///< simulated, where they are counted
+  std::optional<double> kernel_host_s = {};  ///< with Setup::profile
+
+  Outcome() = default;
+  Outcome(R row) { rows.push_back(std::move(row)); }
+  explicit Outcome(std::vector<R> all, std::vector<std::string> sentences = {})
+      : rows(std::move(all)), notes(std::move(sentences)) {}
+};
+
+using Parameter = base::Field<std::any>;
+
+/// A list of tables of the experiment file, [[stage]]: each is a record of its own.
+struct RecordList {
+  std::string key, help;
+  std::vector<Parameter> fields;  ///< of a record
+  std::function<std::any()> make_record;
+  std::function<void(std::any& params)> clear;
+  /// Throws BadInput for a record that says too much or too little.
+  std::function<void(std::any& params, const std::any& record)> append;
+};
+
+/// A column of a program's table, for the manual.
+struct ColumnHelp {
   std::string name, help;
-  bool uses_topology;  // else the experiment may not name a network
-  std::vector<Parameter> parameters;
-  std::function<Rows(const Setup&)> run;  // throws what the simulation throws
-  std::vector<std::string> parts = {};    // columns that tell the rows of a run apart
-  bool uses_routes = false;               // else it may not name routes and tree of the network
-  bool uses_faults = false;               // else it may have no [[fault]]
-  bool uses_cost = false;                 // else run.cost may not be timed
-  // Throws for what the parameters' ranges do not tell, before anything runs; none: all is well.
-  // The topology is not the run's.
-  std::function<void(const Setup&)> check = {};
 };
 
-// A run was cut short: nothing was measured.
+/// What a program needs beside its parameters. The experiment may speak only of what it uses.
+struct Uses {
+  bool network = false;  ///< [network]
+  bool routes = false;   ///< its routes and trees
+  bool faults = false;   ///< [[fault]]
+  bool timed = false;    ///< run.cost = "timed"
+};
+
+/// A program, its parameters in a std::any.
+struct Program {
+  std::string name, help;
+  Uses uses;
+  std::vector<std::string> parts;  ///< columns that tell the rows of a run apart
+  std::vector<Parameter> parameters;
+  std::vector<RecordList> lists = {};
+  std::vector<ColumnHelp> columns;
+  std::any defaults;
+  std::function<Outcome<Row>(const Setup&, const std::any&)> run;
+  /// Throws BadInput for what the parameters' ranges do not tell, before anything runs.
+  std::function<void(const Setup&, const std::any&)> check;
+  /// Columns that are known before a run, and belong to the axes.
+  std::function<Row(const std::any&)> describe = {};
+  /// Points of equal keys must have equal images; none: nothing is known.
+  std::function<std::string(const std::any&)> picture_key = {};
+  /// The key that makes another one void at these parameters, which then can be no axis; "": none.
+  std::function<std::string(const std::any&, const std::string& key)> voids = {};
+  std::string processors = "processors";  ///< column of the number of processors
+  bool shows_parameters = true;           ///< each is a column of the results
+  /// Columns that come first whether they are axes of the sweep or not.
+  std::vector<std::string> leading = {};
+
+  const Parameter* find(std::string_view name) const;
+};
+
+/// The key of a parameter in the experiment file: "program.bytes", unless its name has a section.
+std::string key_of(const Parameter& parameter);
+
+/// A program of parameters P and results R, before their types are hidden. Only name, help and run
+/// are needed.
+template <class P, class R>
+struct Declaration {
+  std::string name, help;
+  Uses uses = {};
+  base::Fields<P> fields = {};
+  base::Columns<R> columns = {};
+  std::vector<std::string> parts = {};
+  std::function<Outcome<R>(const Setup&, const P&)> run;
+  std::function<void(const Setup&, const P&)> check = {};
+  std::function<Row(const P&)> describe = {};
+  std::vector<RecordList> lists = {};
+};
+
+template <class P, class R>
+Program make_program(const Declaration<P, R>& d) {
+  Program program{d.name, d.help, d.uses, d.parts, {}, d.lists, {}, P{}, {}, {}};
+  const auto params = [](std::any& any) -> P& { return std::any_cast<P&>(any); };
+  const auto const_params = [](const std::any& any) -> const P& {
+    return std::any_cast<const P&>(any);
+  };
+  program.parameters = base::lift_all<std::any>(d.fields, params);
+  for (const auto& c : d.columns) program.columns.push_back({c.name, c.help});
+  program.run = [run = d.run, columns = d.columns, const_params](const Setup& setup,
+                                                                 const std::any& any) {
+    auto found = run(setup, const_params(any));
+    Outcome<Row> outcome;
+    for (const auto& row : found.rows) outcome.rows.push_back(base::make_row(columns, row));
+    outcome.notes = std::move(found.notes);
+    outcome.images = std::move(found.images);
+    outcome.end = found.end;
+    outcome.is_saturated = found.is_saturated;
+    outcome.use = std::move(found.use);
+    outcome.loads = std::move(found.loads);
+    outcome.events = found.events;
+    outcome.kernel_host_s = found.kernel_host_s;
+    return outcome;
+  };
+  if (d.check)
+    program.check = [check = d.check, const_params](const Setup& setup, const std::any& any) {
+      check(setup, const_params(any));
+    };
+  if (d.describe)
+    program.describe = [describe = d.describe, const_params](const std::any& any) {
+      return describe(const_params(any));
+    };
+  return program;
+}
+
+/// A run was cut short: nothing was measured.
 struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-// Runs a pattern's machine to its end. Throws Unfinished, and what the simulation throws.
+/// Runs a program's machine to its end. Throws Unfinished, and what the simulation throws.
 void run_machine(const Setup& setup, machine::Machine& machine);
-// The same of a program without an end, up to a date.
+/// The same for a program without an end, up to a date.
 void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date);
-
-// In the order of a help text.
-const std::vector<Pattern>& all_patterns();
 
 }  // namespace programs

@@ -1,6 +1,7 @@
 #pragma once
 // What the programs over routers share: their parameters, their network, an application's costs.
 #include <cmath>
+#include <optional>
 
 #include "base/errors.hpp"
 #include "simulator/declare/support.hpp"
@@ -8,45 +9,61 @@
 
 namespace programs {
 
-inline Parameter method_parameter() {
-  return make_choice("method", {"green", "chalmers", "acyclic", "naive"},
-                     "how routers avoid deadlock; acyclic takes the network's routes only if they "
-                     "close no cycle");
+// How routers avoid deadlock, by name. The farm's [data] takes all but naive.
+inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
+                                                     {"chalmers", network::Method::chalmers},
+                                                     {"acyclic", network::Method::acyclic},
+                                                     {"naive", network::Method::naive}};
+
+// Parameters of every program over routers.
+struct RouterParams {
+  network::Method method = network::Method::green;
+  bool pointers = true;  // a message is passed within a processor by pointer; else it is copied
+  std::uint64_t buffers = 64;
+};
+
+inline base::Fields<RouterParams> router_fields() {
+  using D = base::Declare<RouterParams>;
+  static const base::Names<bool> WITHIN = {{"pointers", true}, {"copies", false}};
+  return {D::choice("method", &RouterParams::method, METHODS,
+                    "how routers avoid deadlock; acyclic takes the network's routes only if they "
+                    "close no cycle"),
+          D::choice("within", &RouterParams::pointers, WITHIN,
+                    "how a message is passed within a processor: by pointer, or copied"),
+          D::whole("buffers", &RouterParams::buffers, 1, 1e6, "",
+                   "messages that a router has room for")};
 }
 
-inline network::Method method_of(const Setup& setup) {
-  static constexpr network::Method METHODS[] = {network::Method::green, network::Method::chalmers,
-                                                network::Method::acyclic, network::Method::naive};
-  return METHODS[setup.whole("method")];
+// The field "message_bytes": contents of a message.
+template <class P, class Access>
+base::Field<P> message_bytes_field(Access access) {
+  return base::Declare<P>::whole("message_bytes", access, 0, 1e9, "bytes",
+                                 "contents of a message; the identification is 20 more");
 }
 
-// [program] keys of every program over routers. The first message length is the longest.
-inline std::vector<Parameter> router_parameters(std::vector<Parameter> own) {
-  std::vector<Parameter> all{
-      method_parameter(),
-      make_choice("within", {"pointers", "copies"},
-                  "how a message is passed within a processor: by pointer, or copied"),
-      {"buffers", 64, 1, 1e6, true, "messages that a router has room for"}};
-  all.insert(all.end(), own.begin(), own.end());
-  return all;
+// The column "most_held" of a router.
+template <class R>
+base::Column<R> most_held_column(std::size_t R::*most_held) {
+  return base::column("most_held", most_held, "most messages that one router held at once");
 }
 
-inline Parameter message_bytes_parameter() {
-  return {"message_bytes", 4, 0, 1e9, true, "contents of a message; the identification is 20 more"};
+inline void check_two_processors(const Setup& setup) {
+  if (setup.topology.processors < 2)
+    throw base::BadInput("network.topology: found one processor, expected at least two");
 }
 
-inline network::Params network_params(const Setup& setup, std::uint64_t longest) {
+// `longest`: contents of the longest message, in bytes.
+inline network::Params network_params(const RouterParams& routers, std::uint64_t longest) {
   network::Params params;
-  params.method = method_of(setup);
-  params.pointers = setup.choice("within") == "pointers";
-  params.buffers = static_cast<std::size_t>(setup.whole("buffers"));
+  params.method = routers.method;
+  params.pointers = routers.pointers;
+  params.buffers = static_cast<std::size_t>(routers.buffers);
   params.longest = longest;
   return params;
 }
 
-inline network::Routing routing_of(const Setup& setup) {
-  return network::make_routing(network_params(setup, 0).method, setup.topology, setup.routes,
-                               setup.tree);
+inline network::Routing routing_of(const Setup& setup, network::Method method) {
+  return network::make_routing(method, setup.topology, setup.routes, setup.tree);
 }
 
 // A machine of the topology's processors, with the model's memory, and its faults.
@@ -58,7 +75,7 @@ struct RouterMachine {
           "\"acyclic\", which has its own");
     for (int id = 0; id < setup.topology.processors; ++id)
       machine.add_processor(fmt::format("p{}", id), get_bytes(setup.model, "worker_memory"));
-    network.emplace(machine, routing_of(setup), params);
+    network.emplace(machine, routing_of(setup, params.method), params);
     for (const PlannedFault& fault : setup.faults) {
       auto& a = *machine.processors()[fault.a];
       if (fault.b < 0)

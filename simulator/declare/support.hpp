@@ -1,5 +1,5 @@
 #pragma once
-// What the patterns share.
+// What the small programs share.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,12 +25,8 @@ struct Message {
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  // bytes of a processor: patterns store nothing
+constexpr std::uint64_t MEMORY = 1 << 20;  // bytes of a processor: they store nothing
 constexpr Seconds START{1024e-6};          // by then every process waits for its input
-
-inline Message make_message_of(const Setup& setup) {
-  return {static_cast<std::uint64_t>(setup.whole("bytes"))};
-}
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
@@ -54,8 +50,22 @@ struct Line {
   std::deque<Channel<Message>> channels;
 };
 
-inline Parameter bytes_parameter(double low = 1) {
-  return {"bytes", 100, low, 1e9, true, "length of a message"};
+// The field "bytes", the length of a message.
+template <class P, class Access>
+base::Field<P> bytes_field(Access access, double low = 1) {
+  return base::Declare<P>::whole("bytes", access, low, 1e9, "bytes", "length of a message");
+}
+
+// The field "seed" of a random stream; `help` says of what.
+template <class P, class Access>
+base::Field<P> seed_field(Access access, const std::string& help) {
+  return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
+}
+
+// A processor in a column: its label, where the topology has labels, else its number.
+inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
+  if (topology.labels.empty()) return static_cast<std::int64_t>(id);
+  return topology.labels.at(static_cast<std::size_t>(id));
 }
 
 }  // namespace programs

@@ -8,7 +8,7 @@ namespace farm {
 
 namespace {
 
-bool is_worker(const observe::CpuRow& cpu) { return cpu.name.starts_with("worker"); }
+bool is_worker(const observe::CpuRow& cpu) { return cpu.role == Role::worker; }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
@@ -35,20 +35,12 @@ Load load_of_routing(const observe::Use& use) {
 }
 
 Load load_of_coordination(const observe::Use& use) {
-  const auto& process = find_process(use, "coordinator.coordination");
-  const auto& cpu = find_cpu(use, "coordinator");
+  const auto& cpu = *find_role(use, Role::coordinator);
+  const auto& process = find_process(use, cpu.name + ".coordination");
   return {"coordination", 1 - process.alternative_s / use.time_s,
           fmt::format("its CPU {}, waiting to send {}, for replies {}",
                       percent(cpu.busy_s / use.time_s), percent(process.output_s / use.time_s),
                       percent(process.input_s / use.time_s))};
-}
-
-Load load_of_cpu(const observe::Use& use, const char* name) {
-  return {name, find_cpu(use, name).busy_s / use.time_s, "its CPU"};
-}
-
-bool has_cpu(const observe::Use& use, const char* name) {
-  return std::ranges::find(use.cpus, name, &observe::CpuRow::name) != use.cpus.end();
 }
 
 Load load_of_links(const observe::Use& use) {
@@ -63,8 +55,9 @@ std::vector<Load> find_loads(const Result& result) {
   const auto& use = result.use;
   if (use.time_s <= 0) return {};
   std::vector<Load> loads{load_of_workers(use), load_of_routing(use), load_of_coordination(use)};
-  for (const char* central : {"database", "display"})
-    if (has_cpu(use, central)) loads.push_back(load_of_cpu(use, central));
+  for (const char* role : {Role::database, Role::display})
+    if (const auto* cpu = find_role(use, role))
+      loads.push_back({cpu->name, cpu->busy_s / use.time_s, "its CPU"});
   loads.push_back(load_of_links(use));
   loads.push_back(
       {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)});

@@ -7,28 +7,28 @@
 
 namespace farm {
 
-// A resource and the share of the run's time that it was busy, 0 to 1.
+/// A resource and the share of the run's time that it was busy, 0 to 1.
 struct Load {
-  std::string
-      resource;  // "coordination", "workers", "worker1 (routing)", "link coordinator>worker1"
+  /// "coordination", "workers", "worker1 (routing)", "link coordinator>worker1"
+  std::string resource;
   double busy = 0;
-  std::string doing;  // what it did with that time
+  std::string doing;  ///< what it did with that time
 };
 
-// What can limit the farm, the busiest first:
-// - "workers": their CPUs on average, with how much of it was routing;
-// - "workerN (routing)": the routers of the one that routes most, at high priority;
-// - "coordination": the process, whenever it was not waiting for its workers: it takes turns with
-//   the ray database and the display, so that it can be the limit while its CPU is idle;
-// - "database", "display": their CPUs, where they have processors of their own;
-// - "link A>B": the busiest direction of a link;
-// - "tasks": the share of the time after the last task was handed out, when workers end one after
-//   the other.
-// None for a run that was cut short before its first task.
+/// The resources that can limit the farm, the busiest first:
+/// - "workers": their CPUs on average, with how much of it was routing;
+/// - "workerN (routing)": the routers of the one that routes most, at high priority;
+/// - "coordination": the process, whenever it was not waiting for its workers: it takes turns with
+///   the ray database and the display, so that it can be the limit while its CPU is idle;
+/// - "database", "display": their CPUs, where they have processors of their own;
+/// - "link A>B": the busiest direction of a link;
+/// - "tasks": the share of the time after the last task was handed out, when workers end one after
+///   the other.
+/// Empty for a run that was cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
-// The first of them, if it was busy for at least this share of the time; else nothing is: all wait
-// for messages that are on their way.
+/// The busiest resource limits the farm if it was busy for at least this share of the time; else
+/// nothing does: all wait for messages that are on their way.
 constexpr double SATURATED = 0.8;
 
 }  // namespace farm

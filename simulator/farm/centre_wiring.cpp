@@ -12,12 +12,11 @@ using machine::Processor;
 namespace {
 
 CentralProcessors add_central_processors(machine::Machine& machine, const Params& params) {
-  const auto& model = machine.model();
-  const auto small = params.worker_memory.value_or(get_bytes(model, "worker_memory"));
-  const auto large = params.database_memory.value_or(get_bytes(model, "database_memory"));
-  CentralProcessors on{machine.add_processor("coordinator", small),
-                       machine.add_processor("database", large),
-                       machine.add_processor("display", large)};
+  const auto small = worker_memory(machine.model(), params);
+  const auto large = database_memory(machine.model(), params);
+  CentralProcessors on{add_processor(machine, Role::coordinator, small, Role::coordinator),
+                       add_processor(machine, Role::database, large, Role::database),
+                       add_processor(machine, Role::display, large, Role::display)};
   machine.connect(on.coordinator, on.database);
   machine.connect(on.coordinator, on.display);
   return on;
@@ -32,8 +31,8 @@ std::vector<Order> make_script(const Params& params) {
   return script;
 }
 
-// The initial rays are all deposited before the first is taken: better to say at once that they do
-// not fit.
+// The initial rays are all deposited before the first is taken: a memory that they do not fit is
+// refused at once.
 void check_initial_rays(Processor& database, const renderer::Params& image, std::uint64_t ray) {
   const renderer::Area area = get_area(image);
   const std::uint64_t bytes =
@@ -59,6 +58,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      cost_,
                      renderer::Samples(params.image.width, params.image.height),
                      {}},
+      progress_(machine),
       from_interaction_("coordinator.from.interaction"),
       into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
                      occam::Protocol::variant),
@@ -66,12 +66,8 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      occam::Protocol::variant),
       into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
                           occam::Protocol::variant) {
-  for (Processor* central : {&on_.coordinator, &on_.database, &on_.display})
-    kernels::load_program(*central);
   if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
-  on_.display.memory().allocate(bytes_.pixel * static_cast<std::uint64_t>(params.image.width) *
-                                    static_cast<std::uint64_t>(params.image.height),
-                                "the image", on_.display.now());
+  allocate_image(on_.display, params.image);
 }
 
 SceneMessages Centre::scene_messages(std::size_t workers) const {
@@ -79,7 +75,7 @@ SceneMessages Centre::scene_messages(std::size_t workers) const {
   return {kernels::scene_bytes(machine_.model(), scene_), params_.scene_message, workers};
 }
 
-CoordinationSetup Centre::make_ray_setup(std::size_t workers) {
+CoordinationSetup Centre::make_ray_setup(std::size_t workers) const {
   return {.scene = scene_,
           .params = params_.image,
           .cost = cost_,
@@ -87,16 +83,7 @@ CoordinationSetup Centre::make_ray_setup(std::size_t workers) {
           .cells = make_cells(params_),
           .seed = params_.seed,
           .load = scene_messages(workers),
-          .stages = params_.stages,
-          .on_begin = [this] { before_ = observe::collect(machine_); },
-          .on_end = [this] { after_ = observe::collect(machine_); }};
-}
-
-BlockSetup Centre::make_block_setup(std::size_t workers) {
-  return {.blocks = make_blocks(params_.image, *params_.block),
-          .load = scene_messages(workers),
-          .on_begin = [this] { before_ = observe::collect(machine_); },
-          .on_end = [this] { after_ = observe::collect(machine_); }};
+          .stages = params_.stages};
 }
 
 void Centre::start(Wires& wires, const Workers& workers) {
@@ -109,9 +96,10 @@ void Centre::start(Wires& wires, const Workers& workers) {
                  [this] { interaction(script_, from_interaction_); });
   kernels::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
     if (params_.block)
-      block_coordination(make_block_setup(n), channels, coordinated_);
+      block_coordination({make_blocks(params_.image, *params_.block), scene_messages(n)}, channels,
+                         progress_);
     else
-      coordination(make_ray_setup(n), channels, coordinated_);
+      coordination(make_ray_setup(n), channels, progress_);
   });
   // Alone on their processors: the priority does not matter.
   kernels::start(on_.database, "ray.database", Priority::high,
@@ -120,31 +108,14 @@ void Centre::start(Wires& wires, const Workers& workers) {
                  [this] { visualisation_.run(into_visualisation_); });
 }
 
-// A run that did not come to the end of its image.
-void Centre::note_cut() {
-  after_ = observe::collect(machine_);
-  if (coordinated_.phase == CoordinationResult::Phase::setup) before_ = after_;
-  coordinated_.cut(machine_.now());
-}
-
 Result Centre::take_result(machine::End end) {
   if (end == machine::End::done)
     base::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
-  else if (coordinated_.phase != CoordinationResult::Phase::ended)
-    note_cut();
-  Result result;
-  result.end = end;
+  Result result = make_result(progress_, end);
   result.samples = std::move(visualisation_.samples);
   result.key_images = std::move(visualisation_.key_images);
-  result.rays = coordinated_.rays;
-  result.time_s = (coordinated_.ended - coordinated_.begun).value;
-  result.interactive_s = (coordinated_.interactive_ended - coordinated_.begun).value;
-  result.setup_s = coordinated_.begun.value;
-  result.tasks = coordinated_.tasks;
-  result.peak_tasks_in_farm = coordinated_.peak_tasks_in_farm;
-  result.drain_s = (coordinated_.ended - coordinated_.last_task).value;
+  result.interactive_s = (progress_.interactive_ended - progress_.begun).value;
   result.peaks = rays_.stores.peaks();
-  result.use = between(before_, after_);
   return result;
 }
 

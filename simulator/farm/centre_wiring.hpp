@@ -6,8 +6,8 @@
 
 namespace farm {
 
-// Coordinator, ray database and display on processors of their own, the second and the third on
-// links of the first.
+/// Coordinator, ray database and display on processors of their own; the second and the third are
+/// on links of the first.
 struct CentralProcessors {
   machine::Processor &coordinator, &database, &display;
 };
@@ -18,16 +18,14 @@ class Centre {
   Centre(const Centre&) = delete;
 
   machine::Processor& coordinator() { return on_.coordinator; }
-  // Starts the processes: the coordination of rays or of blocks.
+  /// Starts the processes: the coordination of rays or of blocks.
   void start(Wires& wires, const Workers& workers);
-  // The workers' part of the result is not known here.
+  /// The result without the workers' part.
   Result take_result(machine::End end);
 
  private:
   SceneMessages scene_messages(std::size_t workers) const;
-  CoordinationSetup make_ray_setup(std::size_t workers);
-  BlockSetup make_block_setup(std::size_t workers);
-  void note_cut();
+  CoordinationSetup make_ray_setup(std::size_t workers) const;
 
   machine::Machine& machine_;
   const Params& params_;
@@ -38,13 +36,12 @@ class Centre {
   std::vector<Order> script_;
   RayDatabase rays_;
   Visualisation visualisation_;
-  observe::Use before_, after_;
-  CoordinationResult coordinated_;  // up to the end, if the run is cut short
+  Progress progress_;
 
   Channel<Command> from_interaction_;
   Channel<DatabaseRequest> into_database_;
   Channel<DatabaseReply> from_database_;
-  Channel<Intersection> into_visualisation_;
+  Channel<Answer> into_visualisation_;
 };
 
 }  // namespace farm

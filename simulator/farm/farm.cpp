@@ -53,7 +53,7 @@ void check(const Params& params) {
 
 namespace {
 
-// The worker's copy of the scene, in its memory.
+// Takes the memory of the worker's copy of the scene.
 void load_scene(Processor& worker, const renderer::Scene& scene) {
   const auto& model = worker.model();
   auto& memory = worker.memory();
@@ -82,22 +82,59 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   Centre centre(machine, scene, params);
   Kernel kernel = make_kernel(model, scene, params);
   const Workers workers =
-      wire_workers(wires, machine, topology, centre.coordinator(),
-                   params.worker_memory.value_or(get_bytes(model, "worker_memory")));
+      wire_workers(wires, machine, topology, centre.coordinator(), worker_memory(model, params));
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
-    kernels::load_program(*workers.processors[id]);
     load_scene(*workers.processors[id], scene);
     start_worker(wires, workers, id, kernel);
   }
   centre.start(wires, workers);
 
-  observe::Watch unwatched, &watch = params.watch ? *params.watch : unwatched;
-  Result result = centre.take_result(observe::run(machine, watch));
+  Result result = centre.take_result(observe::run(machine, params.watch));
   result.topology = workers.topology;
   result.mean_depth = workers.mean_depth;
-  result.events = watch.events;
+  result.events = machine.events();
   result.kernel_host_s = kernel.ray.host_s() + kernel.block.host_s();
   result.kernel_cycles = kernel.ray.charged() + kernel.block.charged();
+  return result;
+}
+
+std::uint64_t worker_memory(const machine::Model& model, const Params& params) {
+  return params.worker_memory.value_or(get_bytes(model, "worker_memory"));
+}
+
+std::uint64_t database_memory(const machine::Model& model, const Params& params) {
+  return params.database_memory.value_or(get_bytes(model, "database_memory"));
+}
+
+Processor& add_processor(Machine& machine, const std::string& name, std::uint64_t memory,
+                         const char* role) {
+  Processor& processor = machine.add_processor(name, memory, role);
+  kernels::load_program(processor);
+  return processor;
+}
+
+Processor& add_worker(Machine& machine, int number, std::uint64_t memory) {
+  return add_processor(machine, fmt::format("worker{}", number), memory, Role::worker);
+}
+
+void allocate_image(Processor& display, const renderer::Params& image) {
+  display.memory().allocate(get_bytes(display.model(), "pixel") *
+                                static_cast<std::uint64_t>(image.width) *
+                                static_cast<std::uint64_t>(image.height),
+                            "the image", display.now());
+}
+
+Result make_result(Progress& progress, machine::End end) {
+  if (end != machine::End::done) progress.cut();
+  Result result;
+  result.end = end;
+  result.rays = progress.rays;
+  result.time_s = (progress.ended - progress.begun).value;
+  result.setup_s = progress.begun.value;
+  result.tasks = progress.tasks;
+  result.peak_tasks_in_farm = progress.peak_tasks_in_farm;
+  result.drain_s = (progress.ended - progress.last_task).value;
+  result.use = between(progress.before, progress.after);
   return result;
 }
 

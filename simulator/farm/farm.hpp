@@ -4,56 +4,75 @@
 // first worker's; the workers form any topology, of which a spanning tree is used (figure 4.10).
 #include <optional>
 
-#include "simulator/farm/centre.hpp"
-#include "simulator/observe/use.hpp"
+#include "simulator/farm/coordination.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace farm {
 
+/// What a farm's processors are for, see machine::Processor::role().
+struct Role {
+  static constexpr auto coordinator = "coordinator", worker = "worker", database = "database",
+                        display = "display";
+};
+
 struct Params {
-  renderer::Params image;                               // size, shading and its limits
-  std::vector<Limits> stages = std::vector<Limits>(1);  // of the interactive phase
-  std::vector<Order> script;   // the user's orders; Begin and Quit are added
-  int max_cell = 16;           // pixels, the largest image cell; a power of two
-  std::optional<Block> block;  // a task; none: a task is a ray
-  std::uint64_t seed = 1;      // of the order of cells
-  // Bytes of a message when the scene is sent to the workers, all the way down the tree, and
-  // acknowledged before the first task; 0: they have it, as in the thesis's measurements.
+  renderer::Params image;                               ///< size, shading and its limits
+  std::vector<Limits> stages = std::vector<Limits>(1);  ///< of the interactive phase
+  std::vector<Order> script;   ///< the user's orders; Begin and Quit are added
+  int max_cell = 16;           ///< pixels, the largest image cell; a power of two
+  std::optional<Block> block;  ///< a task; without it a task is a ray
+  std::uint64_t seed = 1;      ///< for the order of cells
+  /// Bytes of a message when the scene is sent to the workers, all the way down the tree, and
+  /// acknowledged before the first task; 0: they have it, as in the thesis's measurements.
   std::uint32_t scene_message = 0;
-  std::optional<std::uint64_t> worker_memory, database_memory;  // bytes; else the model's
-  // Intersections are charged the host time they take, times this; else their counts.
+  std::optional<std::uint64_t> worker_memory, database_memory;  ///< bytes; else the model's
+  /// Intersections are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
-  bool profile = false;             // measure the host time spent in kernels
-  observe::Watch* watch = nullptr;  // its limit and trace, if there is one
+  bool profile = false;             ///< measure the host time spent in kernels
+  observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 
 struct Result {
   renderer::Samples samples;
   std::vector<KeyImage> key_images;
   renderer::RayCounts rays;
-  double time_s = 0;         // from the first task to the last ray shown to be complete
-  double interactive_s = 0;  // of it, the interactive phase
-  double setup_s = 0;        // before: scene sent, initial rays deposited
-  RayStores::Peaks peaks;    // of the database's stores
-  std::uint64_t tasks = 0;   // rays, or blocks
+  double time_s = 0;         ///< from the first task to the last ray shown to be complete
+  double interactive_s = 0;  ///< the interactive phase's part of it
+  double setup_s = 0;        ///< before: scene sent, initial rays deposited
+  RayStores::Peaks peaks;    ///< of the database's stores
+  std::uint64_t tasks = 0;   ///< rays, or blocks
   std::size_t peak_tasks_in_farm = 0;
-  double drain_s = 0;                     // of time_s, after the last task was handed out
-  topologies::Topology topology;          // of the workers, as wired
-  double mean_depth = 0;                  // links from the coordinator to a worker, on average
-  observe::Use use;                       // of processors and links, over time_s
-  machine::End end = machine::End::done;  // else all this is what was measured until then
-  std::uint64_t events = 0;               // simulated
-  machine::Cycles kernel_cycles{};        // that the workers' tasks were charged
-  double kernel_host_s = 0;               // with Params::profile
+  double drain_s = 0;                     ///< part of time_s after the last task was handed out
+  topologies::Topology topology;          ///< of the workers, as wired
+  double mean_depth = 0;                  ///< links from the coordinator to a worker, on average
+  observe::Use use;                       ///< of processors and links, over time_s
+  machine::End end = machine::End::done;  ///< else all this is what was measured until then
+  std::uint64_t events = 0;               ///< simulated
+  machine::Cycles kernel_cycles{};        ///< charged for the workers' tasks
+  double kernel_host_s = 0;               ///< with Params::profile
 };
 
-// Throws base::BadInput naming the field, what was found and what was expected.
+/// Throws base::BadInput naming the field, what was found and what was expected.
 void check(const Params& params);
 
-// Throws base::BadInput for a topology whose root cannot be joined to the coordinator, and
-// machine::Fault.
+/// Throws base::BadInput for a topology whose root cannot be joined to the coordinator, and
+/// machine::Fault.
 Result run_farm(const machine::Model& model, const topologies::Topology& workers,
                 const renderer::Scene& scene, const Params& params);
+
+// The parts that farms of every kind have.
+
+std::uint64_t worker_memory(const machine::Model& model, const Params& params);    ///< bytes
+std::uint64_t database_memory(const machine::Model& model, const Params& params);  ///< bytes
+/// Adds a processor and takes the program's part of its memory.
+machine::Processor& add_processor(machine::Machine& machine, const std::string& name,
+                                  std::uint64_t memory, const char* role);
+/// Adds the processor "workerN", N from 1 on.
+machine::Processor& add_worker(machine::Machine& machine, int number, std::uint64_t memory);
+/// Takes the image's part of the display's memory.
+void allocate_image(machine::Processor& display, const renderer::Params& image);
+/// What the coordination has measured of a run that has ended, or has been cut short.
+Result make_result(Progress& progress, machine::End end);
 
 }  // namespace farm

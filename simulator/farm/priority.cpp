@@ -3,20 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/random.hpp"
+
 namespace farm {
-
-namespace {
-
-// A counter-based generator: the random number of a sample depends on the seed and the sample
-// only. (SplitMix64, G. Steele et al. 2014.)
-std::uint64_t random_at(std::uint64_t seed, std::uint64_t counter) {
-  std::uint64_t z = seed + (counter + 1) * 0x9E3779B97F4A7C15u;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
 
 int Cells::size_of(std::uint32_t sample) const {
   const std::uint32_t w = static_cast<std::uint32_t>(width);
@@ -51,14 +40,14 @@ std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x) {
       const auto sample = static_cast<std::uint32_t>(y * params.width + x);
-      order.emplace_back(-cells.size_of(sample), random_at(seed, sample), sample);
+      order.emplace_back(-cells.size_of(sample), base::random_at(seed, sample), sample);
     }
   std::ranges::sort(order);
   std::vector<renderer::Ray> rays;
   rays.reserve(order.size());
   for (const auto& [cell, random, sample] : order) {
     const int s = static_cast<int>(sample);
-    rays.push_back(renderer::make_primary(scene, params, s % params.width, s / params.width));
+    rays.push_back(renderer::make_primary(scene.view, params, s % params.width, s / params.width));
   }
   return rays;
 }

@@ -63,7 +63,7 @@ shared_memory::DataParams make_data_params(const SharedParams& data, const Scene
   return params;
 }
 
-// The coordinator before the workers, all numbers one higher.
+// The topology with the coordinator before the workers, whose numbers are one higher.
 topologies::Topology join_coordinator(const topologies::Topology& workers) {
   topologies::Topology joined;
   joined.name = workers.name;
@@ -80,7 +80,7 @@ topologies::Topology join_coordinator(const topologies::Topology& workers) {
   return joined;
 }
 
-// Room for all that can be on its way: of each worker a request or its reply, and blocks.
+// There is room for all that can be on its way: a request or its reply and blocks of each worker.
 network::Params make_network_params(const machine::Model& model, const Params& farm,
                                     const SharedParams& data,
                                     const shared_memory::Catalogue& catalogue,
@@ -96,17 +96,11 @@ network::Params make_network_params(const machine::Model& model, const Params& f
 
 void add_processors(machine::Machine& machine, const Params& params, int workers) {
   const auto& model = machine.model();
-  const auto& image = params.image;
-  auto& coordinator = machine.add_processor(
-      "coordinator", params.database_memory.value_or(get_bytes(model, "database_memory")));
-  for (int worker = 1; worker <= workers; ++worker)
-    machine.add_processor(fmt::format("worker{}", worker),
-                          params.worker_memory.value_or(get_bytes(model, "worker_memory")));
-  for (const auto& processor : machine.processors()) kernels::load_program(*processor);
-  coordinator.memory().allocate(get_bytes(model, "pixel") *
-                                    static_cast<std::uint64_t>(image.width) *
-                                    static_cast<std::uint64_t>(image.height),
-                                "the image", {});
+  auto& coordinator =
+      add_processor(machine, Role::coordinator, database_memory(model, params), Role::coordinator);
+  for (int number = 1; number <= workers; ++number)
+    add_worker(machine, number, worker_memory(model, params));
+  allocate_image(coordinator, params.image);
 }
 
 class SharedFarm {
@@ -119,7 +113,8 @@ class SharedFarm {
         scene_(scene),
         items_(model, scene),
         data_params_(make_data_params(data, {model, size_of(scene)})),
-        machine_(model, model.software.occam_factor) {
+        machine_(model, model.software.occam_factor),
+        progress_(machine_) {
     add_processors(machine_, params, workers_.processors);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
                      make_network_params(model, params, data, items_.catalogue(), data_params_,
@@ -130,7 +125,6 @@ class SharedFarm {
   SharedResult run();
 
  private:
-  CoordinatorSetup make_coordinator();
   void start();
   Result take_result(machine::End end);
 
@@ -143,18 +137,9 @@ class SharedFarm {
   std::optional<network::Network> network_;
   std::optional<shared_memory::VirtualMemory> memory_;
   std::optional<WorkerSetup> worker_;
-  observe::Use before_, after_;
   renderer::Samples samples_;
-  CoordinationResult coordinated_;
+  Progress progress_;
 };
-
-CoordinatorSetup SharedFarm::make_coordinator() {
-  return {.blocks = make_blocks(params_.image, *params_.block),
-          .workers = workers_.processors,
-          .cost = {machine_.model(), "central", renderer::op_names()},
-          .on_begin = [this] { before_ = observe::collect(machine_); },
-          .on_end = [this] { after_ = observe::collect(machine_); }};
-}
 
 void SharedFarm::start() {
   const auto& model = machine_.model();
@@ -166,7 +151,10 @@ void SharedFarm::start() {
     auto& manager = memory_->manager(id);
     if (id == 0)
       kernels::start(processor, "coordination", machine::Priority::low, [this, &manager] {
-        coordinate(make_coordinator(), manager, samples_, coordinated_);
+        coordinate({.blocks = make_blocks(params_.image, *params_.block),
+                    .workers = workers_.processors,
+                    .cost = {machine_.model(), "central", renderer::op_names()}},
+                   manager, samples_, progress_);
       });
     else
       kernels::start(processor, "application", machine::Priority::low,
@@ -175,36 +163,21 @@ void SharedFarm::start() {
 }
 
 Result SharedFarm::take_result(machine::End end) {
-  using Phase = CoordinationResult::Phase;
-  if (end != machine::End::done && coordinated_.phase != Phase::ended) {
-    after_ = observe::collect(machine_);
-    if (coordinated_.phase == Phase::setup) before_ = after_;
-    coordinated_.cut(machine_.now());
-  }
-  Result result;
-  result.end = end;
+  Result result = make_result(progress_, end);
   result.samples = std::move(samples_);
-  result.rays = coordinated_.rays;
-  result.time_s = (coordinated_.ended - coordinated_.begun).value;
-  result.setup_s = coordinated_.begun.value;
-  result.tasks = coordinated_.tasks;
-  result.peak_tasks_in_farm = coordinated_.peak_tasks_in_farm;
-  result.drain_s = (coordinated_.ended - coordinated_.last_task).value;
   result.topology = workers_;
   for (int id = 1; id <= workers_.processors; ++id)
     result.mean_depth += network_->routing().distance(0, id);
   result.mean_depth /= workers_.processors;
-  result.use = between(before_, after_);
   result.kernel_cycles = worker_->charged;
+  result.events = machine_.events();
   return result;
 }
 
 SharedResult SharedFarm::run() {
   start();
-  observe::Watch unwatched, &watch = params_.watch ? *params_.watch : unwatched;
   SharedResult result;
-  result.farm = take_result(observe::run(machine_, watch));
-  result.farm.events = watch.events;
+  result.farm = take_result(observe::run(machine_, params_.watch));
   result.data = memory_->use();
   result.routers = network_->use();
   result.cache_bytes = data_params_.cache_bytes;

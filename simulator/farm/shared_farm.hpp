@@ -8,18 +8,18 @@
 namespace farm {
 
 struct SharedParams {
-  // Of each worker, in percent of the scene's bytes, up to 100; 0: every worker holds the scene,
-  // which is run_farm. With pages, beside its resident block.
+  /// Each worker's cache in percent of the scene's bytes, up to 100; 0: every worker holds the
+  /// scene, which is run_farm. With pages, the resident block is added to it.
   double cache_percent = 0;
-  double server_cache_percent = 100;  // of the coordinator, with items
+  double server_cache_percent = 100;  ///< the coordinator's cache, with items
   shared_memory::Scheme scheme = shared_memory::Scheme::items;
-  bool in_path = true;        // requests are offered to all on the way
-  bool waiting_queue = true;  // WRQu
-  int page_items = 8;         // in a page
+  bool in_path = true;        ///< requests are offered to all on the way
+  bool waiting_queue = true;  ///< WRQu
+  int page_items = 8;         ///< in a page
   network::Method method = network::Method::green;
 };
 
-// What a scene's records are in number.
+/// Numbers of a scene's records.
 struct SceneSize {
   std::size_t boxes = 0, objects = 0;
 };
@@ -27,22 +27,22 @@ SceneSize size_of(const renderer::Scene& scene);
 
 struct SharedResult {
   Result farm;
-  shared_memory::DataUse data;  // of all managers
+  shared_memory::DataUse data;  ///< of all managers
   network::RouterUse routers;
-  std::uint64_t cache_bytes = 0;  // of a worker
+  std::uint64_t cache_bytes = 0;  ///< of a worker
 };
 
-// Throws base::BadInput naming the field, what was found and what was expected: also for
-// parameters of the farm that say nothing here.
+/// Throws base::BadInput naming the field, what was found and what was expected: also for
+/// parameters of the farm that mean nothing here.
 void check(const machine::Model& model, const SceneSize& scene, const Params& farm,
            const SharedParams& data);
-// Of it, that the farm's task is a block.
+/// The part of it that checks that the farm's task is a block.
 void check_task(const Params& farm);
 
-// Workers have farm.worker_memory; the coordinator, which is display and server too,
-// farm.database_memory. The result has no processors "database" and "display". Throws
-// base::BadInput as `check`, as run_farm and if caches and buffers do not fit the
-// memory; and machine::Fault.
+/// Workers have farm.worker_memory; the coordinator, which is display and server too,
+/// farm.database_memory. The result has no processors "database" and "display". Throws
+/// base::BadInput as `check`, as run_farm and if caches and buffers do not fit the memory; and
+/// machine::Fault.
 SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
                              const renderer::Scene& scene, const Params& farm,
                              const SharedParams& data);

@@ -1,12 +1,13 @@
 #include "simulator/farm/shared_processes.hpp"
 
-#include "simulator/machine/processor.hpp"
-#include "simulator/occam/process.hpp"
+#include "simulator/kernels/placement.hpp"
+#include "simulator/occam/case_of.hpp"
 
 namespace farm {
 
 using network::Address;
 using network::Message;
+using occam::case_of;
 using occam::this_process;
 
 namespace {
@@ -21,8 +22,8 @@ void send(shared_memory::DataManager& manager, Address to, FarmMessage contents,
   manager.client().send(std::move(message));
 }
 
-const auto& read(const Message& message) {
-  return static_cast<const FarmMessage&>(*message.contents).content;
+const FarmMessage& read(const Message& message) {
+  return static_cast<const FarmMessage&>(*message.contents);
 }
 
 }  // namespace
@@ -33,13 +34,13 @@ std::uint64_t block_bytes(std::uint32_t pixel_bytes, const renderer::Area& area)
 }
 
 void coordinate(const CoordinatorSetup& setup, shared_memory::DataManager& manager,
-                renderer::Samples& samples, CoordinationResult& result) {
-  result.begin(setup.on_begin);
+                renderer::Samples& samples, Progress& progress) {
+  progress.begin();
   std::size_t next = 0, in_farm = 0;
   const auto feed = [&](int worker) {
     if (next == setup.blocks.size()) return;
     send(manager, {worker, FARM_PROCESS}, FarmMessage(setup.blocks[next++]), BLOCK_BYTES);
-    result.note_task(++in_farm);
+    progress.note_task(++in_farm);
   };
   for (int block = 0; block < BLOCKS_OF_WORKER; ++block)
     for (int worker = 1; worker <= setup.workers; ++worker) {
@@ -48,16 +49,16 @@ void coordinate(const CoordinatorSetup& setup, shared_memory::DataManager& manag
     }
   while (in_farm > 0) {
     const Message message = manager.serve_at_once();
-    const auto& block = std::get<renderer::Block>(read(message));
+    const auto& block = std::get<renderer::Block>(read(message).content);
     --in_farm;
     feed(message.from.processor);
-    result.rays += block.rays;
+    progress.rays += block.rays;
     renderer::Work work;
     samples.add(block.area.x, block.area.y, block.samples);
     work[renderer::Op::sample_updated] = block.samples.sums.size();
     this_process().charge(setup.cost(work.counts));
   }
-  result.end(setup.on_end);
+  progress.end();
   send(manager, network::make_global(FARM_PROCESS), FarmMessage(Stop{}), TAG_BYTES);
 }
 
@@ -66,26 +67,27 @@ namespace {
 // The block's sums have their place in the worker's memory as long as it needs them.
 renderer::Block render(WorkerSetup& setup, shared_memory::DataManager& manager,
                        const renderer::Area& area) {
-  auto& memory = this_process().processor().memory();
-  const std::uint64_t bytes = block_bytes(setup.pixel_bytes, area);
-  memory.allocate(bytes, "a block of pixels", this_process().now());
-  shared_memory::SceneReader reader(setup.items, manager, setup.cost);
-  auto block = render_block(setup.scene, setup.image, area, reader);
-  reader.charge(block.work);
-  setup.charged += reader.charged();
-  memory.release(bytes);
-  return block;
+  return kernels::with_memory(block_bytes(setup.pixel_bytes, area), "a block of pixels", [&] {
+    shared_memory::SceneReader reader(setup.items, manager, setup.cost);
+    auto block = render_block(setup.scene, setup.image, area, reader);
+    reader.charge(block.work);
+    setup.charged += reader.charged();
+    return block;
+  });
 }
 
 }  // namespace
 
 void work(WorkerSetup& setup, shared_memory::DataManager& manager) {
-  for (;;) {
+  for (bool active = true; active;) {
     const Message message = manager.serve_at_once();
-    const auto* area = std::get_if<renderer::Area>(&read(message));
-    if (!area) return;
-    send(manager, {message.from.processor, FARM_PROCESS},
-         FarmMessage(render(setup, manager, *area)), block_bytes(setup.pixel_bytes, *area));
+    case_of(
+        read(message),
+        [&](const renderer::Area& area) {
+          send(manager, {message.from.processor, FARM_PROCESS},
+               FarmMessage(render(setup, manager, area)), block_bytes(setup.pixel_bytes, area));
+        },
+        [&](const auto&) { active = false; });
   }
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "simulator/farm/farm.hpp"
 #include "simulator/farm/worker.hpp"
 #include "simulator/kernels/placement.hpp"
 #include "topologies/route/routes.hpp"
@@ -66,7 +67,7 @@ Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology&
                                static_cast<double>(topology.processors);
   workers.children = tree.children;
   for (int id = 0; id < topology.processors; ++id)
-    workers.processors.push_back(&machine.add_processor(fmt::format("worker{}", id + 1), memory));
+    workers.processors.push_back(&add_worker(machine, id + 1, memory));
   machine.connect(coordinator, *workers.processors[workers.root]);
   for (const auto& link : topology.links)
     machine.connect(*workers.processors[link.a.processor], *workers.processors[link.b.processor],
@@ -87,7 +88,7 @@ void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& 
   auto& from_application = soft(wires.results, self, "application.out");
   std::vector<Channel<Signal>*> from_sender;
   std::vector<Channel<Task>*> into_sender;
-  std::vector<Channel<Intersection>*> inputs{&from_application};
+  std::vector<Channel<Answer>*> inputs{&from_application};
   auto add_way = [&](Channel<Task>& destination) {
     const Way way = start_sender(wires, self, destination);
     from_sender.push_back(&way.free);

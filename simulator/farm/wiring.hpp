@@ -10,43 +10,44 @@ namespace farm {
 
 struct Kernel;
 
-// The channels of a farm, by what they carry. Deques: references stay valid.
+/// The channels of a farm, by what they carry. Deques: references stay valid.
 struct Wires {
   std::deque<Channel<Signal>> signals;
   std::deque<Channel<Task>> tasks;
-  std::deque<Channel<Intersection>> results;
+  std::deque<Channel<Answer>> results;
 };
 
-// One way out of a data router: a sender that says when it is free, and takes a message then.
+/// One way out of a data router: a sender that says when it is free, and takes a message then.
 struct Way {
   Channel<Signal>& free;
   Channel<Task>& into;
 };
 
-// Starts a sender that feeds `destination`.
+/// Starts a sender that feeds `destination`.
 Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destination);
 
-// The worker processors, joined as the topology says, and the channels along its spanning tree.
+/// The worker processors, joined as the topology says, and the channels along its spanning tree.
 struct Workers {
-  topologies::Topology topology;  // as wired
+  topologies::Topology topology;  ///< as wired
   std::size_t root = 0;
-  double mean_depth = 0;  // links from the coordinator to a worker, on average
+  double mean_depth = 0;  ///< links from the coordinator to a worker, on average
   std::vector<machine::Processor*> processors;
   std::vector<std::vector<int>> children;
-  std::vector<Channel<Task>*> from_left;        // tasks, into each worker
-  std::vector<Channel<Intersection>*> results;  // out of each worker
+  std::vector<Channel<Task>*> from_left;  ///< tasks, into each worker
+  std::vector<Channel<Answer>*> results;  ///< out of each worker
 };
 
-// The topology with a port free at its root, for the coordinator: a root with four links (a torus)
-// gives up the link on its highest port that the machine stays connected without. Throws
-// base::BadInput if there is none.
+/// The topology with a port free at its root, for the coordinator: a root with four links (a torus)
+/// gives up the link on its highest port that the machine stays connected without. Throws
+/// base::BadInput if there is none.
 topologies::Topology free_root_port(topologies::Topology topology);
 
-// The coordinator's link goes to the root's free port.
+/// Adds the workers' processors, each with its program and `memory` bytes, and joins them. The
+/// coordinator's link goes to the root's free port.
 Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
                      machine::Processor& coordinator, std::uint64_t memory);
 
-// Starts the processes of worker `id`.
+/// Starts the processes of worker `id`.
 void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& kernel);
 
 }  // namespace farm

@@ -1,11 +1,14 @@
 #include "simulator/farm/worker.hpp"
 
+#include "simulator/kernels/placement.hpp"
 #include "simulator/occam/alt.hpp"
+#include "simulator/occam/case_of.hpp"
 
 namespace farm {
 
 using namespace occam;
 
+// Figure 4.13.
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination) {
   Task message;
   for (bool active = true; active; active = !message.stop()) {
@@ -15,87 +18,82 @@ void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<T
   }
 }
 
+// Figure 4.14.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender) {
   const std::size_t n_ways_out = from_sender.size();
   std::size_t favourite = 0;
-  Task message{SceneData{}};
-  Signal dummy;
-  while (!message.stop()) {
+  Task message;
+  for (bool active = true; active; active = !message.stop()) {
     in(from_left, message);
-    if (message.is_for_all()) {
+    if (message.is_for_all())
       for (std::size_t i = 0; i < n_ways_out; ++i) {
         in(*from_sender[i]);
         out(*into_sender[i], message);
       }
-      continue;
-    }
-    const std::size_t sender_ready = fair_alt(favourite, from_sender, dummy);
-    out(*into_sender[sender_ready], message);
-    favourite = (favourite + 1) % n_ways_out;
+    else
+      pri_alt(each(from_sender, favourite, [&](std::size_t sender_ready, Signal) {
+        out(*into_sender[sender_ready], message);
+        favourite = (favourite + 1) % n_ways_out;
+      }));
   }
 }
 
-void results_router(std::span<Channel<Intersection>* const> inputs, Channel<Intersection>& output) {
+// Figure 4.12.
+void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output) {
   const std::size_t n_ways_in = inputs.size();
   std::size_t favourite = 0, active = n_ways_in;
-  Intersection message;
-  while (active > 0) {
-    const std::size_t k = fair_alt(favourite, inputs, message);
-    if (message.stop) --active;
-    if (!message.stop || active == 0) out(output, message);
-    favourite = (k + 1) % n_ways_in;
-  }
+  while (active > 0)
+    pri_alt(each(inputs, favourite, [&](std::size_t k, Answer message) {
+      const bool stop = message.stop();
+      if (stop) --active;
+      if (!stop || active == 0) out(output, std::move(message));
+      favourite = (k + 1) % n_ways_in;
+    }));
 }
 
 namespace {
 
-Intersection find_intersection(Kernel& kernel, const renderer::Ray& ray) {
+Answer find_intersection(Kernel& kernel, const renderer::Ray& ray) {
   renderer::Work work;
-  Intersection found = make_intersection(ray);
-  found.hit =
+  const auto hit =
       kernel.ray([&] { return intersect(kernel.scene, ray, kernel.params.traversal, work); }, work);
-  found.size = kernel.bytes.ray + (found.hit ? kernel.bytes.hit : 0);
-  return found;
+  return {Intersection{ray, hit}, kernel.bytes.ray + (hit ? kernel.bytes.hit : 0)};
 }
 
 // The block's sums have their place in the worker's memory as long as it needs them.
-Intersection find_block(Kernel& kernel, const renderer::Area& area) {
-  auto& worker = this_process().processor();
+Answer find_block(Kernel& kernel, const renderer::Area& area) {
   const std::uint64_t bytes =
       kernel.bytes.pixel * static_cast<std::uint64_t>(area.width) * area.height;
-  worker.memory().allocate(bytes, "a block of pixels", this_process().now());
   renderer::Work work;
-  auto block = kernel.block(
-      [&] {
-        auto rendered = render_block(kernel.scene, kernel.params, area);
-        work = rendered.work;
-        return rendered;
-      },
-      work);
-  worker.memory().release(bytes);
-  Intersection found;
-  found.stop = false;
-  found.block = std::make_shared<const renderer::Block>(std::move(block));
-  found.size = BLOCK_BYTES + static_cast<std::uint32_t>(bytes);
-  return found;
+  auto block = kernels::with_memory(bytes, "a block of pixels", [&] {
+    return kernel.block(
+        [&] {
+          auto rendered = render_block(kernel.scene, kernel.params, area);
+          work = rendered.work;
+          return rendered;
+        },
+        work);
+  });
+  return {std::make_shared<const renderer::Block>(std::move(block)),
+          BLOCK_BYTES + static_cast<std::uint32_t>(bytes)};
 }
 
 }  // namespace
 
-void application(Kernel& kernel, Channel<Task>& from_router, Channel<Intersection>& results) {
+void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results) {
   Task task;
-  for (;;) {
+  for (bool active = true; active;) {
     in(from_router, task);
-    if (task.stop()) break;
-    if (const auto* ray = std::get_if<renderer::Ray>(&task.content))
-      out(results, find_intersection(kernel, *ray));
-    else if (const auto* area = std::get_if<renderer::Area>(&task.content))
-      out(results, find_block(kernel, *area));
-    else if (std::get<SceneData>(task.content).is_last)
-      out(results, make_acknowledgement());
+    case_of(
+        task, [&](const renderer::Ray& ray) { out(results, find_intersection(kernel, ray)); },
+        [&](const renderer::Area& area) { out(results, find_block(kernel, area)); },
+        [&](const SceneData& part) {
+          if (part.is_last) out(results, Answer{SceneReceived{}});
+        },
+        [&](Stop) { active = false; });
   }
-  out(results, Intersection{});
+  out(results, Answer{});
 }
 
 }  // namespace farm

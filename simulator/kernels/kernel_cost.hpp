@@ -1,6 +1,6 @@
 #pragma once
-// What a kernel's call costs its processor: its counted operations times their cycles, or the host
-// time it took, scaled.
+// The cost of a kernel's call on its processor: its counted operations times their cycles, or the
+// host time it took, scaled.
 #include <optional>
 
 #include "renderer/scene/work.hpp"
@@ -8,18 +8,19 @@
 
 namespace kernels {
 
-// CPU time of this thread; s.
+/// CPU time of this thread, s.
 double host_cpu_s();
 
 class KernelCost {
  public:
-  // `cycles_per_host_s`: charge host time instead of counts. `profile`: measure it in any case.
+  /// With `cycles_per_host_s` host time is charged instead of counts; with `profile` it is measured
+  /// in any case.
   KernelCost(machine::OperationCosts counted, std::optional<double> cycles_per_host_s, bool profile)
       : counted_(std::move(counted)),
         cycles_per_host_s_(cycles_per_host_s),
         measures_(profile || cycles_per_host_s) {}
 
-  // Calls `kernel`, which counts into `work` what it does, and charges this_process().
+  /// Calls `kernel`, which counts into `work` what it does, and charges this_process().
   template <class Kernel>
   auto operator()(Kernel kernel, const renderer::Work& work) {
     const double start_s = measures_ ? host_cpu_s() : 0;
@@ -28,8 +29,8 @@ class KernelCost {
     return result;
   }
 
-  double host_s() const { return host_s_; }             // of all calls, if it was measured
-  machine::Cycles charged() const { return charged_; }  // for all calls
+  double host_s() const { return host_s_; }             ///< of all calls, if it was measured
+  machine::Cycles charged() const { return charged_; }  ///< for all calls
 
  private:
   void charge(double host_s, const renderer::Work& work);
@@ -41,8 +42,8 @@ class KernelCost {
   machine::Cycles charged_{};
 };
 
-// What finding intersections costs; and all that a shading tree takes: the centre's scale for what
-// the centre does where tasks are rays.
+/// Costs of finding intersections, and of a whole shading tree: its shading has the scale of the
+/// centre, which shades where tasks are rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
 

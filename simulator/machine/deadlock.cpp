@@ -10,9 +10,9 @@ namespace machine {
 
 namespace {
 
-// The processes that have not ended, of processors that run.
+// The processes that have not ended, on processors that run.
 using Blocked = std::map<ProcessId, const Process*>;
-// Whom each of them waits for.
+// The processes that each of them waits for.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {

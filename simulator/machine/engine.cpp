@@ -50,7 +50,7 @@ class KeptSignals {
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
-constexpr std::uint64_t FIRST = 1u << 31;  // the order of what is not asked for as first
+constexpr std::uint64_t FIRST = 1u << 31;  // orders from here on are not asked for as first
 
 struct Event {
   double date;
@@ -63,8 +63,8 @@ struct Event {
 
 }  // namespace
 
-// Two sorts of events: ours, in a heap, and the ends of SimGrid's communications. A round of
-// SimGrid costs more than most of our events, so we run ahead of its clock as far as no
+// There are two sorts of events: ours, in a heap, and the ends of SimGrid's communications. A round
+// of SimGrid costs more than most of our events, so we run ahead of its clock as far as no
 // communication can end (conservative look-ahead), and ask it to wake us where we must stop,
 // unless a communication surely ends before.
 struct Engine::Impl {
@@ -88,7 +88,7 @@ struct Engine::Impl {
     s4u::CommPtr comm;  // under way
     std::uint64_t bytes = 0;
     Callback arrived;
-    bool cut = false;  // what SimGrid still says of it is not heard
+    bool cut = false;  // what SimGrid still tells of it is ignored
   };
   std::vector<Direction> directions;
   std::vector<std::vector<std::size_t>> leaving;  // by processor
@@ -118,8 +118,8 @@ struct Engine::Impl {
     }
   }
 
-  // Our events up to where a communication might end first. What SimGrid's clock has reached is
-  // certain: communications that end there have ended.
+  // Handles our events up to where a communication might end first. What SimGrid's clock has
+  // reached is certain: communications that end there have ended.
   void run_ahead() {
     const double clock = s4u::Engine::get_clock();
     while (!heap.empty() && !stopped &&
@@ -151,7 +151,8 @@ struct Engine::Impl {
     direction.comm->start();
   }
 
-  // When SimGrid's clock has come so far; those of one date in the order they were asked for.
+  // Starts it when SimGrid's clock has come so far; those of one date in the order they were asked
+  // for.
   void start_later(std::size_t number) {
     const bool timer_set = !starts.empty() && starts.back().first == now;
     starts.emplace_back(now, number);

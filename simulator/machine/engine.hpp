@@ -17,11 +17,11 @@
 
 namespace machine {
 
-// "3.32": of the SimGrid that was linked.
+/// Version of the SimGrid that was linked: "3.32".
 std::string simgrid_version();
 
-// What to do at an event: a small function object, copied as plain bytes (std::function costs an
-// allocation or a call to move, millions of times).
+/// What to do at an event: a small function object, copied as plain bytes (std::function costs an
+/// allocation or a call to move, millions of times).
 class Callback {
  public:
   Callback() = default;
@@ -38,15 +38,15 @@ class Callback {
   alignas(8) unsigned char body_[24];
 };
 
-// Ends the simulation of this host process at its next event. May be called by a signal handler.
+/// Ends the simulation of this host process at its next event. May be called by a signal handler.
 void request_stop();
 
 class Engine {
  public:
   using Callback = machine::Callback;
   struct LinkRates {
-    double one_way;    // bytes/s of a direction alone
-    double both_ways;  // bytes/s of both directions together
+    double one_way;    ///< bytes/s of a direction alone
+    double both_ways;  ///< bytes/s of both directions together
   };
 
   Engine();
@@ -54,36 +54,36 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  // Builds the platform; only before run(). Processors are numbered from 0 in order of creation.
+  /// Builds the platform; only before run(). Processors are numbered from 0 in order of creation.
   int add_processor(const std::string& name);
   void add_link(int a, int b, LinkRates rates);
 
   Seconds now() const;
-  // Calls back at simulated time `date` (not before now). Callbacks never nest.
+  /// Calls back at simulated time `date` (not before now). Callbacks never nest.
   void at(Seconds date, Callback callback);
-  // The same, before all that at() has asked for at that instant.
+  /// The same, before all that at() has asked for at that instant.
   void first_at(Seconds date, Callback callback);
-  // Calls back when the event being handled is over, at the same simulated instant.
+  /// Calls back when the event being handled is over, at the same simulated instant.
   void soon(Callback callback);
-  // Moves `bytes` (> 0) over the link from one processor to its neighbour, then calls back. One
-  // message at a time in each direction.
+  /// Moves `bytes` (> 0) over the link from one processor to its neighbour, then calls back. One
+  /// message at a time in each direction.
   void transfer(int from, int to, std::uint64_t bytes, Callback arrived);
-  // What moves over the link, in both directions, never arrives. Nothing may move there any more.
+  /// What moves over the link, in both directions, never arrives. Nothing may move there any more.
   void cut(int a, int b);
 
-  // Runs until no event is left, until the clock would pass `until`, or until stop() or
-  // request_stop(). The clock stays at the last event, or at `until`.
+  /// Runs until no event is left, until the clock would pass `until`, or until stop() or
+  /// request_stop(). The clock stays at the last event, or at `until`.
   enum class End { no_event_left, until, stopped, requested };
   End run(Seconds until);
-  // Called by an event that turns out to be of no use any more: the clock does not stay at it when
-  // the run ends.
+  /// Called by an event that turns out to be of no use any more: the clock does not stay at it when
+  /// the run ends.
   void ignore_event();
-  // After a run: the clock goes back to the last event that was of use.
+  /// After a run: the clock goes back to the last event that was of use.
   void rewind();
-  // Drops all events still to come.
+  /// Drops all events still to come.
   void stop();
-  std::uint64_t handled() const;  // events
-  std::uint64_t asked() const;    // grows with every event that is asked for, while one is handled
+  std::uint64_t handled() const;  ///< events
+  std::uint64_t asked() const;  ///< grows with every event that is asked for, while one is handled
 
  private:
   struct Impl;

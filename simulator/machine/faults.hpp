@@ -1,6 +1,6 @@
 #pragma once
-// Faults of the simulated program, with who and when. The other two kinds of error, bad input and
-// broken invariants, are in base/errors.hpp.
+// Faults of the simulated program, with their place and time. The other two kinds of error, bad
+// input and broken invariants, are in base/errors.hpp.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace machine {
 
-// The simulated program failed: `who` (a process or processor) at simulated time `when`.
+/// The simulated program failed in `who`, a process or processor, at simulated time `when`.
 struct Fault : std::runtime_error {
   Fault(std::string who, Seconds when, const std::string& what)
       : std::runtime_error(what), who(std::move(who)), when(when) {}

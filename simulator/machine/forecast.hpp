@@ -1,6 +1,6 @@
 #pragma once
-// When messages on links can end at the earliest and at the latest: the fluid model of each link by
-// itself. SimGrid, which moves them, decides; the forecast saves asking it too early.
+// Bounds of the dates when messages on links end, by the fluid model of each link by itself.
+// SimGrid, which moves the messages, decides; the forecast saves asking it too early.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,17 +9,16 @@ namespace machine {
 
 class Forecast {
  public:
-  // Rates in bytes/s, of a direction while the other is idle and of both together. Returns the
-  // number of the link's direction there; that of its direction back is one higher.
+  /// Rates in bytes/s: of one direction while the other is idle, and of both together. Returns the
+  /// number of the link's direction there; that of its direction back is one higher.
   std::size_t add_link(double one_way, double both_ways);
 
-  // A message of `bytes` on an idle direction; the message there has ended. Dates in seconds,
-  // ascending.
+  /// A message of `bytes` starts on an idle direction; it ends there. Dates are seconds, ascending.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
 
-  // Bounds of when a message ends, of the one whose bounds are the lowest; infinity without any.
-  // They hold until the next start on its link, which can only make it later.
+  /// The lowest bounds of the end of a message; infinity if there is none. They hold until the next
+  /// start on its link, which can only make them later.
   struct Bounds {
     double earliest, latest;
   };
@@ -35,7 +34,7 @@ class Forecast {
     double since = 0;
     std::array<Way, 2> ways{};
   };
-  // Those whose number is not valid any more are dropped when they come to the top.
+  // Entries whose number is not valid any more are dropped when they come to the top.
   struct Entry {
     Bounds bounds;
     std::size_t direction;

@@ -9,20 +9,20 @@ namespace machine {
 
 struct LinkUse {
   Seconds busy{};
-  std::uint64_t messages = 0, bytes = 0;  // that have arrived
-  std::uint64_t bytes_sent = 0;           // that have been put on the link
-  std::uint64_t bytes_cut = 0;            // of a message that was under way when the link was cut
+  std::uint64_t messages = 0, bytes = 0;  ///< arrived
+  std::uint64_t bytes_sent = 0;           ///< put on the link
+  std::uint64_t bytes_cut = 0;            ///< of a message under way when the link was cut
 };
 
-// What the two directions share: while messages move, the DMA at both ends takes memory cycles from
-// the CPUs.
+/// What the two directions share: while messages move, the DMA at both ends takes memory cycles
+/// from the CPUs.
 class Cable {
  public:
   struct End {
     Processor* processor;
-    std::size_t port;  // 0 to 3
+    std::size_t port;  ///< 0 to 3
   };
-  // `shares`: of the CPU's cycles, while one direction is busy and while both are.
+  /// `shares` of the CPU's cycles: while one direction is busy, and while both are.
   Cable(End a, End b, std::array<double, 2> shares) : ends_{a, b}, shares_(shares) {}
   void begin_transfer() { set(busy_ + 1); }
   void end_transfer() { set(busy_ - 1); }
@@ -32,36 +32,36 @@ class Cable {
   void set(int busy) {
     busy_ = busy;
     for (const End& end : ends_)
-      end.processor->set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
+      end.processor->cpu().set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
   }
   std::array<End, 2> ends_;
   std::array<double, 2> shares_;
   int busy_ = 0;
 };
 
-// One direction.
+/// One direction of a link.
 class LinkDirection {
  public:
-  // `delay`: of every message, in the link switches on the way.
+  /// `delay`: time of every message in the link switches on the way.
   LinkDirection(Engine& engine, Processor& from, Processor& to, std::shared_ptr<Cable> cable,
                 Seconds delay)
       : engine_(engine), from_(from), to_(to), cable_(std::move(cable)), delay_(delay) {}
 
-  // Both processes have been descheduled; calls back when the last byte has been acknowledged.
-  // `channel` is whose message it is; it must live until then.
+  /// Both processes have been descheduled; calls back when the last byte has been acknowledged.
+  /// `channel`, the name of the message's channel, must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
 
   Processor& from() const { return from_; }
   Processor& to() const { return to_; }
-  // Nothing arrives any more, and nothing may be sent; the link's other direction is cut at the
-  // same instant. Returns whether a message was under way: its callback is not called.
+  /// Nothing arrives any more, and nothing may be sent; the link's other direction is cut at the
+  /// same instant. Returns whether a message was under way: its callback is not called.
   bool cut();
   const bool& is_cut() const { return cut_; }
-  bool is_busy() const { return busy_; }  // a message is under way
-  LinkUse use() const;                    // up to now; a message counts when it has arrived
+  bool is_busy() const { return busy_; }  ///< a message is under way
+  LinkUse use() const;                    ///< up to now; a message counts when it has arrived
   std::string name() const { return from_.name() + " > " + to_.name(); }
   void set_observer(Observer* observer) { observer_ = observer; }
-  void flush_observer();  // a message that is still on its way, up to now
+  void flush_observer();  ///< tells of a message that is still on its way, up to now
 
  private:
   void move();
@@ -74,7 +74,8 @@ class LinkDirection {
   Seconds delay_;
   LinkUse use_;
   bool busy_ = false, cut_ = false;
-  Seconds since_{};  // of the transfer under way: its start,
+  // Of the transfer under way.
+  Seconds since_{};
   std::uint64_t bytes_ = 0;
   const std::string* channel_ = nullptr;
   Engine::Callback arrived_;

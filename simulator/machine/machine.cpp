@@ -27,10 +27,10 @@ std::string_view to_string(End end) {
   return names[static_cast<int>(end)];
 }
 
-Processor& Machine::add_processor(std::string name, std::uint64_t memory) {
+Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::string role) {
   const int id = engine_.add_processor(name);
-  processors_.push_back(
-      std::make_unique<Processor>(engine_, model_, id, std::move(name), memory, software_factor_));
+  processors_.push_back(std::make_unique<Processor>(engine_, model_, id, std::move(name), memory,
+                                                    std::move(role), software_factor_));
   ports_.push_back(0);
   return *processors_.back();
 }
@@ -62,7 +62,7 @@ LinkDirection& Machine::link(const Processor& from, const Processor& to) {
 }
 
 void Machine::set_observer(Observer& observer) {
-  for (auto& processor : processors_) processor->set_observer(&observer);
+  for (auto& processor : processors_) processor->set_observer(observer);
   for (auto& link : links_) link->set_observer(&observer);
 }
 
@@ -74,7 +74,7 @@ End Machine::run(Seconds until) {
     if (processor->failure()) std::rethrow_exception(processor->failure());
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
   if (!cut && why != Engine::End::no_event_left) engine_.rewind();  // only old time-outs are left
-  for (const auto& processor : processors_) processor->flush_observer();
+  for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
   for (const auto& link : links_)
@@ -82,6 +82,86 @@ End Machine::run(Seconds until) {
                       link->use().bytes_sent);
   throw_if_deadlocked(*this);
   return End::done;
+}
+
+void Machine::cut_link(Processor& a, Processor& b, Seconds at) {
+  link(a, b);  // throws if there is none
+  plan({at, &a, &b});
+}
+
+void Machine::stop_processor(Processor& processor, Seconds at) { plan({at, &processor, nullptr}); }
+
+void Machine::on_failure(std::function<void(const Failure&)> observer) {
+  failure_observers_.push_back(std::move(observer));
+}
+
+void Machine::plan(const Failure& failure) {
+  if (!(failure.at >= now()))
+    throw base::InvariantBroken(
+        fmt::format("a failure at {} s was asked for at {} s", failure.at.value, now().value));
+  if (runs_until_) return expect(failure);
+  planned_.push_back(failure);
+}
+
+// The failures of one date happen together, before any process can react.
+void Machine::expect(const Failure& failure) {
+  if (failure.at > *runs_until_) return;
+  auto& together = failures_[failure.at];
+  if (together.empty()) engine_.first_at(failure.at, [this] { happen_now(); });
+  together.push_back(failure);
+}
+
+// The event is of use only if it changes what happens: else it does not put off the end.
+void Machine::happen_now() {
+  auto& together = failures_.at(now());
+  bool matters = false;
+  for (std::size_t i = 0; i < together.size(); ++i) {  // an observer may add to them
+    const Failure failure = together[i];
+    matters |= happen(failure);
+  }
+  failures_.erase(now());
+  if (!matters) engine_.ignore_event();
+}
+
+// Everything has ended, no message is under way, and no process is ahead of the clock.
+bool Machine::is_over() const {
+  if (!all_have_ended(*this)) return false;
+  for (const auto& link : links_)
+    if (link->is_busy()) return false;
+  for (const auto& processor : processors_)
+    if (processor->cpu().is_ahead()) return false;
+  return true;
+}
+
+bool Machine::cut_both_ways(LinkDirection& link) {
+  engine_.cut(link.from().id(), link.to().id());
+  const bool there = link.cut(), back = this->link(link.to(), link.from()).cut();
+  return there || back;
+}
+
+// Returns whether the failure changes what happens.
+bool Machine::happen(const Failure& failure) {
+  Processor& a = *failure.a;
+  if (is_over() || (failure.b ? link(a, *failure.b).is_cut() : a.stopped())) return false;
+  const auto asked = engine_.asked();
+  bool matters = false;
+  std::vector<Processor*> ends;  // processors that hear of it
+  if (failure.b) {
+    matters = cut_both_ways(link(a, *failure.b));
+    ends = {&a, failure.b};
+  } else {
+    matters = has_unfinished(a);
+    a.cpu().stop();
+    for (const auto& link : links_) {
+      if (&link->from() != &a || link->is_cut()) continue;
+      matters |= cut_both_ways(*link);
+      ends.push_back(&link->to());
+    }
+  }
+  for (const auto& observer : failure_observers_) observer(failure);
+  for (const Processor* end : ends)
+    for (const auto& process : end->processes()) process->tell_cut();
+  return matters || engine_.asked() != asked;
 }
 
 }  // namespace machine

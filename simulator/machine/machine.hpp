@@ -11,47 +11,49 @@
 
 namespace machine {
 
-// Why a run ended: every process did, its time was up, or the user wanted no more.
+/// Why a run ended: every process did, its time was up, or the user interrupted it.
 enum class End { done, limit, interrupt };
 std::string_view to_string(End end);
 
-// A link was cut, or a processor stopped.
+/// A link was cut, or a processor stopped.
 struct Failure {
   Seconds at;
   Processor* a;
-  Processor* b;  // the link's other end; null: `a` stopped
+  Processor* b;  ///< the link's other end; null if `a` stopped
 };
 
 class Machine {
  public:
-  // `software_factor` multiplies the cycles of occam's channel instructions: 1 is what the data
-  // sheet says they take, model.software.occam_factor what they took the thesis's programs.
+  /// `software_factor` multiplies the cycles of occam's channel instructions: 1 is what the data
+  /// sheet says they take, model.software.occam_factor what they took the thesis's programs.
   explicit Machine(const Model& model, double software_factor = 1)
       : model_(model), software_factor_(software_factor) {}
 
-  // `memory` in bytes.
-  Processor& add_processor(std::string name, std::uint64_t memory);
-  // Joins two processors, through a number of C004 link switches. Throws InvariantBroken beyond
-  // four links a processor, and for a second link between two.
+  /// `memory` in bytes; `role` as Processor::role().
+  Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {});
+  /// Joins two processors, through a number of C004 link switches. Throws InvariantBroken beyond
+  /// four links a processor, and for a second link between two.
   void connect(Processor& a, Processor& b, int switches = 0);
   LinkDirection& link(const Processor& from, const Processor& to);
 
-  // From the date on the link carries nothing, in either direction: a message under way is lost.
-  // For its channels see occam::ChannelBase. A date after the end of the run, or a link that is cut
-  // already: nothing happens. The date must not be over.
+  /// From the date on the link carries nothing, in either direction: a message under way is lost.
+  /// For its channels see occam::ChannelBase. Nothing happens if the date is after the end of the
+  /// run, or the link is cut already. The date must not be over.
   void cut_link(Processor& a, Processor& b, Seconds at);
-  // From the date on none of its processes runs, and all its links are cut. The processes count
-  // neither as ended nor as blocked: the run is done when those of the other processors have ended.
+  /// From the date on none of its processes runs, and all its links are cut. The processes count
+  /// neither as ended nor as blocked: the run is done when those of the other processors have
+  /// ended.
   void stop_processor(Processor& processor, Seconds at);
-  // Calls back at every cut and stop, once the machine is so and before anything else happens at
-  // that instant. (The links of a processor that stops are not told one by one.)
+  /// Calls back at every cut and stop, once the machine is so and before anything else happens at
+  /// that instant. (The links of a processor that stops are not told one by one.)
   void on_failure(std::function<void(const Failure&)> observer);
 
-  // Who is told what processors and links do; before run().
+  /// The observer is told what processors and links do. To be called before run().
   void set_observer(Observer& observer);
 
-  // Runs until no process can do anything, or up to a time limit. Throws what a process threw;
-  // Deadlock, with who waits on which channel, if some have not ended and there was no limit.
+  /// Runs until no process can do anything, or up to a time limit. Throws what a process threw;
+  /// Deadlock, with the channels that processes wait on, if some have not ended and there was no
+  /// limit.
   End run(Seconds until = {std::numeric_limits<double>::infinity()});
 
   Seconds now() const { return engine_.now(); }

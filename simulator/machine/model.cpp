@@ -51,6 +51,11 @@ Cycles get_operation(const Model& model, std::string_view name) {
   return {std::llround(get(model, model.operation, "operation", name))};
 }
 
+Cycles get_compiled(const Model& model, std::string_view name) {
+  const auto cycles = static_cast<double>(get_operation(model, name).value);
+  return {std::llround(cycles * model.software.occam_factor)};
+}
+
 std::string to_text(double value) {
   return value >= 1 && value == std::floor(value) ? fmt::format("{:.0f}", value)
                                                   : fmt::format("{:g}", value);

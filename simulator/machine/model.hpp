@@ -14,17 +14,17 @@
 
 namespace machine {
 
-// What a number rests on. Calibrated entries name the published cells they were fitted to.
+/// What a number rests on. Calibrated entries name the published cells they were fitted to.
 enum class Provenance { datasheet, thesis, calibrated, assumed };
 
 struct Entry {
-  std::string key;      // "link.one_way_rate"
-  double value = 0;     // of the formula too, in this model
-  std::string formula;  // over other entries' keys; empty for a plain number
-  std::string unit;     // "cycles", "bytes/s", ...
+  std::string key;      ///< "link.one_way_rate"
+  double value = 0;     ///< computed, if there is a formula
+  std::string formula;  ///< over other entries' keys; empty for a plain number
+  std::string unit;     ///< "cycles", "bytes/s", ...
   Provenance provenance = Provenance::assumed;
   std::string source;
-  std::string where;  // "my.toml:4: link.one_way_rate"
+  std::string where;  ///< "my.toml:4: link.one_way_rate"
 };
 
 using NamedNumbers = std::map<std::string, double, std::less<>>;
@@ -82,45 +82,46 @@ struct Model {
     double rate;  // bytes/s
   } disk;
 
-  NamedNumbers instruction;  // cycles of an instruction, "instruction.lend"
-  // Cycles of a kernel's operation, "operation.box_test", times the scale of its kernel.
+  NamedNumbers instruction;  ///< cycles of an instruction, "instruction.lend"
+  /// Cycles of a kernel's operation, "operation.box_test", times the scale of its kernel.
   NamedNumbers operation, scale;
-  // Sizes of messages, records and memories, "bytes.ray"; get_bytes throws BadInput on a name
-  // that the model file does not have.
+  /// Sizes of messages, records and memories, "bytes.ray".
   NamedNumbers bytes;
 };
 
+// All throw BadInput for a name that the model does not have.
 std::uint64_t get_bytes(const Model& model, std::string_view name);
-// Throws BadInput on a name that the model does not have.
 Cycles get_instruction(const Model& model, std::string_view name);
-Cycles get_operation(const Model& model, std::string_view name);  // the same; without its scale
+Cycles get_operation(const Model& model, std::string_view name);  ///< the same; without its scale
+/// An operation of compiled occam: its cycles times software.occam_factor.
+Cycles get_compiled(const Model& model, std::string_view name);
 
-// `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
-// base = "NAME" holds only what differs from that model. Throws BadInput.
+/// `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
+/// base = "NAME" holds only what differs from that model. Throws BadInput.
 Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
-// The model with some entries set: "link.bit_rate" to a number, or to a formula in quotes, as TOML
-// spells it. They keep their unit, and are assumed by `origin`.
+/// The model with some entries set: "link.bit_rate" to a number, or to a formula in quotes, as TOML
+/// spells it. They keep their unit, and are assumed by `origin`.
 Model override_model(std::string_view name,
                      const std::vector<std::pair<std::string, std::string>>& entries,
                      std::string_view origin);
 std::vector<std::string> builtin_models();
 
-std::string to_text(double value);         // whole numbers in full
-std::string describe(const Model& model);  // a table of every entry
-// A table of the entries whose value, formula, provenance or source differ.
+std::string to_text(double value);         ///< whole numbers in full
+std::string describe(const Model& model);  ///< a table of every entry
+/// A table of the entries whose value, formula, provenance or source differ.
 std::string describe_difference(const Model& a, const Model& b);
 std::string_view to_string(Provenance provenance);
 
-// Turns a kernel's counts of operations into cycles.
+/// Turns a kernel's counts of operations into cycles.
 class OperationCosts {
  public:
-  // `names[i]` is what `counts[i]` counts. Every name must have an entry in the model's
-  // [operation]; `kernel` names the entry of [scale] that multiplies them.
+  /// `names[i]` is what `counts[i]` counts. Every name must have an entry in the model's
+  /// [operation]; `kernel` names the entry of [scale] that multiplies them.
   OperationCosts(const Model& model, std::string_view kernel,
                  std::span<const std::string_view> names);
   Cycles operator()(std::span<const std::uint64_t> counts) const;
-  // From the operation `first` on, take the costs of `other`, which has the same operations.
+  /// From the operation `first` on, takes the costs of `other`, which has the same operations.
   void replace_from(std::size_t first, const OperationCosts& other);
 
  private:

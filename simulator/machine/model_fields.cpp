@@ -10,7 +10,7 @@ namespace machine {
 
 namespace {
 
-// One field of Model: where its value goes and the unit its entry must carry.
+// A field of Model: the place of its value and the unit that its entry must carry.
 struct Field {
   const char* key;
   const char* unit;
@@ -123,7 +123,7 @@ const OpenSection* find_open(std::string_view key) {
 
 constexpr double LARGEST = 1e12;  // no entry is larger, in any unit
 
-// What an entry's value may be, beyond being a number.
+// The values that an entry may have.
 struct Range {
   const char* key;
   double low, high;

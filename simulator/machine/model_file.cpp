@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "base/errors.hpp"
 #include "base/formula.hpp"
-#include "base/spelling.hpp"
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
 #include "simulator/machine/builtin_models.hpp"
 #include "simulator/machine/model_fields.hpp"
 
@@ -174,13 +174,7 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
     throw base::BadInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
                                      fmt::join(builtin_models(), ", ")));
   const auto path = folder / std::filesystem::path(name);
-  std::ifstream in{path};
-  const bool readable = in && std::filesystem::is_regular_file(path);
-  const std::string text{
-      readable ? std::istreambuf_iterator<char>(in) : std::istreambuf_iterator<char>(), {}};
-  if (text.empty())
-    throw base::BadInput(fmt::format("{}: the model file cannot be read", path.string()));
-  return parse(text, path.string(), path.parent_path(), inside);
+  return parse(base::read_text(path), path.string(), path.parent_path(), inside);
 }
 
 Model complete(Model model, std::string_view origin) {

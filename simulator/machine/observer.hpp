@@ -1,5 +1,5 @@
 #pragma once
-// Who looks at the machine while it runs: told what its processors and links did, once it is over.
+// An observer of a machine that runs: it is told what processors and links did, once that is over.
 #include <cstdint>
 #include <string>
 
@@ -14,7 +14,7 @@ struct Observer {
   enum class Doing : std::uint8_t { high, low, switching };
 
   virtual ~Observer() = default;
-  // Names a process; processes of one name on one processor share an id, dense from 0.
+  /// Names a process; processes of one name on one processor share an id, dense from 0.
   virtual void name_process(const Processor& on, std::uint32_t id, const std::string& name) = 0;
   virtual void ran(const Processor& on, std::uint32_t id, Doing doing, Seconds from,
                    Seconds to) = 0;

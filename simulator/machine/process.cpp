@@ -16,7 +16,7 @@ namespace machine {
 
 namespace {
 
-const void* scheduler_stack = nullptr;  // of the host, as the sanitizer told it
+const void* scheduler_stack = nullptr;  // the host's, as the sanitizer has told it
 std::size_t scheduler_stack_size = 0;
 
 void leaving([[maybe_unused]] void** kept, [[maybe_unused]] const void* stack,
@@ -35,7 +35,7 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 
 constexpr std::size_t STACK_BYTES = 128 * 1024;  // host memory; pages are touched on use
 
-// Stacks are used again: the branches of a PAR come and go.
+// Stacks are used again, since the branches of a PAR come and go.
 class StackPool {
  public:
   boost::context::stack_context allocate() {
@@ -58,6 +58,7 @@ struct PooledStack {
   boost::context::stack_context allocate() { return stacks.allocate(); }
   void deallocate(boost::context::stack_context& stack) noexcept { stacks.deallocate(stack); }
 };
+
 Process* executing = nullptr;
 ProcessId last_id = 0;
 
@@ -119,7 +120,7 @@ void Process::suspend() {
 }
 
 void Process::sync() {
-  if (debt_.value > 0 || processor_.has_lost_cpu(*this)) suspend();
+  if (debt_.value > 0 || processor_.cpu().is_interrupted(*this)) suspend();
 }
 
 void Process::block(Wait& wait) {
@@ -134,7 +135,7 @@ void Process::block(Wait& wait) {
 Seconds Process::blocked(Wait::Kind kind) const {
   const Seconds over = blocked_[static_cast<std::size_t>(kind)];
   const bool is_under_way = state_ == State::blocked && wait_ && waits_for_ == kind;
-  return is_under_way ? over + std::max(Seconds{}, processor_.lived_until() - blocked_since_)
+  return is_under_way ? over + std::max(Seconds{}, processor_.cpu().lived_until() - blocked_since_)
                       : over;
 }
 

@@ -15,54 +15,56 @@ class Processor;
 
 enum class Priority : std::uint8_t { high, low };
 
-using ProcessId = std::uint64_t;  // never given twice; 0 is nobody's
+using ProcessId = std::uint64_t;  ///< never given twice; 0 is no process
 
-// What a blocked process waits for.
+/// What a blocked process waits for.
 struct Wait {
   enum class Kind : std::uint8_t { other, output, input, alternative };
 
-  virtual std::string describe() const = 0;  // "in on worker3.from.left", if the machine deadlocks
-  // The processes any of which could end the wait, as far as they are known; they may have ended.
+  /// For the report of a deadlock: "in on worker3.from.left".
+  virtual std::string describe() const = 0;
+  /// The processes any of which could end the wait, as far as they are known; they may have ended.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
   virtual Kind kind() const { return Kind::other; }
-  // A link of the processor has been cut. If it is the one that `process` waits for, and it is to
-  // be told, its wait ends.
+  /// A link of the processor has been cut. If `process` waits for that link and is to be told, its
+  /// wait ends.
   virtual void on_cut(Process& process) { static_cast<void>(process); }
 
  protected:
   ~Wait() = default;
 };
 
-// Cycles are charged into a debt, so that a process's own time (now) may be ahead of the clock. The
-// debt is paid when the process blocks, or asks for it (sync). A high-priority process cannot lose
-// the CPU, so its own time is certain: it meets others by time stamps and seldom needs to sync. A
-// low-priority one can lose it at any instant, so it syncs before anything that others could see.
+/// Cycles are charged into a debt, so that a process's own time (now) may be ahead of the clock.
+/// The debt is paid when the process blocks, or asks for it (sync). A high-priority process cannot
+/// lose the CPU, so its own time is certain: it meets others by time stamps and seldom needs to
+/// sync. A low-priority one can lose it at any instant, so it syncs before anything that others
+/// could see.
 class Process {
  public:
   enum class State : std::uint8_t { ready, running, blocked, ended };
   using Body = std::function<void()>;
 
   Process(Processor& processor, std::string name, Priority priority, Body body);
-  ~Process();  // a body that has not ended is unwound
+  ~Process();  ///< a body that has not ended is unwound
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
   // --- called by the process itself ---------------------------------------------------------
-  // Spends cycles; simulated time passes at the next sync or block.
+  /// Spends cycles; simulated time passes at the next sync or block.
   void charge(Cycles cycles) { debt_ += cycles; }
-  // Pays the debt: on return the clock has reached this process's own time and it has the CPU.
+  /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
   void sync();
   void sync_if_low() {
     if (priority_ == Priority::low) sync();
   }
-  // The same before others are met: of a high process where it is so much that the speed of the
-  // CPU, which the links' DMA changes, is not certain so far ahead.
+  /// The same before it meets others: a high process syncs if it owes so much that the speed of the
+  /// CPU, which the links' DMA changes, is not certain so far ahead.
   void sync_if_long() {
     if (priority_ == Priority::low || debt_ > LONG_DEBT) sync();
   }
-  // Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
+  /// Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(Wait& wait);
-  // The process's own time: the clock plus its debt.
+  /// The process's own time: the clock plus its debt.
   Seconds now() const;
 
   Processor& processor() { return processor_; }
@@ -71,39 +73,40 @@ class Process {
   const std::string& name() const { return name_; }
   Priority priority() const { return priority_; }
   State state() const { return state_; }
-  // A server runs for ever: when all other processes have ended and it waits for input, the run is
-  // done.
+  /// A server runs for ever: when all other processes have ended and it waits for input, the run is
+  /// done.
   void set_server() { is_server_ = true; }
   bool is_server() const { return is_server_; }
-  // Counts the times it has blocked: tells one wait from the next.
+  /// The number of times it has blocked, which tells one wait from the next.
   std::uint64_t waits() const { return waits_; }
-  const Wait* wait() const { return wait_; }  // of a blocked process; null before its start
-  // Tells a blocked process that a link has been cut.
+  const Wait* wait() const { return wait_; }  ///< of a blocked process; null before its start
+  /// Tells a blocked process that a link has been cut.
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);
   }
-  // From now on the blocked process waits for something else.
+  /// From now on the blocked process waits for something else.
   void wait_instead_for(Wait& wait) { wait_ = &wait; }
-  Seconds blocked_since() const { return blocked_since_; }  // in its last wait, by its own time
-  // How long it has been blocked so far in waits of this kind, the one under way included.
+  Seconds blocked_since() const { return blocked_since_; }  ///< in its last wait, its own time
+  /// How long it has been blocked so far in waits of this kind, the one under way included.
   Seconds blocked(Wait::Kind kind) const;
-  std::uint32_t trace_id() const { return trace_id_; }  // see Observer
+  std::uint32_t trace_id() const { return trace_id_; }  ///< see Observer
 
  private:
+  friend class Cpu;
   friend class Processor;
   static constexpr Cycles LONG_DEBT{1000};
-  void resume();   // the scheduler enters the body, until it suspends or ends
-  void suspend();  // the body returns to the scheduler
+  void resume();   // the CPU enters the body, until it suspends or ends
+  void suspend();  // the body returns to the CPU
 
   Processor& processor_;
   ProcessId id_;
   std::string name_;
   Priority priority_;
-  State state_ = State::ready;
+  State state_ = State::blocked;
   Cycles debt_{};
   Seconds ready_at_{};  // when it joined its ready queue
   std::uint64_t waits_ = 0;
-  std::array<Seconds, 4> blocked_{};  // by Wait::Kind, waits that are over
+  std::array<Seconds, 4> blocked_{};  // in waits that are over, by Wait::Kind
   Wait::Kind waits_for_{};
   Seconds blocked_since_{};
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
@@ -115,7 +118,7 @@ class Process {
   const void* stack_ = nullptr;  // lowest address, for the address sanitizer
 };
 
-// The process whose body is executing. Throws InvariantBroken outside of any process.
+/// The process whose body is executing. Throws InvariantBroken outside of any process.
 Process& this_process();
 
 }  // namespace machine

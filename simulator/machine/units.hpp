@@ -1,5 +1,5 @@
 #pragma once
-// Time in its two currencies: simulated seconds and processor cycles. They never mix implicitly.
+// Time in its two units: simulated seconds and processor cycles. They never mix implicitly.
 #include <compare>
 #include <cstdint>
 

@@ -1,6 +1,6 @@
-// Chalmers's method (A. Chalmers, 1991; figure 5.11): one process, which while it sends a message
-// memorises every message that comes. No router ever waits without receiving, so no waiting closes
-// a cycle, as long as there is room. It has one message on its way out at a time.
+// Chalmers's method (A. Chalmers, 1991): one process, which while it sends a message memorises
+// every message that comes. No router ever waits without receiving, so no waiting closes a cycle,
+// as long as there is room. It has one message on its way out at a time.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -10,39 +10,42 @@ namespace {
 
 class Router {
  public:
-  explicit Router(Node& node) : node_(node), inputs_(node) {
+  explicit Router(Node& node) : node_(node), inputs_(node.inputs()) {
     name_ = node.processor->name() + ".to.handle.input";
     sender_ = node.processor->name() + ".send";
   }
 
   void run() {
-    for (;;) {
-      if (buffer_.empty()) {
-        memorise(inputs_.wait());
-        continue;
-      }
-      Waiting next = std::move(buffer_.front());
-      buffer_.pop_front();
-      node_.release(next.message);
-      send(next);
-      for (const int way : next.failed)
-        for (auto& again : node_.send_around(next.message, way)) put(again, NO_WAY);
-    }
+    for (;;)
+      if (buffer_.empty())
+        pri_alt(each(inputs_, favourite_,
+                     [&](std::size_t k, std::optional<Message> y) { memorise(k, std::move(y)); }));
+      else
+        send_next();
   }
 
  private:
   struct Waiting {
     Message message;
     WaysOut ways;
-    std::vector<int> failed = {};  // its link is cut
   };
 
-  // PRI PAR: the message goes out, a GLOBAL one by all its ways at once; all that come meanwhile
-  // are memorised.
-  void send(Waiting& next) {
+  void send_next() {
+    Waiting next = std::move(buffer_.front());
+    buffer_.pop_front();
+    node_.release(next.message);
+    std::vector<int> failed;  // ways whose links have been cut
+    send(next, failed);
+    for (const int way : failed)
+      for (auto& again : node_.send_around(next.message, way)) put(again, NO_WAY);
+  }
+
+  // Figure 5.11, PRI PAR: the message goes out, a GLOBAL one by all its ways at once; meanwhile all
+  // that come are memorised.
+  void send(const Waiting& next, std::vector<int>& failed) {
     Channel<Signal> to_handle_input(name_);
     const auto pass = [&](int way) {
-      if (!node_.pass(way, next.message)) next.failed.push_back(way);
+      if (!node_.pass(way, next.message)) failed.push_back(way);
     };
     const auto pass_all = [&] {
       std::vector<occam::Branch> branches;
@@ -54,26 +57,20 @@ class Router {
         occam::par(branches);
       out(to_handle_input, Signal{});
     };
+    const auto memorise_all = [&] {
+      Signal dummy;
+      for (bool sending = true; sending;)
+        pri_alt(when(to_handle_input, dummy, [&] { sending = false; }),
+                each(inputs_, favourite_,
+                     [&](std::size_t k, std::optional<Message> y) { memorise(k, std::move(y)); }));
+    };
     occam::par({{sender_, machine::Priority::high, pass_all},
-                {"", machine::Priority::high, [&] { memorise_while_sending(to_handle_input); }}});
+                {"", machine::Priority::high, memorise_all}});
   }
 
-  void memorise_while_sending(Channel<Signal>& to_handle_input) {
-    std::array<Guard, WAYS + 1> guards;
-    for (;;) {
-      guards[0] = Guard(&to_handle_input);
-      for (std::size_t i = 0; i < inputs_.count(); ++i) guards.at(i + 1) = inputs_.guard(i);
-      const std::size_t chosen = occam::select({guards.data(), inputs_.count() + 1});
-      if (chosen == 0) break;
-      const int way = inputs_.way(chosen - 1);
-      inputs_.next_turn();
-      memorise(way);
-    }
-    in(to_handle_input);
-  }
-
-  void memorise(int way) {
-    if (auto message = node_.take(way)) put(std::move(*message), way);
+  void memorise(std::size_t k, std::optional<Message> message) {
+    favourite_ = (favourite_ + 1) % inputs_.size();
+    if (message) put(std::move(*message), inputs_[k].way);
   }
 
   void put(Message message, int came_by) {
@@ -86,7 +83,8 @@ class Router {
   }
 
   Node& node_;
-  FairInputs inputs_;
+  const std::vector<WayIn> inputs_;
+  std::size_t favourite_ = 0;
   std::string name_, sender_;
   std::deque<Waiting> buffer_;
 };

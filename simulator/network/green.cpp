@@ -10,32 +10,26 @@ namespace {
 
 class Router {
  public:
-  explicit Router(Node& node) : node_(node), inputs_(node) {
+  explicit Router(Node& node) : node_(node), inputs_(node.inputs()) {
     for (const int way : node.ways()) {
       const bool to_lower = way < CLIENT && node.routing->neighbour(node.id, way) < node.id;
       if (!to_lower && way < CLIENT) continue;
       const auto name = fmt::format("{}.sender{}", node.processor->name(), way);
       auto& sender = senders_.emplace_back(way, name);
       sender_of_[way] = &sender;
+      from_senders_.push_back(&sender.ready_signal);
       start_server(node, fmt::format("sender{}", way), [this, &sender] { send(sender); });
     }
   }
 
+  // Figure 5.14: the senders' protocol goes first, then the inputs in turns.
   void run() {
-    std::array<Guard, 2 * WAYS> guards;
-    const std::size_t n = senders_.size();
-    for (;;) {
-      for (std::size_t k = 0; k < n; ++k) guards.at(k) = Guard(&senders_[k].ready_signal);
-      for (std::size_t i = 0; i < inputs_.count(); ++i) guards.at(n + i) = inputs_.guard(i);
-      const std::size_t chosen = occam::select({guards.data(), n + inputs_.count()});
-      if (chosen < n) {
-        serve(senders_[chosen]);
-      } else {
-        const int way = inputs_.way(chosen - n);
-        inputs_.next_turn();
-        if (auto message = node_.take(way)) route(std::move(*message), way);
-      }
-    }
+    for (std::size_t favourite = 0;;)
+      pri_alt(each(from_senders_, 0, [&](std::size_t k, Signal) { serve(senders_[k]); }),
+              each(inputs_, favourite, [&](std::size_t i, std::optional<Message> message) {
+                favourite = (favourite + 1) % inputs_.size();
+                if (message) route(std::move(*message), inputs_[i].way);
+              }));
   }
 
  private:
@@ -47,7 +41,7 @@ class Router {
     Channel<Handed> into;
     std::deque<Message> fifo;
     bool ready = false;
-    std::vector<Message> failed;  // that it could not send: its link is cut
+    std::vector<Message> failed;  // it could not send them: its link is cut
   };
 
   // Figure 5.13.
@@ -59,9 +53,8 @@ class Router {
     }
   }
 
-  // The sender has sent: the next of its FIFO, if there is one.
+  // The sender is ready for the next message of its FIFO, if there is one.
   void serve(Sender& sender) {
-    in(sender.ready_signal);
     for (auto& message : std::exchange(sender.failed, {}))
       for (auto& again : node_.send_around(std::move(message), sender.way)) route(again, NO_WAY);
     sender.ready = sender.fifo.empty();
@@ -73,8 +66,7 @@ class Router {
   }
 
   void route(Message message, int came_by) {
-    if (node_.pointers)
-      occam::this_process().charge(node_.buffer_step + node_.buffer_step);  // taken, given back
+    node_.charge_shared_buffer();
     for (const int way : node_.find_ways_out(message, came_by)) {
       Sender* sender = sender_of_.at(static_cast<std::size_t>(way));
       if (!sender) {
@@ -91,8 +83,9 @@ class Router {
   }
 
   Node& node_;
-  FairInputs inputs_;
+  const std::vector<WayIn> inputs_;
   std::deque<Sender> senders_;
+  std::vector<Channel<Signal>*> from_senders_;
   std::array<Sender*, WAYS> sender_of_{};
 };
 

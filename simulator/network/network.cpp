@@ -1,7 +1,6 @@
 #include "simulator/network/network.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/errors.hpp"
 #include "simulator/network/routers.hpp"
@@ -27,26 +26,22 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   const auto& model = machine.model();
   const std::uint64_t bytes = params.buffers * (params.longest + Message::IDENTIFICATION);
   auto& memory = processor.memory();
-  if (const auto left = memory.size() - memory.used(); bytes > left || params.longest > left)
+  if (const auto left = memory.left(); bytes > left || params.longest > left)
     throw base::BadInput(fmt::format(
         "{}: its router's buffers (program.buffers), {} messages of {} bytes and their "
         "identification, take {} bytes: found a memory with {} bytes left, expected fewer buffers, "
         "shorter messages or more memory",
         processor.name(), params.buffers, params.longest, bytes, left));
   memory.allocate(bytes, "the router's buffers", {});
-  const auto compiled = [&](const char* operation) {
-    const auto cycles = static_cast<double>(get_operation(model, operation).value);
-    return occam::Cycles{std::llround(cycles * model.software.occam_factor)};
-  };
   Node& node = nodes_.emplace_back();
   node.id = id;
   node.processor = &processor;
   node.routing = &routing_;
   node.buffers = params.buffers;
   node.pointers = params.pointers;
-  node.look_up = compiled("route_found");
-  node.fifo_step = compiled("fifo_step");
-  node.buffer_step = compiled("buffer_shared");
+  node.look_up = get_compiled(model, "route_found");
+  node.fifo_step = get_compiled(model, "fifo_step");
+  node.buffer_step = get_compiled(model, "buffer_shared");
   node.copy_setup = get_instruction(model, "move_setup");
   node.copy_word = model.channel.copy_word;
   node.processes = params.processes.empty() ? std::vector{~0U} : params.processes.at(id);
@@ -77,7 +72,7 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
       nodes_[to.processor].link_in[to.port] = &channel;
     }
   }
-  // A service outside of the machine knows at once, and all routers from it.
+  // A service outside of the machine knows of failures at once, and tells all routers.
   machine.on_failure([this, &machine, first](const machine::Failure& failure) {
     const auto number = [first](const machine::Processor* p) { return p->id() - first; };
     if (failure.b) return routing_.cut(number(failure.a), number(failure.b));
@@ -85,41 +80,14 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
       if (link.a.processor == number(failure.a) || link.b.processor == number(failure.a))
         routing_.cut(link.a.processor, link.b.processor);
   });
-  for (Node& node : nodes_) switch (params.method) {
-      case Method::naive:
-        start_naive(node);
-        break;
-      case Method::chalmers:
-        start_chalmers(node);
-        break;
-      case Method::green:
-        start_green(node);
-        break;
-      case Method::acyclic:
-        start_acyclic(node);
-        break;
-    }
+  constexpr void (*START[])(Node&) = {&start_naive, &start_chalmers, &start_green, &start_acyclic};
+  for (Node& node : nodes_) START[static_cast<std::size_t>(params.method)](node);
 }
 
 RouterUse Network::use() const {
   RouterUse sum;
-  for (const Node& node : nodes_) {
-    sum.taken += node.use.taken;
-    sum.passed += node.use.passed;
-    sum.delivered += node.use.delivered;
-    sum.returned += node.use.returned;
-    sum.lost += node.use.lost;
-    sum.most_held = std::max(sum.most_held, node.use.most_held);
-  }
+  for (const Node& node : nodes_) sum += node.use;
   return sum;
-}
-
-int FairInputs::wait() {
-  std::array<Guard, WAYS> guards;
-  for (std::size_t i = 0; i < count(); ++i) guards.at(i) = guard(i);
-  const int chosen = way(occam::select({guards.data(), count()}));
-  next_turn();
-  return chosen;
 }
 
 }  // namespace network

@@ -1,6 +1,6 @@
 #pragma once
 // Any process to any other, over any topology: a router on every processor, and its clients, which
-// know addresses only (5.1.1). How routers avoid deadlock is a method: see deadlock.md.
+// know only addresses (5.1.1). How routers avoid deadlock is a method: see docs/manual/deadlock.md.
 #include <deque>
 #include <memory>
 
@@ -10,29 +10,29 @@
 namespace network {
 
 enum class Method : std::uint8_t {
-  naive,     // takes a message, passes it on, takes the next: for the deadlock
-  chalmers,  // passes one message at a time, and memorises meanwhile all that come (figure 5.11)
-  green,     // senders towards processors of lower numbers, and for clients (5.12 to 5.14)
-  acyclic,   // every link waits for the next, and no chain of those closes (see Routing)
+  naive,     ///< takes a message, passes it on, takes the next: for the deadlock
+  chalmers,  ///< passes one message at a time, and memorises all that come meanwhile (figure 5.11)
+  green,     ///< has senders to processors of lower numbers, and to clients (figures 5.12 to 5.14)
+  acyclic,   ///< every link waits for the next, and no chain of those closes (see Routing)
 };
 
 struct Params {
   Method method = Method::green;
-  bool pointers = true;  // within a processor a pointer is passed, not the message
-  // Messages that a router has room for in its queues, at least 1. Each of its processes that
-  // passes messages has room for one more, beside these.
+  bool pointers = true;  ///< within a processor a pointer is passed, not the message
+  /// Messages that a router has room for in its queues, at least 1. Each of its processes that
+  /// passes messages has room for one more, beside these.
   std::size_t buffers = 64;
-  std::uint64_t longest = 512;  // bytes of the longest message's contents: what a buffer takes
-  // Of each processor, of each of its clients the processes it is, one bit each; at most
-  // MAX_CLIENTS. Empty: one client on each, which is every process.
+  std::uint64_t longest = 512;  ///< bytes of the longest message's contents: what a buffer takes
+  /// For each processor and each of its clients, at most MAX_CLIENTS, the processes that the client
+  /// is, one bit each. Empty: one client on each processor, which is every process.
   std::vector<std::vector<std::uint32_t>> processes;
 };
 
-// What a process of the machine has of the network: its channels into its router and from it.
-// One process uses a client.
+/// The channels that a process of the machine has into its router and from it. One process uses a
+/// client.
 class Client {
  public:
-  // `longest`: bytes of contents that there are buffers for.
+  /// `longest`: bytes of contents that there are buffers for.
   Client(int processor, const std::string& name, bool pointers, std::uint64_t longest)
       : processor_(processor),
         pointers_(pointers),
@@ -41,14 +41,14 @@ class Client {
         from_(name + ".from", occam::Protocol::counted) {}
 
   int processor() const { return processor_; }
-  // `into.router ! message`. `from.processor` is filled in. Throws
-  // base::InvariantBroken for a message longer than Params::longest.
+  /// `into.router ! message`. `from.processor` is filled in. Throws base::InvariantBroken for a
+  /// message longer than Params::longest.
   void send(Message message);
-  // Gives back to the router, as it is, what it has offered (InPathTo).
+  /// Gives back to the router, unchanged, what it has offered (InPathTo).
   void give_back(Message message);
-  // `from.router ? message`
+  /// `from.router ? message`
   Message receive() { return from_.in().message; }
-  // For ALT: wait for a message, then receive() it.
+  /// For ALT.
   Channel<Handed>& from_router() { return from_; }
 
  private:
@@ -61,16 +61,15 @@ class Client {
 
 class Network {
  public:
-  // Joins the machine's processors `first`, `first` + 1, ... as the routing's topology says, and
-  // starts a router on each. The method `acyclic` needs routes that close no cycle: see
-  // make_routing. Throws base::BadInput if buffers and messages do not fit the processors'
-  // memory.
+  /// Joins the machine's processors `first`, `first` + 1, ... as the routing's topology says, and
+  /// starts a router on each. The method `acyclic` needs routes that close no cycle: see
+  /// make_routing. Throws base::BadInput if buffers and messages do not fit the processors' memory.
   Network(machine::Machine& machine, Routing routing, const Params& params, int first = 0);
 
   Client& client(int processor, int number = 0) { return *clients_.at(processor).at(number); }
   const Routing& routing() const { return routing_; }
   const RouterUse& use(int processor) const { return nodes_.at(processor).use; }
-  RouterUse use() const;  // of all: sums, but of most_held the largest
+  RouterUse use() const;  ///< the sum of all
 
  private:
   void make_node(machine::Machine& machine, int id, machine::Processor& processor,
@@ -82,7 +81,7 @@ class Network {
   std::vector<std::vector<std::unique_ptr<Client>>> clients_;
 };
 
-// The routing that a method needs.
+/// The routing that a method needs.
 Routing make_routing(Method method, const topologies::Topology& topology,
                      const topologies::RoutingTable& routes,
                      const std::optional<TreeLinks>& tree = std::nullopt);

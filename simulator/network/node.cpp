@@ -5,18 +5,28 @@
 namespace network {
 
 std::string_view to_string(Returned reason) {
-  switch (reason) {
-    case Returned::no:
-      return "delivered";
-    case Returned::no_processor:
-      return "no such processor";
-    case Returned::no_process:
-      return "no such process there";
-    case Returned::no_route:
-      return "no way is left";
-  }
-  return "";
+  constexpr std::string_view names[] = {"delivered", "no such processor", "no such process there",
+                                        "no way is left"};
+  return names[static_cast<int>(reason)];
 }
+
+RouterUse& RouterUse::operator+=(const RouterUse& other) {
+  taken += other.taken;
+  passed += other.passed;
+  delivered += other.delivered;
+  returned += other.returned;
+  lost += other.lost;
+  most_held = std::max(most_held, other.most_held);
+  return *this;
+}
+
+occam::ChannelBase& channel_of(const WayIn& input) {
+  const Node& node = *input.node;
+  if (input.way < CLIENT) return *node.link_in[input.way];
+  return *node.client_in[input.way - CLIENT];
+}
+
+std::optional<Message> input_from(const WayIn& input) { return input.node->take(input.way); }
 
 std::vector<int> Node::ways() const {
   std::vector<int> ways;
@@ -26,9 +36,10 @@ std::vector<int> Node::ways() const {
   return ways;
 }
 
-occam::ChannelBase& Node::channel_in(int way) const {
-  if (way < CLIENT) return *link_in[way];
-  return *client_in[way - CLIENT];
+std::vector<WayIn> Node::inputs() {
+  std::vector<WayIn> inputs;
+  for (const int way : ways()) inputs.push_back({this, way});
+  return inputs;
 }
 
 std::optional<Message> Node::take(int way) {
@@ -123,6 +134,10 @@ std::vector<Message> Node::send_around(Message message, int way) {
     instead.push_back(std::move(message));
   }
   return instead;
+}
+
+void Node::charge_shared_buffer() const {
+  if (pointers) occam::this_process().charge(buffer_step + buffer_step);
 }
 
 void Node::charge_step(const Message& message) const {

@@ -13,34 +13,36 @@ using topologies::TreeLinks;
 
 class Routing {
  public:
-  enum class Kind { shortest, up_down };  // which routes and trees there are after a link is cut
+  /// The routes and trees that are made after a link is cut.
+  enum class Kind { shortest, up_down };
 
-  // GLOBAL messages go along `tree`, the same for all senders; without one along a breadth-first
-  // tree of each sender.
+  /// GLOBAL messages go along `tree`, the same for all senders; without one along a breadth-first
+  /// tree of each sender.
   Routing(const topologies::Topology& topology, topologies::RoutingTable routes,
           std::optional<TreeLinks> tree = std::nullopt, Kind kind = Kind::shortest);
 
   int processors() const { return routes_.processors; }
   const topologies::Topology& topology() const { return epochs_.back().topology; }
-  // The port of processor `at` on the way to `to`; -1 if they are the same or no way is left.
+  /// The port of processor `at` on the way to `to`; -1 if they are the same or no way is left.
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
   int distance(int from, int to) const { return routes_.distance(from, to); }
   Kind kind() const { return kind_; }
-  double mean_distance() const;  // over all pairs that have a way
-  // Links cut so far. A GLOBAL message keeps to the tree of its epoch, lest someone get it twice.
+  double mean_distance() const;  ///< links, over all pairs that have a way
+  /// Number of links cut so far. A GLOBAL message keeps to the tree of its epoch, so that no
+  /// processor gets it twice.
   std::size_t epoch() const { return epochs_.size() - 1; }
-  // The ports of `at` by which it passes a GLOBAL message of `sender` on, ascending.
+  /// The ports by which `at` passes a GLOBAL message of `sender` on, ascending.
   const std::vector<int>& tree_ports(std::size_t epoch, int sender, int at) const;
-  // The processors that get such a message through `at`, itself first.
+  /// The processors that get such a message through `at`, itself first.
   std::vector<int> below(std::size_t epoch, int sender, int at) const;
-  // Across a link, cut or not; -1 if there was none.
+  /// The processor across the link on a port, cut or not; -1 if there was no link.
   int neighbour(int at, int port) const { return neighbour_[static_cast<std::size_t>(at)][port]; }
 
-  // From now on routes and trees are those of the links that are left.
+  /// From now on routes and trees are those of the links that are left.
   void cut(int a, int b);
 
  private:
-  using Ports = std::vector<std::vector<int>>;  // of each processor
+  using Ports = std::vector<std::vector<int>>;  // by processor
   struct Epoch {
     topologies::Topology topology;  // with the links that are left
     std::optional<TreeLinks> tree;
@@ -54,8 +56,8 @@ class Routing {
   std::vector<std::vector<int>> neighbour_;  // by processor and port
 };
 
-// Routes that close no cycle of waiting links, and the tree for GLOBAL messages that goes with
-// them: `routes` and the root's tree if they close none, else up*/down*.
+/// Routes that close no cycle of waiting links, and the tree for GLOBAL messages that goes with
+/// them: `routes` and the root's tree if they close none, else up*/down*.
 Routing make_acyclic_routing(const topologies::Topology& topology,
                              const topologies::RoutingTable& routes);
 

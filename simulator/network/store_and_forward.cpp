@@ -10,7 +10,6 @@
 namespace network {
 
 using machine::Priority;
-using occam::Guard;
 
 namespace {
 
@@ -26,7 +25,7 @@ Channel<Message>* soft(std::deque<Channel<Message>>& pool, std::string name) {
   return &pool.emplace_back(std::move(name));
 }
 
-// The ways in or out of a processor that has these neighbours.
+// The ways in and out of a processor that has these neighbours.
 std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
   std::vector<int> ways;
   for (const auto& neighbour : around) ways.push_back(neighbour.port);
@@ -73,24 +72,19 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
   }
 }
 
-void StoreAndForward::start_way_out(int id, int way, Channel<Packet>* link) {
+template <class Body>
+void StoreAndForward::start(int id, const char* what, int way, Body body) {
   machine::Processor& processor = *nodes_[id].processor;
-  processor
-      .start(name(processor, "queue", way), Priority::high,
-             [this, id, way] { queue(nodes_[id], way); })
-      .set_server();
-  processor
-      .start(name(processor, "sender", way), Priority::high,
-             [this, id, way, link] { send(nodes_[id], way, link, delivered_[id]); })
-      .set_server();
+  processor.start(name(processor, what, way), Priority::high, std::move(body)).set_server();
+}
+
+void StoreAndForward::start_way_out(int id, int way, Channel<Packet>* link) {
+  start(id, "queue", way, [this, id, way] { queue(nodes_[id], way); });
+  start(id, "sender", way, [this, id, way, link] { send(nodes_[id], way, link, delivered_[id]); });
 }
 
 void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
-  machine::Processor& processor = *nodes_[id].processor;
-  processor
-      .start(name(processor, "receiver", way), Priority::high,
-             [this, id, way, link] { receive(id, way, link); })
-      .set_server();
+  start(id, "receiver", way, [this, id, way, link] { receive(id, way, link); });
 }
 
 int StoreAndForward::way_to(int from, int to) const {
@@ -113,7 +107,7 @@ int StoreAndForward::guards_on_the_way(int from, int to) {
   return guards;
 }
 
-// Of a link, or the entry of the client's packets.
+// The receiver of a link, or without a link the entry of the client's packets.
 void StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   const auto& model = nodes_[id].processor->model();
   const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),
@@ -129,28 +123,21 @@ void StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   }
 }
 
-// PRI ALT: the sender has sent; or the next packet, from each input in turn.
 void StoreAndForward::queue(const Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
-  const std::size_t n = inputs.size();
   std::deque<Pointer> waiting;
-  std::array<Guard, WAYS + 1> guards;
+  std::size_t favourite = 0;
   bool is_free = true;
-  for (std::size_t favourite = 0;;) {
-    guards[0] = Guard(node.sent[way], !is_free);
-    for (std::size_t i = 0; i < n; ++i) guards[i + 1] = Guard(inputs[(favourite + i) % n]);
-    const std::size_t chosen = occam::select({guards.data(), n + 1});
-    if (chosen == 0) {
-      in(*node.sent[way]);
-      is_free = true;
-    } else {
-      const std::size_t input = (favourite + chosen - 1) % n;
-      waiting.push_back(inputs[input]->in());
-      longest_queue_ = std::max(longest_queue_, waiting.size());
-      favourite = (input + 1) % n;
-    }
+  Signal dummy;
+  for (;;) {
+    pri_alt(when(!is_free, *node.sent[way], dummy, [&] { is_free = true; }),
+            each(inputs, favourite, [&](std::size_t input, Pointer packet) {
+              waiting.push_back(packet);
+              longest_queue_ = std::max(longest_queue_, waiting.size());
+              favourite = (input + 1) % inputs.size();
+            }));
     if (is_free && !waiting.empty()) {
       out(*node.to_sender[way], waiting.front());
       waiting.pop_front();

@@ -1,17 +1,15 @@
 #pragma once
-// Any processor to any, itself too, over a topology: packets stored and forwarded along shortest
-// routes.
+// Packets from any processor to any, itself too, stored and forwarded along shortest routes.
 //
 //               links             the processor                        links
 //             ---------> receiver ---.            .--> sender ------------>
 //             ---------> receiver ----+-> queue --'    (of each link
 //   client -- into ----> entry -------'                 and of the client) --> delivered -- client
 //
-// One receiver for each incoming link, so that no link waits for another; a queue without bound for
-// each way out, so that no receiver waits for a link; a sender for each, which tells its queue when
-// it is free. All are at high priority, and pass pointers. The network is free of deadlock, as
-// every receiver always comes back to its link; what a bounded memory would refuse, longest_queue()
-// tells.
+// Each incoming link has a receiver, so that no link waits for another; each way out has a queue
+// without bound, so that no receiver waits for a link, and a sender, which tells its queue when it
+// is free. All are at high priority, and pass pointers. The network is free of deadlock, as every
+// receiver always comes back to its link; longest_queue() tells what a bounded memory would refuse.
 #include <deque>
 #include <vector>
 
@@ -24,14 +22,14 @@ using occam::Channel;
 using occam::Signal;
 
 struct Packet {
-  int from = 0, to = 0;      // processors, as the topology numbers them
-  std::uint64_t length = 0;  // bytes on a link
-  std::uint64_t id = 0;      // the sender's
-  machine::Seconds sent{};   // when its sender had it
+  int from = 0, to = 0;      ///< processors, as the topology numbers them
+  std::uint64_t length = 0;  ///< bytes on a link
+  std::uint64_t id = 0;      ///< free for the sender's use
+  machine::Seconds sent{};   ///< when its sender had it
   std::uint64_t bytes() const { return length; }
 };
 
-// What is passed within a processor.
+/// What is passed within a processor.
 struct Pointer {
   Packet to;
   static constexpr std::uint64_t bytes() { return 4; }
@@ -39,16 +37,16 @@ struct Pointer {
 
 class StoreAndForward {
  public:
-  // Joins the machine's processors `first`, `first` + 1, ... as the topology says, which passes
-  // topologies::check, and starts the routers.
+  /// Joins the machine's processors `first`, `first` + 1, ... as the topology says, which passes
+  /// topologies::check, and starts the routers.
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0);
 
   Channel<Pointer>& into(int processor) { return into_.at(processor); }
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
   const topologies::RoutingTable& routes() const { return routes_; }
-  std::size_t longest_queue() const { return longest_queue_; }  // packets, up to now
-  // The guards of the queues that a packet passes from one processor to another: what an ALT costs
-  // grows with them.
+  std::size_t longest_queue() const { return longest_queue_; }  ///< packets, up to now
+  /// Number of guards in the queues that a packet passes from one processor to another: what an ALT
+  /// costs grows with it.
   int guards_on_the_way(int from, int to);
 
  private:
@@ -62,6 +60,8 @@ class StoreAndForward {
     std::vector<Channel<Signal>*> sent;
     std::vector<Channel<Pointer>*> to_sender;
   };
+  template <class Body>
+  void start(int id, const char* what, int way, Body body);
   void start_way_out(int id, int way, Channel<Packet>* link);
   void start_way_in(int id, int way, Channel<Packet>* link);
   int way_to(int from, int to) const;

@@ -7,16 +7,16 @@
 
 namespace observe {
 
-// One CPU or link direction. A column holds shares of its time: of a CPU, by Trace::Doing; of a
-// link, that of messages, which is the first. The rest is idle.
+/// One CPU or link direction. A column holds shares of its time: a CPU's by Trace::Doing, a link's
+/// share of messages as the first. The rest is idle.
 struct TimelineRow {
   using Shares = std::array<double, 3>;
   std::vector<Shares> columns;
   double busy_s = 0;
 };
 
-// A stretch of a CPU's time that belongs to one process: interrupted for less than a column each
-// time, and for less than two fifths altogether. In columns.
+/// A stretch of a CPU's time, in columns, that belongs to one process: interrupted for less than a
+/// column each time, and for less than two fifths altogether.
 struct TimelineStretch {
   double from, to;
   std::uint32_t process;
@@ -24,11 +24,12 @@ struct TimelineStretch {
 
 struct Timeline {
   std::vector<TimelineRow> cpus;
-  std::vector<std::vector<TimelineStretch>> stretches;  // by CPU, three columns long or more
-  std::vector<TimelineRow> links;  // by Trace's number; without columns if it is not shown
+  std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU, three columns long or more
+  std::vector<TimelineRow> links;  ///< by Trace's number; without columns if it is not shown
 };
 
-// Of the first `processors` of a trace and the directions that leave them and carried anything.
+/// The timeline of the first `processors` of a trace and the directions that leave them and carried
+/// anything.
 Timeline make_timeline(const Trace& trace, std::size_t processors, std::size_t columns);
 
 }  // namespace observe

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "base/text.hpp"
 #include "simulator/observe/timeline.hpp"
 #include "simulator/observe/trace_output.hpp"
 
@@ -18,7 +19,7 @@ constexpr int LEFT = 150, WIDTH = 1380, RIGHT = 70, TOP = 84, BOTTOM = 34;  // p
 constexpr std::size_t MOST_PROCESSORS = 64;
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
 
-// What a row takes, in pixels.
+// Heights of a row, in pixels.
 struct Heights {
   int cpu, link, gap;
 };
@@ -31,7 +32,7 @@ Heights choose_heights(std::size_t processors) {
 
 bool is_first_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-// Characters, of a text in UTF-8.
+// Number of characters of a text in UTF-8.
 std::size_t length_of(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, is_first_byte));
 }
@@ -42,22 +43,6 @@ std::string shorten(const std::string& text, std::size_t length) {
   for (std::size_t characters = 0; end < text.size(); ++end)
     if (is_first_byte(text[end]) && ++characters == length) break;
   return text.substr(0, end) + "…";
-}
-
-std::string escape(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else
-      escaped += code < 0x20 || code == 0x7f ? ' ' : c;
-  }
-  return escaped;
 }
 
 // The distance of marks on the time axis, and their unit.
@@ -99,7 +84,7 @@ class Chart {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
         "{1}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n"
         "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-        LEFT + WIDTH + RIGHT, bottom_ + BOTTOM, escape(trace_.title));
+        LEFT + WIDTH + RIGHT, bottom_ + BOTTOM, base::escape_xml(trace_.title));
     draw_head();
     draw_axis();
     int y = TOP;
@@ -125,7 +110,7 @@ class Chart {
 
   void draw_head() {
     print("<text x=\"{}\" y=\"28\" font-size=\"18\">{}</text>\n", LEFT,
-          escape(shorten(trace_.title, 140)));
+          base::escape_xml(shorten(trace_.title, 140)));
     int x = LEFT;
     const auto sample = [&](const char* colour, std::string_view name) {
       print("<rect x=\"{}\" y=\"42\" width=\"16\" height=\"12\" fill=\"{}\" stroke=\"#999\"/>", x,
@@ -163,7 +148,7 @@ class Chart {
     print("<path d=\"{}\" stroke=\"#ddd\"/>\n", grid);
   }
 
-  // A row's names, and the line that it stands on.
+  // Draws a row's names, and the line that it stands on.
   void draw_frame(int y, int height, const std::string& name, double busy_s, bool is_small) {
     const int size = std::min(is_small ? 9 : 12, height + 1);
     if (size >= 9) {
@@ -171,7 +156,7 @@ class Chart {
           fmt::format("y=\"{}\" text-anchor=\"end\" font-size=\"{}\" fill=\"{}\"",
                       y + height / 2 + size / 3, size, is_small ? "#666" : "#222");
       print("<text x=\"{}\" {}>{}</text>", LEFT - 8, attributes,
-            escape(shorten(name, is_small ? 26 : 20)));
+            base::escape_xml(shorten(name, is_small ? 26 : 20)));
       print("<text x=\"{}\" {}>{:.1f} %</text>\n", LEFT + WIDTH + RIGHT - 8, attributes,
             length_s() > 0 ? 100 * busy_s / length_s() : 0.0);
     }
@@ -179,9 +164,9 @@ class Chart {
           WIDTH);
   }
 
-  // The area below the sum of the kinds of `doing`; one over the other they show each. A column's
-  // height is its share, unless it is the edge of a bar: between an empty and a full column the
-  // height changes within it, as far to the right as leaves the share as it is.
+  // Draws the area below the sum of the kinds of `doing`; drawn over each other, areas show each
+  // kind. A column's height is its share, unless it is the edge of a bar: between an empty and a
+  // full column the height changes within it, as far to the right as leaves the share as it is.
   void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
     const int full = 2 * height;  // levels are in half pixels
@@ -230,7 +215,7 @@ class Chart {
     print("</g>\n");
   }
 
-  // The names of processes where they fit, and a thin line where one begins.
+  // Draws the names of processes where they fit, and a thin line where one begins.
   void draw_stretches(const std::vector<TimelineStretch>& stretches, int height) {
     std::string begins;
     for (const auto& stretch : stretches) {
@@ -239,7 +224,7 @@ class Chart {
       if (height < 20 || stretch.to - stretch.from < 6.0 * static_cast<double>(length_of(name)) + 8)
         continue;
       print("<text x=\"{:.1f}\" y=\"-6\" font-size=\"11\">{}</text>\n", stretch.from + 4,
-            escape(name));
+            base::escape_xml(name));
     }
     if (!begins.empty()) print("<path d=\"{}\" stroke=\"white\" stroke-width=\"0.7\"/>\n", begins);
   }

@@ -19,7 +19,7 @@ std::string quote(std::string_view text) {
   return quoted + '"';
 }
 
-// Numbers of the file. A CPU's track has its process's number, so that it is shown first.
+// The file's numbers. A CPU's track has its process's number, so that it is shown first.
 struct Numbers {
   std::size_t processors;
   std::size_t processor(std::size_t i) const { return i + 1; }
@@ -60,7 +60,7 @@ class ChromeFile {
                pid, tid, quote(name), pid, tid, tid);
   }
 
-  // And a slice as long as the window, so that idle ends of it are shown.
+  // Also writes a slice as long as the window, so that idle ends of it are shown.
   void write_names() {
     for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
       name_process(numbers_.processor(i), i + 1, trace_.processors[i]);
@@ -76,7 +76,7 @@ class ChromeFile {
     out_.print(FMT_COMPILE(",\"name\":{},\"cat\":\"window\"}}"), quote(title));
   }
 
-  // Without its end.
+  // Writes a slice without its closing brace.
   void write_slice(std::size_t pid, std::size_t tid, double from_s, double to_s) {
     const auto from = to_nanoseconds(from_s), length = to_nanoseconds(to_s) - from;
     out_.print(FMT_COMPILE("{{\"ph\":\"X\",\"pid\":{},\"tid\":{},\"ts\":{}.{:03},\"dur\":{}.{:03}"),

@@ -11,19 +11,19 @@
 
 namespace observe {
 
-// base::InvariantBroken for an index out of range, an end before a start, and for what overlaps
-// on one processor or link, or is out of order there, by more than a nanosecond.
+/// Throws base::InvariantBroken for an index out of range, an end before a start, and items of one
+/// processor or link that overlap, or are out of order, by more than a nanosecond.
 void check(const Trace& trace);
 
-// Rounded, so that what touches or does not overlap in seconds keeps doing so.
+/// Rounded: what touches or does not overlap in seconds does so in nanoseconds too.
 inline std::int64_t to_nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-// Text to a stream, a megabyte at a time; whoever is done calls flush().
+/// Writes text to a stream, a megabyte at a time; the rest by flush().
 class TraceOutput {
  public:
   explicit TraceOutput(std::ostream& out) : out_(out) { buffer_.reserve(PIECE + PIECE / 8); }
 
-  // `format` is an FMT_COMPILE(...).
+  /// `format` is an FMT_COMPILE(...).
   template <class Format, class... Args>
   void print(const Format& format, const Args&... args) {
     fmt::format_to(fmt::appender(buffer_), format, args...);

@@ -140,7 +140,7 @@ class PajeFile {
 
   void pass_to(std::int64_t time) { now_ = std::max(now_, time); }
 
-  // A line up to and with its time.
+  // Writes a line up to and with its time.
   void begin(int event) {
     constexpr std::int64_t giga = 1'000'000'000;
     out_.print(FMT_COMPILE("{} {}.{:09} "), event, now_ / giga, now_ % giga);
@@ -204,7 +204,7 @@ class PajeFile {
 
   bool is_cpu(std::size_t lane) const { return lane < trace_.processors.size(); }
 
-  // Of the lane's next event, the start or the end of an item.
+  // The time of the lane's next event, the start or the end of an item.
   std::int64_t time_of(std::size_t lane) const {
     const auto& [items, past] = lanes_[lane];
     const auto time = [&](const auto& item) { return past % 2 ? item.to_s : item.from_s; };

@@ -21,15 +21,7 @@ ProcessRow make_row(const machine::Process& process) {
           process.blocked(Kind::input).value, process.blocked(Kind::alternative).value};
 }
 
-template <class Row>
-const Row& find(const std::vector<Row>& rows, const std::string& name, const char* kind) {
-  const auto found = std::ranges::find(rows, name, &Row::name);
-  if (found == rows.end())
-    throw base::InvariantBroken(fmt::format("no {} is called {}", kind, name));
-  return *found;
-}
-
-// Processes come and go.
+// Processes come and go: those of `before` may have ended, and others have begun.
 void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
   std::unordered_map<machine::ProcessId, const ProcessRow*> known;
   for (const auto& row : before) known[row.id] = &row;
@@ -48,8 +40,8 @@ Use collect(const machine::Machine& machine) {
   Use use{.time_s = machine.now().value, .cpus = {}, .links = {}, .processes = {}};
   for (const auto& processor : machine.processors()) {
     const auto cpu = processor->use();
-    use.cpus.push_back({processor->name(), cpu.busy().value, cpu.busy_high.value, cpu.preemptions,
-                        cpu.dispatches, processor->memory().peak()});
+    use.cpus.push_back({processor->name(), processor->role(), cpu.busy().value, cpu.busy_high.value,
+                        cpu.preemptions, cpu.dispatches, processor->memory().peak()});
     check_busy(processor->name(), cpu.busy().value, use.time_s);
     for (const auto& process : processor->processes()) use.processes.push_back(make_row(*process));
   }
@@ -80,12 +72,16 @@ Use between(const Use& before, const Use& after) {
   return use;
 }
 
-const CpuRow& find_cpu(const Use& use, const std::string& name) {
-  return find(use.cpus, name, "processor");
+const CpuRow* find_role(const Use& use, std::string_view role) {
+  const auto found = std::ranges::find(use.cpus, role, &CpuRow::role);
+  return found == use.cpus.end() ? nullptr : &*found;
 }
 
 const ProcessRow& find_process(const Use& use, const std::string& name) {
-  return find(use.processes, name, "process");
+  const auto found = std::ranges::find(use.processes, name, &ProcessRow::name);
+  if (found == use.processes.end())
+    throw base::InvariantBroken(fmt::format("no process is called {}", name));
+  return *found;
 }
 
 std::uint64_t total_messages(const Use& use) {

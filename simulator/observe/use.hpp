@@ -9,8 +9,8 @@
 namespace observe {
 
 struct CpuRow {
-  std::string name;
-  double busy_s = 0, busy_high_s = 0;  // high: processes of high priority, and switches
+  std::string name, role;              ///< as machine::Processor has them
+  double busy_s = 0, busy_high_s = 0;  ///< high: processes of high priority, and switches
   std::uint64_t preemptions = 0, dispatches = 0;
   std::uint64_t memory_peak_bytes = 0;
 };
@@ -21,26 +21,28 @@ struct LinkRow {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-// What a process waited for. The rest of the time it was executing, or ready to.
+/// What a process waited for. The rest of the time it was executing, or ready to.
 struct ProcessRow {
   machine::ProcessId id = 0;
-  std::string name;  // "coordinator.coordination"; several may have one
-  double output_s = 0, input_s = 0, alternative_s = 0;  // blocked in out, in, ALT
+  std::string name;  ///< "coordinator.coordination"; several may have one
+  double output_s = 0, input_s = 0, alternative_s = 0;  ///< blocked in out, in, ALT
 };
 
 struct Use {
   double time_s = 0;
   std::vector<CpuRow> cpus;
-  std::vector<LinkRow> links;  // two directions each
+  std::vector<LinkRow> links;  ///< two directions each
   std::vector<ProcessRow> processes;
 };
 
-// Everything up to now. Throws base::InvariantBroken if a resource was busier than time allows.
+/// Everything up to now. Throws base::InvariantBroken if a resource was busier than time allows.
 Use collect(const machine::Machine& machine);
-// What happened from `before` to `after`.
+/// What happened from `before` to `after`.
 Use between(const Use& before, const Use& after);
 
-const CpuRow& find_cpu(const Use& use, const std::string& name);
+/// The first processor of a role; null if there is none.
+const CpuRow* find_role(const Use& use, std::string_view role);
+/// Throws base::InvariantBroken for a name that is not there.
 const ProcessRow& find_process(const Use& use, const std::string& name);
 std::uint64_t total_messages(const Use& use);
 std::uint64_t total_bytes(const Use& use);

@@ -12,7 +12,7 @@ using machine::LinkDirection;
 using machine::Processor;
 using machine::Seconds;
 
-// Writes a trace down as it happens.
+// Records a trace while the machine runs.
 class Recorder : public machine::Observer {
  public:
   Recorder(const machine::Machine& machine, Trace& trace, Seconds from) : trace_(trace) {
@@ -49,7 +49,7 @@ class Recorder : public machine::Observer {
     trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
   }
 
-  // What was charged ahead of the end did not happen any more.
+  // Drops what was charged ahead of the end: it did not happen any more.
   void close(Seconds end) {
     trace_.end_s = std::max(end.value, trace_.begin_s);
     std::erase_if(trace_.spans, [&](const auto& s) { return s.from_s >= trace_.end_s; });
@@ -67,7 +67,7 @@ class Recorder : public machine::Observer {
   Trace& trace_;
   std::vector<std::vector<std::uint32_t>> processes_;  // by processor and its own number
   std::map<const LinkDirection*, std::uint32_t> links_;
-  std::map<const std::string*, std::uint32_t> channels_;  // by where their names are
+  std::map<const std::string*, std::uint32_t> channels_;  // by the address of their names
 };
 
 }  // namespace
@@ -88,6 +88,11 @@ machine::End run(machine::Machine& machine, Watch& watch) {
   }
   close();
   return watch.end;
+}
+
+machine::End run(machine::Machine& machine, Watch* watch) {
+  Watch none;
+  return run(machine, watch ? *watch : none);
 }
 
 }  // namespace observe

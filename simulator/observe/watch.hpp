@@ -1,22 +1,25 @@
 #pragma once
-// Running a machine with a limit, and with a trace of what it did.
+// Runs of a machine with a limit, and with a trace of what it did.
 #include "simulator/machine/machine.hpp"
 #include "simulator/observe/trace.hpp"
 
 namespace observe {
 
+/// Limits and records a run.
 struct Watch {
-  machine::Seconds until{std::numeric_limits<double>::infinity()};  // simulated
-  machine::Seconds from{};                                          // simulated; of the trace
-  Trace* trace = nullptr;                                           // filled, if there is one
+  machine::Seconds until{std::numeric_limits<double>::infinity()};  ///< simulated
+  machine::Seconds from{};                                          ///< simulated; of the trace
+  Trace* trace = nullptr;                                           ///< filled, if there is one
 
-  machine::End end = machine::End::done;  // why the run ended, and when
+  machine::End end = machine::End::done;  ///< why the run ended, and when
   machine::Seconds ended{};
-  std::uint64_t events = 0;  // simulated
+  std::uint64_t events = 0;  ///< simulated
 };
 
-// Runs the machine, all of whose processors and links are there, and notes its end in `watch`.
-// Throws what Machine::run throws; the trace is filled all the same.
+/// Runs the machine, all of whose processors and links are there, and notes its end in `watch`.
+/// Throws what Machine::run throws; the trace is filled all the same.
 machine::End run(machine::Machine& machine, Watch& watch);
+/// The same without limit and notes if `watch` is null.
+machine::End run(machine::Machine& machine, Watch* watch);
 
 }  // namespace observe

@@ -37,9 +37,8 @@ bool any_cut(std::span<const Guard> guards) {
   return std::ranges::any_of(guards, [](const Guard& g) { return g.channel && g.channel->cut(); });
 }
 
-// What a deadlock report says of a process that waits for any of these.
-struct Guards : machine::Wait {
-  explicit Guards(std::span<const Guard> guards) : guards(guards) {}
+struct AltWait : machine::Wait {
+  explicit AltWait(std::span<const Guard> guards) : guards(guards) {}
   std::string describe() const override {
     std::string names;
     for (const Guard& guard : guards)
@@ -71,14 +70,14 @@ void wait_for_any(Process& self, std::span<const Guard> guards) {
       self.processor().wake_at(date_of(self, guard.tick), self, self.waits() + 1);
   }
   if (!some_open) throw base::InvariantBroken(self.name() + ": an ALT without an open guard");
-  Guards wait(guards);
+  AltWait wait(guards);
   self.block(wait);
   for (const Guard& guard : guards)
     if (guard.channel) guard.channel->disable();
 }
 
-// The guards are disabled again in order, and the first that is ready when its turn comes is taken.
-// None if the link of the one that was ready has been cut.
+// The guards are disabled again in order, and the first that is ready when its turn comes is taken;
+// none is if the link of the one that was ready has been cut.
 std::optional<std::size_t> choose(const Process& self, std::span<const Guard> guards,
                                   Seconds from) {
   const auto& costs = self.processor().model().alternative;
@@ -93,7 +92,7 @@ std::optional<std::size_t> choose(const Process& self, std::span<const Guard> gu
   throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
 }
 
-// alt, and each guard enabled at its own turn.
+// The cost of alt, and of enabling each guard at its own turn.
 Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Seconds from) {
   const auto& costs = self.processor().model().alternative;
   const double factor = self.processor().software_factor();
@@ -110,8 +109,8 @@ Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Se
 std::size_t select(std::span<const Guard> guards) {
   Process& self = this_process();
   const auto& costs = self.processor().model().alternative;
-  // Whether an output waits is certain only when the clock has reached this process's own time: on
-  // a link it can come from a processor that is not so far yet.
+  // An output on a link can come from a processor whose time is behind this process's own: whether
+  // it waits is certain only when the clock has come so far.
   const bool looks_at_links = std::ranges::any_of(
       guards, [](const Guard& g) { return g.condition && g.channel && g.channel->hard(); });
   auto settle = [&] {

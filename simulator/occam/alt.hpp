@@ -3,20 +3,21 @@
 //
 //   pri_alt(when(from_user, command, [&] { obey(command); }),
 //           when(is_free, from_sender, signal, [&] { ... }),
+//           each(inputs, favourite, [&](std::size_t way, Message message) { ... }),
 //           after(deadline, [&] { ... }),
 //           otherwise(has_work, [&] { ... }));
 //
-// The first ready guard in the order written is taken (PRI ALT); a plain ALT leaves the choice
-// open, so every ALT here is a PRI ALT. Fair selection rotates the order: see fair_alt.
-#include <array>
+// The first ready guard in the order written is taken (PRI ALT). A plain ALT leaves the choice
+// open, so every ALT here is a PRI ALT. Fair selection rotates the order of the inputs of `each`.
+#include <boost/container/small_vector.hpp>
 #include <span>
 
 #include "simulator/occam/channel.hpp"
 
 namespace occam {
 
-// What a guard waits for: an output on a channel, a tick of the timer, or nothing (SKIP), if its
-// condition holds.
+/// What a guard waits for if its condition holds: an output on a channel, a tick of the timer, or
+/// nothing (SKIP).
 struct Guard {
   enum class Kind : std::uint8_t { skip, channel, timer };
 
@@ -34,30 +35,19 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
-  std::int64_t tick = 0;  // ready from then on, as wait_until() counts
+  std::int64_t tick = 0;  ///< the guard is ready from then on, as wait_until() counts
 };
 
-// Waits until a guard is ready, and returns its index; the input is still to be done, with
-// Channel::in(). At least one condition must hold. Source: the instructions alt, enbc, altwt,
-// disc, altend, with timers talt, enbt, taltwt, dist. A guard whose link is cut is never ready; the
-// link of the one chosen can be cut before the input, or during it.
+/// Waits until a guard is ready, and returns its index; the input is still to be done, with
+/// Channel::in(). At least one condition must hold. Source: the instructions alt, enbc, altwt,
+/// disc, altend, with timers talt, enbt, taltwt, dist. A guard whose link is cut is never ready;
+/// the link of the chosen one can be cut before the input, or during it.
 std::size_t select(std::span<const Guard> guards);
 
-constexpr std::size_t MAX_REPLICAS = 8;
+/// The guards of an ALT; more than 16 of them cost the host an allocation.
+using Guards = boost::container::small_vector<Guard, 16>;
 
-// PRI ALT i = favourite FOR n over `channels`, indices taken modulo n: the fair choice. Inputs the
-// message and returns the index of its channel.
-template <class Message>
-std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> channels,
-                     Message& message) {
-  std::array<Guard, MAX_REPLICAS> guards;
-  const std::size_t n = channels.size();
-  for (std::size_t i = 0; i < n; ++i) guards.at(i) = Guard(channels[(favourite + i) % n]);
-  const std::size_t chosen = (favourite + select({guards.data(), n})) % n;
-  message = channels[chosen]->in();
-  return chosen;
-}
-
+/// `channel ? message`, if the condition holds.
 template <class Message, class Then>
 struct InputGuard : Guard {
   Channel<Message>& from;
@@ -69,7 +59,7 @@ struct InputGuard : Guard {
   }
 };
 
-// Then without a message if the link is cut before it is here.
+/// The same; no message is there if the link is cut before all of it has come.
 template <class Message, class Then>
 struct FallibleInputGuard : Guard {
   Channel<Message>& from;
@@ -81,7 +71,7 @@ struct FallibleInputGuard : Guard {
   }
 };
 
-// SKIP and timers: nothing to input.
+/// SKIP and timers: nothing is input.
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
@@ -104,12 +94,12 @@ template <class Message, class Then>
 auto when(Channel<Message>& from, std::optional<Message>& into, Then then) {
   return when(true, from, into, std::move(then));
 }
-// condition & SKIP
+/// condition & SKIP
 template <class Then>
 auto otherwise(bool condition, Then then) {
   return PlainGuard<Then>{Guard(nullptr, condition), std::move(then)};
 }
-// TIMER ? AFTER tick - 1
+/// TIMER ? AFTER tick - 1
 template <class Then>
 auto after(std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, true), std::move(then)};
@@ -119,12 +109,83 @@ auto after(bool condition, std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
-template <class... Guards>
-void pri_alt(Guards&&... guards) {
-  const std::array<Guard, sizeof...(guards)> all{static_cast<const Guard&>(guards)...};
-  const std::size_t chosen = select(all);
-  std::size_t i = 0;
-  ((i++ == chosen ? guards.take() : void()), ...);
+/// How `each` uses an input that is a pointer to a channel. Other kinds of input have functions of
+/// these names in their own namespace; input_from() may return anything.
+template <class Message>
+ChannelBase& channel_of(Channel<Message>* input) {
+  return *input;
+}
+template <class Message>
+Message input_from(Channel<Message>* input) {
+  return input->in();
+}
+
+/// A replicated guard: one for each input.
+template <class Inputs, class Then>
+struct Replicated {
+  const Inputs& inputs;
+  std::size_t favourite;
+  Then then;
+
+  std::size_t size() const { return inputs.size(); }
+  std::size_t index(std::size_t i) const { return (favourite + i) % size(); }
+  void take(std::size_t i) { then(index(i), input_from(inputs[index(i)])); }
+};
+
+/// ALT i = favourite FOR SIZE inputs, indices taken modulo their number: `favourite` is the first
+/// to be looked at. `then` gets the index of the input that was ready, and its message. It costs
+/// what a guard written out for each input does. The inputs, pointers to channels as a rule, stay
+/// where they are until the ALT is over.
+template <class Inputs, class Then>
+auto each(const Inputs& inputs, std::size_t favourite, Then then) {
+  return Replicated<Inputs, Then>{inputs, favourite, std::move(then)};
+}
+
+inline std::size_t add_guards(const Guard& guard, Guards& guards) {
+  guards.push_back(guard);
+  return 1;
+}
+template <class Inputs, class Then>
+std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guards) {
+  for (std::size_t i = 0; i < replicated.size(); ++i)
+    guards.push_back(Guard(&channel_of(replicated.inputs[replicated.index(i)])));
+  return replicated.size();
+}
+
+/// Takes guard number `i` of those that `guard` has added.
+template <class G>
+void take_guard(G& guard, std::size_t i) {
+  if constexpr (std::is_base_of_v<Guard, G>)
+    guard.take();
+  else
+    guard.take(i);
+}
+
+/// Waits until one of the guards is ready, inputs its message and does what it says.
+template <class... Written>
+void pri_alt(Written&&... written) {
+  Guards guards;
+  const std::size_t counts[] = {add_guards(written, guards)...};
+  std::size_t chosen = select({guards.data(), guards.size()}), place = 0;
+  const auto take = [&](auto& guard) {
+    const std::size_t count = counts[place++];
+    if (chosen < count) return take_guard(guard, chosen), true;
+    chosen -= count;
+    return false;
+  };
+  static_cast<void>((take(written) || ...));
+}
+
+/// An ALT over `channels` alone: inputs the message and returns the index of its channel.
+template <class Message>
+std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> channels,
+                     Message& message) {
+  std::size_t chosen = 0;
+  pri_alt(each(channels, favourite, [&](std::size_t i, Message input) {
+    chosen = i;
+    message = std::move(input);
+  }));
+  return chosen;
 }
 
 }  // namespace occam

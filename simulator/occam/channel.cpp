@@ -29,7 +29,7 @@ void ChannelBase::pay(Cycles cost) {
 void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& partner) {
   Process& self = this_process();
   const auto& costs = self.processor().model().channel;
-  users_[side] = self.id();
+  ends_[side].user = self.id();
   const auto copy = [&] {
     return costs.soft_setup + static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
   };
@@ -51,29 +51,31 @@ void ChannelBase::wait(Process& self, Side side, const char* doing) {
 std::string ChannelBase::describe() const { return fmt::format("{} on {}", doing_, name_); }
 
 std::vector<machine::ProcessId> ChannelBase::waits_for() const {
-  const machine::ProcessId partner = users_[waiting_ == writer ? reader : writer];
+  const machine::ProcessId partner = ends_[waiting_ == writer ? reader : writer].user;
   return partner ? std::vector{partner} : std::vector<machine::ProcessId>{};
 }
 
 void ChannelBase::output(std::uint64_t bytes) {
   Process& self = this_process();
-  arrive(writer, bytes, reader_);
+  Party &own = ends_[writer].waiting, &partner = ends_[reader].waiting;
+  arrive(writer, bytes, partner);
   if (cut()) return refuse(self, writer);
-  if (writer_.process) throw base::InvariantBroken("two processes output on channel " + name_);
-  if (reader_.process) return meet(std::exchange(reader_, {}), bytes);
-  writer_ = {&self, self.now()};
+  if (own.process) throw base::InvariantBroken("two processes output on channel " + name_);
+  if (partner.process) return meet(std::exchange(partner, {}), bytes);
+  own = {&self, self.now()};
   bytes_ = bytes;
-  if (alternative_.process) wake_alternative(writer_.since);
+  if (alternative_.process) wake_alternative(own.since);
   wait(self, writer, "out");
 }
 
 void ChannelBase::input() {
   Process& self = this_process();
-  arrive(reader, bytes_, writer_);
+  Party &own = ends_[reader].waiting, &partner = ends_[writer].waiting;
+  arrive(reader, bytes_, partner);
   if (cut()) return refuse(self, reader);
-  if (reader_.process) throw base::InvariantBroken("two processes input on channel " + name_);
-  if (writer_.process) return meet(std::exchange(writer_, {}), bytes_);
-  reader_ = {&self, self.now()};
+  if (own.process) throw base::InvariantBroken("two processes input on channel " + name_);
+  if (partner.process) return meet(std::exchange(partner, {}), bytes_);
+  own = {&self, self.now()};
   wait(self, reader, "in");
 }
 
@@ -90,14 +92,14 @@ void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
     return;
   }
   bytes_ = bytes;
-  ends_[0] = partner.process;
-  ends_[1] = &self;
+  transfer_[0] = partner.process;
+  transfer_[1] = &self;
   const Seconds start = std::max(self.now(), partner.since);
   if (start > processor.now())
     processor.engine().at(start, [this] { start_transfer(); });
   else
     start_transfer();
-  wait(self, ends_[0] == &self ? writer : reader, "transfer");
+  wait(self, reader, "transfer");
 }
 
 void ChannelBase::start_transfer() {
@@ -107,17 +109,18 @@ void ChannelBase::start_transfer() {
 
 void ChannelBase::end_transfer() {
   move_message();
-  for (Process*& end : ends_) {
+  for (Process*& end : transfer_) {
     Process& process = *std::exchange(end, nullptr);
     process.processor().make_ready(process, process.processor().now());
   }
 }
 
 void ChannelBase::enable(Process& process) {
+  const Party& output = ends_[writer].waiting;
   alternative_ = {&process, process.now()};
-  users_[reader] = process.id();
-  alternative_wait_ = process.waits() + 1;                         // the wait about to begin
-  if (writer_.process && !cut()) wake_alternative(writer_.since);  // an output ahead of the clock
+  ends_[reader].user = process.id();
+  alternative_wait_ = process.waits() + 1;                       // the wait about to begin
+  if (output.process && !cut()) wake_alternative(output.since);  // it is ahead of the clock
 }
 
 // An output waits from `at` on. Another guard may wake the process before.
@@ -129,6 +132,67 @@ void ChannelBase::wake_alternative(Seconds at) {
     processor.wake_at(at, waiting, alternative_wait_, &link_->is_cut());
   else if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     processor.make_ready(waiting, at);
+}
+
+// The wait of a process that nothing can wake any more.
+struct ChannelBase::WaitForEver : machine::Wait {
+  WaitForEver(const ChannelBase& channel, Side side) : channel(channel), side(side) {}
+  std::string describe() const override {
+    return fmt::format("{} on {} (link cut)", side == writer ? "out" : "in", channel.name());
+  }
+  Kind kind() const override { return side == writer ? Kind::output : Kind::input; }
+  const ChannelBase& channel;
+  Side side;
+};
+
+machine::Wait& ChannelBase::wait_for_ever(Side side) {
+  auto& wait = ends_[side].for_ever;
+  if (!wait) wait = std::make_shared<WaitForEver>(*this, side);
+  return *wait;
+}
+
+template <class Operation>
+bool ChannelBase::try_to(Side side, Operation operation) {
+  End& end = ends_[side];
+  end.may_fail = true;
+  end.failed = false;
+  operation();
+  end.may_fail = false;
+  return !end.failed;
+}
+
+bool ChannelBase::output_or_fail(std::uint64_t bytes) {
+  return try_to(writer, [&] { output(bytes); });
+}
+
+bool ChannelBase::input_or_fail() {
+  return try_to(reader, [&] { input(); });
+}
+
+// The link was cut before the process came.
+void ChannelBase::refuse(Process& self, Side side) {
+  if (ends_[side].may_fail)
+    ends_[side].failed = true;
+  else
+    self.block(wait_for_ever(side));
+}
+
+// The process waits for its partner, or for the end of a transfer (which may not even have begun,
+// if an end was ahead of the clock). It hears of the cut at its own time.
+void ChannelBase::on_cut(Process& process) {
+  if (!cut()) return;
+  if (std::exchange(transfer_[0], nullptr)) {  // the other end may hear of it too, or have stopped
+    transfer_[1] = nullptr;
+    --use_.messages;
+    use_.bytes -= bytes_;
+  }
+  const Side side = ends_[writer].user == process.id() ? writer : reader;
+  End& end = ends_[side];
+  end.waiting = {};
+  if (!end.may_fail) return process.wait_instead_for(wait_for_ever(side));
+  end.failed = true;
+  machine::Processor& processor = process.processor();
+  processor.make_ready(process, std::max(processor.now(), process.blocked_since()));
 }
 
 }  // namespace occam

@@ -18,12 +18,8 @@ using machine::Cycles;
 using machine::Process;
 using machine::this_process;
 
-// Bytes a message takes on a channel. A message type says so in a member `bytes()`, which may
-// depend on its contents; a signal is one word.
-template <class Message>
-std::uint64_t bytes_of(const Message& message) {
-  return message.bytes();
-}
+/// A message without contents: one word. Every message type says in a member `bytes()` how many
+/// bytes it takes on a channel; they may depend on its contents.
 struct Signal {
   static constexpr std::uint64_t bytes() { return 4; }
 };
@@ -32,7 +28,7 @@ struct ChannelUse {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-// The untyped half: who waits, and what the rendezvous costs.
+/// The untyped half of a channel: which processes wait, and what the rendezvous costs.
 class ChannelBase : machine::Wait {
  public:
   explicit ChannelBase(std::string name) : name_(std::move(name)) {}
@@ -44,47 +40,59 @@ class ChannelBase : machine::Wait {
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
-  // Whether its link has been cut, as far as the clock has come: nothing goes over it any more. A
-  // process that inputs or outputs blocks for ever, unless it does so `_or_fail`; a guard is never
-  // ready.
+  /// Whether the link has been cut, as far as the clock has come: nothing goes over it any more. A
+  /// process that inputs or outputs blocks for ever, unless it does so `_or_fail`; a guard is never
+  /// ready.
   bool cut() const { return link_ && link_->is_cut(); }
 
-  // Who would have to output for an ALT on it to go on; 0 if that is not known.
-  machine::ProcessId last_writer() const { return users_[writer]; }
-  // For ALT. Whether an output is waiting at time `at`.
+  /// The process that would have to output for an ALT on the channel to go on; 0 if that is not
+  /// known.
+  machine::ProcessId last_writer() const { return ends_[writer].user; }
+  /// For ALT: whether an output is waiting at time `at`.
   bool output_waits(machine::Seconds at) const {
-    return writer_.process && writer_.since <= at && !cut();
+    const Party& waiting = ends_[writer].waiting;
+    return waiting.process && waiting.since <= at && !cut();
   }
-  // The process waits in an ALT, since its own time: the next output wakes it.
+  /// For ALT: the next output wakes the process, which waits since its own time.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
 
  protected:
-  // Each returns when the message has been moved (by the end that `move_message` runs in).
+  /// Each returns when the message has been moved; `move_message` has run in one of the two ends.
   void output(std::uint64_t bytes);
   void input();
-  // The same, but false if the link is cut before the message has been moved: at that instant, or
-  // at once. It costs what an operation that has to wait does.
+  /// The same, but they return false if the link is cut before the message has been moved: at that
+  /// instant, or at once. That costs what an operation that has to wait does.
   bool output_or_fail(std::uint64_t bytes);
   bool input_or_fail();
   virtual void move_message() = 0;
   virtual ~ChannelBase() = default;
 
  private:
+  enum Side { writer, reader };
   struct Party {
     Process* process = nullptr;
-    machine::Seconds since{};  // its own time of arrival; may be ahead of the clock
+    machine::Seconds since{};  // own time of its arrival; may be ahead of the clock
   };
-  enum Side { writer, reader };
+  struct End {
+    Party waiting;                // for its partner
+    machine::ProcessId user = 0;  // the process that used this end last, for a deadlock report
+    bool may_fail = false, failed = false;
+    std::shared_ptr<machine::Wait> for_ever = {};  // once the link is cut
+  };
+  struct WaitForEver;
+
   void pay(Cycles cost);
   void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
   std::vector<machine::ProcessId> waits_for() const override;
+  Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
   void on_cut(Process& process) override;
   void refuse(Process& self, Side side);
   machine::Wait& wait_for_ever(Side side);
-  Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
+  template <class Operation>
+  bool try_to(Side side, Operation operation);
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();
@@ -92,23 +100,19 @@ class ChannelBase : machine::Wait {
 
   std::string name_;
   machine::LinkDirection* link_ = nullptr;
-  Party writer_, reader_;                   // waits in output, in input
-  Party alternative_;                       // waits in an ALT with a guard on this channel
-  std::uint64_t alternative_wait_ = 0;      // which of the process's waits that is
-  std::uint64_t bytes_ = 0;                 // of the output that waits or is under way
-  Process* ends_[2] = {};                   // of a transfer under way; else null
-  bool may_fail_[2] = {}, failed_[2] = {};  // by side
-  const char* doing_ = "";            // "in", "out" or "transfer": what its blocked process does
-  machine::ProcessId users_[2] = {};  // who has written and read it last, for a deadlock report
-  Side waiting_ = writer;             // which of them is blocked
+  End ends_[2];                         // by side
+  Party alternative_;                   // waits in an ALT with a guard on this channel
+  std::uint64_t alternative_wait_ = 0;  // the number of that wait among the process's waits
+  std::uint64_t bytes_ = 0;             // of the output that waits or is under way
+  Process* transfer_[2] = {};           // processes of the transfer under way, first come first
+  Side waiting_ = writer;               // the end that has blocked last
+  const char* doing_ = "";              // what its process does: "in", "out" or "transfer"
   ChannelUse use_;
-  struct WaitForEver;
-  std::shared_ptr<machine::Wait> for_ever_[2];  // by side, once its link is cut
 };
 
-// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
-// contents`: first its tag, a byte, and then, if there are any, its contents: two communications;
-// or as a counted array, `channel ! size::message`: first its size, a word of its bytes.
+/// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
+/// contents`, two communications: its tag, a byte, and then its contents, if there are any; or as a
+/// counted array, `channel ! size::message`: first its size, a word of its bytes.
 enum class Protocol : std::uint8_t { simple, variant, counted };
 
 template <class Message>
@@ -119,27 +123,27 @@ class Channel : public ChannelBase {
   Channel(std::string name, machine::LinkDirection& link, Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), link), protocol_(protocol) {}
 
-  // `channel ! message`: blocks until the partner has it. The bytes are those after the tag; those
-  // of a counted array include its size.
+  /// `channel ! message`: blocks until the partner has it. The message's bytes are those after the
+  /// tag; those of a counted array include its size.
   void out(Message message) {
     const Parts parts = prepare(std::move(message));
     if (parts.first > 0) output(parts.first);
     if (parts.first == 0 || parts.rest > 0) output(parts.rest);
   }
-  // The same, but false if the link is cut before the partner has all of it: the partner does not
-  // get it. (InputOrFail and OutputOrFail of occam's library.)
+  /// The same, but false if the link is cut before the partner has all of it: the partner does not
+  /// get it. (InputOrFail and OutputOrFail of occam's library.)
   bool out_or_fail(Message message) {
     const Parts parts = prepare(std::move(message));
     if (parts.first > 0 && !output_or_fail(parts.first)) return false;
     return (parts.first > 0 && parts.rest == 0) || output_or_fail(parts.rest);
   }
-  // `channel ? message`
+  /// `channel ? message`
   Message in() {
     input();
     if (std::exchange(tag_alone_, false)) input();
     return std::move(incoming_);
   }
-  // None if the link is cut before all of the message is here.
+  /// The same; returns nothing if the link is cut before all of the message is here.
   std::optional<Message> in_or_fail() {
     if (!input_or_fail()) return {};
     if (std::exchange(tag_alone_, false) && !input_or_fail()) return {};
@@ -152,15 +156,17 @@ class Channel : public ChannelBase {
   };
   Parts prepare(Message message) {
     outgoing_ = std::move(message);
-    const std::uint64_t bytes = bytes_of(outgoing_);
+    const std::uint64_t bytes = outgoing_.bytes();
     Parts parts{0, bytes};
     if (protocol_ == Protocol::variant) parts.first = 1;
-    if (protocol_ == Protocol::counted) parts = {std::min<std::uint64_t>(4, bytes), bytes};
-    if (protocol_ == Protocol::counted) parts.rest -= parts.first;
+    if (protocol_ == Protocol::counted) {
+      parts.first = std::min<std::uint64_t>(4, bytes);
+      parts.rest = bytes - parts.first;
+    }
     contents_follow_ = parts.first > 0 && parts.rest > 0;
     return parts;
   }
-  // Of a tag or size that contents follow nothing is moved yet.
+  // A tag or size that contents follow moves nothing yet.
   void move_message() override {
     tag_alone_ = std::exchange(contents_follow_, false);
     if (!tag_alone_) incoming_ = std::move(outgoing_);
@@ -171,7 +177,7 @@ class Channel : public ChannelBase {
   Message outgoing_, incoming_;
 };
 
-// The words processes are written in.
+// The words that processes are written in.
 template <class Message>
 void out(Channel<Message>& channel, Message message) {
   channel.out(std::move(message));
@@ -181,7 +187,7 @@ void in(Channel<Message>& channel, Message& message) {
   message = channel.in();
 }
 inline void in(Channel<Signal>& channel) { channel.in(); }
-// False, or none, if the link is cut before the whole message has been moved.
+/// They return false, or nothing, if the link is cut before the whole message has been moved.
 template <class Message>
 [[nodiscard]] bool out_or_fail(Channel<Message>& channel, Message message) {
   return channel.out_or_fail(std::move(message));
@@ -191,9 +197,9 @@ template <class Message>
   return channel.in_or_fail();
 }
 
-// Spends the cycles of instructions of compiled occam, times the machine's software factor.
+/// Spends the cycles of instructions of compiled occam, times the machine's software factor.
 void charge(Cycles instructions);
-// The same for instructions by name, as the model file's [instruction] has them: charge("lend").
+/// The same for an instruction by its name in the model file's [instruction]: charge("lend").
 void charge(std::string_view instruction);
 
 }  // namespace occam

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "simulator/machine/process.hpp"
+#include "simulator/occam/case_of.hpp"
 
 namespace amp {
 
 using network::Message;
+using occam::case_of;
 using radiosity::Shot;
 using renderer::Work;
 
@@ -23,30 +25,27 @@ Application::Application(const Common& common, const Node& node)
 void Application::run() {
   for (bool going = true; going;) {
     send({node_.parent, AMP_PROCESS}, reduce());
-    Message message = wait_message();
-    while (!std::holds_alternative<Shot>(read(message)) && going) {
-      going = obey(message);
-      if (going) message = wait_message();
+    for (bool between_shots = true; between_shots;) {
+      const Message message = wait_message();
+      case_of(
+          read(message),
+          [&](const Shot& shot) {
+            shoot(shot);
+            between_shots = false;
+          },
+          [&](const Show& asked) {
+            send({message.from.processor, AMP_PROCESS}, show(asked));
+          },
+          [&](Stop) { between_shots = going = false; }, [&](const auto&) { keep(message); });
     }
-    if (going) shoot(std::get<Shot>(read(message)));
   }
 }
 
-// What comes between two shots. Returns whether to go on.
-bool Application::obey(const Message& message) {
-  if (const auto* asked = std::get_if<Show>(&read(message)))
-    send({message.from.processor, AMP_PROCESS}, show(*asked));
-  else if (!std::holds_alternative<Stop>(read(message)))
-    keep(message);
-  return !std::holds_alternative<Stop>(read(message));
-}
-
-// What comes from others who are ahead.
+// Keeps what comes early, from processors that are ahead.
 void Application::keep(const Message& message) {
-  if (const auto* candidate = std::get_if<Candidate>(&read(message)))
-    candidates_.push_back(*candidate);
-  else
-    borders_.push_back(message);
+  case_of(
+      read(message), [&](const Candidate& candidate) { candidates_.push_back(candidate); },
+      [&](const auto&) { borders_.push_back(message); });
 }
 
 Candidate Application::reduce() {
@@ -84,7 +83,7 @@ void Application::shoot(const Shot& shot) {
   charged_.emplace_back();
 }
 
-// What others need of its vertices.
+// Sends others what they need of its vertices.
 void Application::give() {
   for (const Border& border : node_.share.out)
     for (std::size_t first = 0; first < border.vertices.size(); first += MessageBytes::MOST) {
@@ -117,7 +116,7 @@ void Application::light(const radiosity::Eye& eye, const radiosity::Patch& sende
     receive_in_centres(eye, sender, radiosity, node_.share.patches, state_, work);
 }
 
-// The same with geometry that may be elsewhere: what is done is charged between accesses.
+// The same with geometry that may be on other processors: work is charged between accesses.
 void Application::shoot_at_shared(const Shot& shot) {
   const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
   Work work;
@@ -129,7 +128,7 @@ void Application::shoot_at_shared(const Shot& shot) {
   work_ += work;
 }
 
-// The vertices from `first` on, as many as a message takes.
+// As many vertices as a message takes.
 Shown Application::show(const Show& asked) const {
   const auto& vertices = node_.share.vertices;
   Shown shown{asked.first, {}};
@@ -147,14 +146,10 @@ void Application::charge(Kernel kernel) {
   work_ += work;
 }
 
-// Of a message's identification, and of the colours that go into it or out of it.
+// Charges a message's identification, and the colours that go into it or out of it.
 void Application::charge_message(Cycles identification, const AmpMessage::Content& content) {
-  std::size_t colours = 0;
-  if (const auto* given = std::get_if<Given>(&content)) colours = given->values.size();
-  if (const auto* shown = std::get_if<Shown>(&content)) colours = shown->values.size();
-  const auto each = common_.colour_copied.value;
-  machine::this_process().charge(
-      {identification.value + each * static_cast<std::int64_t>(colours)});
+  const auto colours = static_cast<std::int64_t>(count_colours(content));
+  machine::this_process().charge(identification + colours * common_.colour_copied);
 }
 
 Message Application::wait_message() {

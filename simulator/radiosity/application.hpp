@@ -1,7 +1,6 @@
 #pragma once
 // The application process of every processor. AMP has a process each for computing, tasks, data and
-// control beside the router (figure 5.3); here they are one, as 5.1 proposes for IIRRA. In each
-// round
+// control beside the router (figure 5.3); here they are one, as 5.1 proposes for IIRRA. A round is
 //
 //   SEQ
 //     SEQ i = 0 FOR children         -- in whatever order they come
@@ -20,43 +19,43 @@ namespace amp {
 
 using machine::Cycles;
 
-// What all processes know.
+/// What all processes know.
 struct Common {
   const radiosity::Mesh& mesh;
   const Params& params;
   MessageBytes bytes;
   machine::OperationCosts costs;
-  std::optional<shared_memory::SceneItems> items;  // where geometry is shared
+  std::optional<shared_memory::SceneItems> items;  ///< where geometry is shared
   int root = 0;
-  Cycles message_made, message_read;  // by an application
-  Cycles colour_copied;               // into a message, or out of it
+  Cycles message_made, message_read;  ///< by an application
+  Cycles colour_copied;               ///< into a message, or out of it
 };
 
-// A processor's place in the tree, and its way to the network.
+/// A processor's place in the tree, and its way to the network.
 struct Node {
-  int id = 0, parent = 0;  // the root's parent is itself
+  int id = 0, parent = 0;  ///< the root's parent is itself
   std::size_t children = 0;
   Share share;
   network::Client* client = nullptr;
-  shared_memory::DataManager* manager = nullptr;  // where geometry is shared
+  shared_memory::DataManager* manager = nullptr;  ///< where geometry is shared
 };
 
 class Application {
  public:
   Application(const Common& common, const Node& node);
   virtual ~Application() = default;
-  // Until it is told to stop.
+  /// The process; returns when it is told to stop.
   virtual void run();
 
   const Node& node() const { return node_; }
   const radiosity::State& state() const { return state_; }
   const renderer::Work& work() const { return work_; }
   double host_s() const { return kernel_.host_s(); }
-  // Of each shot what it was charged for.
+  /// Cycles charged, by shot.
   const std::vector<Cycles>& charged() const { return charged_; }
 
  protected:
-  // The best of its own patches and of all below.
+  /// The best of its own patches and of all below.
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
@@ -65,11 +64,10 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  // of its own vertices and patches
+  radiosity::State state_;  ///< of its own vertices and patches
 
  private:
   Candidate find_best();
-  bool obey(const network::Message& message);
   void shoot_at_shared(const radiosity::Shot& shot);
   Shown show(const Show& asked) const;
   void light(const radiosity::Eye& eye, const radiosity::Patch& sender,
@@ -83,7 +81,7 @@ class Application {
   kernels::KernelCost kernel_;
   renderer::Work work_;
   std::vector<Cycles> charged_{1};
-  // That came before they were waited for: of children, and of who shares vertices.
+  // Messages that came before they were waited for, of children and of those that share vertices.
   std::vector<Candidate> candidates_;
   std::vector<network::Message> borders_;
 };

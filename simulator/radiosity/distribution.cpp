@@ -33,7 +33,7 @@ bool is_facing(const Patch& a, const Patch& b) {
   return dot(a.normal, way) > 0 && dot(b.normal, way) < 0;
 }
 
-// What a patch's vertices have to do in a shot: a test, and where they face the sender a ray. The
+// The work of each patch's vertices in a shot: a test, and if they face the sender a ray. The
 // senders are some patches, evenly chosen.
 std::vector<double> estimate_work(const Mesh& mesh) {
   constexpr std::size_t SENDERS = 64;
@@ -67,7 +67,7 @@ void bisect(const Mesh& mesh, std::span<std::uint32_t> list, std::size_t parts,
   bisect(mesh, list.subspan(middle), parts - half, into);
 }
 
-// Of every face a tile each; who has least takes the next.
+// Each processor gets a tile of every face; the one with least takes the next.
 std::vector<List> tile(const Mesh& mesh, int processors) {
   std::vector<List> lists(static_cast<std::size_t>(processors));
   std::vector<std::size_t> by_load(lists.size());

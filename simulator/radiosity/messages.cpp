@@ -1,6 +1,26 @@
 #include "simulator/radiosity/messages.hpp"
 
+#include <algorithm>
+
+#include "simulator/occam/case_of.hpp"
+
 namespace amp {
+
+namespace {
+
+template <class Part>
+std::size_t colours_of(const Part& part) {
+  if constexpr (requires { part.values; })
+    return part.values.size();
+  else
+    return 0;
+}
+
+}  // namespace
+
+std::size_t count_colours(const AmpMessage::Content& content) {
+  return occam::case_of(content, [](const auto& part) { return colours_of(part); });
+}
 
 Candidate& Candidate::operator+=(const Candidate& other) {
   unshot += other.unshot;
@@ -17,13 +37,10 @@ MessageBytes::MessageBytes(const machine::Model& model)
       colour(get_bytes(model, "colour")) {}
 
 std::uint64_t MessageBytes::of(const AmpMessage::Content& content) const {
-  if (std::holds_alternative<Candidate>(content)) return candidate;
-  if (std::holds_alternative<radiosity::Shot>(content)) return shot;
-  if (const auto* shown = std::get_if<Shown>(&content))
-    return 2 * WORD + shown->values.size() * colour;
-  if (const auto* given = std::get_if<Given>(&content))
-    return 2 * WORD + given->values.size() * colour;
-  return 2 * WORD;
+  return occam::case_of(
+      content, [&](const Candidate&) { return candidate; },
+      [&](const radiosity::Shot&) { return shot; },
+      [&](const auto& other) { return 2 * WORD + colours_of(other) * colour; });
 }
 
 std::uint64_t MessageBytes::longest() const {

@@ -8,29 +8,32 @@
 
 namespace amp {
 
-// The second level of the address of all of them.
+/// The second level of the address of all of them.
 constexpr int AMP_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 
-// Up the tree: the brightest patch of those below, and what is unsent there.
+/// Goes up the tree: the brightest patch of those below, and what is unsent there.
 struct Candidate {
-  std::optional<radiosity::Shot> shot;  // none: all are dark
+  std::optional<radiosity::Shot> shot;  ///< none if all are dark
   radiosity::Unshot unshot;
 
-  // Of two shots the brighter, of equals the one of the lower patch: whatever the order.
+  /// Keeps the brighter of two shots, of equal ones that of the lower patch: the order of the
+  /// candidates does not matter.
   Candidate& operator+=(const Candidate& other);
 };
-// To all: it is over. (To all goes radiosity::Shot, too.)
+/// Goes to all, as radiosity::Shot does: the solution is complete.
 struct Stop {};
-// To who shares vertices: what they got of the shot, of Share::out's from `first` on.
+/// Goes to a processor that shares vertices: the light that they got from the shot, from number
+/// `first` of Share::out on.
 struct Given {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
 };
-// From the display to one: its vertices' radiosity from this one of its share on.
+/// Goes from the display to a processor: asks for its vertices' radiosity from number `first` of
+/// its share on.
 struct Show {
   std::size_t first = 0;
 };
-// And back: so many, from there on.
+/// Comes back: as many values as fit a message, from there on.
 struct Shown {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
@@ -41,13 +44,15 @@ struct AmpMessage : network::Contents {
   explicit AmpMessage(Content content) : content(std::move(content)) {}
   Content content;
 };
+/// Number of colours in a message.
+std::size_t count_colours(const AmpMessage::Content& content);
 
-// Lengths of messages (the model's [bytes] radiosity_*).
+/// Lengths of messages in bytes (the model's [bytes] radiosity_*).
 struct MessageBytes {
   explicit MessageBytes(const machine::Model& model);
   std::uint64_t candidate, shot, colour;
   static constexpr std::uint64_t WORD = 4;
-  static constexpr std::size_t MOST = 64;  // values of a message
+  static constexpr std::size_t MOST = 64;  ///< values of a message
 
   std::uint64_t of(const AmpMessage::Content& content) const;
   std::uint64_t longest() const;

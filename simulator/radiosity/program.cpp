@@ -1,89 +1,104 @@
-// Progressive radiosity on a machine, as in AMP, with its picture.
 #include "simulator/radiosity/program.hpp"
 
-#include "base/errors.hpp"
+#include "renderer/radiosity/show/fields.hpp"
 #include "simulator/declare/routers.hpp"
+#include "simulator/radiosity/measured.hpp"
 
-namespace programs {
+namespace amp {
+
+using programs::Outcome;
+using programs::Setup;
 
 namespace {
 
-amp::Params make_params(const Setup& setup) {
-  static constexpr amp::Distribution DISTRIBUTIONS[] = {
-      amp::Distribution::tiles, amp::Distribution::blocks, amp::Distribution::work};
-  amp::Params params;
-  params.solve = solve_params(setup);
-  params.distribution = DISTRIBUTIONS[setup.whole("distribution")];
-  params.exchange = setup.choice("borders") == "exchanged";
-  params.method = method_of(setup);
-  params.show_every = static_cast<int>(setup.whole("show_every"));
-  params.cache_percent = setup["cache_percent"];
-  params.cycles_per_host_s = setup.cycles_per_host_s;
-  params.watch = setup.watch;
-  return params;
+base::Fields<Params> machine_fields() {
+  using D = base::Declare<Params>;
+  static const base::Names<Distribution> DISTRIBUTIONS = {{"tiles", Distribution::tiles},
+                                                          {"blocks", Distribution::blocks},
+                                                          {"work", Distribution::work}};
+  static const base::Names<bool> BORDERS = {{"exchanged", true}, {"repeated", false}};
+  return {D::choice("distribution", &Params::distribution, DISTRIBUTIONS,
+                    "which processor has which patches: of every face an equal share; equal counts "
+                    "of consecutive ones; consecutive ones of equal estimated work"),
+          D::choice("borders", &Params::exchange, BORDERS,
+                    "vertices between processors: found by one, that tells the others, or by each"),
+          D::choice("method", &Params::method, programs::METHODS,
+                    "how routers avoid deadlock; acyclic takes the network's routes only if they "
+                    "close no cycle"),
+          D::whole("show_every", &Params::show_every, 0, 1e9, "",
+                   "shots between two pictures on the way; 0: none"),
+          D::number("cache_percent", &Params::cache_percent, 0, 100, "%",
+                    "share of the geometry that a processor's data manager has room for; 0: all "
+                    "have all of it")};
 }
 
-Rows run(const Setup& setup) {
-  auto room = load_meshed_room(setup);
-  const auto result =
-      amp::run_radiosity(setup.model, setup.topology, room.mesh, make_params(setup));
+base::Fields<ProgramParams> make_fields() {
+  using P = ProgramParams;
+  using D = base::Declare<P>;
+  const auto of_room = [](const base::Fields<RoomParams>& fields) {
+    return base::lift_all<P>(fields, &P::room);
+  };
+  const auto reconstruction = base::lift_all<RoomParams>(
+      base::select(radiosity::reconstruction_fields(), {"reconstruction"}),
+      &RoomParams::reconstruction);
+  return base::join(
+      of_room(solution_fields()),
+      {base::lift_all<P>(machine_fields(), &P::machine),
+       of_room(reconstruction),
+       of_room(view_fields()),
+       of_room(reference_fields()),
+       {D::number("amplify", &P::amplify, 0, 1e6, "", "factor of the difference image"),
+        D::number("peak_from", &P::peak_from, 0, 1, "",
+                  "share of the width from which the line's largest value is looked for"),
+        D::number("peak_to", &P::peak_to, 0, 1, "", "share of the width up to which it is")}});
+}
+
+Params machine_params(const Setup& setup, const ProgramParams& params) {
+  Params machine = params.machine;
+  machine.solve = params.room.light.solve;
+  machine.cycles_per_host_s = setup.cycles_per_host_s;
+  machine.watch = setup.watch;
+  return machine;
+}
+
+Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
+  const auto room = load_scene(params.room);
+  const auto mesh = make_mesh(room, params.room.light.mesh);
+  auto result = run_radiosity(setup.model, setup.topology, mesh, machine_params(setup, params));
   if (result.end != machine::End::done)
-    throw Unfinished(
+    throw programs::Unfinished(
         "machine", {result.total_s},
         fmt::format("the run was ended at {:.6f} s ({})", result.total_s, to_string(result.end)));
-  Rows rows(make_radiosity_row(room.mesh, result, setup["cache_percent"] > 0));
-  rows.notes = {describe_loss(result.loss, setup["cache_percent"] > 0)};
-  add_pictures(setup, std::move(room), result.frames, rows);
-  return rows;
+  auto [shown, images] = show(params, room.view, mesh, result.frames);
+  const bool has_data = params.machine.cache_percent > 0;
+  const auto note = describe_loss(result.loss, has_data);
+  Outcome<Measured> outcome(Measured{mesh.patches.size(), mesh.vertices.size(), std::move(result),
+                                     has_data, std::move(shown)});
+  outcome.notes = {note};
+  outcome.images = std::move(images);
+  return outcome;
 }
 
-void check(const Setup& setup) {
-  check_rooms(setup);
-  if (setup["peak_from"] >= setup["peak_to"])
+void check_program(const Setup&, const ProgramParams& params) {
+  check(params.room);
+  if (params.peak_from >= params.peak_to)
     throw base::BadInput(fmt::format("program.peak_to: found {}, expected above peak_from, {}",
-                                     setup["peak_to"], setup["peak_from"]));
-}
-
-std::vector<Parameter> parameters() {
-  auto all = solution_parameters();
-  const auto add = [&](const std::vector<Parameter>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  };
-  add({make_choice("distribution", {"tiles", "blocks", "work"},
-                   "which processor has which patches: of every face an equal share; equal counts "
-                   "of consecutive ones; consecutive ones of equal estimated work"),
-       make_choice("borders", {"exchanged", "repeated"},
-                   "vertices between processors: found by one, who tells the others, or by each"),
-       method_parameter(),
-       {"show_every", 0, 0, 1e9, true, "shots between two pictures on the way; 0: none"},
-       {"cache_percent", 0, 0, 100, false,
-        "of the geometry, that a processor's data manager has room for; 0: all have all of it"},
-       make_choice("reconstruction", {"bilinear", "bicubic", "flat"},
-                   "how illumination is interpolated")});
-  add(view_parameters());
-  add(reference_parameters());
-  add({{"amplify", 1, 0, 1e6, false, "factor of the difference image"},
-       {"peak_from", 0, 0, 1, false, "of the width: where the line's largest value is looked for"},
-       {"peak_to", 1, 0, 1, false, "see peak_from"}});
-  return all;
+                                     params.peak_to, params.peak_from));
 }
 
 }  // namespace
 
-Pattern make_radiosity() {
-  return {.name = "radiosity",
-          .help =
-              "progressive radiosity as in AMP: the brightest patch is found by a reduction, sent "
-              "to all, and received where the patches are; pictures of it. time_s until the last "
-              "shot is done everywhere, total_s until the display has it. Of the time the shares "
-              "useful, repeated (vertices found twice), unequal (waiting for who has most to do) "
-              "and messages. With a reference: image_error, and of the central line line_error, "
-              "peak_error and peak_shift (pixels)",
-          .uses_topology = true,
-          .parameters = parameters(),
-          .run = &run,
-          .uses_cost = true,
-          .check = &check};
+programs::Program make_radiosity() {
+  return programs::make_program<ProgramParams, Measured>(
+      {.name = "radiosity",
+       .help =
+           "progressive radiosity as in AMP: the brightest patch is found by a reduction, sent to "
+           "all, and received where the patches are; pictures of it",
+       .uses = {.network = true, .timed = true},
+       .fields = make_fields(),
+       .columns = make_columns(),
+       .run = &run,
+       .check = &check_program});
 }
 
-}  // namespace programs
+}  // namespace amp

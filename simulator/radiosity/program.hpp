@@ -1,20 +1,22 @@
 #pragma once
-// The parts of the program radiosity: what is measured of a run, and its pictures.
+// Radiosity as programs of experiments.
+#include "simulator/declare/program.hpp"
 #include "simulator/radiosity/radiosity.hpp"
 #include "simulator/radiosity/rooms.hpp"
 
-namespace programs {
+namespace amp {
 
-// Columns of results.csv: sizes, times, losses, loads.
-Row make_radiosity_row(const radiosity::Mesh& mesh, const amp::Result& result, bool has_data);
-// Of the patches, by area, all colours alike; only of materials that have patches in both meshes.
-double mean_radiosity(const radiosity::Mesh& mesh, const std::vector<radiosity::Rgb>& vertices,
-                      const radiosity::Mesh& other);
-// "81 % of the time is useful; the largest loss: 9 % waiting for ...".
-std::string describe_loss(const amp::Loss& loss, bool has_data);
+struct ProgramParams {
+  RoomParams room;
+  Params machine;                     ///< how the work is shared; `solve` is that of the room
+  double amplify = 1;                 ///< factor of the difference image, 0 to 1e6
+  double peak_from = 0, peak_to = 1;  ///< part of the picture's width where the largest value of
+                                      ///< its central line is looked for, 0 to 1
+};
 
-// Adds the pictures to the run's, and what a comparison with the reference tells to its row.
-void add_pictures(const Setup& setup, MeshedRoom room, const std::vector<amp::Frame>& frames,
-                  Rows& rows);
+/// "radiosity": progressive radiosity on a machine.
+programs::Program make_radiosity();
+/// "scan_line": a line of a room's picture, without a machine.
+programs::Program make_scan_line();
 
-}  // namespace programs
+}  // namespace amp

@@ -5,7 +5,6 @@
 #include "base/errors.hpp"
 #include "simulator/kernels/placement.hpp"
 #include "simulator/kernels/records.hpp"
-#include "simulator/radiosity/loss.hpp"
 #include "simulator/radiosity/root.hpp"
 #include "topologies/route/routes.hpp"
 
@@ -16,12 +15,8 @@ using radiosity::Mesh;
 
 namespace {
 
-Cycles compiled(const machine::Model& model, const char* operation) {
-  const auto cycles = static_cast<double>(get_operation(model, operation).value);
-  return {std::llround(cycles * model.software.occam_factor)};
-}
-
-// A block move of its words, from an address in a table to the next place, or the other way.
+// A colour is copied by a block move of its words, from an address in a table to the next place, or
+// the other way.
 Cycles copy_of_colour(const machine::Model& model) {
   const auto words = static_cast<std::int64_t>(get_bytes(model, "colour") / 4);
   return {get_instruction(model, "move_setup").value + words * model.channel.copy_word.value};
@@ -41,8 +36,8 @@ shared_memory::DataParams data_params(const machine::Model& model, const Mesh& m
   return data;
 }
 
-// Room for all that can be on its way: from each processor a candidate, a request or a reply, and
-// its borders.
+// There is room for all that can be on its way: from each processor a candidate, a request or a
+// reply, and its borders.
 network::Params network_params(const Common& common, const shared_memory::DataParams& data,
                                const machine::Model& model, const std::vector<Share>& shares) {
   std::size_t borders = 0;  // messages
@@ -59,6 +54,49 @@ network::Params network_params(const Common& common, const shared_memory::DataPa
   return params;
 }
 
+// Cycles charged in all rounds: to the processor with most to do in each, and on average.
+struct Rounds {
+  double most = 0, mean = 0;
+};
+
+Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications) {
+  Rounds sum;
+  std::size_t rounds = applications[0]->charged().size();
+  for (const auto& application : applications)
+    rounds = std::min(rounds, application->charged().size());
+  for (std::size_t round = 0; round < rounds; ++round) {
+    double most = 0, all = 0;
+    for (const auto& application : applications) {
+      const auto cycles = static_cast<double>(application->charged()[round].value);
+      most = std::max(most, cycles);
+      all += cycles;
+    }
+    sum.most += most;
+    sum.mean += all / static_cast<double>(applications.size());
+  }
+  return sum;
+}
+
+// The loss of all processors over `time_s`.
+Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params,
+               const std::vector<std::unique_ptr<Application>>& applications, double time_s) {
+  const Rounds rounds = sum_rounds(applications);
+  const double time = time_s * model.cpu.clock.value;
+  // Points that are lit in a shot: vertices, and with Simpson's rule centres.
+  const std::size_t centres =
+      params.solve.mean == radiosity::Mean::simpson ? mesh.patches.size() : 0;
+  std::size_t done = centres;
+  for (const auto& application : applications) done += application->node().share.vertices.size();
+  const double once =
+      static_cast<double>(mesh.vertices.size() + centres) / static_cast<double>(done);
+  Loss loss;
+  loss.useful = rounds.mean * once / time;
+  loss.repeated = rounds.mean * (1 - once) / time;
+  loss.unequal = (rounds.most - rounds.mean) / time;
+  loss.messages = 1 - rounds.most / time;
+  return loss;
+}
+
 class Amp {
  public:
   Amp(const machine::Model& model, const topologies::Topology& topology, const Mesh& mesh,
@@ -72,8 +110,8 @@ class Amp {
                 {model, "radiosity", renderer::op_names()},
                 {},
                 topology.root,
-                compiled(model, "message_made"),
-                compiled(model, "message_read"),
+                get_compiled(model, "message_made"),
+                get_compiled(model, "message_read"),
                 copy_of_colour(model)},
         machine_(model) {
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
@@ -180,16 +218,13 @@ Result Amp::take_result(machine::End end) {
   }
   if (memory_) result.data = memory_->use();
   result.routers = network_->use();
+  result.events = machine_.events();
   return result;
 }
 
 Result Amp::run() {
   start();
-  observe::Watch unwatched, &watch = params_.watch ? *params_.watch : unwatched;
-  const auto end = observe::run(machine_, watch);
-  Result result = take_result(end);
-  result.events = watch.events;
-  return result;
+  return take_result(observe::run(machine_, params_.watch));
 }
 
 }  // namespace

@@ -16,63 +16,63 @@
 namespace amp {
 
 struct Params {
-  radiosity::SolveParams solve;  // its tolerance, shots and form factors
+  radiosity::SolveParams solve;  ///< its tolerance, shots and form factors
   Distribution distribution = Distribution::tiles;
-  bool exchange = true;  // a vertex on a border is found by one processor, who tells the others;
-                         // else each finds it
+  /// A vertex on a border is found by one processor, which tells the others; else by each of them.
+  bool exchange = true;
   network::Method method = network::Method::green;
-  int show_every = 0;  // shots between two pictures sent to the display; 0: only the last
-  // Of each processor, of the geometry's bytes, in percent up to 100, kept by data managers; 0:
-  // every processor has all faces and their hierarchy.
+  int show_every = 0;  ///< shots between two pictures sent to the display; 0: only the last
+  /// Percentage of the geometry's bytes, up to 100, that each processor's data manager has room
+  /// for; 0: every processor has all faces and their hierarchy.
   double cache_percent = 0;
-  // Kernels are charged the host time they take, times this; else their counts.
+  /// Kernels are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
-  observe::Watch* watch = nullptr;  // its limit and trace, if there is one
+  observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 
-// The illumination as the display has it, after so many shots.
+/// The illumination as the display has it, after a number of shots.
 struct Frame {
   int shots = 0;
-  double at_s = 0;  // when it was complete at the display
+  double at_s = 0;  ///< when it was complete at the display
   double unshot = 0;
-  std::vector<radiosity::Rgb> vertices;  // radiosity, by vertex, without ambient
+  std::vector<radiosity::Rgb> vertices;  ///< radiosity, by vertex, without ambient
   radiosity::Rgb ambient;
 };
 
-// Where the processors' time went: shares of it, which add up to 1.
+/// Where the processors' time went: shares of it, which add up to 1.
 struct Loss {
-  double useful = 0;    // kernels, each vertex once
-  double repeated = 0;  // vertices that two processors find, as both have patches there; by their
-                        // number, as if all took as long
-  double unequal = 0;   // waiting for the processor with most to do in a shot
-  double messages = 0;  // the rest: reduction, broadcast, borders, pictures, routers, and where
-                        // geometry is shared the data managers
+  double useful = 0;    ///< kernels, each vertex once
+  double repeated = 0;  ///< vertices that two processors find, as both have patches there; by their
+                        ///< number, as if all took as long
+  double unequal = 0;   ///< waiting for the processor with most to do in a shot
+  double messages = 0;  ///< the rest: reduction, broadcast, borders, pictures, routers, and where
+                        ///< geometry is shared the data managers
 };
 
 struct Result {
-  double time_s = 0;   // until the last shot is done everywhere, pictures on the way included
-  double total_s = 0;  // and until the display has the last frame
+  double time_s = 0;   ///< until the last shot is done everywhere, pictures on the way included
+  double total_s = 0;  ///< until the display has the last frame
   int shots = 0;
-  std::vector<Frame> frames;  // the last one is the solution
+  std::vector<Frame> frames;  ///< the last one is the solution
   Loss loss;
-  renderer::Work work;                  // of all processors
-  std::uint64_t vertices_done_max = 0;  // of a processor, in each shot
-  machine::Cycles kernel_cycles{};      // charged, to all
-  double kernel_host_s = 0;             // that they took on the host, where cycles_per_host_s
-  observe::Use use;                     // over time_s
-  shared_memory::DataUse data;          // where cache_percent > 0
+  renderer::Work work;                  ///< of all processors
+  std::uint64_t vertices_done_max = 0;  ///< of a processor, in each shot
+  machine::Cycles kernel_cycles{};      ///< charged, to all
+  double kernel_host_s = 0;             ///< taken on the host, where cycles_per_host_s is given
+  observe::Use use;                     ///< over time_s
+  shared_memory::DataUse data;          ///< where cache_percent > 0
   network::RouterUse routers;
-  machine::End end = machine::End::done;  // else all this is what was measured until then, and
-                                          // there may be no frame
+  machine::End end = machine::End::done;  ///< else all this is what was measured until then, and
+                                          ///< there may be no frame
   std::uint64_t events = 0;
 };
 
-// Throws base::BadInput naming the field, what was found and what was expected.
+/// Throws base::BadInput naming the field, what was found and what was expected.
 void check(const machine::Model& model, const radiosity::Mesh& mesh, int processors,
            const Params& params);
 
-// The solution equals radiosity::solve's to the bit. Throws base::BadInput as `check` and if
-// patches, geometry and buffers do not fit the processors' memory; and machine::Fault.
+/// The solution equals radiosity::solve's to the bit. Throws base::BadInput as `check` and if
+/// patches, geometry and buffers do not fit the processors' memory; and machine::Fault.
 Result run_radiosity(const machine::Model& model, const topologies::Topology& topology,
                      const radiosity::Mesh& mesh, const Params& params);
 

@@ -1,60 +1,47 @@
 #pragma once
-// What the programs over rooms share (radiosity, scan_line): their parameters, the room that these
-// name, its illumination, and pictures of it.
-#include "renderer/radiosity/light/solve.hpp"
-#include "renderer/radiosity/show/picture.hpp"
-#include "simulator/declare/program.hpp"
+// What the programs over rooms share (radiosity, scan_line): a room, its illumination and its
+// picture, and a reference that these are compared with.
+#include "base/fields.hpp"
+#include "renderer/radiosity/creases/creases.hpp"
+#include "renderer/radiosity/show/display.hpp"
 
-namespace programs {
+namespace amp {
 
-// [program] keys: of the solution; of pictures; of a reference to compare with.
-std::vector<Parameter> solution_parameters();
-std::vector<Parameter> view_parameters();
-std::vector<Parameter> reference_parameters();
-// Throws for a room that cannot be read, scene or reference.
-void check_rooms(const Setup& setup);
-
-struct MeshedRoom {
-  radiosity::Room room;
-  radiosity::Mesh mesh;
-};
-MeshedRoom load_meshed_room(const Setup& setup);
-
-// What a picture shows: a room and the radiosity of its vertices, ambient included if asked for.
-struct LitRoom {
-  MeshedRoom room;
-  std::vector<radiosity::Rgb> vertices;
-};
-radiosity::SolveParams solve_params(const Setup& setup);
-std::vector<radiosity::Rgb> light_vertices(const Setup& setup, const radiosity::Mesh& mesh,
-                                           std::vector<radiosity::Rgb> vertices,
-                                           const radiosity::Rgb& ambient);
-// The reference, solved with the same parameters but its own `refine`, with the file's creases;
-// none where the experiment names none.
-std::optional<LitRoom> solve_reference(const Setup& setup);
-
-// As program.reconstruction and others of the name say.
-radiosity::ReconstructionParams reconstruction_params(const Setup& setup, std::string_view name);
-
-// The room as program.scene's view sees it.
-class Camera {
- public:
-  Camera(const Setup& setup, const radiosity::Room& scene);
-  radiosity::Picture take(const LitRoom& lit, const radiosity::ReconstructionParams& params) const;
-  // The same by a z-buffer, as the display shows it on the way.
-  radiosity::Picture preview(const radiosity::Mesh& mesh,
-                             const std::vector<radiosity::Rgb>& vertices,
-                             const radiosity::ReconstructionParams& params) const;
-  // Of each pixel whether it shows something that emits, in a mirror too.
-  std::vector<bool> find_emitters(const radiosity::Mesh& mesh) const;
-
- private:
-  renderer::View view_;
-  radiosity::PictureParams params_;
+struct RoomParams {
+  base::Source scene;
+  radiosity::Creases creases = radiosity::Creases::file;
+  radiosity::LightParams light;
+  radiosity::ReconstructionParams reconstruction;
+  radiosity::PictureParams picture;
+  radiosity::Display display;
+  base::Source reference;     ///< another room; "": the scene
+  int reference_refine = 0;   ///< MeshParams::refine, 0 to 1000; 0: the scene's if a reference is
+                              ///< named, else there is none
+  int reference_senders = 0;  ///< LightParams::senders
+  radiosity::ReconstructionParams shown_reference;  ///< its twist is that of `reconstruction`
 };
 
-// As asked; else the one that shows best what does not emit.
-radiosity::Display make_display(const Setup& setup, const radiosity::Picture& picture,
-                                const std::vector<bool>& emitters);
+/// scene, then what says how it is meshed and solved.
+base::Fields<RoomParams> solution_fields();
+/// twist, then what says how the picture is made and shown.
+base::Fields<RoomParams> view_fields();
+/// reference and how it is solved and interpolated.
+base::Fields<RoomParams> reference_fields();
 
-}  // namespace programs
+/// Throws base::BadInput, and std::invalid_argument naming the field, for a room that cannot be
+/// read, scene or reference.
+void check(const RoomParams& params);
+
+/// The scene, with the creases that its mesh keeps.
+radiosity::Room load_scene(const RoomParams& params);
+/// The reference, solved with the scene's parameters but its own `refine`, with the creases of its
+/// file; none where the parameters name none.
+std::optional<radiosity::LitRoom> solve_reference(const RoomParams& params);
+/// The reference's picture.
+radiosity::Picture trace_reference(const RoomParams& params, const radiosity::LitRoom& reference,
+                                   const renderer::View& view);
+/// For each pixel whether the picture of either mesh shows something there that emits.
+std::vector<bool> find_emitters(const RoomParams& params, const renderer::View& view,
+                                const radiosity::Mesh& mesh, const radiosity::Mesh& other);
+
+}  // namespace amp

@@ -6,8 +6,8 @@ namespace amp {
 
 class Root : public Application {
  public:
-  // `nodes`: all, whose vertices are shown. `on_solved` is called when the last shot is done
-  // everywhere.
+  /// `nodes`: all processors, whose vertices are shown. `on_solved` is called when the last shot is
+  /// done everywhere.
   Root(const Common& common, const Node& node, const std::vector<Node>& nodes,
        std::function<void()> on_solved)
       : Application(common, node), nodes_(nodes), on_solved_(std::move(on_solved)) {}

@@ -1,107 +1,129 @@
 // A line of a room's picture, interpolated in two ways, beside a reference: figure 3.9.
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "base/errors.hpp"
-#include "simulator/declare/support.hpp"
-#include "simulator/radiosity/compare_pictures.hpp"
+#include <array>
 
-namespace programs {
+#include "simulator/radiosity/program.hpp"
+
+namespace amp {
+
+using programs::Outcome;
+using programs::Setup;
+using radiosity::Picture;
 
 namespace {
 
-using radiosity::Picture;
-using radiosity::Reconstruction;
+enum class Channel : std::uint8_t { red, green, blue };
 
-// One of the pictures: what is displayed of a line, and the radiosity.
-struct Line {
-  std::string name;
-  std::vector<double> displayed, linear;
+struct LineParams {
+  RoomParams room;
+  int line = -1;
+  Channel channel = Channel::red;
 };
 
-Line take_line(const Setup& setup, const std::string& name, const Picture& picture,
-               const radiosity::Display& display, int y) {
-  const auto channel = static_cast<std::size_t>(setup.whole("channel"));
-  const auto shown = make_rgb8(picture, display);
-  Line line{name, {}, {}};
-  for (int x = 0; x < picture.width; ++x) {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                   static_cast<std::size_t>(x);
-    const auto& pixel = picture.pixels[i];
-    line.displayed.push_back(shown[3 * i + channel]);
-    line.linear.push_back(channel == 0 ? pixel.r : channel == 1 ? pixel.g : pixel.b);
-  }
-  return line;
-}
+constexpr std::array<const char*, 3> PICTURES = {"bilinear", "bicubic", "fine"};
 
-LitRoom solve_scene(const Setup& setup) {
-  LitRoom lit{load_meshed_room(setup), {}};
-  const auto solution = solve(lit.room.mesh, solve_params(setup));
-  lit.vertices = light_vertices(setup, lit.room.mesh, solution.vertices, solution.ambient);
-  return lit;
-}
+// A pixel of the line, in each of the pictures.
+struct Pixel {
+  int x = 0;
+  std::array<int, 3> displayed{};  // 0 to 255
+  std::array<double, 3> linear{};
+  bool emits = false;
+};
 
-Rows run(const Setup& setup) {
-  const auto lit = solve_scene(setup);
-  const auto known = solve_reference(setup);
-  const Camera camera(setup, lit.room.room);
-  const auto twist = reconstruction_params(setup, "reference_reconstruction").twist;
-  const auto bilinear = camera.take(lit, {Reconstruction::bilinear, twist});
-  const auto bicubic = camera.take(lit, {Reconstruction::bicubic, twist});
-  const auto reference =
-      camera.take(*known, reconstruction_params(setup, "reference_reconstruction"));
-  auto emitters = camera.find_emitters(lit.room.mesh);
-  const auto others = camera.find_emitters(known->room.mesh);
-  for (std::size_t i = 0; i < emitters.size(); ++i) emitters[i] = emitters[i] || others[i];
-  const auto display = make_display(setup, reference, emitters);
-  const auto asked = static_cast<int>(setup.whole("line"));
-  if (asked >= reference.height)
+// The line's number, from the top.
+int find_line(const LineParams& params, const Picture& picture) {
+  if (params.line >= picture.height)
     throw base::BadInput(fmt::format(
         "program.line: found {}, expected a line of the picture, 0 to {}, or -1 for the middle",
-        asked, reference.height - 1));
-  const int y = asked < 0 ? reference.height / 2 : asked;
-  const Line lines[] = {take_line(setup, "bilinear", bilinear, display, y),
-                        take_line(setup, "bicubic", bicubic, display, y),
-                        take_line(setup, "fine", reference, display, y)};
-  Rows rows;
-  for (int x = 0; x < reference.width; ++x) {
-    const auto i = static_cast<std::size_t>(x);
-    Row& row = rows.rows.emplace_back(Row{{"x", x}});
-    for (const Line& line : lines) row.emplace_back(line.name, line.displayed[i]);
-    for (const Line& line : lines) row.emplace_back(line.name + "_linear", line.linear[i]);
-    row.emplace_back("emits", emitters[static_cast<std::size_t>(y * reference.width + x)]);
-  }
-  return rows;
+        params.line, picture.height - 1));
+  return params.line < 0 ? picture.height / 2 : params.line;
 }
 
-void check(const Setup& setup) {
-  check_rooms(setup);
-  if (setup.path("reference").empty() && setup.whole("reference_refine") == 0)
+// Adds what the picture of that number has in the line that begins at pixel `first`.
+void add_picture(std::vector<Pixel>& line, std::size_t number, const Picture& picture,
+                 const radiosity::Display& display, std::size_t first, Channel channel) {
+  const auto shown = make_rgb8(picture, display);
+  const auto colour = static_cast<std::size_t>(channel);
+  for (std::size_t x = 0; x < line.size(); ++x) {
+    const auto& [r, g, b] = picture.pixels[first + x];
+    line[x].displayed[number] = shown[3 * (first + x) + colour];
+    line[x].linear[number] = channel == Channel::red ? r : channel == Channel::green ? g : b;
+  }
+}
+
+Outcome<Pixel> run(const Setup&, const LineParams& params) {
+  const auto& room_params = params.room;
+  const auto room = load_scene(room_params);
+  const auto lit = light_room(room, room_params.light);
+  const auto fine = solve_reference(room_params).value();
+  const auto take = [&](radiosity::Reconstruction kind) {
+    return trace_picture(lit, {kind, room_params.reconstruction.twist}, room.view,
+                         room_params.picture);
+  };
+  const std::array<Picture, 3> pictures = {take(radiosity::Reconstruction::bilinear),
+                                           take(radiosity::Reconstruction::bicubic),
+                                           trace_reference(room_params, fine, room.view)};
+  const auto& reference = pictures.back();
+  const auto emitters = find_emitters(room_params, room.view, lit.mesh, fine.mesh);
+  const auto display = fit(room_params.display, reference, emitters);
+  const auto width = static_cast<std::size_t>(reference.width);
+  const auto first = static_cast<std::size_t>(find_line(params, reference)) * width;
+  std::vector<Pixel> line(width);
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    add_picture(line, i, pictures[i], display, first, params.channel);
+  for (std::size_t x = 0; x < width; ++x) {
+    line[x].x = static_cast<int>(x);
+    line[x].emits = emitters[first + x];
+  }
+  return Outcome<Pixel>(std::move(line));
+}
+
+void check_program(const Setup&, const LineParams& params) {
+  check(params.room);
+  if (params.room.reference.path.empty() && params.room.reference_refine == 0)
     throw base::BadInput(
         "program.reference_refine: found 0 and no program.reference, expected one of them");
 }
 
-std::vector<Parameter> parameters() {
-  auto all = solution_parameters();
-  for (const auto& more : {view_parameters(), reference_parameters()})
-    all.insert(all.end(), more.begin(), more.end());
-  all.push_back({"line", -1, -1, 65535, true, "from the top; -1: the middle"});
-  all.push_back(make_choice("channel", {"red", "green", "blue"}, "of the pixels"));
+base::Fields<LineParams> make_fields() {
+  using D = base::Declare<LineParams>;
+  static const base::Names<Channel> CHANNELS = {
+      {"red", Channel::red}, {"green", Channel::green}, {"blue", Channel::blue}};
+  const auto room = base::join(solution_fields(), {view_fields(), reference_fields()});
+  return base::join(
+      base::lift_all<LineParams>(room, &LineParams::room),
+      {{D::whole("line", &LineParams::line, -1, 65535, "",
+                 "number of the line, from the top; -1: the middle"),
+        D::choice("channel", &LineParams::channel, CHANNELS, "colour of the pixels")}});
+}
+
+base::Columns<Pixel> make_columns() {
+  base::Columns<Pixel> all = {base::column("x", &Pixel::x, "pixel, from the left")};
+  const auto add = [&](auto values, const std::string& suffix, const std::string& what) {
+    for (std::size_t i = 0; i < PICTURES.size(); ++i)
+      all.push_back(base::column<Pixel>(
+          PICTURES[i] + suffix, [=](const Pixel& p) { return (p.*values)[i]; },
+          what + (i < 2 ? " by that interpolation" : " of the reference")));
+  };
+  add(&Pixel::displayed, "", "displayed value, 0 to 255,");
+  add(&Pixel::linear, "_linear", "radiosity");
+  all.push_back(base::column("emits", &Pixel::emits, "1 where the pixel shows what emits"));
   return all;
 }
 
 }  // namespace
 
-Pattern make_scan_line() {
-  return {.name = "scan_line",
-          .help =
-              "a line of a room's picture, without a machine: at each pixel x what is displayed, "
-              "0..255, and the radiosity, by bilinear and bicubic interpolation and of a "
-              "reference (fine); emits: it shows what emits",
-          .uses_topology = false,
-          .parameters = parameters(),
-          .run = &run,
-          .parts = {"x"},
-          .check = &check};
+programs::Program make_scan_line() {
+  return programs::make_program<LineParams, Pixel>(
+      {.name = "scan_line",
+       .help = "a line of a room's picture, without a machine, by bilinear and by bicubic "
+               "interpolation and of a reference",
+       .fields = make_fields(),
+       .columns = make_columns(),
+       .parts = {"x"},
+       .run = &run,
+       .check = &check_program});
 }
 
-}  // namespace programs
+}  // namespace amp

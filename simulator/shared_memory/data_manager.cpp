@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "simulator/occam/alt.hpp"
+#include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
 
 namespace shared_memory {
@@ -48,32 +49,34 @@ DataCosts::DataCosts(const machine::Model& model)
       reply_bytes(get_bytes(model, "data_reply")),
       idle_period{model.software.idle_period} {}
 
-void DataManager::take() {
-  const Message message = client_.receive();
-  if (message.to.process != DATA_PROCESS) return others_.push_back(message);
+void DataManager::take(Message message) {
+  if (message.to.process != DATA_PROCESS) return others_.push_back(std::move(message));
   if (message.returned != network::Returned::no)
     throw machine::Fault(this_process().name(), this_process().now(),
                          fmt::format("a request for data of processor {} came back: {}",
                                      client_.processor(), to_string(message.returned)));
-  const auto& data = static_cast<const DataMessage&>(*message.contents);
-  if (!data.is_reply) {
-    ++use_.seen;
-    return handle_request(message, data);
-  }
-  handle_reply(data);
-  has_reply_ = true;
+  occam::case_of(
+      static_cast<const DataMessage&>(*message.contents),
+      [&](const DataRequest& request) {
+        ++use_.seen;
+        handle_request(message, request);
+      },
+      [&](const DataReply& reply) {
+        handle_reply(reply);
+        has_reply_ = true;
+      });
 }
 
+// Figure 5.20, without waiting.acknowledge: see fetch().
 void DataManager::look() {
-  for (;;) {
-    const occam::Guard guards[] = {occam::Guard(&client_.from_router()), occam::Guard()};
-    if (occam::select(guards) == 1) return;
-    take();
-  }
+  network::Handed handed;
+  for (bool serving = true; serving;)
+    pri_alt(when(client_.from_router(), handed, [&] { take(std::move(handed.message)); }),
+            occam::otherwise(true, [&] { serving = false; }));
 }
 
-// Who is idle looks every period: what is there by then is found. (Looks that find nothing are not
-// simulated.)
+// An idle process looks every period: it finds what is there by then. (Looks that find nothing are
+// not simulated.)
 void DataManager::wait_for_message(Seconds period) {
   const Seconds since = this_process().now();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};
@@ -95,35 +98,27 @@ void DataManager::serve_for_ever() {
   for (;;) serve();
 }
 
-void DataManager::fetch(std::size_t record, network::Address to) {
-  auto request = std::make_shared<DataMessage>();
-  request->record = record;
+void DataManager::send(network::Address to, std::uint64_t bytes, const DataMessage& contents) {
   Message message;
   message.to = to;
   message.from.process = DATA_PROCESS;
-  message.length = costs_.request_bytes;
-  message.contents = request;
+  message.length = bytes;
+  message.contents = std::make_shared<const DataMessage>(contents);
+  client_.send(std::move(message));
+}
+
+void DataManager::fetch(std::size_t record, network::Address to) {
   ++use_.requests;
   const Seconds since = this_process().now();
   has_reply_ = false;
-  client_.send(std::move(message));
-  while (!has_reply_) take();
+  send(to, costs_.request_bytes, DataMessage(DataRequest{record}));
+  while (!has_reply_) take(client_.receive());
   use_.waited += this_process().now() - since;
 }
 
 void DataManager::reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level,
                         int links) {
-  auto contents = std::make_shared<DataMessage>();
-  contents->is_reply = true;
-  contents->record = record;
-  contents->level = level;
-  contents->links = links;
-  Message message;
-  message.to = to;
-  message.from.process = DATA_PROCESS;
-  message.length = costs_.reply_bytes + bytes;
-  message.contents = contents;
-  client_.send(std::move(message));
+  send(to, costs_.reply_bytes + bytes, DataMessage(DataReply{record, level, links}));
 }
 
 void DataManager::charge_insertion(int dropped) {

@@ -15,14 +15,14 @@ using machine::Cycles;
 using machine::Seconds;
 
 struct DataUse {
-  std::array<std::uint64_t, LEVELS> found{};  // accesses, by where the item was
-  std::uint64_t requests = 0;                 // sent
-  std::uint64_t request_links = 0;            // that they have passed, up to who answered
-  // Links from here to whom the requests were addressed, that they were spared.
+  std::array<std::uint64_t, LEVELS> found{};  ///< accesses, by Level of the item
+  std::uint64_t requests = 0;                 ///< sent
+  std::uint64_t request_links = 0;            ///< links that they passed until they were answered
+  /// Links that the requests were spared, of those to the processor that they were addressed to.
   std::uint64_t spared_by_path = 0, spared_by_queue = 0;
-  std::uint64_t seen = 0;  // requests of others; each was one of these:
+  std::uint64_t seen = 0;  ///< requests of others; each was one of these:
   std::uint64_t answered = 0, queued = 0, passed_on = 0;
-  Seconds waited{};  // for replies
+  Seconds waited{};  ///< for replies
 
   std::uint64_t accesses() const;
   std::uint64_t found_at(Level level) const { return found[static_cast<std::size_t>(level)]; }
@@ -30,11 +30,11 @@ struct DataUse {
   DataUse& operator-=(const DataUse& earlier);
 };
 
-// Cycles of a manager's work: the model's [operation] data_*.
+/// Cycles of a manager's work: the model's [operation] data_*.
 struct DataCosts {
   explicit DataCosts(const machine::Model& model);
   Cycles look_up, touch, insert, drop;
-  std::uint64_t request_bytes, reply_bytes;  // of a reply, beside the record
+  std::uint64_t request_bytes, reply_bytes;  ///< of a reply without the record
   Seconds idle_period;
 };
 
@@ -46,32 +46,31 @@ class DataManager {
   DataManager(const DataManager&) = delete;
   DataManager& operator=(const DataManager&) = delete;
 
-  // Returns when the application may read the item (figure 5.21). Serves others first.
+  /// Returns when the application may read the item (figure 5.21). Serves others first.
   virtual void access(Item item) = 0;
-  // Serves what waits on the channel from the router (figure 5.20).
+  /// Serves what waits on the channel from the router (figure 5.20).
   void look();
-  // For an application without work: serves others until a message comes that is for no data
-  // manager, and returns that. Looks at the channel every idle period.
+  /// For an application without work: serves others until a message comes that is for no data
+  /// manager, and returns that. Looks at the channel every idle period.
   network::Message serve() { return serve_every(costs_.idle_period); }
-  // The same for one that waits in an ALT until something comes: serves at once.
+  /// The same for an application that waits in an ALT until something comes: serves at once.
   network::Message serve_at_once() { return serve_every({}); }
-  // The same for an application that has ended: its process becomes a server, and never returns.
+  /// The same for an application that has ended: its process becomes a server, and never returns.
   [[noreturn]] void serve_for_ever();
 
   network::Client& client() { return client_; }
   const DataUse& use() const { return use_; }
 
  protected:
-  // A request of another one, or a reply.
-  virtual void handle_request(const network::Message& message, const DataMessage& request) = 0;
-  virtual void handle_reply(const DataMessage& reply) = 0;
+  virtual void handle_request(const network::Message& message, const DataRequest& request) = 0;
+  virtual void handle_reply(const DataReply& reply) = 0;
 
   void count(Level level) { ++use_.found[static_cast<std::size_t>(level)]; }
-  // Asks `to` for a record, and serves until handle_reply has seen it.
+  /// Asks `to` for a record, and serves until handle_reply has seen it.
   void fetch(std::size_t record, network::Address to);
-  // Sends a record to who asked for it by a request that had passed so many links.
+  /// Sends a record to the processor that asked for it, by a request that had passed `links`.
   void reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level, int links);
-  // What a record on its way into a cache costs, `dropped` others out of it.
+  /// Charges a record that goes into a cache, and `dropped` others that leave it.
   void charge_insertion(int dropped);
 
   const DataCosts costs_;
@@ -79,13 +78,14 @@ class DataManager {
   DataUse use_;
 
  private:
-  void take();
+  void take(network::Message message);
+  void send(network::Address to, std::uint64_t bytes, const DataMessage& contents);
   void wait_for_message(Seconds period);
   network::Message serve_every(Seconds period);
 
   network::Client& client_;
   bool has_reply_ = false;
-  std::deque<network::Message> others_;  // that are for no data manager
+  std::deque<network::Message> others_;  // for no data manager
 };
 
 }  // namespace shared_memory

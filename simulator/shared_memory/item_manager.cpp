@@ -9,6 +9,7 @@ using network::Message;
 using network::Mode;
 using occam::this_process;
 
+// Figure 5.21.
 void ItemManager::access(Item item) {
   look();
   const std::size_t record = catalogue_.place(item);
@@ -23,7 +24,7 @@ void ItemManager::access(Item item) {
         {choices_.coordinator, DATA_PROCESS, choices_.in_path ? Mode::in_path_to : Mode::unicast});
 }
 
-void ItemManager::handle_request(const Message& message, const DataMessage& request) {
+void ItemManager::handle_request(const Message& message, const DataRequest& request) {
   this_process().charge(costs_.look_up);
   if (cache_.holds(request.record)) {
     ++use_.answered;
@@ -38,7 +39,7 @@ void ItemManager::handle_request(const Message& message, const DataMessage& requ
   }
 }
 
-void ItemManager::handle_reply(const DataMessage& reply) {
+void ItemManager::handle_reply(const DataReply& reply) {
   base::check_equal("the record that came", asked_ == reply.record, true);
   const auto bytes = catalogue_.bytes(catalogue_.item(reply.record));
   for (const Waiting& waiting : std::exchange(waiting_, {}))
@@ -47,11 +48,27 @@ void ItemManager::handle_reply(const DataMessage& reply) {
   asked_.reset();
   const int far = routing_.distance(client().processor(), choices_.coordinator);
   use_.request_links += static_cast<std::uint64_t>(reply.links);
-  if (reply.level == Level::path)
-    use_.spared_by_path += static_cast<std::uint64_t>(far - reply.links);
-  if (reply.level == Level::queue)
-    use_.spared_by_queue += static_cast<std::uint64_t>(far - reply.links);
+  const auto spared = static_cast<std::uint64_t>(far - reply.links);
+  if (reply.level == Level::path) use_.spared_by_path += spared;
+  if (reply.level == Level::queue) use_.spared_by_queue += spared;
   count(reply.level);
+}
+
+namespace {
+
+struct DiskWait : machine::Wait {
+  std::string describe() const override { return "the disk"; }
+};
+
+}  // namespace
+
+void Disk::read(std::uint64_t bytes) {
+  auto& self = this_process();
+  self.sync();
+  const Seconds time = seek_ + Seconds{static_cast<double>(bytes) / rate_};
+  self.processor().wake_at(self.now() + time, self, self.waits() + 1);
+  DiskWait wait;
+  self.block(wait);
 }
 
 // Items that others do not ask for do not push out those that they do.
@@ -63,7 +80,7 @@ void ItemServer::access(Item item) {
   count(Level::disk);
 }
 
-void ItemServer::handle_request(const Message& message, const DataMessage& request) {
+void ItemServer::handle_request(const Message& message, const DataRequest& request) {
   const auto bytes = catalogue_.bytes(catalogue_.item(request.record));
   const bool held = cache_.holds(request.record);
   this_process().charge(costs_.look_up);
@@ -79,7 +96,7 @@ void ItemServer::handle_request(const Message& message, const DataMessage& reque
         message.links);
 }
 
-void ItemServer::handle_reply(const DataMessage& /*reply*/) {
+void ItemServer::handle_reply(const DataReply& /*reply*/) {
   throw base::InvariantBroken("a reply for the coordinator, which asks nobody");
 }
 

@@ -4,19 +4,17 @@
 #include <optional>
 
 #include "simulator/shared_memory/data_manager.hpp"
-#include "simulator/shared_memory/disk.hpp"
 #include "simulator/shared_memory/lru_cache.hpp"
 
 namespace shared_memory {
 
-// DM: its cache serves the local application; others may read it, and that changes nothing in it.
+/// DM: its cache serves the local application; others may read it, and that changes nothing in it.
 class ItemManager : public DataManager {
  public:
-  // Whom the network asks on the way (in_path), and whether who asks for what this one has asked
-  // for already is kept waiting for that reply (WRQu).
   struct Choices {
     int coordinator = 0;
-    bool in_path = true, waiting_queue = true;
+    bool in_path = true;        ///< requests are offered to all managers on the way
+    bool waiting_queue = true;  ///< a request for what has been asked for waits for its reply: WRQu
   };
   ItemManager(network::Client& client, const network::Routing& routing, const DataCosts& costs,
               const Catalogue& catalogue, LruCache cache, const Choices& choices)
@@ -33,18 +31,30 @@ class ItemManager : public DataManager {
     network::Address who;
     int links;
   };
-  void handle_request(const network::Message& message, const DataMessage& request) override;
-  void handle_reply(const DataMessage& reply) override;
+  void handle_request(const network::Message& message, const DataRequest& request) override;
+  void handle_reply(const DataReply& reply) override;
 
   const Catalogue& catalogue_;
   LruCache cache_;
   const Choices choices_;
   std::optional<std::size_t> asked_;
-  std::vector<Waiting> waiting_;  // WRQu of what is asked
+  std::vector<Waiting> waiting_;  // WRQu of the record that is asked for
 };
 
-// DMS, on the coordinator: its cache serves the others; the local application may read it. What is
-// not there it reads from the disk, and serves nobody else meanwhile.
+/// The host's disk: the coordinator asks it for a record over the host link and waits.
+class Disk {
+ public:
+  explicit Disk(const machine::Model& model) : seek_{model.disk.seek}, rate_{model.disk.rate} {}
+  /// Blocks the process until the record is there.
+  void read(std::uint64_t bytes);
+
+ private:
+  Seconds seek_;
+  double rate_;  // bytes/s
+};
+
+/// DMS, on the coordinator: its cache serves the others; the local application may read it. What is
+/// not there it reads from the disk, and serves nobody else meanwhile.
 class ItemServer : public DataManager {
  public:
   ItemServer(network::Client& client, const network::Routing& routing, const DataCosts& costs,
@@ -57,8 +67,8 @@ class ItemServer : public DataManager {
   void access(Item item) override;
 
  private:
-  void handle_request(const network::Message& message, const DataMessage& request) override;
-  void handle_reply(const DataMessage& reply) override;
+  void handle_request(const network::Message& message, const DataRequest& request) override;
+  void handle_reply(const DataReply& reply) override;
 
   const Catalogue& catalogue_;
   LruCache cache_;

@@ -6,25 +6,25 @@
 
 namespace shared_memory {
 
-// Two levels: its class, and its number in the class.
+/// An address of two levels: a class, and a number in the class.
 struct Item {
   int of_class = 0;
   int number = 0;
   auto operator<=>(const Item&) const = default;
 };
 
-// Which items there are, and their sizes. Places count through all items: class after class.
+/// The items that there are, and their sizes. Places count through all items: class after class.
 class Catalogue {
  public:
-  // Bytes of each item, by class and number. Throws base::BadInput if there are none.
+  /// `bytes`: the size of each item, by class and number. Throws base::BadInput if there are none.
   explicit Catalogue(std::vector<std::vector<std::uint64_t>> bytes);
 
   std::size_t size() const { return items_.size(); }
   Item item(std::size_t place) const { return items_.at(place); }
-  std::size_t place(Item item) const;  // throws std::out_of_range for an item that is not there
+  std::size_t place(Item item) const;  ///< throws base::InvariantBroken if there is no such item
   std::uint64_t bytes(Item item) const { return bytes_.at(place(item)); }
-  std::uint64_t largest() const;  // bytes of the largest item
-  std::uint64_t total() const;    // of all together
+  std::uint64_t largest() const;  ///< bytes of the largest item
+  std::uint64_t total() const;    ///< bytes of all together
 
  private:
   std::vector<std::size_t> first_;  // place of each class's first item, and the end
@@ -32,7 +32,7 @@ class Catalogue {
   std::vector<std::uint64_t> bytes_;
 };
 
-// One class of items of one size.
+/// One class of items of one size.
 Catalogue make_catalogue(int items, std::uint64_t bytes);
 
 }  // namespace shared_memory

@@ -9,20 +9,20 @@ namespace shared_memory {
 
 class LruCache {
  public:
-  // `bytes[r]` is the size of record r. Throws base::BadInput, naming `key`, if some record
-  // does not fit.
+  /// `bytes[r]` is the size of record r. Throws base::BadInput, naming `key`, if some record does
+  /// not fit.
   LruCache(std::vector<std::uint64_t> bytes, std::uint64_t capacity, const std::string& key);
 
   bool holds(std::size_t record) const { return next_.at(record) != NOT_HELD; }
-  // Moves a record that is held to the top of the list.
+  /// Moves a record that is held to the top of the list.
   void touch(std::size_t record);
-  // Puts a record at the top; what is last makes room. Returns how many were dropped. One that is
-  // held already is touched.
+  /// Puts a record at the top; the last ones make room. Returns how many were dropped. A record
+  /// that is held already is touched.
   int insert(std::size_t record);
 
   std::uint64_t capacity() const { return capacity_; }  // bytes
   std::uint64_t used() const { return used_; }
-  std::vector<std::size_t> order() const;  // most recent first
+  std::vector<std::size_t> order() const;  ///< most recent first
 
  private:
   static constexpr std::size_t NOT_HELD = ~std::size_t{0};

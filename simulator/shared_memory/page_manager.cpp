@@ -28,6 +28,7 @@ std::uint64_t Pages::resident_bytes(int processor) const {
   return sum;
 }
 
+// Figure 5.21, with pages.
 void PageManager::access(Item item) {
   look();
   const std::size_t page = pages_.page_of(item);
@@ -42,13 +43,13 @@ void PageManager::access(Item item) {
   fetch(page, {owner, DATA_PROCESS, network::Mode::unicast});
 }
 
-void PageManager::handle_request(const network::Message& message, const DataMessage& request) {
+void PageManager::handle_request(const network::Message& message, const DataRequest& request) {
   this_process().charge(costs_.look_up);
   ++use_.answered;
   reply(message.from, request.record, pages_.bytes, Level::path, message.links);
 }
 
-void PageManager::handle_reply(const DataMessage& reply) {
+void PageManager::handle_reply(const DataReply& reply) {
   charge_insertion(cache_.insert(reply.record));
   use_.request_links += static_cast<std::uint64_t>(reply.links);
   count(Level::path);

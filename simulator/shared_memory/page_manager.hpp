@@ -1,12 +1,13 @@
 #pragma once
 // Badouel's scheme (5.1.2.1): all items lie in pages of a fixed size, spread over the processors'
-// resident blocks, one address space. Who misses an item fetches its whole page from who holds it.
+// resident blocks, one address space. A manager that misses an item fetches its whole page from the
+// processor that holds it.
 #include "simulator/shared_memory/data_manager.hpp"
 #include "simulator/shared_memory/lru_cache.hpp"
 
 namespace shared_memory {
 
-// Where the pages are.
+/// Where the pages are.
 struct Pages {
   Pages(const Catalogue& catalogue, int items_of_page, int processors);
   std::size_t page_of(Item item) const;
@@ -14,14 +15,14 @@ struct Pages {
   std::uint64_t resident_bytes(int processor) const;
 
   const Catalogue& catalogue;
-  std::size_t items_of_page, count;  // in a page; of pages
-  std::uint64_t bytes;               // of each page: as many of the largest items
+  std::size_t items_of_page, count;  ///< items in a page; pages
+  std::uint64_t bytes;               ///< of each page: as many of the largest items
   int processors;
 };
 
 class PageManager : public DataManager {
  public:
-  // The cache is one of pages.
+  /// `cache` is one of pages.
   PageManager(network::Client& client, const network::Routing& routing, const DataCosts& costs,
               const Pages& pages, LruCache cache)
       : DataManager(client, routing, costs), pages_(pages), cache_(std::move(cache)) {}
@@ -29,8 +30,8 @@ class PageManager : public DataManager {
   void access(Item item) override;
 
  private:
-  void handle_request(const network::Message& message, const DataMessage& request) override;
-  void handle_reply(const DataMessage& reply) override;
+  void handle_request(const network::Message& message, const DataRequest& request) override;
+  void handle_reply(const DataReply& reply) override;
 
   const Pages pages_;
   LruCache cache_;

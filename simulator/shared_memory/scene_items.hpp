@@ -7,13 +7,13 @@
 
 namespace shared_memory {
 
-// Classes of items.
+/// Classes of items.
 constexpr int BOX_ITEMS = 0, OBJECT_ITEMS = 1;
 
 class SceneItems {
  public:
-  // Sizes of records are the model's. Objects are numbered kind by kind in the order of the
-  // hierarchy's leaves, boxes depth first: neighbours are near to each other.
+  /// Sizes of records are the model's. Objects are numbered kind by kind in the order of the
+  /// hierarchy's leaves, boxes depth first: neighbours are near to each other.
   SceneItems(const machine::Model& model, const renderer::Scene& scene);
 
   const Catalogue& catalogue() const { return catalogue_; }
@@ -29,8 +29,8 @@ class SceneItems {
   std::array<int, 4> first_of_kind_{};
 };
 
-// A kernel's reads of the scene, by way of a data manager. What the kernel has counted is charged
-// before each: time passes as in a program that computes between its accesses.
+/// A kernel's reads of the scene, by way of a data manager. What the kernel has counted is charged
+/// before each: time passes as in a program that computes between its accesses.
 class SceneReader : public renderer::Access {
  public:
   SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs)
@@ -44,7 +44,7 @@ class SceneReader : public renderer::Access {
     charge(done);
     manager_.access(items_.object(place));
   }
-  // Charges this_process() what has not been charged yet of all that is done.
+  /// Charges this_process() what has not been charged yet of all that is done.
   void charge(const renderer::Work& done);
   Cycles charged() const { return charged_; }
 

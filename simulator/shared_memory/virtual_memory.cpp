@@ -16,7 +16,7 @@ void check_range(const char* key, int found, int low, int high) {
 
 void allocate(machine::Processor& processor, const std::string& key, std::uint64_t bytes) {
   auto& memory = processor.memory();
-  if (const auto left = memory.size() - memory.used(); bytes > left)
+  if (const auto left = memory.left(); bytes > left)
     throw base::BadInput(
         fmt::format("{}: found {} bytes, expected at most the {} that are left of the memory of {}",
                     key, bytes, left, processor.name()));

@@ -11,31 +11,31 @@ enum class Scheme : std::uint8_t { items, pages };
 
 struct DataParams {
   Scheme scheme = Scheme::items;
-  std::uint64_t cache_bytes = 0;  // of each processor; with pages, beside its resident block
-  // Of items:
+  std::uint64_t cache_bytes = 0;  ///< of each processor; with pages, beside its resident block
+  // With items:
   int coordinator = 0;
-  std::uint64_t server_cache_bytes = 0;  // of the coordinator
-  bool in_path = true;                   // requests are offered to all on the way
-  bool waiting_queue = true;             // WRQu
-  // Of pages:
+  std::uint64_t server_cache_bytes = 0;  ///< of the coordinator
+  bool in_path = true;                   ///< requests are offered to all on the way
+  bool waiting_queue = true;             ///< WRQu
+  // With pages:
   int page_items = 8;
 };
 
-// The longest message's contents: network::Params::longest must be as much.
+/// Bytes of the longest message's contents: network::Params::longest must be as much.
 std::uint64_t longest_message(const machine::Model& model, const Catalogue& catalogue,
                               const DataParams& params);
 
 class VirtualMemory {
  public:
-  // Allocates caches and resident blocks on the processors. The manager of a processor uses its
-  // client number 0. Throws base::BadInput for a cache smaller than a record ("data.cache",
-  // "data.server_cache") or larger than the memory that is left, a coordinator that is not there
-  // and pages without items. The catalogue outlives it.
+  /// Allocates caches and resident blocks on the processors. The manager of a processor uses its
+  /// client number 0. Throws base::BadInput for a cache smaller than a record or larger than the
+  /// memory that is left, a coordinator that is not there and pages without items. The catalogue
+  /// outlives it.
   VirtualMemory(machine::Machine& machine, network::Network& network, const Catalogue& catalogue,
                 const DataParams& params, int first = 0);
 
   DataManager& manager(int processor) { return *managers_.at(static_cast<std::size_t>(processor)); }
-  DataUse use() const;  // of all
+  DataUse use() const;  ///< the sum of all
 
  private:
   std::vector<std::unique_ptr<DataManager>> managers_;

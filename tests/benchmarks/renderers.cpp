@@ -32,7 +32,7 @@ std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   Work work;
   for (int y = 0; y < params.height; ++y)
     for (int x = 0; x < params.width; ++x)
-      for (stack = {make_primary(scene, params, x, y)}; !stack.empty();) {
+      for (stack = {make_primary(scene.view, params, x, y)}; !stack.empty();) {
         const Ray ray = stack.back();
         stack.pop_back();
         rays.push_back(ray);

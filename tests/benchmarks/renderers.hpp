@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/trace/render.hpp"
+#include "renderer/trace/shade.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 namespace benchmarks {

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/errors.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/render.hpp"
+#include "renderer/trace/shade.hpp"
 
 namespace renderer::test {
 
@@ -44,7 +46,7 @@ inline Scene parse(const std::string& text) {
   return parse_nff(in, "test.nff");
 }
 
-/// Any two unit vectors across `n` and each other.
+/// Two unit vectors at right angles to `n` and to each other.
 inline std::array<Vec, 2> make_plane(const Vec& n) {
   const Vec u = normalize(cross(n, std::abs(n.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
   return {u, cross(n, u)};

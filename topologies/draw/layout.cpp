@@ -1,19 +1,18 @@
 #include "topologies/draw/layout.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
 #include "topologies/draw/graphviz.hpp"
-#include "topologies/files/formats.hpp"
+#include "topologies/files/dot.hpp"
+#include "topologies/route/routes.hpp"
 
 namespace topologies {
 namespace {
 
-// Processors `first` .. `first + count - 1` in rows to and fro, evenly in each, columns 0 .. width.
+// Adds `count` places in rows to and fro, evenly in each, `width` wide from `left` on.
 void add_rows(Places& places, int count, int rows, double left, double width) {
   for (int row = 0; row < rows; ++row) {
     const int first = count * row / rows, last = count * (row + 1) / rows;
@@ -42,7 +41,7 @@ Places make_circle(int n) {
   return places;
 }
 
-// Large rings: an even number of rows to and fro, and back up on the left.
+// A large ring takes an even number of rows to and fro, and goes back up on the left.
 Places make_ring_places(int n) {
   constexpr int LARGEST_CIRCLE = 36;
   if (n <= LARGEST_CIRCLE) return make_circle(n);
@@ -60,7 +59,77 @@ Places make_grid(int n, double spacing, Column column, Row row) {
   return places;
 }
 
-// Turned about their middle until `root` is above it.
+// The processors of each level from the root, in the order of their parents.
+std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
+  std::vector<std::vector<int>> levels{{tree.root}};
+  while (!levels.back().empty()) {
+    std::vector<int> next;
+    for (const int p : levels.back())
+      next.insert(next.end(), tree.children[p].begin(), tree.children[p].end());
+    levels.push_back(std::move(next));
+  }
+  levels.pop_back();
+  return levels;
+}
+
+// Finds each processor's middle between its first and last leaf; leaves stand at 0, 1, 2 ...
+std::vector<double> make_middles(const SpanningTree& tree) {
+  std::vector<double> from(tree.parent.size()), to(tree.parent.size());
+  double leaves = 0;
+  const auto visit = [&](auto& self, int p) -> void {
+    for (const int child : tree.children[p]) self(self, child);
+    const auto& children = tree.children[p];
+    from[p] = children.empty() ? leaves : from[children.front()];
+    to[p] = children.empty() ? leaves++ : to[children.back()];
+  };
+  visit(visit, tree.root);
+  for (size_t p = 0; p < from.size(); ++p) from[p] = (from[p] + to[p]) / 2;
+  return from;
+}
+
+// Places levels as rings around the root, from the angle on the right of the open way to that on
+// its left; a level that is too dense for one ring zigzags.
+Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
+  constexpr double PITCH = 1.15, GAP = 1.7, ZIGZAG = 1.1;
+  Places places(tree.parent.size());
+  double radius = 0;
+  for (const auto& level : make_levels(tree)) {
+    if (level.front() == tree.root) continue;
+    double closest = 1;
+    for (size_t i = 1; i < level.size(); ++i)
+      closest = std::min(closest, turns[level[i]] - turns[level[i - 1]]);
+    const double needed = PITCH / (2 * std::numbers::pi * closest);
+    const bool dense = needed > radius + GAP + 1;
+    radius = std::max(radius + GAP, dense ? needed / 2 : needed);
+    for (size_t i = 0; i < level.size(); ++i) {
+      const double r = radius + (dense && i % 2 ? ZIGZAG : 0);
+      const double angle = std::numbers::pi * (0.5 - 2 * turns[level[i]]);
+      places[level[i]] = {r * std::cos(angle), r * std::sin(angle)};
+    }
+    if (dense) radius += ZIGZAG;
+  }
+  return places;
+}
+
+// Places processors by the spanning tree from the root: downwards where all links are the tree's
+// and it is small, else around the root.
+Places make_tree_places(const Topology& topology) {
+  const auto tree = make_spanning_tree(topology, topology.root);
+  auto middles = make_middles(tree);
+  const double leaves = std::ranges::max(middles) + 1;
+  constexpr double WIDEST = 32;
+  const bool is_tree = static_cast<int>(topology.links.size()) == topology.processors - 1;
+  if (leaves > WIDEST || !is_tree) {
+    for (double& middle : middles) middle = (middle + 2) / (leaves + 3);
+    return make_rings(tree, middles);
+  }
+  Places places;
+  for (int p = 0; p < topology.processors; ++p)
+    places.push_back({1.1 * middles[p], -1.8 * tree.depth[p]});
+  return places;
+}
+
+// Turns the places about their middle until `root` is above it.
 void turn_upwards(Places& places, int root) {
   Place middle;
   for (const auto& [x, y] : places) middle.x += x, middle.y += y;
@@ -77,10 +146,9 @@ void turn_upwards(Places& places, int root) {
 Places make_found_places(const Topology& topology) {
   Topology numbered = topology;
   numbered.labels.clear();
-  const char* program = topology.processors > 300 ? "sfdp" : "neato";
   std::istringstream lines(run_graphviz(
-      fmt::format("{} -Tplain -Gstart=1 -Gsep=+8 -Goverlap=scale -Nwidth=0.5 -Nfixedsize=true",
-                  program),
+      topology.processors > 300 ? "sfdp" : "neato",
+      {"-Tplain", "-Gstart=1", "-Gsep=+8", "-Goverlap=scale", "-Nwidth=0.5", "-Nfixedsize=true"},
       to_dot(numbered), topology.name));
   Places places(topology.processors);
   for (std::string line; std::getline(lines, line);) {
@@ -108,40 +176,32 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
   return swerves;
 }
 
-// Of a mesh or torus by its name; 0 of others.
-int grid_columns(const Topology& topology, const std::string& kind) {
-  if (kind != "mesh" && kind != "torus") return 0;
-  int rows = 0, columns = 0;
-  char x = 0;
-  std::istringstream(topology.name.substr(kind.size() + 1)) >> rows >> x >> columns;
-  return rows * columns == topology.processors ? columns : 0;
-}
-
-int from_gray(int bits) { return bits ^ (bits >> 1); }  // of two bits: 00 01 11 10 are 0 1 2 3
+// The place of two bits in Gray's order: 00 01 11 10 are 0 1 2 3.
+int from_gray(int bits) { return bits ^ (bits >> 1); }
 
 }  // namespace
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
   const int n = topology.processors;
-  const auto kind = topology.name.substr(0, topology.name.find(':'));
+  const auto [form, rows, columns] = topology.shape;
+  using Form = Shape::Form;
   const bool is_tree = static_cast<int>(topology.links.size()) == n - 1;
-  const int columns = grid_columns(topology, kind);
   Layout layout{{}, std::vector<Place>(topology.links.size())};
-  if (columns > 0) {
+  if (form == Form::grid && rows * columns == n) {
     layout.processors = make_grid(
         n, SPACING, [&](int p) { return p % columns; }, [&](int p) { return p / columns; });
     layout.swerves = make_swerves(topology, layout.processors, SPACING);
-  } else if (kind == "hypercube") {
+  } else if (form == Form::hypercube) {
     layout.processors = make_grid(
         n, SPACING, [](int p) { return from_gray(p & 3); },
         [](int p) { return from_gray(p >> 2); });
     layout.swerves = make_swerves(topology, layout.processors, SPACING);
-  } else if (kind == "line") {
+  } else if (form == Form::line) {
     layout.processors = make_line_places(n);
-  } else if (kind == "ring") {
+  } else if (form == Form::ring) {
     layout.processors = make_ring_places(n);
-  } else if (kind == "amp" || is_tree) {
+  } else if (form == Form::around_root || is_tree) {
     layout.processors = make_tree_places(topology);
   } else {
     layout.processors = make_found_places(topology);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "topologies/draw/graphviz.hpp"
 #include "topologies/draw/layout.hpp"
 
@@ -20,7 +21,8 @@ struct Colour {
   double r, g, b;
 };
 
-// Even steps of lightness (CIE L* 88, 76, 60, 41, 20), told apart by the colour-blind.
+// Colours in even steps of lightness (CIE L* 88, 76, 60, 41, 20), which the colour-blind can tell
+// apart.
 constexpr std::array<Colour, 5> SCALE{
     {{219, 222, 226}, {246, 178, 66}, {229, 110, 60}, {174, 45, 96}, {72, 15, 95}}};
 
@@ -37,12 +39,12 @@ const char* text_colour(double share) {
   return 0.299 * r + 0.587 * g + 0.114 * b < 140 ? "white" : "black";
 }
 
-std::string quote(const std::string& text) {  // for DOT, where a backslash starts an escape
+// A text as a string of DOT, where a backslash starts an escape and & an entity.
+std::string quote(const std::string& text) {
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (const char c : base::blank_controls(text)) {
     if (c == '"' || c == '\\') quoted += '\\';
-    if (c == '&') quoted += "&amp;";
-    if (c != '&') quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    quoted += c == '&' ? "&amp;" : std::string(1, c);
   }
   return quoted + '"';
 }
@@ -78,8 +80,9 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
       quote(fmt::format("{}: busy {}", node.name, percent(node.load))));
 }
 
-// The half of a link that is next to `from`: what `from` sends. The whole is a Bezier curve with
-// both control points off the straight line by 4/3 of `swerve`, which is then off by `swerve`.
+// The half of a link that is next to `from` shows what `from` sends. The whole link is a Bezier
+// curve whose control points are off the straight line by 4/3 of `swerve`, so that the curve is off
+// by `swerve`.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
   const auto mix = [](const Place& a, const Place& b) {
@@ -96,26 +99,21 @@ std::string write_half(const Half& half, const std::vector<Node>& nodes) {
       quote(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
-template <typename... Args>
-void require(bool holds, const Topology& topology, fmt::format_string<Args...> message,
-             Args&&... args) {
-  if (!holds)
-    throw base::BadInput(fmt::format("loads of topology {}: {}", topology.name,
-                                     fmt::format(message, std::forward<Args>(args)...)));
-}
+using base::require;
 
 void check_loads(const Topology& topology, const Loads& loads) {
   constexpr double ROUNDING = 1e-6;
+  const auto place = "loads of topology " + topology.name;
   const auto check_share = [&](double share, const auto& whose) {
-    require(share >= 0 && share <= 1 + ROUNDING, topology, "found {} for {}, expected 0 to 1",
-            share, whose);
+    require(share >= 0 && share <= 1 + ROUNDING, place, "found {} for {}, expected 0 to 1", share,
+            whose);
   };
   const auto expected = static_cast<size_t>(topology.processors);
-  require(loads.processors.size() == expected, topology, "found {} processors, expected {}",
+  require(loads.processors.size() == expected, place, "found {} processors, expected {}",
           loads.processors.size(), expected);
-  require(loads.links.size() == topology.links.size(), topology, "found {} links, expected {}",
+  require(loads.links.size() == topology.links.size(), place, "found {} links, expected {}",
           loads.links.size(), topology.links.size());
-  require(loads.labels.empty() || loads.labels.size() == expected, topology,
+  require(loads.labels.empty() || loads.labels.size() == expected, place,
           "found {} labels, expected {} or none", loads.labels.size(), expected);
   for (size_t p = 0; p < expected; ++p)
     check_share(loads.processors[p], fmt::format("processor {}", p));
@@ -126,9 +124,9 @@ void check_loads(const Topology& topology, const Loads& loads) {
     const auto knows = [&](const std::string& name) {
       return std::ranges::find(before, name, &Loads::Extra::name) != before.end();
     };
-    require(!extra->name.empty() && !knows(extra->name), topology,
+    require(!extra->name.empty() && !knows(extra->name), place,
             "found an extra processor called \"{}\", expected another name", extra->name);
-    require(extra->to.empty() || knows(extra->to), topology,
+    require(extra->to.empty() || knows(extra->to), place,
             "\"{}\" is wired to \"{}\", expected an earlier extra processor", extra->name,
             extra->to);
     for (const double share : {extra->load, extra->link[0], extra->link[1]})
@@ -136,7 +134,7 @@ void check_loads(const Topology& topology, const Loads& loads) {
   }
 }
 
-// The extra processors' places: rows above the topology, by the links between them and the root.
+// Places the extra processors in rows above the topology, by the links between them and the root.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;
@@ -248,7 +246,7 @@ std::string to_load_svg(const Topology& topology, const Loads& loads) {
   const auto x = std::ranges::minmax(nodes, {}, [](auto& node) { return node.place.x; });
   const auto low = std::ranges::min(nodes, {}, [](auto& node) { return node.place.y; });
   dot += write_legend({(x.min.place.x + x.max.place.x) / 2 - 3, low.place.y - 1.6}) + "}\n";
-  return run_graphviz("neato -n2 -Tsvg", dot, topology.name);
+  return run_graphviz("neato", {"-n2", "-Tsvg"}, dot, topology.name);
 }
 
 }  // namespace topologies

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "topologies/files/raw_graph.hpp"
+#include "base/errors.hpp"
 
 namespace topologies {
 namespace {
@@ -74,22 +74,23 @@ DotText make_dot_text(const std::string& text, const std::string& file) {
   DotText result;
   std::string_view before, last;  // tokens
   int line = 1, braces = 0, brackets = 0, named = 0;
+  const auto refuse = [&](const std::string& what) {
+    throw base::BadInput(fmt::format("{}: line {}: {}", file, line, what));
+  };
   const size_t start = text.starts_with("\xef\xbb\xbf") ? 3 : 0;
   for (size_t at = start, length = 0; at < text.size(); at += length) {
     length = measure_token(text, at);
     const auto token = std::string_view(text).substr(at, length);
     const char c = token[0];
     if (c == '{' && ++braces > MAX_NESTING)
-      fail_reading(file, fmt::format("line {}: more than {} nested braces", line, MAX_NESTING));
+      refuse(fmt::format("more than {} nested braces", MAX_NESTING));
     if (c == ':' && brackets == 0)
-      fail_reading(file, fmt::format("line {}: found a port after a node (\"{}:\"), expected the "
-                                     "edge attributes port_a and port_b",
-                                     line, last));
+      refuse(fmt::format(
+          "found a port after a node (\"{}:\"), expected the edge attributes port_a and port_b",
+          last));
     const bool joins_groups = (last == "--" || last == "->") && before == "}";
     if (joins_groups && (c == '{' || token == "subgraph"))
-      fail_reading(file, fmt::format("line {}: an edge joins two groups in braces, expected a node "
-                                     "at one side",
-                                     line));
+      refuse("an edge joins two groups in braces, expected a node at one side");
     if (c == '{' && braces > 1 && last != "subgraph" && before != "subgraph")
       result.text += "subgraph ";
     result.text += token;

@@ -1,5 +1,5 @@
-// What Boost's DOT reader forgets or refuses, taken from the text beforehand.
 #pragma once
+// What Boost's DOT reader forgets or refuses, taken from the text beforehand.
 
 #include <map>
 #include <string>
@@ -7,13 +7,13 @@
 namespace topologies {
 
 struct DotText {
-  std::string text;                  // every nested brace led by the keyword `subgraph`
-  std::map<std::string, int> place;  // of each identifier: how manyeth the file names
+  std::string text;                  ///< every nested brace led by the keyword `subgraph`
+  std::map<std::string, int> place;  ///< of each identifier among those that the file names, from 0
 };
 
-// One pass over the tokens of `text`. Throws BadInput, with file and line, at node:port
-// (the reader would drop the port), at braces nested deeper than its recursion should go, and at an
-// edge between two groups (all pairs: the reader would fill the memory with large ones).
+/// Makes one pass over the tokens of `text`. Throws BadInput, with file and line, at node:port
+/// (the reader would drop the port), at braces nested deeper than its recursion should go, and at
+/// an edge between two groups (all pairs: the reader would fill the memory with large ones).
 DotText make_dot_text(const std::string& text, const std::string& file);
 
 }  // namespace topologies

@@ -36,25 +36,24 @@ std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
 bool read_flag(const RawVertex& vertex, const std::string& file) {
   if (vertex.root.empty() || vertex.root == "false" || vertex.root == "0") return false;
   if (vertex.root == "true" || vertex.root == "1") return true;
-  fail_reading(file, fmt::format("vertex \"{}\": root is \"{}\", expected true or false",
-                                 vertex.name, vertex.root));
+  throw base::BadInput(fmt::format("{}: vertex \"{}\": root is \"{}\", expected true or false",
+                                   file, vertex.name, vertex.root));
 }
 
 int find_root(const RawGraph& graph, const std::string& file) {  // a vertex, or -1
   int root = -1;
   const auto designate = [&](int v) {
-    if (root >= 0 && root != v)
-      fail_reading(file, fmt::format("both \"{}\" and \"{}\" are designated as root",
-                                     graph.vertices[root].name, graph.vertices[v].name));
+    base::require(root < 0 || root == v, file, "both \"{}\" and \"{}\" are designated as root",
+                  graph.vertices[std::max(root, 0)].name, graph.vertices[v].name);
     root = v;
   };
   for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v) {
     if (read_flag(graph.vertices[v], file)) designate(v);
     if (!graph.root.empty() && graph.vertices[v].name == graph.root) designate(v);
   }
-  if (root < 0 && !graph.root.empty())
-    fail_reading(file, fmt::format("root \"{}\" is not a vertex; the first vertex is \"{}\"",
-                                   graph.root, graph.vertices[0].name));
+  base::require(root >= 0 || graph.root.empty(), file,
+                "root \"{}\" is not a vertex; the first vertex is \"{}\"", graph.root,
+                graph.vertices[0].name);
   return root;
 }
 
@@ -62,9 +61,9 @@ int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& tex
               const std::string& file) {  // -1 when absent
   if (text.empty()) return -1;
   if (text.size() == 1 && text[0] >= '0' && text[0] < '0' + PORTS) return text[0] - '0';
-  fail_reading(file, fmt::format("edge \"{}\" to \"{}\": found port \"{}\", expected 0 to {}",
-                                 graph.vertices[edge.source].name, graph.vertices[edge.target].name,
-                                 text, PORTS - 1));
+  throw base::BadInput(fmt::format("{}: edge \"{}\" to \"{}\": found port \"{}\", expected 0 to {}",
+                                   file, graph.vertices[edge.source].name,
+                                   graph.vertices[edge.target].name, text, PORTS - 1));
 }
 
 // Gives ends without a port the lowest one left; -1 when none is, for `check` to complain.
@@ -87,12 +86,15 @@ void assign_ports(Topology& topology) {
 
 }  // namespace
 
-void fail_reading(const std::string& file, const std::string& what) {
-  throw base::BadInput(fmt::format("{}: {}", file, what));
+std::vector<std::string> names_of(const Topology& topology) {
+  std::vector<std::string> names = topology.labels;
+  for (int p = 0; names.size() < static_cast<size_t>(topology.processors); ++p)
+    names.push_back(std::to_string(p));
+  return names;
 }
 
 Topology make_topology(const RawGraph& graph, const std::string& name) {
-  if (graph.vertices.empty()) fail_reading(name, "the graph is empty, expected a vertex at least");
+  base::require(!graph.vertices.empty(), name, "the graph is empty, expected a vertex at least");
   Topology topology{name, static_cast<int>(graph.vertices.size()), 0, {}, {}, {}};
   const auto processor = number_vertices(graph, topology);
   const int root = find_root(graph, name);

@@ -10,7 +10,6 @@ namespace {
 
 // Messages on each link: [0] from a to b, [1] from b to a.
 using Load = std::vector<std::array<std::int64_t, 2>>;
-using Adjacency = std::vector<std::vector<Neighbour>>;
 
 BusiestLink find_busiest(const Topology& topology, const Load& load) {
   BusiestLink busiest;
@@ -35,7 +34,7 @@ void add_gathering(const Topology& topology, const Search& search, Choose choose
   }
 }
 
-BusiestLink eval_farm(const Topology& topology, const Adjacency& around) {
+BusiestLink eval_farm(const Topology& topology, const std::vector<std::vector<Neighbour>>& around) {
   Load load(topology.links.size());
   const auto search = make_search(topology, topology.root);
   const auto parent = [&](int p) -> const Neighbour& {
@@ -44,6 +43,39 @@ BusiestLink eval_farm(const Topology& topology, const Adjacency& around) {
   add_gathering(topology, search, parent, load);
   for (auto& [forward, backward] : load) forward = backward = forward + backward;  // the replies
   return find_busiest(topology, load);
+}
+
+constexpr int NEVER = MAX_PROCESSORS;  // more links than any tree has
+
+// At [k] the fewest links cut within a subtree when k of its processors, its own root among them,
+// are on that root's side.
+using Cuts = std::vector<int>;
+
+// Hangs `child` under `parent`: either on the same side, or on the other for one more cut.
+Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
+  const size_t size = child.size() - 1;
+  Cuts joined(child.size());
+  for (size_t k = 0; k <= size; ++k) joined[k] = std::min(child[k], child[size - k] + 1);
+  Cuts result(parent.size() + size, NEVER);
+  for (size_t i = 1; i < parent.size(); ++i)
+    for (size_t k = 0; k <= size; ++k)
+      result[i + k] = std::min(result[i + k], parent[i] + joined[k]);
+  return result;
+}
+
+// The bisection width of a wiring without cycles, by dynamic programming over subtrees.
+int eval_tree_bisection(const Topology& topology) {
+  const int n = topology.processors;
+  if (n == 1) return 0;
+  const auto search = make_search(topology, topology.root);
+  std::vector<Cuts> cuts(n, Cuts{NEVER, 0});
+  for (auto p = search.order.rbegin(); *p != topology.root; ++p) {
+    Cuts& parent = cuts[search.parent[*p]];
+    parent = merge_cuts(parent, cuts[*p]);
+    Cuts().swap(cuts[*p]);
+  }
+  const Cuts& all = cuts[topology.root];
+  return std::min(all[n / 2], all[n - n / 2]);
 }
 
 }  // namespace

@@ -54,4 +54,19 @@ void for_each_search(const Topology& topology,
   }
 }
 
+void for_each_piece(const Topology& topology,
+                    const std::function<void(int, const Search&)>& visit) {
+  const Graph graph = make_graph(topology);
+  std::vector<bool> reached(topology.processors);
+  Search search;
+  const auto walk = [&](int start) {
+    if (reached[start]) return;
+    run_search(graph, start, search);
+    for (const int p : search.order) reached[p] = true;
+    visit(start, search);
+  };
+  walk(topology.root);
+  for (int p = 0; p < topology.processors; ++p) walk(p);
+}
+
 }  // namespace topologies

@@ -1,5 +1,5 @@
-// Breadth-first search, neighbours by ascending port: what routes, trees and metrics are made of.
 #pragma once
+// Breadth-first search, neighbours by ascending port: the base of routes, trees and metrics.
 
 #include <functional>
 #include <vector>
@@ -9,16 +9,21 @@
 namespace topologies {
 
 struct Search {
-  std::vector<int> order;     // processors reached, in the order they were
-  std::vector<int> parent;    // who reached each one first; -1 at the start and where not reached
-  std::vector<int> distance;  // links from the start; -1 where not reached
+  std::vector<int> order;     ///< processors reached, in the order in which they were
+  std::vector<int> parent;    ///< of each processor; -1 at the start and where not reached
+  std::vector<int> distance;  ///< links from the start; -1 where not reached
 };
 
-// The search of a topology whose links end at valid processors. It need not be connected.
+/// Searches a topology whose links end at valid processors; it need not be connected.
 Search make_search(const Topology& topology, int start);
 
-// One search from each processor in turn, in O(processors) memory.
+/// Searches from each processor in turn, in O(processors) memory.
 void for_each_search(const Topology& topology,
                      const std::function<void(int start, const Search&)>& visit);
+
+/// Calls `visit` with a search for each connected piece: first from the root, then from the lowest
+/// processor that no search has reached.
+void for_each_piece(const Topology& topology,
+                    const std::function<void(int start, const Search&)>& visit);
 
 }  // namespace topologies

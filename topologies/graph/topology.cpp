@@ -44,52 +44,52 @@ std::string describe_processor(const Topology& topology, int processor) {
 
 namespace {
 
-template <typename... Args>
-void require(bool holds, const Topology& topology, fmt::format_string<Args...> message,
-             Args&&... args) {
-  if (holds) return;
-  throw base::BadInput(fmt::format("topology {}: {}", topology.name,
-                                   fmt::format(message, std::forward<Args>(args)...)));
-}
+using base::require;
+
+// The beginning of a message about a topology.
+std::string place_of(const Topology& t) { return "topology " + t.name; }
 
 void check_ends(const Topology& t) {
+  const std::string place = place_of(t);
   for (const auto& [a, b] : t.links) {
     for (const End& end : {a, b})
-      require(end.processor >= 0 && end.processor < t.processors, t,
+      require(end.processor >= 0 && end.processor < t.processors, place,
               "a link ends at processor {}, expected 0 to {}", end.processor, t.processors - 1);
-    require(a.processor != b.processor, t, "processor {} is linked to itself",
+    require(a.processor != b.processor, place, "processor {} is linked to itself",
             describe_processor(t, a.processor));
-    require(a.processor < b.processor, t, "the link of processors {} and {} is upside down",
+    require(a.processor < b.processor, place, "the link of processors {} and {} is upside down",
             a.processor, b.processor);
   }
 }
 
 void check_order(const Topology& t) {
+  const std::string place = place_of(t);
   for (size_t i = 1; i < t.links.size(); ++i) {
     const auto pair = [&](size_t k) {
       return std::pair(t.links[k].a.processor, t.links[k].b.processor);
     };
-    require(pair(i - 1) != pair(i), t, "more than one link joins processors {} and {}",
+    require(pair(i - 1) != pair(i), place, "more than one link joins processors {} and {}",
             describe_processor(t, pair(i).first), describe_processor(t, pair(i).second));
-    require(pair(i - 1) < pair(i), t, "links {} and {} are out of order", i - 1, i);
+    require(pair(i - 1) < pair(i), place, "links {} and {} are out of order", i - 1, i);
   }
 }
 
 void check_ports(const Topology& t) {
+  const std::string place = place_of(t);
   std::vector<int> degree(t.processors, 0);
   std::vector<std::array<int, PORTS>> peer(t.processors, {-1, -1, -1, -1});
   for (const auto& [a, b] : t.links) ++degree[a.processor], ++degree[b.processor];
   for (int p = 0; p < t.processors; ++p)
-    require(degree[p] <= PORTS, t, "processor {} has {} links, a transputer has {} ports",
+    require(degree[p] <= PORTS, place, "processor {} has {} links, a transputer has {} ports",
             describe_processor(t, p), degree[p], PORTS);
   for (const auto& link : t.links)
     for (const auto& [end, other] : {std::pair(link.a, link.b), std::pair(link.b, link.a)}) {
       const auto name = [&](int processor) { return describe_processor(t, processor); };
-      require(end.port >= 0 && end.port < PORTS, t,
+      require(end.port >= 0 && end.port < PORTS, place,
               "the link of processor {} to {} is on port {}, expected 0 to {}", name(end.processor),
               name(other.processor), end.port, PORTS - 1);
       int& taken = peer[end.processor][end.port];
-      require(taken < 0, t, "port {} of processor {} is wired to both {} and {}", end.port,
+      require(taken < 0, place, "port {} of processor {} is wired to both {} and {}", end.port,
               name(end.processor), name(taken), name(other.processor));
       taken = other.processor;
     }
@@ -98,7 +98,8 @@ void check_ports(const Topology& t) {
 void check_connected(const Topology& t) {
   const auto distance = make_search(t, t.root).distance;
   const auto lost = std::ranges::find(distance, -1) - distance.begin();
-  require(lost == t.processors, t, "not connected: processor {} cannot be reached from the root {}",
+  require(lost == t.processors, place_of(t),
+          "not connected: processor {} cannot be reached from the root {}",
           describe_processor(t, static_cast<int>(lost)), describe_processor(t, t.root));
 }
 
@@ -106,12 +107,13 @@ void check_connected(const Topology& t) {
 
 void check(const Topology& topology) {
   const Topology& t = topology;
-  require(t.processors >= 1, t, "no processors, expected at least one");
-  require(t.processors <= MAX_PROCESSORS, t, "{} processors, the limit is {}", t.processors,
+  const std::string place = place_of(t);
+  require(t.processors >= 1, place, "no processors, expected at least one");
+  require(t.processors <= MAX_PROCESSORS, place, "{} processors, the limit is {}", t.processors,
           MAX_PROCESSORS);
-  require(t.root >= 0 && t.root < t.processors, t, "root {}, expected 0 to {}", t.root,
+  require(t.root >= 0 && t.root < t.processors, place, "root {}, expected 0 to {}", t.root,
           t.processors - 1);
-  require(t.labels.empty() || static_cast<int>(t.labels.size()) == t.processors, t,
+  require(t.labels.empty() || static_cast<int>(t.labels.size()) == t.processors, place,
           "{} labels for {} processors", t.labels.size(), t.processors);
   check_ends(t);
   check_order(t);

@@ -1,9 +1,8 @@
-// A machine's wiring: processors, their four link ports, and which port is wired to which.
 #pragma once
+// A machine's wiring: processors, their four link ports, and which port is wired to which.
 
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,9 +10,9 @@
 
 namespace topologies {
 
-constexpr int PORTS = 4;               // links of a transputer
-constexpr int MAX_PROCESSORS = 16384;  // a route fits 16 bits (see routes.hpp): 512 MB of table
-constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  // of a network or of routes
+constexpr int PORTS = 4;               ///< links of a transputer
+constexpr int MAX_PROCESSORS = 16384;  ///< a route fits 16 bits (see routes.hpp): 512 MB of table
+constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< of a file of a network or of routes
 
 struct End {
   int processor;
@@ -22,48 +21,57 @@ struct End {
 };
 
 struct Link {
-  End a, b;  // a.processor < b.processor
+  End a, b;  ///< a.processor < b.processor
   bool operator==(const Link&) const = default;
 };
 
-struct Topology {
-  std::string name;  // the spec it was made from, e.g. "tree:7", or the path of its file
-  int processors = 0;
-  int root = 0;                        // the processor nearest to the host
-  std::vector<Link> links;             // sorted by (a.processor, b.processor)
-  std::optional<int> bisection_width;  // links; the generator's closed form, where one is known
-  std::vector<std::string> labels;     // per processor; empty when they are called by number
-  // C004 link switches that a link passes, by its ends in ascending order; none where there is
-  // none.
-  std::map<std::pair<int, int>, int> switches = {};
+/// The form that a generator gave to its processors, for drawings and tables.
+struct Shape {
+  enum class Form { unknown, line, ring, grid, hypercube, around_root };
+  Form form = Form::unknown;
+  int rows = 0, columns = 0;  ///< of a grid, whose processors are numbered row by row; else 0
 };
 
-// The topology of a spec: a generator ("tree:7", "mesh:4x4": see generators.hpp) or the path of a
-// .dot, .gv or .graphml file (see formats.hpp). It has passed `check`. Throws BadInput.
+struct Topology {
+  std::string name;  ///< the spec it was made from, e.g. "tree:7", or the path of its file
+  int processors = 0;
+  int root = 0;                        ///< the processor nearest to the host
+  std::vector<Link> links;             ///< sorted by (a.processor, b.processor)
+  std::optional<int> bisection_width;  ///< links; the generator's closed form, where one is known
+  std::vector<std::string> labels;     ///< per processor; empty when they are called by number
+  /// Number of C004 link switches on each link, keyed by its two processors, lower first; links not
+  /// listed have none.
+  std::map<std::pair<int, int>, int> switches = {};
+  Shape shape = {};  ///< unknown for a topology from a file
+};
+
+/// Makes the topology of a spec: a generator ("tree:7", "mesh:4x4": see generators.hpp) or the path
+/// of a .dot, .gv or .graphml file (see formats.hpp, whose library this function is in). It has
+/// passed `check`. Throws BadInput.
 Topology make_topology(std::string_view spec);
 
-// Throws BadInput, naming the culprit, unless: there are 1..MAX_PROCESSORS processors, the
-// root is one of them, no processor has more than PORTS links, every port has at most one, no link
-// joins a processor to itself, no two link the same pair, links are sorted, all is connected.
+/// Throws BadInput, naming the culprit, unless: there are 1..MAX_PROCESSORS processors, the root is
+/// one of them, no processor has more than PORTS links, every port has at most one, no link joins a
+/// processor to itself, no two join the same pair, links are sorted, all processors are connected.
 void check(const Topology& topology);
 
 struct Neighbour {
-  int port;       // on this side
-  int processor;  // on the other side
-  int its_port;   // on the other side
-  int link;       // index into Topology::links
+  int port;       ///< on this side
+  int processor;  ///< on the other side
+  int its_port;   ///< on the other side
+  int link;       ///< index into Topology::links
 };
 
-// For each processor its neighbours, by ascending port.
+/// For each processor its neighbours, by ascending port.
 std::vector<std::vector<Neighbour>> neighbours(const Topology& topology);
 
-// C004 link switches between two neighbours, in any order.
+/// The number of C004 link switches between two neighbours, in any order.
 int switches_between(const Topology& topology, int a, int b);
 
-// The lowest port of `processor` that no link uses, or -1 when all four are taken.
+/// The lowest port of `processor` that no link uses, or -1 when all four are taken.
 int free_port(const Topology& topology, int processor);
 
-// What a message calls `processor`: its label in quotes or its number.
+/// What a message calls `processor`: its label in quotes or its number.
 std::string describe_processor(const Topology& topology, int processor);
 
 }  // namespace topologies

@@ -1,4 +1,5 @@
-// Minimum-path networks, found by search.
+#include "topologies/make/amp.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <random>
 
 #include "base/errors.hpp"
-#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {
@@ -20,13 +20,13 @@ bool linked(const Peers& peers, int a, int b) { return std::ranges::count(peers[
 
 void replace(Peers& peers, int at, int from, int to) { *std::ranges::find(peers[at], from) = to; }
 
-// The links a-b and c-d become a-c and b-d.
+// Makes a-c and b-d of the links a-b and c-d.
 void exchange(Peers& peers, int a, int b, int c, int d) {
   replace(peers, a, b, c), replace(peers, b, a, d);
   replace(peers, c, d, a), replace(peers, d, c, b);
 }
 
-// A chordal ring: each processor is linked to the next, and to the one sqrt(n) places on.
+// Links each processor to the next, and to the one sqrt(n) places on.
 Peers make_chordal_ring(int n) {
   Peers peers(n);
   int step = 2;
@@ -36,7 +36,7 @@ Peers make_chordal_ring(int n) {
   return peers;
 }
 
-// Up to five processors: every pair is linked.
+// Links every pair of at most five processors.
 Peers make_complete(int n) {
   Peers peers(n);
   for (int p = 0; p < n; ++p)
@@ -45,7 +45,7 @@ Peers make_complete(int n) {
 }
 
 template <size_t WORDS>
-using Sources = std::array<std::uint64_t, WORDS>;  // a bit each of a group of processors
+using Sources = std::array<std::uint64_t, WORDS>;  // a bit for each processor of a group
 
 template <size_t WORDS>
 std::int64_t count(const Sources<WORDS>& sources) {  // without a loop over bits or a call
@@ -59,9 +59,9 @@ std::int64_t count(const Sources<WORDS>& sources) {  // without a loop over bits
   return static_cast<std::int64_t>((bytes * 0x0001000100010001u) >> 48);
 }
 
-// The sum of distances over all ordered pairs, or any larger number once it exceeds `limit`.
-// Breadth first from 64 * WORDS processors at a time, a bit each: a pair at distance d counts in
-// the rounds 0 .. d - 1, in which it has not met.
+// The sum of distances over all ordered pairs, or any larger number once it exceeds `limit`. The
+// search is breadth first from 64 * WORDS processors at a time, a bit for each: a pair at distance
+// d counts in the rounds 0 .. d - 1, in which it has not met.
 template <size_t WORDS>
 std::int64_t eval_distances(const Peers& peers, std::int64_t limit) {
   const auto n = static_cast<std::int64_t>(peers.size());
@@ -91,7 +91,7 @@ struct Exchange {
   int a, b, c, d;
 };
 
-// Two links a-b and c-d drawn at random, from ports `first` on, made a-c and b-d where that is
+// Draws two links a-b and c-d at random, from ports `first` on, and exchanges them where that is
 // possible.
 std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int first) {
   const auto draw = [&](size_t below) { return static_cast<int>(random() % below); };
@@ -103,8 +103,7 @@ std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int 
   return Exchange{a, b, c, d};
 }
 
-// A fixed number for each n, so that the same network comes out anywhere: 0.1 s for 64 processors,
-// 0.5 s for 256, 3 s for 1024 and 10 s for the most.
+// The number of exchanges to try. It depends on n alone, so that every host finds the same network.
 std::int64_t steps_for(std::int64_t n) {
   return std::min({std::int64_t{100'000}, 10'000'000 / n, 10'000'000'000 / (n * n)});
 }
@@ -127,7 +126,7 @@ void shorten(Peers& peers) {
     }
 }
 
-// Renumbered level by level from processor 0, each processor's peers in ascending order.
+// Renumbers level by level from processor 0, each processor's peers in ascending order.
 Peers in_levels(const Peers& peers) {
   std::vector<int> order{0}, number(peers.size(), -1);
   number[0] = 0;
@@ -147,7 +146,7 @@ Peers in_levels(const Peers& peers) {
   return renumbered;
 }
 
-// On ports in the order of the other ends' numbers; the root's port 0 is left free.
+// Takes ports in the order of the other ends' numbers; the root's port 0 is left free.
 std::vector<Link> make_links(const Peers& peers) {
   std::vector<Link> links;
   std::vector<int> port(peers.size(), 0);
@@ -169,14 +168,13 @@ std::vector<Link> make_links(const Peers& peers) {
 //    +--4--+
 Topology make_amp(int n) {
   const auto name = fmt::format("amp:{}", n);
-  if (n < 1 || n > MAX_PROCESSORS)
-    throw base::BadInput(
-        fmt::format("topology {}: found {} processors, expected 1 to {}", name, n, MAX_PROCESSORS));
+  base::require(n >= 1 && n <= MAX_PROCESSORS, "topology " + name,
+                "found {} processors, expected 1 to {}", n, MAX_PROCESSORS);
   auto peers = n <= PORTS + 1 ? make_complete(n) : make_chordal_ring(n);
   if (const int last = peers[0].back(); last != 0)
     replace(peers, last, 0, last), peers[0].back() = 0;
   shorten(peers);
-  return {name, n, 0, make_links(in_levels(peers)), {}, {}};
+  return {name, n, 0, make_links(in_levels(peers)), {}, {}, {}, {Shape::Form::around_root}};
 }
 
 }  // namespace topologies

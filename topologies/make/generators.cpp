@@ -1,24 +1,35 @@
 #include "topologies/make/generators.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
+#include "topologies/make/amp.hpp"
 
 namespace topologies {
 namespace {
 
-Topology make_empty(std::string name, long long processors) {
-  if (processors > MAX_PROCESSORS)
-    throw base::BadInput(fmt::format("topology {}: {} processors, the limit is {}", name,
-                                     processors, MAX_PROCESSORS));
-  return {std::move(name), static_cast<int>(processors), 0, {}, {}, {}};
+using Form = Shape::Form;
+
+Topology make_empty(std::string name, long long processors, Shape shape = {}) {
+  base::require(processors <= MAX_PROCESSORS, "topology " + name, "{} processors, the limit is {}",
+                processors, MAX_PROCESSORS);
+  return {std::move(name), static_cast<int>(processors), 0, {}, {}, {}, {}, shape};
 }
 
 void expect(const Topology& topology, bool holds, const char* what) {
-  if (!holds) throw base::BadInput(fmt::format("topology {}: expected {}", topology.name, what));
+  base::require(holds, "topology " + topology.name, "expected {}", what);
+}
+
+Topology make_grid(const char* name, int rows, int columns) {
+  auto t = make_empty(fmt::format("{}:{}x{}", name, rows, columns),
+                      static_cast<long long>(rows) * columns, {Form::grid, rows, columns});
+  expect(t, rows >= 1 && columns >= 1, "at least 1 row and 1 column");
+  return t;
 }
 
 void add(Topology& topology, End a, End b) {
@@ -33,17 +44,15 @@ Topology sorted(Topology topology) {
 }
 
 void expect_degree(const Topology& topology, int links) {
-  if (links > PORTS)
-    throw base::BadInput(
-        fmt::format("topology {}: processor 0 has {} links, a transputer has {} ports",
-                    topology.name, links, PORTS));
+  base::require(links <= PORTS, "topology " + topology.name,
+                "processor 0 has {} links, a transputer has {} ports", links, PORTS);
 }
 
 }  // namespace
 
 //   0 2---1 1 2---1 2 2---1 3      port 1 towards lower numbers, port 2 towards higher ones
 Topology make_line(int n) {
-  auto t = make_empty(fmt::format("line:{}", n), n);
+  auto t = make_empty(fmt::format("line:{}", n), n, {Form::line});
   expect(t, n >= 1, "at least 1 processor");
   for (int p = 1; p < n; ++p) add(t, {p - 1, 2}, {p, 1});
   return sorted(std::move(t));
@@ -53,7 +62,7 @@ Topology make_line(int n) {
 //   1                       2      is wired to the first
 //   +-----------------------+
 Topology make_ring(int n) {
-  auto t = make_empty(fmt::format("ring:{}", n), n);
+  auto t = make_empty(fmt::format("ring:{}", n), n, {Form::ring});
   expect(t, n >= 3, "at least 3 processors (two would share a double link)");
   for (int p = 0; p < n; ++p) add(t, {p, 2}, {(p + 1) % n, 1});
   t.bisection_width = 2;
@@ -92,9 +101,7 @@ Topology make_binary(int n) {
 //   0       0       0
 //   3 2---1 4 2---1 5
 Topology make_mesh(int rows, int columns) {
-  auto t =
-      make_empty(fmt::format("mesh:{}x{}", rows, columns), static_cast<long long>(rows) * columns);
-  expect(t, rows >= 1 && columns >= 1, "at least 1 row and 1 column");
+  auto t = make_grid("mesh", rows, columns);
   for (int p = 0; p < t.processors; ++p) {
     if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
     if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
@@ -112,9 +119,7 @@ Topology make_mesh(int rows, int columns) {
 //   -3 2---1 4 2---1 5-
 //    |       |       |
 Topology make_torus(int rows, int columns) {
-  auto t =
-      make_empty(fmt::format("torus:{}x{}", rows, columns), static_cast<long long>(rows) * columns);
-  expect(t, rows >= 1 && columns >= 1, "at least 1 row and 1 column");
+  auto t = make_grid("torus", rows, columns);
   for (int p = 0; p < t.processors; ++p) {
     const int east = p - p % columns + (p + 1) % columns, south = (p + columns) % t.processors;
     const int north = columns < 3 && p % columns == 0 ? 1 : 0;
@@ -133,8 +138,8 @@ Topology make_torus(int rows, int columns) {
 //   |/      |/
 //   0-------1
 Topology make_hypercube(int dimensions) {
-  const auto name = fmt::format("hypercube:{}", dimensions);
-  auto t = make_empty(name, 1 << std::clamp(dimensions, 0, PORTS));
+  auto t = make_empty(fmt::format("hypercube:{}", dimensions),
+                      1 << std::clamp(dimensions, 0, PORTS), {Form::hypercube});
   expect(t, dimensions >= 0, "0 to 4 dimensions");
   expect_degree(t, dimensions);
   for (int p = 0; p < t.processors; ++p)
@@ -156,6 +161,86 @@ Topology make_star(int n) {
   expect_degree(t, n - 1);
   for (int p = 1; p < n; ++p) add(t, {0, p % PORTS}, {p, 0});
   return sorted(std::move(t));
+}
+
+namespace {
+
+using Sizes = std::vector<int>;
+
+auto with_size(Topology (*make)(int)) {
+  return [make](const Sizes& sizes) { return make(sizes[0]); };
+}
+auto with_sizes(Topology (*make)(int, int)) {
+  return [make](const Sizes& sizes) { return make(sizes[0], sizes[1]); };
+}
+
+[[noreturn]] void fail(std::string_view spec, const std::string& what) {
+  throw base::BadInput(fmt::format("topology \"{}\": {}", spec.substr(0, 200), what));
+}
+
+const Generator& find_generator(std::string_view spec, std::string_view name) {
+  const auto found = std::ranges::find(generators(), name, &Generator::name);
+  if (found != generators().end()) return *found;
+  std::vector<std::string> forms, names;
+  for (const auto& generator : generators()) {
+    forms.push_back(generator.form);
+    names.push_back(generator.name());
+  }
+  const auto known =
+      fmt::format("expected {}, or a .dot, .gv or .graphml file", fmt::join(forms, ", "));
+  if (name.empty()) fail(spec, "no generator named; " + known);
+  const auto shown = name.substr(0, 64);
+  fail(spec, fmt::format("unknown generator \"{}\" (did you mean \"{}\"?); {}", shown,
+                         base::nearest_name(shown, names), known));
+}
+
+int read_size(std::string_view spec, std::string_view word, const Generator& generator) {
+  if (word.empty() || word.find_first_not_of("0123456789") != word.npos)
+    fail(spec, fmt::format("found \"{}\" where a size was expected; the form is {}: {}", word,
+                           generator.form, generator.help));
+  const auto size = base::parse_number<int>(word);
+  if (!size || *size > MAX_PROCESSORS)
+    fail(spec,
+         fmt::format("size {} is too large, the limit is {} processors", word, MAX_PROCESSORS));
+  return *size;
+}
+
+}  // namespace
+
+const std::vector<Generator>& generators() {
+  static const std::vector<Generator> GENERATORS{
+      {"line:N", "N processors in a row, N >= 1", with_size(make_line)},
+      {"ring:N", "N processors in a circle, N >= 3", with_size(make_ring)},
+      {"tree:N[:ARITY]", "balanced tree of N processors, ARITY 1 to 3 (default 3)",
+       [](const Sizes& sizes) { return make_tree(sizes[0], sizes.size() > 1 ? sizes[1] : 3); }},
+      {"binary:N", "balanced tree of N processors, two children at most", with_size(make_binary)},
+      {"mesh:RxC", "grid of R rows and C columns, each >= 1", with_sizes(make_mesh)},
+      {"torus:RxC", "grid whose R rows and C columns are rings, each >= 1", with_sizes(make_torus)},
+      {"hypercube:D", "2^D processors, D 0 to 4", with_size(make_hypercube)},
+      {"star:N", "a centre and N - 1 leaves, N 1 to 5", with_size(make_star)},
+      {"amp:N", "minimum-path network of N processors, found by search", with_size(make_amp)},
+  };
+  return GENERATORS;
+}
+
+Topology make_generated(std::string_view spec) {
+  const auto colon = std::min(spec.find(':'), spec.size());
+  const auto& generator = find_generator(spec, spec.substr(0, colon));
+  const auto form = generator.form.substr(generator.form.find(':') + 1);  // "RxC", "N[:ARITY]"
+  const char separator = form.find('x') == form.npos ? ':' : 'x';
+  const auto most = 1 + std::ranges::count(form, separator);
+  const auto fewest = most - std::ranges::count(form, '[');
+  Sizes sizes;
+  for (auto rest = spec.substr(std::min(colon + 1, spec.size()));;) {
+    const auto end = rest.find(separator);
+    sizes.push_back(read_size(spec, rest.substr(0, end), generator));
+    if (end == rest.npos) break;
+    rest.remove_prefix(end + 1);
+  }
+  if (std::ssize(sizes) < fewest || std::ssize(sizes) > most)
+    fail(spec, fmt::format("found {} size(s); the form is {}: {}", sizes.size(), generator.form,
+                           generator.help));
+  return generator.make(sizes);
 }
 
 }  // namespace topologies

@@ -1,40 +1,39 @@
+#pragma once
 // Regular topologies: each is one function from sizes to a wiring. Their root is processor 0, and
 // they leave its port 0 free where it has a free port.
-#pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "topologies/graph/topology.hpp"
 
 namespace topologies {
 
-// All throw BadInput when a size is out of range or there would be more than
+// All of them throw BadInput when a size is out of range or there would be more than
 // MAX_PROCESSORS processors. The drawings, with ports, are in generators.cpp.
-Topology make_line(int n);                   // n >= 1
-Topology make_ring(int n);                   // n >= 3
-Topology make_tree(int n, int arity = 3);    // n >= 1, arity 1..3; thesis, figure 4.21
-Topology make_binary(int n);                 // make_tree(n, 2)
-Topology make_mesh(int rows, int columns);   // rows, columns >= 1
-Topology make_torus(int rows, int columns);  // rows, columns >= 1; a ring of two is one link
-Topology make_hypercube(int dimensions);     // 0..4
-Topology make_star(int n);                   // a centre and n - 1 leaves, n in 1..5
-
-// A minimum-path network (Chalmers and Tidmus's AMP): the shortest mean distance that a search of
-// fixed length finds with four links a processor, three at the root, whose port 0 stays free.
-// n >= 1. Host time: 0.1 s for 64 processors, 0.5 s for 256, 3 s for 1024, 10 s for the most.
-Topology make_amp(int n);
+Topology make_line(int n);                   ///< n >= 1
+Topology make_ring(int n);                   ///< n >= 3
+Topology make_tree(int n, int arity = 3);    ///< n >= 1, arity 1..3; thesis, figure 4.21
+Topology make_binary(int n);                 ///< make_tree(n, 2)
+Topology make_mesh(int rows, int columns);   ///< rows, columns >= 1
+Topology make_torus(int rows, int columns);  ///< rows, columns >= 1; a ring of two is one link
+Topology make_hypercube(int dimensions);     ///< 0..4
+Topology make_star(int n);                   ///< a centre and n - 1 leaves, n in 1..5
 
 struct Generator {
-  std::string name;  // "mesh"
-  std::string form;  // "mesh:RxC"
-  std::string help;  // one line: what it makes and the range of its sizes
+  std::string form;  ///< "mesh:RxC": its name, and its sizes with what separates them
+  std::string help;  ///< one line: what it makes and the range of its sizes
+  std::function<Topology(const std::vector<int>& sizes)> make;
+
+  std::string name() const { return form.substr(0, form.find(':')); }
 };
 
-// The generators a spec may name, in the order of a help text.
+/// The generators that a spec may name, in the order of a help text.
 const std::vector<Generator>& generators();
 
-// The topology of a spec that names a generator: "mesh:4x4". Throws BadInput.
+/// Makes the topology of a spec that names a generator: "mesh:4x4". Throws BadInput.
 Topology make_generated(std::string_view spec);
 
 }  // namespace topologies

@@ -1,5 +1,5 @@
-// Shortest routes between all pairs of processors, and the breadth-first spanning tree.
 #pragma once
+// Shortest routes between all pairs of processors, and the breadth-first spanning tree.
 
 #include <cstdint>
 #include <vector>
@@ -8,20 +8,22 @@
 
 namespace topologies {
 
-// Of the neighbours of `from` that are one link nearer to `to`, a message takes the one on the
-// lowest port. On a hypercube that corrects the dimensions in a fixed order; on a mesh it goes
-// north first, then along the row, then south. Neither closes a cycle of waiting links.
-// Two bytes per ordered pair: 2 MB for 1024 processors, 32 MB for 4096, 512 MB for 16384.
+/// A message takes, among the neighbours of `from` that are one link nearer to `to`, the one on the
+/// lowest port. On a hypercube that corrects the dimensions in a fixed order; on a mesh it goes
+/// north first, then along the row, then south. Neither closes a cycle of waiting links.
+/// Two bytes per ordered pair: 2 MB for 1024 processors, 32 MB for 4096, 512 MB for 16384.
 struct RoutingTable {
   int processors = 0;
-  std::vector<std::uint16_t> hops;  // distance * PORTS + port, at [to * processors + from]
+  std::vector<std::uint16_t> hops;  ///< distance * PORTS + port, at [to * processors + from]
 
-  static constexpr std::uint16_t NONE = 65535;  // no way there, if links have been lost
+  static constexpr std::uint16_t NONE = 65535;  ///< no way there, if links have been lost
 
-  int next_port(int from, int to) const {  // -1 when from == to, or if there is no way
+  /// The port of `from` that leads to `to`; -1 when from == to, or if there is no way.
+  int next_port(int from, int to) const {
     return from == to || hop(from, to) == NONE ? -1 : hop(from, to) % PORTS;
   }
-  int distance(int from, int to) const {  // links; -1 if there is no way
+  /// The distance in links; -1 if there is no way.
+  int distance(int from, int to) const {
     return hop(from, to) == NONE ? -1 : hop(from, to) / PORTS;
   }
   int hop(int from, int to) const {
@@ -29,17 +31,17 @@ struct RoutingTable {
   }
 };
 
-// For a topology that passes `check`, or one that has lost some of its links.
+/// Makes the routes of a topology that passes `check`, or has lost some of its links.
 RoutingTable make_routes(const Topology& topology);
 
 struct SpanningTree {
   int root = 0;
-  std::vector<int> parent;                 // -1 at the root
-  std::vector<std::vector<int>> children;  // by ascending port of the parent
-  std::vector<int> depth;                  // links from the root: the shortest distance
+  std::vector<int> parent;                 ///< -1 at the root
+  std::vector<std::vector<int>> children;  ///< by ascending port of the parent
+  std::vector<int> depth;                  ///< links from the root: the shortest distance
 };
 
-// Breadth first, neighbours by ascending port; for a topology that passes `check`.
+/// Searches a topology that passes `check` breadth first, neighbours by ascending port.
 SpanningTree make_spanning_tree(const Topology& topology, int root);
 
 }  // namespace topologies

@@ -12,18 +12,11 @@
 namespace topologies {
 
 TreeLinks make_tree_links(const Topology& topology) {
-  std::vector<bool> joined(topology.processors);
   TreeLinks links;
-  const auto grow = [&](int root) {
-    const auto search = make_search(topology, root);
-    for (const int p : search.order) {
-      joined[p] = true;
-      if (p != root) links.push_back(std::minmax(p, int{search.parent[p]}));
-    }
-  };
-  grow(topology.root);
-  for (int p = 0; p < topology.processors; ++p)
-    if (!joined[p]) grow(p);
+  for_each_piece(topology, [&](int start, const Search& search) {
+    for (const int p : search.order)
+      if (p != start) links.push_back(std::minmax(p, int{search.parent[p]}));
+  });
   std::ranges::sort(links);
   return links;
 }
@@ -36,7 +29,7 @@ TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links) {
   };
   std::set<std::pair<int, int>> known;
   for (const auto& link : topology.links) known.emplace(link.a.processor, link.b.processor);
-  // Which part a processor is in: one that the links so far join.
+  // The part that each processor is in; the links so far join the processors of a part.
   std::vector<int> part(topology.processors);
   std::iota(part.begin(), part.end(), 0);
   TreeLinks sorted;

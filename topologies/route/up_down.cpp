@@ -12,22 +12,18 @@ namespace topologies {
 
 namespace {
 
-// Distance from the root of the tree that one is in.
+// The distance of each processor from the root of its tree.
 std::vector<int> find_depths(const Topology& topology) {
-  std::vector<int> depth(topology.processors, -1);
-  const auto fill = [&](int root) {
-    const auto search = make_search(topology, root);
+  std::vector<int> depth(topology.processors);
+  for_each_piece(topology, [&](int, const Search& search) {
     for (const int p : search.order) depth[p] = search.distance[p];
-  };
-  fill(topology.root);
-  for (int p = 0; p < topology.processors; ++p)
-    if (depth[p] < 0) fill(p);
+  });
   return depth;
 }
 
 constexpr int FAR = std::numeric_limits<int>::max() / 2;
 
-// Of every processor the length of its route to one destination, and its first port.
+// A processor's route to one destination: its length in links, and its first port.
 struct Way {
   int length = FAR, port = -1;
 };
@@ -43,11 +39,11 @@ class UpDown {
   std::vector<Way> find_ways(int to) const {
     std::vector<Way> ways(around_.size());
     ways[to].length = 0;
-    // From the bottom: links down, each to a processor below.
+    // Links down, taken from the bottom, lead to processors below.
     for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
       for (const auto& n : around_[*p])
         if (is_above(*p, n.processor)) improve(ways[*p], ways[n.processor], n.port);
-    // From the top: who cannot go down goes up.
+    // A processor that cannot send down sends up; these are taken from the top.
     for (const int p : downwards_)
       if (ways[p].length >= FAR)
         for (const auto& n : around_[p])

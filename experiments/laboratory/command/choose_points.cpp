@@ -6,8 +6,8 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/command/simulate.hpp"
-#include "experiments/laboratory/host/files.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_key.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
@@ -54,7 +54,7 @@ std::vector<std::size_t> read_numbers(const std::vector<std::string>& texts, std
 // A result that depends on the host and the moment cannot be collected later.
 void check_counted(const ExperimentFile& file, const std::vector<std::size_t>& numbers) {
   for (const auto i : numbers)
-    if (is_timed(file.points[i].experiment))
+    if (file.points[i].experiment.is_timed)
       throw BadInput(fmt::format("{}: --point {}: found cost = \"timed\", expected \"counted\"",
                                  file.path, i));
 }
@@ -69,8 +69,7 @@ void judge(const PointsPlan& plan, const std::vector<std::size_t>& numbers,
   for (const auto i : numbers) {
     chosen.points.push_back(plan.file.points[i]);
     found.push_back(results[i]);
-    if (!results[i].is_null() && !is_failed(results[i]) && results[i]["ended"] != "interrupt")
-      ++done;
+    if (results[i].is_there() && !results[i].is_failed() && results[i].ended != "interrupt") ++done;
   }
   const auto where = fmt::format("{} of {} points are in {}", done, numbers.size(),
                                  (plan.results / records_folder()).string());
@@ -87,7 +86,7 @@ void list_points(const RunOptions& options) {
   const Results results = find_points(plan, all_points(file));
   for (std::size_t i = 0; i < results.size(); ++i)
     fmt::print("{}\t{}\t{}\t{}\n", i, plan.keys[i], name_of(file.points[i]),
-               results[i].is_null() ? "missing" : "there");
+               results[i].is_there() ? "there" : "missing");
 }
 
 void run_chosen_points(const RunOptions& options) {
@@ -104,7 +103,7 @@ void run_chosen_points(const RunOptions& options) {
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)
-    if (results[i].is_null()) missing.push_back(i);
+    if (!results[i].is_there()) missing.push_back(i);
   run_points(plan, missing, results);
   if (missing.size() < numbers.size()) save_origin(folder, plan.origin);
   judge(plan, numbers, results);

@@ -2,6 +2,7 @@
 
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
 

@@ -1,15 +1,16 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
+
 #include <nlohmann/json.hpp>
 
-#include "experiments/laboratory/command/command_options.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/work_json.hpp"
 #include "experiments/laboratory/host/progress.hpp"
-#include "experiments/laboratory/points/work_json.hpp"
 #include "renderer/files/load.hpp"
+#include "renderer/trace/fields.hpp"
 #include "renderer/trace/render.hpp"
 
 namespace laboratory {
@@ -38,7 +39,7 @@ void save_stats(const Options& o, const renderer::Rendering& image, double secon
       {"work", make_json(image.work)},
       {"seconds", seconds},
       {"rays_per_second", static_cast<double>(rays.total()) / seconds}};
-  write_file(o.stats, stats.dump(2) + "\n");
+  base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
 void render_scene(Options& o) {
@@ -51,12 +52,8 @@ void render_scene(Options& o) {
                                                        "height above zero",
                                                        o.area));
   }
-  if (const auto ending = std::filesystem::path(o.output).extension();
-      !ending.empty() && ending != ".png")
-    throw CLI::ValidationError(
-        "--output", fmt::format("found \"{}\", expected a name that ends in .png", o.output));
-  if (o.stats == o.output)
-    throw CLI::ValidationError("--stats", "expected another file than the image's");
+  check_output(o.output, {".png"}, o.stats);
+
   renderer::check(o.params);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
@@ -75,24 +72,16 @@ void render_scene(Options& o) {
 void add_render_command(CLI::App& app) {
   auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
   auto o = std::make_shared<Options>();
+  // Experiments count the thesis's search; this is faster, and the image is the same.
   o->params.traversal = renderer::Traversal::nearest;
+
   command->add_option("SCENE", o->scene, "an NFF file, or spheres:N")->required();
   command->add_option("-o,--output", o->output, "the PNG image to write")->required();
   command->add_option("--size", o->size, "WxH in pixels [100x100]");
-  command->add_option("--depth", o->params.limits.depth, "levels of the shading tree, 1 to 1000")
-      ->capture_default_str();
-  command
-      ->add_option("--influence", o->params.limits.min_influence,
-                   "no ray is made below this influence factor, 0 to 1")
-      ->capture_default_str();
-  add_choice(command, "--feelers", o->params.feelers, FEELERS,
-             "a shadow feeler to all lights, or to those in front");
-  add_choice(command, "--sample", o->params.sample, SAMPLES,
-             "where in its pixel; lattice spans edge to edge");
-  add_choice(command, "--traversal", o->params.traversal, TRAVERSALS,
-             "of the hierarchy: same image, other work");
-  command->add_option("--ambient", o->params.ambient, "intensity of ambient light")
-      ->capture_default_str();
+  bind_options(*command,
+               base::select(renderer::param_fields(), {"depth", "min_influence", "feelers",
+                                                       "sample", "traversal", "ambient"}),
+               o->params, {{"min_influence", "influence"}});
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
   command->add_option("--threads", o->threads, "host threads")
       ->check(CLI::Range(1, 1024))

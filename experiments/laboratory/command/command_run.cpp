@@ -7,8 +7,7 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
-#include "experiments/laboratory/file/program.hpp"
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/programs.hpp"
 
 namespace laboratory {
 
@@ -27,29 +26,41 @@ const CLI::Validator SECONDS(
 
 std::string describe_keys() {
   std::string text =
-      "Keys of the experiment file (any but program.name and those of stage, order, fault, let "
-      "and\n"
-      "check can be an axis of [sweep]):\n";
+      "Keys of the experiment file (any but those of stage, order, fault, let and check can be an "
+      "axis\nof [sweep]):\n";
   for (const auto& setting : settings())
     text += fmt::format("  {:<30} {}\n", setting.key, setting.help);
   return text;
 }
 
+std::string describe_field(const programs::Parameter& field, const std::string& key,
+                           const std::any& defaults) {
+  const auto kind = field.domain.kind;
+  std::string text = fmt::format("    {:<28} {}", key, field.help);
+  if (!field.unit.empty()) text += "; " + field.unit;
+  if (kind == base::Domain::Kind::choice)
+    text += fmt::format("; one of {}", fmt::join(field.domain.choices, ", "));
+  if (kind == base::Domain::Kind::whole || kind == base::Domain::Kind::number)
+    text += fmt::format("; {}{}..{}", kind == base::Domain::Kind::whole ? "whole, " : "",
+                        field.domain.low, field.domain.high);
+  if (kind == base::Domain::Kind::flag) text += "; true or false";
+  if (kind == base::Domain::Kind::file) text += "; a file";
+  if (!field.domain.is_required) text += fmt::format(" [{}]", to_text(field.get(defaults)));
+  return text + "\n";
+}
+
 std::string describe_programs() {
-  std::string text = fmt::format("\nPrograms (program.name):\n  {:<30} {}\n", "farm",
-                                 "the ray tracer of the thesis's chapter 4: all keys above");
-  for (const auto& pattern : programs::all_patterns()) {
-    text += fmt::format("  {:<30} {}\n", pattern.name, pattern.help);
-    for (const auto& p : pattern.parameters)
-      if (p.is_path)
-        text += fmt::format("    {:<28} {}; a file{}\n", "program." + p.name, p.help,
-                            p.is_required ? "" : " [none]");
-      else if (!p.choices.empty())
-        text += fmt::format("    {:<28} {}; one of {} [{}]\n", "program." + p.name, p.help,
-                            fmt::join(p.choices, ", "), describe_value(p, p.value));
-      else
-        text += fmt::format("    {:<28} {}; {}{}..{} [{}]\n", "program." + p.name, p.help,
-                            p.whole ? "whole, " : "", p.low, p.high, p.value);
+  std::string text = "\nPrograms (program.name):\n";
+  for (const auto& program : programs::all_programs()) {
+    text += fmt::format("  {:<30} {}\n", program.name, program.help);
+    for (const auto& p : program.parameters)
+      text += describe_field(p, programs::key_of(p), program.defaults);
+    for (const auto& list : program.lists) {
+      text += fmt::format("    {:<28} {}\n", list.key, list.help);
+      const auto record = list.make_record();
+      for (const auto& field : list.fields)
+        text += describe_field(field, list.key + "." + field.name, record);
+    }
   }
   return text;
 }

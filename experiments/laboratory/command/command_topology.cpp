@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/host/files.hpp"
+#include "topologies/draw/graphviz.hpp"
 #include "topologies/files/formats.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -38,7 +39,7 @@ void add_topology_command(CLI::App& app) {
     if (o->output.empty())
       fmt::print("{}", text);
     else
-      write_file(o->output, text);
+      base::save_whole(o->output, text);
   });
 }
 

@@ -11,9 +11,9 @@ void add_verify_command(CLI::App& app) {
   auto o = std::make_shared<VerifyOptions>();
   o->jobs = std::max(1u, std::thread::hardware_concurrency());
   command->add_option("PATH", o->paths, "experiment files (TOML), or folders of them")->required();
-  auto* output = command->add_option(
-      "-o,--output", o->output,
-      "of one file its results folder, else the folder of all results [results]");
+  auto* output =
+      command->add_option("-o,--output", o->output,
+                          "results folder of one file, else the folder of all results [results]");
   command->add_option("--set", o->overrides, "key.path=value: replaces a key of each experiment")
       ->allow_extra_args(false);
   command->add_option("--jobs", o->jobs, "points run side by side")

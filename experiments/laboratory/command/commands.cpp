@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <system_error>
 
-#include "base/spelling.hpp"
+#include "base/text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/points/version.hpp"
+#include "experiments/laboratory/host/version.hpp"
 
 namespace laboratory {
 
@@ -40,6 +40,7 @@ int run_tlab(int argc, char** argv) {
   add_report_command(app);
   add_verify_command(app);
   add_model_command(app);
+  add_columns_command(app);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);

@@ -12,6 +12,7 @@ void add_merge_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_verify_command(CLI::App& app);
 void add_model_command(CLI::App& app);
+void add_columns_command(CLI::App& app);
 
 // Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a
 // check did not hold or a simulation broke down, 2 bad input or usage, 3 the simulated program

@@ -15,24 +15,21 @@ namespace laboratory {
 
 namespace {
 
-using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t MOST_NOTES = 20;
 
-void print_profile(const Table& table, const std::vector<ordered_json>& results) {
+void print_profile(const Simulation& s) {
+  const auto column = s.table.find("rays");
   fmt::print("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    if (is_failed(results[i])) continue;
-    const auto& host = results[i]["host"];
-    const auto& row = table.rows[table.row_of(i)];
-    const double rays = results[i]["row"]["rays"].get<double>();
-    if (rays == 0 || host["kernel_s"].is_null()) continue;
-    const double run = host["run_s"].get<double>(), kernel = host["kernel_s"].get<double>();
-    fmt::print(
-        "  {:>6} {:>3} workers {:>7} objects: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n",
-        to_string(row[0]), to_string(row[1]), to_string(row[2]), (run - kernel) / rays * 1e6,
-        kernel / rays * 1e6, host["events"].get<double>() / rays);
+  for (std::size_t i = 0; i < s.results.size(); ++i) {
+    const auto& host = s.results[i].host;
+    const auto& row = s.table.rows[s.table.row_of(i)];
+    const double rays = column ? as_number(row[*column]).value_or(0) : 0;
+    if (rays == 0 || !host.kernel_s) continue;
+    fmt::print("  {:<40}: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n",
+               name_of(s.file.points[i]), (host.run_s - *host.kernel_s) / rays * 1e6,
+               *host.kernel_s / rays * 1e6, static_cast<double>(host.events) / rays);
   }
 }
 
@@ -42,13 +39,12 @@ void print_notes(const Simulation& s) {
   if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
-// The last of a run, not those on the way.
+// The last of each run, not those on the way.
 std::set<std::string> list_images(const Simulation& s) {
-  std::set<std::string> names(s.images.begin(), s.images.end());
+  std::set<std::string> names;
   for (const auto& result : s.results)
-    for (const auto& image : result.value("images", ordered_json::array()))
-      if (!image.contains("at_s")) names.insert(image["path"].get<std::string>());
-  names.erase("");
+    for (const auto& image : result.images)
+      if (!image.at_s) names.insert(image.path);
   return names;
 }
 
@@ -63,8 +59,7 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
   fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, shown_columns(s.file, s.table)));
   print_notes(s);
-  if (options.profile && !s.images.empty() && s.results[0]["host"].contains("kernel_s"))
-    print_profile(s.table, s.results);
+  if (options.profile && s.table.find("rays")) print_profile(s);
   for (const auto& [model, speed] : s.host_speeds)
     fmt::print("\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % of {} repeats\n",
                speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);

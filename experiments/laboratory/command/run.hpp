@@ -27,7 +27,4 @@ void run_chosen_points(const RunOptions& options);
 // experiment. Throws base::BadInput with the missing ones.
 void merge_results(const std::string& folder);
 
-// Makes plots and report.html again, of the results that the folder has.
-void report_results(const std::string& folder);
-
 }  // namespace laboratory

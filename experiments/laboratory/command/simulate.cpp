@@ -6,14 +6,14 @@
 #include <chrono>
 
 #include "base/errors.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
-#include "experiments/laboratory/host/files.hpp"
+#include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
-#include "experiments/laboratory/points/result_images.hpp"
 #include "experiments/laboratory/points/results.hpp"
-#include "experiments/laboratory/report/run_record.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
@@ -42,7 +42,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   if (to_run.empty()) return results;
   if (missing == Missing::refuse) refuse_missing(plan.file, plan.results, to_run);
   run_points(plan, to_run, results);
-  const auto nothing = [](const auto& result) { return result.is_null() || is_failed(result); };
+  const auto nothing = [](const auto& result) { return !result.is_there() || result.is_failed(); };
   if (std::ranges::all_of(results, nothing))
     throw_failures(plan.file, results, "nothing was written");
   return results;
@@ -53,24 +53,21 @@ void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   const auto all = std::move(s.file.points);
   s.file.points.clear();
   Results results;
-  std::vector<std::string> images;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (s.results[i].is_null()) continue;
+    if (!s.results[i].is_there()) continue;
     const bool lone = is_lone(all[i].experiment, s.results[i]);
     s.records.push_back((lone ? lone_records_folder() : records_folder()) /
                         (plan.keys[i] + ".json"));
     s.file.points.push_back(all[i]);
     results.push_back(std::move(s.results[i]));
-    images.push_back(std::move(s.images[i]));
   }
   s.results = std::move(results);
-  s.images = std::move(images);
 }
 
 void write_results(const fs::path& folder, const RunOptions& options, const Simulation& s) {
-  write_file(folder / "results.csv", to_csv(s.table));
+  base::save_whole(folder / "results.csv", to_csv(s.table));
   if (!s.checks.empty())
-    write_file(folder / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
+    base::save_whole(folder / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
   save_run_json(folder, options, s);
   write_report(folder, options, s);
 }
@@ -92,12 +89,12 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   plan.lone = folder.working() / lone_records_folder();
   s.results = make_results(plan, missing, s.there);
   carry_files(results / records_folder(), folder.working() / records_folder());
-  s.images = place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
+  place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
   keep_points_that_ran(s, plan);
   s.table = make_table(s.file, s.results);
   s.checks = eval_checks(checks, s.file, s.table);
-  s.complete =
-      s.results.size() == file.points.size() && std::ranges::all_of(s.results, is_complete);
+  s.complete = s.results.size() == file.points.size() &&
+               std::ranges::all_of(s.results, &PointResult::is_complete);
   s.ended = describe_end(s.results, file.points.size());
   s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   save_origin(folder.working(), plan.origin);

@@ -1,6 +1,7 @@
 #include "experiments/laboratory/command/verify.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include "experiments/laboratory/host/jobs.hpp"
 
 namespace laboratory {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,27 +20,20 @@ constexpr std::size_t MOST_SHOWN = 20;
 
 struct Candidate {
   std::string file;
-  fs::path name;       // of its results, below the folder of results
-  bool named = false;  // by the user, not found in a folder
+  fs::path name;       // name of its folder in the folder of results
+  bool named = false;  // the user named the file itself, not a folder
 };
 
-std::vector<Candidate> find_candidates(const std::vector<std::string>& paths) {
+std::vector<Candidate> find_candidates(const std::string& path) {
+  if (!fs::is_directory(path)) return {{path, fs::path(path).stem(), true}};
   std::vector<Candidate> candidates;
-  for (const auto& path : paths) {
-    if (!fs::is_directory(path)) {
-      candidates.push_back({path, fs::path(path).stem(), true});
-      continue;
-    }
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::recursive_directory_iterator(path))
-      if (entry.is_regular_file() && entry.path().extension() == ".toml")
-        found.push_back(entry.path());
-    std::ranges::sort(found);
-    for (const auto& file : found)
-      candidates.push_back({file.string(), file.lexically_relative(path).replace_extension()});
-    if (found.empty())
-      throw base::BadInput(fmt::format("{}: no experiment file (*.toml) below it", path));
-  }
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file() && entry.path().extension() == ".toml")
+      candidates.push_back(
+          {entry.path().string(), entry.path().lexically_relative(path).replace_extension()});
+  if (candidates.empty())
+    throw base::BadInput(fmt::format("{}: no experiment file (*.toml) below it", path));
+  std::ranges::sort(candidates, {}, [](const Candidate& c) { return fs::path(c.file); });
   return candidates;
 }
 
@@ -55,6 +48,7 @@ bool has_checks(const std::string& path) {
 
 struct Count {
   std::size_t hold = 0, fail = 0;
+  std::size_t all() const { return hold + fail; }
 };
 
 void print_check(const CheckResult& check, const Table& table, bool all, Count& count) {
@@ -92,14 +86,22 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
 }  // namespace
 
 void verify(const VerifyOptions& options) {
-  const auto candidates = find_candidates(options.paths);
-  const bool alone = candidates.size() == 1 && candidates[0].named;
+  std::vector<std::vector<Candidate>> candidates;
+  for (const auto& path : options.paths) candidates.push_back(find_candidates(path));
+  const bool alone = candidates.size() == 1 && candidates[0][0].named;
   Count count;
-  for (const auto& candidate : candidates) verify_file(candidate, options, alone, count);
+  std::vector<std::string> without;  // paths
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto before = count.all();
+    for (const auto& candidate : candidates[i]) verify_file(candidate, options, alone, count);
+    if (count.all() == before) without.push_back(options.paths[i]);
+  }
   fmt::print("{} check(s) hold, {} do not\n", count.hold, count.fail);
   if (count.fail > 0)
+    throw ChecksFailed(fmt::format("{} of {} check(s) do not hold", count.fail, count.all()));
+  if (!without.empty())
     throw ChecksFailed(
-        fmt::format("{} of {} check(s) do not hold", count.fail, count.hold + count.fail));
+        fmt::format("{}: found no [[check]], expected at least one", fmt::join(without, ", ")));
 }
 
 }  // namespace laboratory

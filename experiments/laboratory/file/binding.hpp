@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
-#include "base/spelling.hpp"
+#include "base/text.hpp"
 #include "experiments/laboratory/file/values.hpp"
 
 namespace laboratory {

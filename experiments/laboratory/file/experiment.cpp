@@ -3,11 +3,10 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <fstream>
 #include <ranges>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/file/program.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
 #include "experiments/laboratory/file/sweep.hpp"
 #include "experiments/laboratory/file/values.hpp"
@@ -89,7 +88,7 @@ void check_not_shadowed(const std::string& override, const std::vector<Coupled>&
 
 // The point of that number; the last axis runs fastest.
 Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
-                 const std::string& path, const std::string& folder) {
+                 const Programs& in_play, const std::string& path, const std::string& folder) {
   Point point;
   std::vector<Replacement> replacements;
   for (const auto& coupled : std::views::reverse(axes)) {
@@ -101,7 +100,7 @@ Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std:
     }
     number /= count;
   }
-  point.experiment = bind_settings(file, replacements, path, folder);
+  point.experiment = bind_settings(file, replacements, in_play, path, folder);
   point.numbers = find_numbers(file, replacements);
   return point;
 }
@@ -121,11 +120,8 @@ std::map<std::string, std::string> find_settings(const toml::table& file) {
 }  // namespace
 
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
-  std::ifstream in(path);
-  if (!in || !std::filesystem::is_regular_file(path))
-    throw BadInput(fmt::format("{}: the experiment file cannot be read", path));
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_experiment(text, path, std::filesystem::path(path).parent_path().string(), overrides);
+  return read_experiment(base::read_text(path), path,
+                         std::filesystem::path(path).parent_path().string(), overrides);
 }
 
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
@@ -139,9 +135,10 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
     add_names(order, file, path);
   }
 
-  const auto axes = read_axes(file, order, path);
+  const auto in_play = programs_in_play(file, path);
+  const auto axes = read_axes(file, order, in_play, path);
   for (const auto& override : overrides) check_not_shadowed(override, axes);
-  ExperimentFile experiment{path, resolve(file, axes, path),    {},
+  ExperimentFile experiment{path, resolve(file, axes, in_play), {},
                             {},   read_definitions(file, path), read_checks(file, path, folder)};
   experiment.folder = folder;
   experiment.plots = read_plots(file, path, folder);
@@ -159,8 +156,17 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
   experiment.settings = find_settings(file);
   const auto points = count_points(axes, path);
   for (std::size_t i = 0; i < points; ++i)
-    experiment.points.push_back(make_point(file, axes, i, path, folder));
+    experiment.points.push_back(make_point(file, axes, i, in_play, path, folder));
   return experiment;
+}
+
+std::vector<std::string> files_of(const Experiment& experiment) {
+  std::vector<std::string> files{experiment.topology.path, experiment.routes.path};
+  for (const auto& p : experiment.program->parameters) {
+    const auto value = p.get(experiment.params);
+    if (const auto* source = std::get_if<base::Source>(&value)) files.push_back(source->path);
+  }
+  return files;
 }
 
 std::string name_of(const Point& point) {

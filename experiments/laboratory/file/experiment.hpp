@@ -1,7 +1,9 @@
 #pragma once
 // The experiment file: one TOML file that describes a machine, a topology, a scene and a strategy.
+#include <any>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,10 +11,7 @@
 
 #include "experiments/laboratory/file/checks.hpp"
 #include "experiments/laboratory/file/figures.hpp"
-#include "renderer/trace/shade.hpp"
-#include "simulator/declare/program.hpp"
-#include "simulator/farm/farm.hpp"
-#include "simulator/farm/shared_farm.hpp"
+#include "simulator/programs/programs.hpp"
 
 namespace laboratory {
 
@@ -22,30 +21,29 @@ struct FaultSpec {
   std::string place;
 };
 
-// One run, with every key of the file at its value or default.
+/// One run, with every key of the file at its value or default. Paths are relative to the current
+/// folder; the texts are as the file spells them.
 struct Experiment {
   std::string title, question;
-  std::string program = "farm";                           // [program]: or the name of a pattern
-  std::map<std::string, double, std::less<>> parameters;  // of the pattern, each with a value
-  std::map<std::string, programs::NamedFile, std::less<>> files;  // and those that are paths
-  std::string model = "t805-25";                                  // [machine]
-  // [model]: "link.one_way_rate" and its value in TOML's spelling.
+  const programs::Program* program = nullptr;  ///< program.name
+  std::any params;                             ///< of the program
+  base::Source model{"t805-25", "t805-25"};    ///< machine.model: a name, or a file
+  /// [model]: "link.one_way_rate" and its value in TOML's spelling.
   std::vector<std::pair<std::string, std::string>> model_overrides;
-  std::string topology = "tree";  // [network]: a generator sized by `workers`, a spec, or a file
-  std::int64_t workers = 7;
-  int switches = 0;  // C004 link switches on every link between workers, but on those of
-  std::vector<std::array<int, 3>> switches_between;  // these: two workers, from 0, and how many
-  std::string routes;                // a file with some of the routes; "": the shortest
-  std::string tree;                  // of messages to all: per_root, single; "": as tree_links say
-  topologies::TreeLinks tree_links;  // of the single tree; none: breadth first from the root
-  std::vector<FaultSpec> faults;     // [[fault]]
-  std::string scene = "spheres";     // [scene]: "spheres" made of `objects`, or a file
-  std::int64_t objects = 200;
-  farm::Params farm;             // [image], [farm], [[stage]], [[order]]
-  farm::SharedParams data;       // [data]
-  bool has_data = false;         // whether the file has any of its keys
-  std::string cost = "counted";  // [run]
+  base::Source topology{"tree", "tree"};  ///< a generator sized by `workers`, a spec, or a file
+  std::int64_t workers = 7;               ///< processors of the network
+  int switches = 0;  ///< C004 link switches on every link, but on those of `switches_between`
+  std::vector<std::array<int, 3>> switches_between;  ///< two processors, from 0, and how many
+  base::Source routes;  ///< a file with some of the routes; "": the shortest
+  std::string tree;     ///< of messages to all: per_root, single; "": as tree_links say
+  topologies::TreeLinks tree_links;  ///< of the single tree; none: breadth first from the root
+  std::vector<FaultSpec> faults;     ///< [[fault]]
+  bool is_timed = false;             ///< run.cost
+  std::optional<double> cycles_per_host_s = {};  ///< where it is timed, once it is measured
 };
+
+/// The files that a point reads, apart from its machine model: scene, network, routes ...
+std::vector<std::string> files_of(const Experiment& experiment);
 
 // A key of the experiment file.
 struct Setting {

@@ -6,29 +6,14 @@
 #include <cctype>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 
 namespace laboratory {
 
 namespace {
 
 using base::BadInput;
-
-std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\n") + 1 - first);
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (auto at = text.find(separator); at != std::string::npos; at = text.find(separator, begin)) {
-    parts.push_back(trim(text.substr(begin, at - begin)));
-    begin = at + 1;
-  }
-  parts.push_back(trim(text.substr(begin)));
-  return parts;
-}
+using base::trim;
 
 // 'tree' is tree.
 std::string without_quotes(const std::string& text) {
@@ -39,7 +24,7 @@ std::string without_quotes(const std::string& text) {
 
 RowReference::Condition parse_condition(const std::string& text, const std::string& place) {
   const auto equals = text.find('=');
-  RowReference::Condition condition{trim(text.substr(0, equals)), {}};
+  RowReference::Condition condition{std::string(trim(text.substr(0, equals))), {}};
   if (equals != std::string::npos) condition.text = trim(text.substr(equals + 1));
   if (!base::Formula::is_name(condition.axis) || condition.text.empty())
     throw BadInput(fmt::format("{}: found \"{}\", expected AXIS = VALUE", place, text));
@@ -53,13 +38,13 @@ RowReference::Condition parse_condition(const std::string& text, const std::stri
 
 // `text` with its braces.
 RowReference parse_reference(const std::string& text, const std::string& place) {
-  const auto parts = split(text.substr(1, text.size() - 2), '@');
-  if (parts.size() != 2 || !base::Formula::is_name(parts[0]))
+  const auto parts = base::split(std::string_view(text).substr(1, text.size() - 2), '@');
+  if (parts.size() != 2 || !base::Formula::is_name(std::string(parts[0])))
     throw BadInput(
         fmt::format("{}: found {}, expected {{COLUMN @ AXIS = VALUE, ...}}", place, text));
-  RowReference reference{text, parts[0], {}};
-  for (const auto& condition : split(parts[1], ','))
-    reference.conditions.push_back(parse_condition(condition, place + ": " + text));
+  RowReference reference{text, std::string(parts[0]), {}};
+  for (const auto condition : base::split(parts[1], ','))
+    reference.conditions.push_back(parse_condition(std::string(condition), place + ": " + text));
   return reference;
 }
 

@@ -12,10 +12,10 @@ namespace {
 using base::BadInput;
 using P = Place;
 
-const Names<Law> LAWS = {{"amdahl", Law::amdahl},
-                         {"gustafson", Law::gustafson},
-                         {"sun-ni", Law::sun_ni},
-                         {"log", Law::log}};
+const base::Names<Law> LAWS = {{"amdahl", Law::amdahl},
+                               {"gustafson", Law::gustafson},
+                               {"sun-ni", Law::sun_ni},
+                               {"log", Law::log}};
 
 const std::vector<Binding<PlotSpec>>& plot_bindings() {
   using S = PlotSpec;
@@ -44,7 +44,7 @@ const std::vector<Binding<PlotSpec>>& plot_bindings() {
       {"x_label", "default: of the column", [](S& s, const P& at) { s.x_label = read_text(at); }},
       {"y_label", "default: of the column", [](S& s, const P& at) { s.y_label = read_text(at); }},
       {"reference", "a CSV file with numbers to draw beside the results, as in checks",
-       [](S& s, const P& at) { s.reference = read_source(at); }},
+       [](S& s, const P& at) { s.reference = read_source(at).path; }},
       {"keys", "columns of both that say which row is which point",
        [](S& s, const P& at) { s.keys = read_texts(at); }},
       {"column", "the reference's column, if it is not called as y",
@@ -87,8 +87,8 @@ const std::vector<Binding<ReportSpec>>& report_bindings() {
   static const std::vector<Binding<ReportSpec>> all = {
       {"networks", "networks to draw with their load: all, largest or none",
        [](ReportSpec& s, const P& at) {
-         s.networks = read_name(
-             at, Names<std::string>{{"all", "all"}, {"largest", "largest"}, {"none", "none"}});
+         s.networks = read_name(at, base::Names<std::string>{
+                                        {"all", "all"}, {"largest", "largest"}, {"none", "none"}});
        }},
   };
   return all;

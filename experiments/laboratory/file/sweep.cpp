@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/file/program.hpp"
 #include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
@@ -90,18 +89,17 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
 }
 
 std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
-                               const std::string& origin) {
+                               const Programs& in_play, const std::string& origin) {
   std::vector<Coupled> all;
   std::set<std::string> keys;
   const auto* sweep = file["sweep"].as_table();
   if (!sweep) return all;
-  const auto program = read_program(file, origin);
   for (const auto& names : order) {
     if (!sweep->contains(names)) continue;  // --set has replaced the section
     const Place at{origin, "sweep." + names, "", *sweep->get(names)};
     Coupled axes;
     for (const auto& name : split_names(names)) {
-      axes.push_back(name_axis(name, program, origin));
+      axes.push_back(name_axis(name, in_play, origin));
       if (!keys.insert(axes.back().key).second)
         at.refuse("each axis once, " + axes.back().key + " is there already");
     }
@@ -112,15 +110,14 @@ std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::s
 }
 
 std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
-                    const std::string& origin) {
+                    const Programs& in_play) {
   if (axes.empty()) return to_toml(file);
   toml::table rest = file;
   rest.erase("sweep");
   std::string text = to_toml(rest) + "\n\n[sweep]";
-  const auto program = read_program(file, origin);
   const auto name_of = [&](const Axis& axis) {
     const bool is_short =
-        !axis.key.starts_with("model.") && name_axis(axis.name, program, origin).key == axis.key;
+        !axis.key.starts_with("model.") && name_axis(axis.name, in_play, "").key == axis.key;
     return is_short ? axis.name : axis.key;
   };
   for (const auto& coupled : axes) {

@@ -23,11 +23,11 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
 // Of a file whose names are in `order`. Throws base::BadInput for unknown axes, those that
 // are there twice, and values that are no list of one for each.
 std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
-                               const std::string& origin);
+                               const Programs& in_play, const std::string& origin);
 
 // The whole file as TOML, with the axes in the order of the sweep: a table sorts them by name.
 std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
-                    const std::string& origin);
+                    const Programs& in_play);
 
 // How many points they span. Throws base::BadInput for more than a run can hold.
 std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path);

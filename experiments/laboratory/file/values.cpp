@@ -63,19 +63,6 @@ std::vector<std::string> read_texts(const Place& at) {
   return texts;
 }
 
-renderer::Area read_area(const Place& at) {
-  const std::string expected = "[x, y, width, height] in pixels";
-  const auto* list = at.node.as_array();
-  if (!list || list->size() != 4) at.refuse(expected);
-  std::array<int, 4> v{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto number = (*list)[i].value_exact<std::int64_t>();
-    if (!number || *number < 0 || *number > 65536) at.refuse(expected);
-    v[i] = static_cast<int>(*number);
-  }
-  return {v[0], v[1], v[2], v[3]};
-}
-
 void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between) {
   constexpr int MOST = 16;
   const std::string expected =
@@ -100,22 +87,34 @@ void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& b
   }
 }
 
-std::optional<farm::Block> read_task(const Place& at) {
-  const std::string text = read_text(at);
-  if (text == "ray") return std::nullopt;
-  farm::Block block;
-  int end = 0;
-  if (std::sscanf(text.c_str(), "block:%5dx%5d%n", &block.width, &block.height, &end) != 2 ||
-      static_cast<std::size_t>(end) != text.size() || block.width < 1 || block.height < 1)
-    at.refuse("ray, or a block of pixels, like block:8x8");
-  return block;
+base::Source read_file_name(const Place& at) {
+  const auto text = read_text(at);
+  return {text, text.empty() ? "" : (std::filesystem::path(at.folder) / text).string()};
 }
 
-std::string read_source(const Place& at) {
-  const std::string text = read_text(at);
-  const std::filesystem::path path(text);
-  if (!path.has_extension() || path.is_absolute()) return text;
-  return (std::filesystem::path(at.folder) / path).string();
+base::Source read_source(const Place& at) {
+  const std::filesystem::path path(read_text(at));
+  const bool is_name = !path.has_extension() || path.is_absolute();
+  return is_name ? base::Source{path.string(), path.string()} : read_file_name(at);
+}
+
+base::Scalar read_scalar(const Place& at, const base::Domain& domain) {
+  using Kind = base::Domain::Kind;
+  const auto& node = at.node;
+  if (node.is_string() && domain.kind == Kind::source) return read_source(at);
+  if (node.is_string() && domain.kind == Kind::file) return read_file_name(at);
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
+  if (const auto number = node.value_exact<double>()) return *number;
+  if (const auto flag = node.value_exact<bool>()) return *flag;
+  std::vector<double> numbers;
+  if (!node.is_array()) return {};
+  for (const auto& entry : *node.as_array()) {
+    const auto number = entry.is_number() ? entry.value<double>() : std::nullopt;
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 std::vector<const toml::table*> read_tables(const Place& at) {

@@ -2,6 +2,7 @@
 // Reading single values of a TOML file, with errors that say where, what was found and what was
 // expected.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -11,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/laboratory/file/image_names.hpp"
-#include "simulator/farm/centre.hpp"
+#include "base/fields.hpp"
 
 namespace laboratory {
 
@@ -35,21 +35,24 @@ bool read_bool(const Place& at);
 std::string read_text(const Place& at);
 // What a name stands for.
 template <class Enum>
-Enum read_name(const Place& at, const Names<Enum>& names) {
+Enum read_name(const Place& at, const base::Names<Enum>& names) {
   const auto key = at.node.value_exact<std::string>();
   for (const auto& [name, value] : names)
     if (key == name) return value;
-  at.refuse(fmt::format("one of {}", fmt::join(keys_of(names), ", ")));
+  std::vector<std::string> known;
+  for (const auto& [name, value] : names) known.push_back(name);
+  at.refuse(fmt::format("one of {}", fmt::join(known, ", ")));
 }
 std::vector<std::string> read_texts(const Place& at);
-// [x, y, width, height]
-renderer::Area read_area(const Place& at);
 // A number for every link, or a list of [a, b, number], processors as the topology numbers them.
 void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between);
-// "ray", or a block of pixels, "block:8x8".
-std::optional<farm::Block> read_task(const Place& at);
-// A name, or a path (it has an extension), made relative to the folder.
-std::string read_source(const Place& at);
+// A name, or a path (it has an extension), which is found from the folder.
+base::Source read_source(const Place& at);
+// A file's name, found from the folder; "" for none.
+base::Source read_file_name(const Place& at);
+// A value for a field of this domain, still to be checked: texts become sources where they name
+// files.
+base::Scalar read_scalar(const Place& at, const base::Domain& domain);
 // The tables of [[key]].
 std::vector<const toml::table*> read_tables(const Place& at);
 

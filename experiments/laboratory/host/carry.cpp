@@ -1,12 +1,11 @@
 #include "experiments/laboratory/host/carry.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
 
-#include "experiments/laboratory/host/files.hpp"
+#include "base/whole_file.hpp"
 
 namespace laboratory {
 
@@ -14,14 +13,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Whether `to` is there now.
+// Makes `to` a second name of `from`; false where the file system cannot.
 bool link_file(const fs::path& from, const fs::path& to) {
   if (link(from.c_str(), to.c_str()) == 0 || errno == EEXIST) return true;
   for (const int unable : {EPERM, EXDEV, EMLINK, ENOSYS, EOPNOTSUPP})
     if (errno == unable) return false;
-  if (errno == ENOENT && !fs::exists(from)) return true;  // somebody has removed it meanwhile
-  throw std::system_error(errno, std::generic_category(),
-                          fmt::format("{}: cannot write", to.string()));
+  if (errno == ENOENT && !fs::exists(from)) return true;  // another process has removed it
+  throw std::system_error(errno, std::generic_category(), to.string() + ": cannot be written");
+}
+
+void link_or_copy(const fs::path& from, const fs::path& to) {
+  if (!link_file(from, to)) base::save_whole(to, base::read_text(from));
 }
 
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
@@ -31,7 +33,7 @@ bool is_hidden(const fs::path& path) { return path.filename().string().starts_wi
 void carry_file(const fs::path& from, const fs::path& to) {
   std::error_code ignored;
   fs::remove(to, ignored);
-  if (!link_file(from, to)) write_file(to, read_file(from));
+  link_or_copy(from, to);
 }
 
 void carry_files(const fs::path& from, const fs::path& to) {
@@ -40,7 +42,7 @@ void carry_files(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const auto target = to / entry.path().filename();
     if (!entry.is_regular_file() || is_hidden(entry.path()) || fs::exists(target)) continue;
-    if (!link_file(entry.path(), target)) write_file(target, read_file(entry.path()));
+    link_or_copy(entry.path(), target);
   }
 }
 

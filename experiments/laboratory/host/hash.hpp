@@ -1,11 +1,12 @@
 #pragma once
-// The one hash: of contents, where equal means the same.
+// The one hash of contents.
 #include <string>
 #include <string_view>
 
 namespace laboratory {
 
-// 128 bits (XXH3) as 32 hexadecimal digits, the same on every machine.
+/// 128 bits (XXH3) as 32 hexadecimal digits, the same on every machine; equal hashes mean equal
+/// bytes.
 std::string hash_of(std::string_view bytes);
 
 }  // namespace laboratory

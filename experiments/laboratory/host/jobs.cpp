@@ -23,6 +23,8 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM};
+
 // While it lives, the first SIGINT or SIGTERM is noted instead of ending the program.
 class SignalGuard {
  public:
@@ -43,7 +45,7 @@ class SignalGuard {
   }, old_term_{};
 };
 
-// A child process and the text it has sent so far: one byte of status, then result or message.
+// A child process and the text that it has sent so far: one byte of status, then result or message.
 struct Child {
   pid_t pid = -1;
   std::size_t index = 0;
@@ -62,14 +64,13 @@ void write_all(int fd, const std::string& text) {
 void hold_signals(int how) {
   sigset_t asked;
   sigemptyset(&asked);
-  sigaddset(&asked, SIGINT);
-  sigaddset(&asked, SIGTERM);
+  for (const int signal : ASKS_TO_END) sigaddset(&asked, signal);
   sigprocmask(how, &asked, nullptr);
 }
 
 [[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a parent that was killed
-  for (int asked : {SIGINT, SIGTERM}) signal(asked, [](int) { machine::request_stop(); });
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child does not outlive a parent that was killed
+  for (const int asked : ASKS_TO_END) signal(asked, [](int) { machine::request_stop(); });
   hold_signals(SIG_UNBLOCK);
   std::string reply;
   try {

@@ -8,12 +8,12 @@ namespace laboratory {
 
 class Progress {
  public:
-  // Drawn on standard error if that is a terminal. The first `there` of what is to be done took no
-  // time.
+  /// Draws on standard error if that is a terminal. The first `there` of the items to be done took
+  /// no time.
   explicit Progress(std::string what, std::size_t there = 0);
   ~Progress();
   void show(std::size_t done, std::size_t total);
-  // A line above the bar, on any standard error.
+  /// Prints a line above the bar, on any standard error.
   void say(const std::string& line);
 
  private:

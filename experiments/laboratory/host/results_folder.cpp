@@ -1,20 +1,22 @@
+#include "experiments/laboratory/host/results_folder.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <charconv>
 #include <climits>
 #include <cstdio>
 #include <optional>
-#include <stdexcept>
+#include <string>
 #include <system_error>
-#include <vector>
 
+#include "base/errors.hpp"
+#include "base/text.hpp"
 #include "experiments/laboratory/host/carry.hpp"
-#include "experiments/laboratory/host/files.hpp"
 
 namespace laboratory {
 namespace {
@@ -27,18 +29,19 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Absolute, links resolved, so that what is replaced is the folder and not a link to it.
+// Makes a path absolute and resolves its links, so that the folder is replaced and not a link to
+// it.
 fs::path resolve(const fs::path& path) {
-  if (path.empty()) throw std::invalid_argument("the name of a results folder is empty");
+  if (path.empty()) throw base::BadInput("the name of a results folder is empty");
   auto resolved = fs::weakly_canonical(fs::absolute(path));
   return resolved.has_filename() ? resolved : resolved.parent_path();
 }
 
 void refuse(const fs::path& path, const std::string& found) {
-  throw std::invalid_argument(fmt::format(
-      "{}: {}; expected a folder that is new, empty, or of earlier results (with a run.json or "
-      "points)",
-      path.string(), found));
+  base::require(false, path.string(),
+                "{}; expected a folder that is new, empty, or of earlier results (with a run.json "
+                "or points)",
+                found);
 }
 
 // Whether a folder holds nothing but files whose names are ours.
@@ -52,12 +55,13 @@ bool has_only(const fs::path& folder, const IsOurs& is_ours) {
 
 bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.ends_with(".png"); }
 
-// Whole, or what a killed process has left of it.
+// Whether a file is of a record, be it whole or what a killed process has left of it.
 bool is_of_record(const std::string& name) {
-  return name.find(".json") != name.npos || name.find(".png") != name.npos ||
-         name.find(".exr") != name.npos;
+  return std::ranges::any_of(std::array{".json", ".png", ".exr"},
+                             [&](auto* part) { return name.find(part) != name.npos; });
 }
 
+// Whether a folder is the store of points' records.
 bool is_store(const fs::path& folder) {
   return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
     if (entry.is_directory() && !entry.is_symlink()) return has_only(entry.path(), is_of_record);
@@ -65,15 +69,16 @@ bool is_store(const fs::path& folder) {
   });
 }
 
-// What `tlab` writes; anything else in a results folder is somebody's.
+// Whether `tlab` writes files like this one into a results folder; others are not ours.
 bool is_result(const fs::path& entry) {
+  static const std::vector<std::string> FILES{"results.csv", "checks.csv", "fits.csv",   "best.csv",
+                                              "pays.csv",    "run.json",   "report.html"};
   const auto name = entry.filename().string();
   if (fs::is_symlink(entry)) return false;
   if (fs::is_directory(entry))
     return name == "plots" || name == "networks" ? has_only(entry, is_plot)
                                                  : name == "points" && is_store(entry);
-  return name == "results.csv" || name == "checks.csv" || name == "fits.csv" ||
-         name == "best.csv" || name == "pays.csv" || name == "run.json" || name == "report.html" ||
+  return std::ranges::find(FILES, name) != FILES.end() ||
          (name.starts_with("image-") &&
           (entry.extension() == ".png" || entry.extension() == ".exr"));
 }
@@ -92,7 +97,7 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
-// Which processes live is known of this host only; others may share the folder.
+// The name of this host: hosts may share the folder, and each knows only its own processes.
 std::string host_name() {
   char name[HOST_NAME_MAX + 1] = {};
   if (gethostname(name, HOST_NAME_MAX) != 0) fail("gethostname", "no name", last_error());
@@ -106,17 +111,14 @@ std::string old_prefix(const fs::path& path) {
   return fmt::format(".{}.old-{}-", path.filename().string(), host_name());
 }
 
-// The process that made a folder of this name, if it begins so.
+// The process that made a folder of this name, if the name begins with `prefix`.
 std::optional<pid_t> maker_of(const std::string& name, const std::string& prefix) {
   if (!name.starts_with(prefix)) return std::nullopt;
-  pid_t process = 0;
-  const auto end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, process);
-  if (error != std::errc() || stop != end || process <= 0) return std::nullopt;
-  return process;
+  const auto process = base::parse_number<pid_t>(std::string_view(name).substr(prefix.size()));
+  return process && *process > 0 ? process : std::nullopt;
 }
 
-// Ours are stale too: of an earlier process that had our number.
+// The folders that dead processes left. One with our own number is of an earlier process.
 std::vector<fs::path> find_stale(const fs::path& path, const std::string& prefix) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {
@@ -128,8 +130,8 @@ std::vector<fs::path> find_stale(const fs::path& path, const std::string& prefix
   return stale;
 }
 
-// Nothing that dead processes had in their hands is lost: results that they were replacing, and
-// records of points.
+// Removes what dead processes left, except for results that they were replacing and records of
+// points, which are put in place.
 void remove_stale(const fs::path& path) {
   std::error_code ignored;
   for (const auto& folder : find_stale(path, old_prefix(path)))
@@ -141,8 +143,8 @@ void remove_stale(const fs::path& path) {
     }
 }
 
-// The older results go; not what others have put there since their records were carried over. What
-// resists is left for a later run.
+// Removes the older results, after the records that other processes have added to them were carried
+// over. What cannot be removed is left for a later run.
 void drop_replaced(const fs::path& older, const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(older / "points")) {
@@ -155,8 +157,9 @@ void drop_replaced(const fs::path& older, const fs::path& path) {
   fs::remove_all(older, ignored);
 }
 
-// Where two folders cannot be exchanged in one step: old aside, new in its place. After a crash
-// between the two the next run finds the old results under ".NAME.old-HOST-PID".
+// Moves the old folder aside and the new one in its place, where the two cannot be exchanged in one
+// step. After a crash between the two the next run finds the old results under
+// ".NAME.old-HOST-PID".
 void replace_in_two_steps(const fs::path& working, const fs::path& path) {
   const auto aside = path.parent_path() / (old_prefix(path) + std::to_string(getpid()));
   std::error_code error, ignored;
@@ -196,7 +199,7 @@ ResultsFolder::~ResultsFolder() {
 }
 
 void ResultsFolder::commit() {
-  if (is_committed_) throw std::logic_error(path_.string() + ": results committed twice");
+  if (is_committed_) throw base::InvariantBroken(path_.string() + ": results committed twice");
   check_is_ours(path_);
   if (renameat2(AT_FDCWD, working_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0) {
     is_committed_ = true;

@@ -13,7 +13,7 @@
 namespace laboratory {
 namespace {
 
-constexpr double TIE = 0.0005;  // who is better by less is not
+constexpr double TIE = 0.0005;  // a share; what is better by less is not better
 
 using Axes = std::vector<std::size_t>;
 
@@ -63,8 +63,7 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
   return groups;
 }
 
-// By how much the better of two values is better, as a share: of a time how much longer the other
-// takes.
+// By how much the better of two values is better, as a share: how much longer the other time is.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
@@ -107,7 +106,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     });
     const auto& first = group.points[0];
     std::string name = name_values(table, first.row, over);
-    std::size_t next = 1;
+    std::size_t next = 1;  // the runner-up
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };
@@ -127,7 +126,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
   tell_winners(answer, wins);
 }
 
-// What a step of the axis gains for each time that it doubles on the way.
+// What a step along the axis gains for each doubling that it contains, as a share.
 double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& from,
                          const std::pair<double, double>& to) {
   const double doublings = std::log2(to.first / from.first);
@@ -191,16 +190,20 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// Rows with the first `axes` columns as one text.
-void append(Table& csv, const std::string& name, const Table& table) {
-  const auto axes = static_cast<std::ptrdiff_t>(table.axes);
-  for (const auto& row : table.rows) {
-    std::vector<std::string> at;
-    for (std::size_t i = 0; i < table.axes; ++i)
-      at.push_back(fmt::format("{} = {}", table.columns[i], to_string(row[i])));
-    auto& added = csv.rows.emplace_back(std::vector<Value>{name, join_texts(at, ", ")});
-    added.insert(added.end(), row.begin() + axes, row.end());
+// The rows of one part of all answers, below the question's name and the combination as one text.
+Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
+               std::vector<std::string> columns) {
+  columns.insert(columns.begin(), {"question", "at"});
+  Table csv{.columns = columns, .axes = 2, .rows = {}};
+  for (const auto& answer : answers) {
+    const Table& table = answer.*part;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const auto& row = table.rows[i];
+      auto& added = csv.rows.emplace_back(std::vector<Value>{answer.name, name_axes(table, i)});
+      added.insert(added.end(), row.begin() + static_cast<std::ptrdiff_t>(table.axes), row.end());
+    }
   }
+  return csv;
 }
 
 }  // namespace
@@ -212,20 +215,12 @@ std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows) {
 }
 
 Table make_best_csv(const std::vector<BestAnswer>& answers) {
-  Table csv{.columns = {"question", "at", "best", "value", "runner_up", "runner_up_value",
-                        "better_by_percent"},
-            .axes = 2,
-            .rows = {}};
-  for (const auto& answer : answers) append(csv, answer.name, answer.best);
-  return csv;
+  return make_csv(answers, &BestAnswer::best,
+                  {"best", "value", "runner_up", "runner_up_value", "better_by_percent"});
 }
 
 Table make_pays_csv(const std::vector<BestAnswer>& answers) {
-  Table csv{.columns = {"question", "at", "pays_up_to", "next_doubling_gains_percent"},
-            .axes = 2,
-            .rows = {}};
-  for (const auto& answer : answers) append(csv, answer.name, answer.pays);
-  return csv;
+  return make_csv(answers, &BestAnswer::pays, {"pays_up_to", "next_doubling_gains_percent"});
 }
 
 }  // namespace laboratory

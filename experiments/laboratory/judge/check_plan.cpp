@@ -8,18 +8,17 @@
 #include <tuple>
 
 #include "base/errors.hpp"
-#include "base/spelling.hpp"
-#include "experiments/laboratory/host/files.hpp"
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/points/machine_model.hpp"
 #include "experiments/laboratory/points/results.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using base::BadInput;
 
-// Depth first: what a definition names comes before it.
+// Sorts definitions depth first: what a definition names comes before it.
 struct Sorter {
   std::map<std::string, CheckPlan::Let>& left;
   std::vector<CheckPlan::Let>& sorted;
@@ -54,18 +53,18 @@ void find_column(const Table& table, const std::string& column, const std::strin
                  const std::string& whose) {
   if (table.find(column)) return;
   throw BadInput(fmt::format("{}: unknown column \"{}\" of {}, the nearest is \"{}\"", place,
-                             column, whose, base::nearest_name(column, table.columns)));
+                             column, whose, nearest_column(column, table.columns)));
 }
 
 Table parse_reference(const std::string& path, const std::string& place) {
   try {
-    return parse_csv(read_file(path), path);
+    return parse_csv(base::read_text(path), path);
   } catch (const std::exception& error) {
     throw BadInput(fmt::format("{}: reference: {}", place, error.what()));
   }
 }
 
-// Of a [[check]] or a [[plot]].
+// The table that a [[check]] or a [[plot]] names.
 template <class Spec>
 std::optional<Table> read_reference(const Spec& spec) {
   if (spec.reference.empty()) return std::nullopt;
@@ -80,7 +79,7 @@ std::optional<Table> read_reference(const Spec& spec) {
   return table;
 }
 
-// Every expression of the plan, with what visits it.
+// Visits every expression of the plan.
 template <class Visit>
 void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   const auto visit_all = [&](std::initializer_list<const std::optional<Expression>*> all) {
@@ -88,7 +87,8 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
       if (*expression) visit(**expression);
   };
   for (const auto& let : plan.lets) visit(let.formula);
-  for (const auto& c : plan.comparisons) visit_all({&c.of, &c.formula, &c.where, &c.calibrated});
+  for (const auto& c : plan.comparisons)
+    visit_all({&c.of, &c.formula, &c.at_least, &c.at_most, &c.where, &c.calibrated});
   for (const auto& f : plan.figures) {
     visit(f.x);
     for (const auto& y : f.y) visit(y);
@@ -131,7 +131,7 @@ bool is_defined(const ExperimentFile& file, const std::string& name) {
   return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
 }
 
-// What stands in the column of an axis of texts; nothing for other columns.
+// The texts in the column of an axis; none for columns of numbers.
 std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
   std::vector<std::string> texts;
   if (const auto column = table.find(axis))
@@ -142,13 +142,7 @@ std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
 
 void check_axes(const Table& table, const std::vector<std::string>& axes,
                 const std::string& place) {
-  Table only{.columns = {table.columns.begin(),
-                         table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes)},
-             .rows = {}};
-  for (const auto& axis : axes)
-    if (!only.find(axis))
-      throw BadInput(fmt::format("{}: \"{}\" is no axis of the results, the nearest is \"{}\"",
-                                 place, axis, base::nearest_name(axis, only.columns)));
+  for (const auto& axis : axes) find_axis(table, axis, place);
 }
 
 void check_columns(const CheckPlan& plan, const Table& table, const std::vector<Value>& row) {
@@ -194,11 +188,14 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
 CheckPlan plan_checks(const ExperimentFile& file) {
   CheckPlan plan;
   plan.lets = sort_definitions(file.definitions);
-  for (const auto& check : file.checks)
-    plan.comparisons.push_back(
-        {check, is_defined(file, check.of) ? compile(check.of, check.place, "of") : std::nullopt,
-         compile(check.formula, check.place, "formula"), compile(check.where, check.place, "where"),
-         compile(check.calibrated, check.place, "calibrated"), read_reference(check)});
+  for (const auto& c : file.checks) {
+    auto of = is_defined(file, c.of) ? compile(c.of, c.place, "of") : std::nullopt;
+    plan.comparisons.push_back({c, std::move(of), compile(c.formula, c.place, "formula"),
+                                compile(c.at_least, c.place, "at_least"),
+                                compile(c.at_most, c.place, "at_most"),
+                                compile(c.where, c.place, "where"),
+                                compile(c.calibrated, c.place, "calibrated"), read_reference(c)});
+  }
   for (const auto& plot : file.plots)
     plan.figures.push_back({plot, Expression(plot.x, plot.place + ": x"),
                             compile_all(plot.y, plot.place + ": y"),
@@ -231,8 +228,8 @@ void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t 
 
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file) {
   if (plan.is_empty()) return {};
-  return [&](const Point& point, const nlohmann::ordered_json& result) {
-    if (!is_complete(result)) return;
+  return [&](const Point& point, const PointResult& result) {
+    if (!result.is_complete()) return;
     const ExperimentFile alone{file.path, {}, file.axes, {point}, {}, {}, file.coupled};
     const Table table = make_table(alone, {result});
     check_names(plan, alone, 0, table, table.rows[0]);

@@ -1,20 +1,32 @@
 #include "experiments/laboratory/judge/rows.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/errors.hpp"
-#include "base/spelling.hpp"
+#include "base/text.hpp"
 #include "experiments/laboratory/points/machine_model.hpp"
 #include "experiments/laboratory/points/results.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using base::BadInput;
+
+constexpr double NO_VALUE = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t MOST_NAMED = 5;  // rows in one note
+
+std::string spell_as_name(std::string text) {
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.') c = '_';
+  return text;
+}
 
 // "{time_s @ workers = 1, objects = objects}"; for an axis of texts the own text.
 std::string add_condition(const RowReference& reference, const std::string& axis,
@@ -23,7 +35,84 @@ std::string add_condition(const RowReference& reference, const std::string& axis
                      std::holds_alternative<std::string>(own) ? to_string(own) : axis);
 }
 
+std::string join_few(std::vector<std::string> names) {
+  const auto count = names.size();
+  names.resize(std::min(count, MOST_NAMED));
+  return fmt::format("{}{}", fmt::join(names, "; "), count > MOST_NAMED ? "; ..." : "");
+}
+
+// "objects = 200, workers = 1"
+std::string name_row(const Table& table, const std::vector<Value>& row,
+                     const std::vector<std::string>& columns) {
+  std::vector<std::string> parts;
+  for (const auto& column : columns)
+    parts.push_back(fmt::format("{} = {}", column, to_string(row[*table.find(column)])));
+  return join_texts(parts, ", ");
+}
+
 }  // namespace
+
+Variables::Variables(const Point& point, const machine::Model& model) : numbers_(point.numbers) {
+  for (const auto& entry : model.entries) numbers_[entry.key] = entry.value;
+}
+
+void Variables::add_row(const Table& table, const std::vector<Value>& row) {
+  for (std::size_t c = 0; c < row.size(); ++c)
+    if (const auto* text = std::get_if<std::string>(&row[c]))
+      texts_[table.columns[c]] = *text;
+    else
+      numbers_[table.columns[c]] = as_number(row[c]).value_or(NO_VALUE);
+}
+
+void Variables::add(const std::string& name, double value, const std::string& place) {
+  if (numbers_.contains(name) || texts_.contains(name))
+    throw BadInput(fmt::format("{}: there is a {} already, expected a new name", place, name));
+  numbers_[name] = value;
+}
+
+std::optional<double> Variables::compare_text(const std::string& name) const {
+  for (const auto& [column, text] : texts_) {
+    const auto prefix = spell_as_name(column) + "_is_";
+    if (name.starts_with(prefix)) return prefix + spell_as_name(text) == name ? 1 : 0;
+  }
+  return std::nullopt;
+}
+
+double Variables::get(const std::string& name, const std::string& place) const {
+  if (const auto found = numbers_.find(name); found != numbers_.end()) return found->second;
+  if (const auto equal = compare_text(name)) return *equal;
+  if (const auto text = texts_.find(name); text != texts_.end())
+    throw BadInput(fmt::format("{}: {} is a text, expected a comparison such as {}_is_{}", place,
+                               name, spell_as_name(name), spell_as_name(text->second)));
+  std::vector<std::string> known;
+  for (const auto& [key, value] : numbers_) known.push_back(key);
+  throw BadInput(fmt::format("{}: unknown variable \"{}\", the nearest is \"{}\"", place, name,
+                             nearest_column(name, known)));
+}
+
+std::string nearest_column(const std::string& name, const std::vector<std::string>& known) {
+  // Columns of the farm that had names of their own for what other programs measure too.
+  static const std::map<std::string, std::string> RENAMED = {
+      {"data_accesses", "accesses_made"},
+      {"hit_local", "local"},
+      {"hit_path", "on_path"},
+      {"hit_queue", "by_queue"},
+      {"hit_server", "at_coordinator"},
+      {"hit_disk", "on_disk"},
+      {"data_requests", "requests"},
+      {"data_request_links", "links_per_request"},
+      {"data_links_saved_path", "spared_by_path"},
+      {"data_links_saved_queue", "spared_by_queue"},
+      {"data_wait_ms", "wait_per_request_s"},
+      {"router_messages_max", "most_held"},
+      {"messages", "messages_sent"},
+      {"message_bytes", "bytes_sent"},
+      {"hops_mean", "links_mean"}};
+  const auto renamed = RENAMED.find(name);
+  const bool is_there =
+      renamed != RENAMED.end() && std::ranges::find(known, renamed->second) != known.end();
+  return is_there ? renamed->second : base::nearest_name(name, known);
+}
 
 Rows::Rows(const ExperimentFile& file, const Table& table) : file_(file), table_(table) {
   base::check_equal("points of the results", table.count_points(), file.points.size());
@@ -49,22 +138,13 @@ void Rows::define(const std::string& name, const Expression& expression, const s
   }
 }
 
-std::size_t Rows::find_axis(const RowReference& reference, const std::string& axis,
-                            const std::string& place) const {
-  const auto found = table_.find(axis);
-  if (found && *found < table_.axes) return *found;
-  const std::vector<std::string> axes(
-      table_.columns.begin(), table_.columns.begin() + static_cast<std::ptrdiff_t>(table_.axes));
-  throw BadInput(fmt::format("{}: {}: \"{}\" is no axis of the results, the nearest is \"{}\"",
-                             place, reference.text, axis, base::nearest_name(axis, axes)));
-}
-
 std::optional<std::size_t> Rows::find_row(const RowReference& reference, const std::string& place,
                                           std::size_t row) const {
   auto wanted = table_.rows[row];
   std::vector<bool> is_free(table_.axes);
   for (const auto& condition : reference.conditions) {
-    const auto axis = find_axis(reference, condition.axis, place);
+    const auto axis =
+        find_axis(table_, condition.axis, fmt::format("{}: {}", place, reference.text));
     for (const auto& other : find_coupled(file_, condition.axis))
       if (const auto column = table_.find(other)) is_free[*column] = true;
     if (std::holds_alternative<std::string>(wanted[axis])) {
@@ -74,10 +154,12 @@ std::optional<std::size_t> Rows::find_row(const RowReference& reference, const s
     if (!condition.value)
       throw BadInput(fmt::format("{}: {}: found \"{}\", expected a number for the axis {}", place,
                                  reference.text, condition.text, condition.axis));
-    const auto& names = condition.value->variables();
-    for (const auto& name : names)
+    std::vector<double> values;
+    for (const auto& name : condition.value->variables()) {
       if (missing_[row].contains(name)) return std::nullopt;
-    wanted[axis] = condition.value->eval(variables_[row].get_all(names, place));
+      values.push_back(variables_[row].get(name, place));
+    }
+    wanted[axis] = condition.value->eval(values);
   }
   for (const auto& condition : reference.conditions) is_free[*table_.find(condition.axis)] = false;
   const auto found = choose_row(reference, place, wanted, is_free);
@@ -133,6 +215,67 @@ std::optional<double> Rows::eval(const Expression& expression, std::size_t row) 
     values.push_back(variables_[from].get(name, expression.place()));
   }
   return expression.eval(values);
+}
+
+std::vector<std::string> axis_names(const Table& table) {
+  return {table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes)};
+}
+
+std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place) {
+  const auto found = table.find(axis);
+  if (found && *found < table.axes) return *found;
+  throw BadInput(fmt::format("{}: \"{}\" is no axis of the results, the nearest is \"{}\"", place,
+                             axis, base::nearest_name(axis, axis_names(table))));
+}
+
+std::string name_axes(const Table& table, std::size_t row) {
+  return name_row(table, table.rows[row], axis_names(table));
+}
+
+std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expression>& where) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < rows.table().rows.size(); ++i) {
+    if (!rows.is_complete(i)) continue;
+    const double holds = where ? rows.eval(*where, i).value_or(0) : 1;
+    if (std::isnan(holds))
+      throw BadInput(fmt::format("{}: found nan at some point, expected a number", where->place()));
+    if (holds != 0) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+std::vector<std::vector<std::size_t>> match_rows(const Table& reference, const Table& table,
+                                                 const std::vector<std::string>& keys) {
+  std::vector<std::vector<std::size_t>> matches;
+  for (const auto& row : reference.rows) {
+    auto& found = matches.emplace_back();
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      if (std::ranges::all_of(keys, [&](const auto& key) {
+            return is_same(table.rows[i][*table.find(key)], row[*reference.find(key)]);
+          }))
+        found.push_back(i);
+  }
+  return matches;
+}
+
+std::optional<std::string> note_missing(const Table& reference, const std::string& name,
+                                        const std::string& column,
+                                        const std::vector<std::string>& keys,
+                                        const std::vector<std::vector<std::size_t>>& matches) {
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    if (matches[i].empty() && as_number(reference.rows[i][*reference.find(column)]))
+      missing.push_back(name_row(reference, reference.rows[i], keys));
+  if (missing.empty()) return std::nullopt;
+  return fmt::format("{} row(s) of {} were not run: {}", missing.size(), name, join_few(missing));
+}
+
+std::optional<std::string> note_left_out(const Table& table, const std::vector<std::size_t>& rows) {
+  if (rows.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto row : rows) names.push_back(name_axes(table, row));
+  return fmt::format("{} point(s) left out, for want of another point that they need: {}",
+                     rows.size(), join_few(names));
 }
 
 }  // namespace laboratory

@@ -9,6 +9,7 @@
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/points/machine_model.hpp"
 #include "renderer/files/load.hpp"
+#include "simulator/farm/farm.hpp"
 
 namespace laboratory {
 
@@ -43,10 +44,10 @@ HostSpeed measure(const machine::Model& model) {
 HostSpeeds measure_host(ExperimentFile& file) {
   HostSpeeds speeds;
   for (auto& point : file.points) {
-    if (point.experiment.cost != "timed") continue;
+    if (!point.experiment.is_timed) continue;
     const auto key = model_key(point.experiment);
     if (!speeds.contains(key)) speeds[key] = measure(make_model(point.experiment));
-    point.experiment.farm.cycles_per_host_s = speeds[key].cycles_per_host_s;
+    point.experiment.cycles_per_host_s = speeds[key].cycles_per_host_s;
   }
   return speeds;
 }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/points/farm_run.hpp"
+#include "topologies/graph/topology.hpp"
 #include "topologies/route/given_routes.hpp"
 
 namespace laboratory {
@@ -13,9 +15,57 @@ namespace laboratory {
 using base::BadInput;
 using topologies::Topology;
 
+namespace {
+
+Topology make_network(const Experiment& experiment) {
+  const std::string& name = experiment.topology.path;
+  const auto n = experiment.workers;
+  if (has_own_workers(experiment)) return topologies::make_topology(name);
+  if (name == "mesh" || name == "torus") {
+    auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
+    while (n % rows != 0) --rows;
+    return topologies::make_topology(fmt::format("{}:{}x{}", name, rows, n / rows));
+  }
+  if (name == "hypercube") {
+    int dimensions = 0;
+    while ((std::int64_t{1} << dimensions) < n) ++dimensions;
+    if ((std::int64_t{1} << dimensions) != n || dimensions > topologies::PORTS)
+      throw BadInput(
+          fmt::format("network.workers: found {}, expected 1, 2, 4, 8 or 16 for a hypercube (more "
+                      "need more than four links a processor)",
+                      n));
+    return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
+  }
+  // The smallest rings are lines.
+  if (name == "ring" && n < 3) return topologies::make_topology(fmt::format("line:{}", n));
+  return topologies::make_topology(fmt::format("{}:{}", name, n));
+}
+
+}  // namespace
+
+Topology make_workers(const Experiment& experiment) {
+  auto topology = make_network(experiment);
+  std::set<std::pair<int, int>> links;
+  for (const auto& link : topology.links) links.emplace(link.a.processor, link.b.processor);
+  if (experiment.switches > 0)
+    for (const auto& link : links) topology.switches[link] = experiment.switches;
+  for (const auto& [a, b, count] : experiment.switches_between) {
+    if (!links.contains(std::minmax(a, b)))
+      throw BadInput(
+          fmt::format("network.switches: found [{}, {}, {}], but no link of {} joins {} and {}", a,
+                      b, count, topology.name, a, b));
+    topology.switches[std::minmax(a, b)] = count;
+  }
+  return topology;
+}
+
+bool has_own_workers(const Experiment& experiment) {
+  return experiment.topology.path.find_first_of(":./") != std::string::npos;
+}
+
 topologies::RoutingTable find_routes(const Experiment& experiment, const Topology& topology) {
-  return experiment.routes.empty() ? topologies::make_routes(topology)
-                                   : topologies::load_routes(topology, experiment.routes);
+  return experiment.routes.path.empty() ? topologies::make_routes(topology)
+                                        : topologies::load_routes(topology, experiment.routes.path);
 }
 
 std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
@@ -32,7 +82,7 @@ std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
                          topology.processors - 1));
   try {
     return check_tree_links(topology, links);
-  } catch (const base::BadInput& error) {
+  } catch (const BadInput& error) {
     refuse(error.what());
   }
   return std::nullopt;
@@ -60,13 +110,14 @@ std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
 
 void check_network(const Experiment& experiment) {
   const auto topology = make_workers(experiment);
-  if (!experiment.routes.empty()) find_routes(experiment, topology);
+  if (!experiment.routes.path.empty()) find_routes(experiment, topology);
   find_tree(experiment, topology);
   find_faults(experiment, topology);
 }
 
 std::string network_key(const Experiment& e) {
-  auto key = fmt::format("{} {} {} {} {}", e.topology, e.workers, e.switches, e.routes, e.tree);
+  auto key =
+      fmt::format("{} {} {} {} {}", e.topology.path, e.workers, e.switches, e.routes.path, e.tree);
   for (const auto& [a, b, count] : e.switches_between) key += fmt::format(" {} {} {}", a, b, count);
   for (const auto& [a, b] : e.tree_links) key += fmt::format(" tree {} {}", a, b);
   for (const auto& [fault, place] : e.faults) key += fmt::format(" fault {} {}", fault.a, fault.b);

@@ -8,6 +8,12 @@
 
 namespace laboratory {
 
+/// The network of a point: "tree" and 7 workers is tree:7, "mesh" and 12 the most square mesh
+/// of 12. Throws base::BadInput.
+topologies::Topology make_workers(const Experiment& experiment);
+/// Whether the topology says its size itself, so that `workers` is void.
+bool has_own_workers(const Experiment& experiment);
+
 // The shortest routes, or those that a file gives. Throws base::BadInput.
 topologies::RoutingTable find_routes(const Experiment& experiment,
                                      const topologies::Topology& topology);

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/host/files.hpp"
-#include "experiments/laboratory/points/version.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/host/version.hpp"
 
 namespace laboratory {
 
@@ -67,16 +67,16 @@ ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
 void save_origin(const fs::path& results, const ordered_json& origin) {
   const auto file = file_in(results);
   const auto text = origin.dump(2) + "\n";
-  if (fs::is_regular_file(file) && read_file(file) == text) return;
+  if (fs::is_regular_file(file) && base::read_text(file) == text) return;
   fs::create_directories(file.parent_path());
-  write_file(file, text);
+  base::save_whole(file, text);
 }
 
 void check_same_experiment(const fs::path& results, const ExperimentFile& file) {
   auto source = file_in(results);
   if (!fs::is_regular_file(source)) source = results / "run.json";
   if (!fs::is_regular_file(source)) return;
-  const auto known = ordered_json::parse(read_file(source), nullptr, false);
+  const auto known = ordered_json::parse(base::read_text(source), nullptr, false);
   if (!known.is_object() || !known.contains("name")) return;
   const auto text = [&](const char* key) {
     return known.contains(key) && known[key].is_string() ? known[key].get<std::string>() : "";
@@ -97,7 +97,7 @@ Origin load_origin(const fs::path& results, const fs::path& file) {
     throw BadInput(fmt::format("{}: no results of tlab run: {} is not there", results.string(),
                                file.string()));
   try {
-    return read_origin(results, ordered_json::parse(read_file(path)));
+    return read_origin(results, ordered_json::parse(base::read_text(path)));
   } catch (const ordered_json::exception& error) {
     throw BadInput(fmt::format("{}: damaged: {}", path.string(), error.what()));
   }

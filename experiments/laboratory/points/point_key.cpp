@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/host/files.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/points/machine_model.hpp"
-#include "experiments/laboratory/points/version.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "simulator/machine/engine.hpp"
 
@@ -49,10 +49,9 @@ class Keys {
     std::string text = start_;
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
     text += "model " + find(models_, model_key(e), [&] { return hash_of(describe_entries(e)); });
-    for (const auto& source : {e.scene, e.topology, e.routes}) add_file(text, source);
-    for (const auto& [name, file] : e.files) {
-      add_file(text, file.path);
-      for (const auto& library : find_libraries(file.path)) add_file(text, library);
+    for (const auto& file : files_of(e)) {
+      add_file(text, file);
+      for (const auto& library : find_libraries(file)) add_file(text, library);
     }
     return hash_of(text);
   }
@@ -72,7 +71,7 @@ class Keys {
   }
 
   static std::string hash_file(const std::string& source) {
-    return std::filesystem::is_regular_file(source) ? hash_of(read_file(source)) : "none";
+    return std::filesystem::is_regular_file(source) ? hash_of(base::read_text(source)) : "none";
   }
 
   const ExperimentFile& file_;
@@ -84,7 +83,7 @@ class Keys {
 
 const std::string& program_id() {
   static const std::string id = hash_of(fmt::format(
-      "{} {} {}", VERSION, hash_of(read_file("/proc/self/exe")), machine::simgrid_version()));
+      "{} {} {}", VERSION, hash_of(base::read_text("/proc/self/exe")), machine::simgrid_version()));
   return id;
 }
 
@@ -94,7 +93,5 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
   for (const auto& point : file.points) all.push_back(keys.make(point));
   return all;
 }
-
-bool is_timed(const Experiment& experiment) { return experiment.cost == "timed"; }
 
 }  // namespace laboratory

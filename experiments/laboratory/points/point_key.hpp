@@ -15,7 +15,4 @@ const std::string& program_id();
 // it is cut short. Throws as make_model does.
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s);
 
-// With cost = "timed" a result depends on the host and the moment too: it is never used again.
-bool is_timed(const Experiment& experiment);
-
 }  // namespace laboratory

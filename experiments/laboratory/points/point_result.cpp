@@ -1,6 +1,6 @@
 #include "experiments/laboratory/points/point_result.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -8,9 +8,7 @@
 #include <numeric>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/file/program.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/points/farm_run.hpp"
 #include "simulator/machine/faults.hpp"
 
 namespace laboratory {
@@ -21,34 +19,107 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t MOST_NAMED = 10;
 
-ordered_json make_failure(const char* ended, int exit_code, const std::string& message) {
-  return {{"ended", ended},
-          {"row", {{"ended", ended}}},
-          {"message", message},
-          {"exit_code", exit_code}};
+ordered_json to_json(const base::Cell& cell) {
+  return std::visit(
+      [](const auto& value) -> ordered_json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+          return nullptr;
+        else
+          return value;
+      },
+      cell);
+}
+
+base::Cell to_cell(const ordered_json& json) {
+  if (json.is_null()) return {};
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  return json.get<std::string>();
+}
+
+ordered_json to_json(const base::Row& row) {
+  auto json = ordered_json::object();
+  for (const auto& [name, cell] : row) json[name] = to_json(cell);
+  return json;
+}
+
+base::Row to_row(const ordered_json& json) {
+  base::Row row;
+  for (const auto& [name, value] : json.items()) row.emplace_back(name, to_cell(value));
+  return row;
+}
+
+ordered_json to_json(const std::optional<double>& number) {
+  return number ? ordered_json(*number) : ordered_json();
+}
+
+std::optional<double> to_number(const ordered_json& json) {
+  return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
+}
+
+PointResult make_failure(const char* ended, int exit_code, const std::string& message) {
+  PointResult failure;
+  failure.ended = ended;
+  failure.exit_code = exit_code;
+  failure.message = message;
+  return failure;
 }
 
 }  // namespace
 
-bool is_complete(const ordered_json& result) {
-  return result["ended"] == "done" || result["ended"] == "saturated";
+ordered_json to_json(const PointResult& r) {
+  auto rows = ordered_json::array(), images = ordered_json::array();
+  for (const auto& row : r.rows) rows.push_back(to_json(row));
+  for (const auto& image : r.images)
+    images.push_back({{"name", image.name},
+                      {"at_s", to_json(image.at_s)},
+                      {"file", image.file},
+                      {"exr", image.exr},
+                      {"is_named", image.is_named}});
+  ordered_json json = {{"ended", r.ended},
+                       {"topology", r.topology},
+                       {"processors", r.processors},
+                       {"described", to_json(r.described)},
+                       {"rows", rows},
+                       {"notes", r.notes},
+                       {"images", images},
+                       {"host",
+                        {{"total_s", r.host.total_s},
+                         {"run_s", r.host.run_s},
+                         {"kernel_s", to_json(r.host.kernel_s)},
+                         {"events", r.host.events}}}};
+  if (r.is_failed()) json.update({{"message", r.message}, {"exit_code", r.exit_code}});
+  if (!r.use.is_null()) json["use"] = r.use;
+  return json;
 }
 
-bool is_failed(const ordered_json& result) { return result.contains("message"); }
-
-std::vector<const ordered_json*> rows_of(const ordered_json& result) {
-  if (!result.contains("rows")) return {&result.at("row")};
-  std::vector<const ordered_json*> rows;
-  for (const auto& row : result["rows"]) rows.push_back(&row);
-  return rows;
+PointResult to_result(const ordered_json& json) {
+  PointResult r;
+  r.ended = json.at("ended").get<std::string>();
+  r.at = json.value("at", "");
+  r.message = json.value("message", "");
+  r.exit_code = json.value("exit_code", 0);
+  r.topology = json.at("topology").get<std::string>();
+  r.processors = json.at("processors").get<int>();
+  r.described = to_row(json.at("described"));
+  for (const auto& row : json.at("rows")) r.rows.push_back(to_row(row));
+  r.notes = json.at("notes").get<std::vector<std::string>>();
+  for (const auto& image : json.at("images"))
+    r.images.push_back({image.at("name").get<std::string>(), to_number(image.at("at_s")),
+                        image.at("file").get<std::string>(), image.at("exr").get<std::string>(),
+                        image.at("is_named").get<bool>()});
+  const auto& host = json.at("host");
+  r.host = {host.at("total_s").get<double>(), host.at("run_s").get<double>(),
+            to_number(host.at("kernel_s")), host.at("events").get<std::uint64_t>()};
+  if (json.contains("use")) r.use = json["use"];
+  return r;
 }
 
 std::vector<std::string> notes_of(const ExperimentFile& file, const Results& results) {
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!results[i].contains("notes")) continue;
     const auto prefix = results.size() > 1 ? name_of(file.points[i]) + ": " : "";
-    for (const auto& note : results[i]["notes"]) notes.push_back(prefix + note.get<std::string>());
+    for (const auto& note : results[i].notes) notes.push_back(prefix + note);
   }
   return notes;
 }
@@ -62,11 +133,11 @@ std::vector<std::size_t> all_points(const ExperimentFile& file) {
 std::vector<std::size_t> missing_points(const Results& results) {
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i].is_null()) missing.push_back(i);
+    if (!results[i].is_there()) missing.push_back(i);
   return missing;
 }
 
-ordered_json make_failure(const std::exception& error) {
+std::optional<PointResult> make_failure(const std::exception& error) {
   const std::string what = error.what();
   if (dynamic_cast<const machine::Deadlock*>(&error)) return make_failure("deadlock", 3, what);
   if (dynamic_cast<const machine::OutOfMemory*>(&error))
@@ -78,20 +149,11 @@ ordered_json make_failure(const std::exception& error) {
   return {};
 }
 
-ordered_json make_failure(const std::string& died) { return make_failure("failed", 1, died); }
-
-void add_axes(const Experiment& experiment, ordered_json& failure) {
-  if (experiment.program == "farm") return failure.update(describe_farm(experiment));
-  failure["row"] = ordered_json::object();
-  if (!find_pattern(experiment.program)->uses_topology) return;
-  const auto topology = make_workers(experiment);
-  failure["topology"] = topology.name;
-  failure["processors"] = topology.processors;
-}
+PointResult make_failure(const std::string& died) { return make_failure("failed", 1, died); }
 
 std::string describe_end(const Results& results, std::size_t points) {
   std::map<std::string, std::size_t> counts;
-  for (const auto& result : results) ++counts[result["ended"].get<std::string>()];
+  for (const auto& result : results) ++counts[result.ended];
   if (counts["done"] == points)
     return points == 1 ? "done" : fmt::format("all {} points are done", points);
   std::string text = fmt::format("{} of {} points are done", counts["done"], points);
@@ -109,11 +171,10 @@ void throw_failures(const ExperimentFile& file, const Results& results, const st
   std::vector<std::string> names;
   int exit_code = 3;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (results[i].is_null() || !is_failed(results[i])) continue;
-    if (file.axes.empty())
-      throw JobFailed(results[i]["message"].get<std::string>(), results[i]["exit_code"].get<int>());
+    if (!results[i].is_failed()) continue;
+    if (file.axes.empty()) throw JobFailed(results[i].message, results[i].exit_code);
     names.push_back(name_of(file.points[i]));
-    exit_code = std::min(exit_code, results[i]["exit_code"].get<int>());
+    exit_code = std::min(exit_code, results[i].exit_code);
   }
   if (names.empty()) return;
   const auto failed = names.size();

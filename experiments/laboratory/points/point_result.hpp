@@ -1,6 +1,7 @@
 #pragma once
-// What came out of the points of an experiment, and how they ended.
+// What came out of one point, and how it ended.
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,34 +9,67 @@
 
 namespace laboratory {
 
-// Of each point what farm_run or pattern_run returns, but "use", which only its record has. Null
-// for a point that has not been run. Of one that failed: "ended" (deadlock, out of memory, failed),
-// "message", "exit_code", an empty "row", and what its axes need.
-using Results = std::vector<nlohmann::ordered_json>;
+/// An image of a point: a file of the records, and where it is among the results.
+struct SavedImage {
+  std::string name;            ///< that the program gave it
+  std::optional<double> at_s;  ///< when it was complete, for one on the way to the last
+  std::string file, exr;       ///< names in the folder of records, by content; exr: "" for none
+  bool is_named = false;       ///< its name says already what it shows
+  std::string path = {};       ///< name in the folder of results; "" until it is placed
+  std::string caption = {};
+};
 
-// Whether a point came to its end.
-bool is_complete(const nlohmann::ordered_json& result);
-bool is_failed(const nlohmann::ordered_json& result);
-// Its rows: "rows" of a program with several a point, else "row" alone.
-std::vector<const nlohmann::ordered_json*> rows_of(const nlohmann::ordered_json& result);
-// What the programs say of their runs, each sentence behind its point's name where there are
-// several points.
+/// CPU seconds of the host: never part of a result.
+struct HostCost {
+  double total_s = 0, run_s = 0;  ///< all of the point; the simulation alone
+  std::optional<double> kernel_s;
+  std::uint64_t events = 0;  ///< simulated; 0 where they are not counted
+};
+
+struct PointResult {
+  /// done, saturated, limit, interrupt, deadlock, out of memory or failed; "": not run.
+  std::string ended;
+  std::string at;        ///< names the point; only in records
+  std::string message;   ///< why a point failed
+  int exit_code = 0;     ///< of one that failed
+  std::string topology;  ///< name of the network, where the program uses one
+  int processors = 0;
+  base::Row described;          ///< columns that are known before the run
+  std::vector<base::Row> rows;  ///< none where nothing was measured
+  std::vector<std::string> notes;
+  std::vector<SavedImage> images;
+  nlohmann::ordered_json use;  ///< of processors and links, as run.json shows it; only in records
+  HostCost host;
+
+  bool is_there() const { return !ended.empty(); }
+  /// Whether the point came to its end.
+  bool is_complete() const { return ended == "done" || ended == "saturated"; }
+  bool is_failed() const { return !message.empty(); }
+};
+/// The same as JSON, for a pipe or a record, and back; throws nlohmann::json::exception.
+nlohmann::ordered_json to_json(const PointResult& result);
+PointResult to_result(const nlohmann::ordered_json& json);
+
+/// One result for each point of the file.
+using Results = std::vector<PointResult>;
+
+/// The sentences of the programs about their runs, each behind its point's name where there are
+/// several points.
 std::vector<std::string> notes_of(const ExperimentFile& file, const Results& results);
-// The numbers of all points, and of those without a result.
+/// The numbers of all points, and of those without a result.
 std::vector<std::size_t> all_points(const ExperimentFile& file);
 std::vector<std::size_t> missing_points(const Results& results);
 
-// A simulated fault, a defect, or no memory on the host; null for any other exception.
-nlohmann::ordered_json make_failure(const std::exception& error);
-// Of a process that came to nothing.
-nlohmann::ordered_json make_failure(const std::string& died);
-// Adds what the axes of a failed point need.
-void add_axes(const Experiment& experiment, nlohmann::ordered_json& failure);
+/// The result of a point that ended with a simulated fault or a defect, or for which the host has
+/// no memory; none for any other exception.
+std::optional<PointResult> make_failure(const std::exception& error);
+/// The result of a point whose process died.
+PointResult make_failure(const std::string& died);
 
-// Why a run of so many points ended: a sentence.
+/// Why a run of so many points ended: a sentence.
 std::string describe_end(const Results& results, std::size_t points);
-// Throws JobFailed if a point failed: with exit code 1 for a defect or a process that came to
-// nothing, else 3. `where` says what has become of the results.
+/// Throws JobFailed if a point failed: with exit code 1 for a defect or a process that died, else
+/// 3. `where` says what has become of the results.
 void throw_failures(const ExperimentFile& file, const Results& results, const std::string& where);
 
 }  // namespace laboratory

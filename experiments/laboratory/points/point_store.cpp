@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/host/files.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/hash.hpp"
-#include "experiments/laboratory/host/try_twice.hpp"
 #include "experiments/laboratory/points/point_key.hpp"
 
 namespace laboratory {
@@ -26,7 +26,7 @@ std::string make_seal(std::string_view text) {
 // A record, or null where its bytes are not those that were written, or it is of another key.
 // `filter`: see nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
-  const std::string text = read_file(file);
+  const std::string text = base::read_text(file);
   const std::size_t end = make_seal("").size();
   if (text.size() < end) return {};
   const auto sealed = std::string_view(text).substr(0, text.size() - end);
@@ -35,16 +35,11 @@ ordered_json read_record(const fs::path& file, const ordered_json::parser_callba
   return record.is_object() && record.value("key", "") == file.stem() ? record : ordered_json();
 }
 
-bool has_images(const ordered_json& record, const fs::path& folder) {
-  const auto is_there = [&](const ordered_json& name) {
-    return fs::is_regular_file(folder / name.get<std::string>());
-  };
-  if (record.contains("image") && !is_there(record["image"])) return false;
-  for (const char* key : {"key_images", "images"})
-    for (const auto& image : record.value(key, ordered_json::array()))
-      if (!is_there(image["file"]) || (image.contains("exr") && !is_there(image["exr"])))
-        return false;
-  return true;
+bool has_images(const PointResult& result, const fs::path& folder) {
+  return std::ranges::all_of(result.images, [&](const SavedImage& image) {
+    return fs::is_regular_file(folder / image.file) &&
+           (image.exr.empty() || fs::is_regular_file(folder / image.exr));
+  });
 }
 
 }  // namespace
@@ -52,7 +47,7 @@ bool has_images(const ordered_json& record, const fs::path& folder) {
 fs::path records_folder() { return fs::path("points") / program_id().substr(0, 16); }
 fs::path lone_records_folder() { return fs::path("points") / "lone"; }
 
-std::optional<ordered_json> find_record(const fs::path& results, const std::string& key) {
+std::optional<PointResult> find_record(const fs::path& results, const std::string& key) {
   const auto folder = results / records_folder(), file = folder / (key + ".json");
   if (!fs::is_regular_file(file)) return {};
   const auto skip_use = [](int depth, ordered_json::parse_event_t event, ordered_json& value) {
@@ -63,26 +58,29 @@ std::optional<ordered_json> find_record(const fs::path& results, const std::stri
     fmt::print(stderr, "tlab: {}: this record is damaged, the point is run again\n", file.string());
     return {};
   }
-  if (!has_images(record, folder)) return {};
-  return record;
+  auto result = to_result(record);
+  return has_images(result, folder) ? std::optional(std::move(result)) : std::nullopt;
 }
 
-void save_record(const fs::path& folder, const std::string& key, ordered_json record) {
+void save_record(const fs::path& folder, const std::string& key, const PointResult& result,
+                 const std::string& at) {
+  auto record = to_json(result);
+  record["at"] = at;
   record["key"] = key;
   auto text = record.dump();
   text.pop_back();
   text += make_seal(text);
   try_twice([&] {
     fs::create_directories(folder);
-    write_file(folder / (key + ".json"), text);
+    base::save_whole(folder / (key + ".json"), text);
   });
 }
 
-ordered_json load_record(const fs::path& file) {
-  auto record = read_record(file, nullptr);
+PointResult load_record(const fs::path& file) {
+  const auto record = read_record(file, nullptr);
   if (record.is_null())
     throw base::BadInput(fmt::format("{}: this record is damaged", file.string()));
-  return record;
+  return to_result(record);
 }
 
 StoreGuard::StoreGuard(const fs::path& results)

@@ -2,9 +2,10 @@
 // The records of points: what each simulation gave, in points/ of the folder of results, written
 // as soon as it has ended and found again by its key.
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+
+#include "experiments/laboratory/points/point_result.hpp"
 
 namespace laboratory {
 
@@ -14,17 +15,18 @@ std::filesystem::path records_folder();
 // Records that belong to the results beside them and to no other: of points that failed, were
 // interrupted, or depend on the host's speed.
 std::filesystem::path lone_records_folder();
-// A record without "use"; none if it is missing, damaged (named on standard error), or lacks
-// an image.
-std::optional<nlohmann::ordered_json> find_record(const std::filesystem::path& results,
-                                                  const std::string& key);
+// A record without what processors and links did; none if it is missing, damaged (named on standard
+// error), or lacks an image.
+std::optional<PointResult> find_record(const std::filesystem::path& results,
+                                       const std::string& key);
 
 // Writes `folder`/KEY.json, whole or not at all; several processes may do so at once.
+// `at` names the point, for people.
 void save_record(const std::filesystem::path& folder, const std::string& key,
-                 nlohmann::ordered_json record);
+                 const PointResult& result, const std::string& at);
 
 // All of a record. Throws base::BadInput with the file if it is damaged.
-nlohmann::ordered_json load_record(const std::filesystem::path& file);
+PointResult load_record(const std::filesystem::path& file);
 
 // When it goes, so do the records' folder if it is empty, and what has come with it.
 class StoreGuard {

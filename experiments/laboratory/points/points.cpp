@@ -3,55 +3,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <stdexcept>
-#include <tuple>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/points/farm_run.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/points/machine_model.hpp"
 #include "experiments/laboratory/points/network_setup.hpp"
-#include "experiments/laboratory/points/pattern_run.hpp"
+#include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_key.hpp"
-#include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
 #include "experiments/laboratory/points/trace_files.hpp"
-#include "renderer/files/load.hpp"
+#include "simulator/machine/faults.hpp"
 
 namespace laboratory {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 // Axes that another key makes void would give rows that say one thing and are another.
 void check_axes(const ExperimentFile& file) {
-  for (const auto& [axis, key, has_number] :
-       {std::tuple("workers", "network.topology", &has_own_workers),
-        std::tuple("objects", "scene.source", &has_own_objects)})
-    for (const auto& point : file.points)
-      if (std::ranges::find(file.axes, axis) != file.axes.end() && has_number(point.experiment))
+  for (std::size_t axis = 0; axis < file.axes.size(); ++axis)
+    for (const auto& point : file.points) {
+      const Experiment& e = point.experiment;
+      const auto& key = file.axis_keys[axis];
+      std::string by = e.program->voids ? e.program->voids(e.params, key) : "";
+      if (key == "network.workers" && has_own_workers(e)) by = "network.topology";
+      if (!by.empty())
         throw base::BadInput(fmt::format("{}: [sweep] has an axis {}, but {} says how many itself",
-                                         file.path, axis, key));
+                                         file.path, file.axes[axis], by));
+    }
 }
 
-using SceneSizes = std::map<std::string, farm::SceneSize>;  // by source
-
-// What [data] says, also where a point has none of its scene's data to share.
-void check_data(const Experiment& e, const farm::SceneSize& scene) {
-  farm::Params params = e.farm;
-  if (is_timed(e)) params.cycles_per_host_s = 1;
-  farm::check(make_model(e), scene, params, e.data);
-}
-
-void check_farm_point(const Experiment& e, SceneSizes& scenes) {
-  renderer::check(e.farm.image);
-  farm::check(e.farm);
-  if (e.has_data) farm::check_task(e.farm);
-  const auto source = scene_source(e);
-  if (!scenes.contains(source)) scenes[source] = farm::size_of(renderer::load_scene(source));
-  if (e.data.cache_percent > 0) check_data(e, scenes[source]);
-}
-
-// What is wrong with it, whichever room says so, is said of the file.
+// Whatever room finds something wrong, it is wrong in the file.
 template <class Check>
 void check_in(const ExperimentFile& file, const Check& check) {
   const auto refuse = [&](const std::exception& error) {
@@ -66,23 +52,117 @@ void check_in(const ExperimentFile& file, const Check& check) {
   }
 }
 
+PointResult run_traced(const PointsPlan& plan, std::size_t number) {
+  const Point& point = plan.file.points[number];
+  const auto& title = point.experiment.title;
+  TraceFiles files(plan.options);
+  const auto save = [&] {
+    files.save(point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point)));
+  };
+  try {
+    auto result = run_point(point.experiment, plan.results / records_folder(), plan.options.profile,
+                            files.watch());
+    save();
+    return result;
+  } catch (const machine::Fault&) {
+    try {
+      save();
+    } catch (const std::exception&) {  // the fault is what matters
+    }
+    throw;
+  }
+}
+
+void save_point(const PointsPlan& plan, std::size_t number, const PointResult& result) {
+  const Point& point = plan.file.points[number];
+  const bool lone = is_lone(point.experiment, result);
+  if (lone && plan.lone.empty()) return;
+  if (!lone) save_origin(plan.results, plan.origin);
+  save_record(lone ? plan.lone : plan.results / records_folder(), plan.keys[number], result,
+              name_of(point));
+}
+
+// In the child: a failure is a result too, bad input is not.
+PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
+  const Point& point = plan.file.points[number];
+  try {
+    auto result = run_traced(plan, number);
+    save_point(plan, number, result);  // first: a name mistyped in the file costs no result
+    if (plan.inspect) plan.inspect(point, result);
+    result.use = nullptr;
+    return result;
+  } catch (const std::exception& error) {
+    if (const auto failure = make_failure(error)) return *failure;
+    if (plan.file.axes.empty()) throw;
+    throw JobFailed(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));
+  }
+}
+
+// Adds what the axes of a failed point need, and records it.
+void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& failure,
+                    Progress& bar) {
+  const Point& point = plan.file.points[number];
+  if (!plan.file.axes.empty())
+    bar.say(fmt::format("tlab: at {}: {}", name_of(point), failure.message));
+  const auto known = describe_point(point.experiment);
+  failure.topology = known.topology;
+  failure.processors = known.processors;
+  failure.described = known.described;
+  save_point(plan, number, failure);
+}
+
 }  // namespace
 
 void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
   check_trace_files(options, chosen, results_folder(options));
   check_axes(file);
   std::set<std::string> models, networks;
-  SceneSizes scenes;
   for (const auto& point : file.points)
     check_in(file, [&] {
       const Experiment& e = point.experiment;
-      if (is_farm(file))
-        check_farm_point(e, scenes);
-      else
-        check_pattern_point(e);
+      check_point(e);
       if (models.insert(model_key(e)).second) make_model(e);
       if (networks.insert(network_key(e)).second) check_network(e);
     });
+}
+
+PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect)
+    : options(options),
+      file(file),
+      inspect(std::move(inspect)),
+      results(results_folder(options)),
+      keys(make_keys(file, options.until_s)),
+      origin(make_origin(options, file, results)) {}
+
+Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
+  Results results(plan.keys.size());
+  const RunOptions& o = plan.options;
+  if (o.profile || !o.trace.empty() || !o.timeline.empty()) return results;
+  for (const auto i : numbers)
+    if (!plan.file.points[i].experiment.is_timed)
+      if (auto record = find_record(plan.results, plan.keys[i])) results[i] = std::move(*record);
+  return results;
+}
+
+void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers, Results& results) {
+  const auto there = results.size() - missing_points(results).size();
+  Progress bar("simulating", there);
+  auto done = there;
+  for_each_job(
+      numbers.size(), plan.options.jobs,
+      [&](std::size_t i) { return to_json(run_and_save(plan, numbers[i])).dump(); },
+      [&](JobEnd end) {
+        auto& result = results[numbers[end.index]];
+        result =
+            end.died.empty() ? to_result(ordered_json::parse(end.result)) : make_failure(end.died);
+        if (result.is_failed()) finish_failure(plan, numbers[end.index], result, bar);
+        bar.show(++done, there + numbers.size());
+      });
+  if (was_interrupted() && done == 0) throw Interrupted();
+}
+
+bool is_lone(const Experiment& experiment, const PointResult& result) {
+  return experiment.is_timed || result.is_failed() || result.ended == "interrupt";
 }
 
 }  // namespace laboratory

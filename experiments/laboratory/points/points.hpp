@@ -14,7 +14,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
 
 // What looks at a point's result as soon as it has one, and throws where the file's checks and
 // figures name what it has not.
-using Inspect = std::function<void(const Point& point, const nlohmann::ordered_json& result)>;
+using Inspect = std::function<void(const Point& point, const PointResult& result)>;
 
 // What is to be run, and where its records go.
 struct PointsPlan {
@@ -29,17 +29,17 @@ struct PointsPlan {
   nlohmann::ordered_json origin;  // see make_origin
 };
 
-// Of these points the results whose records are there; all others are null. With --profile, --trace
-// or --timeline there are none.
+// Of these points the results whose records are there; the others are not there. With --profile,
+// --trace or --timeline there are none.
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers);
 
 // Runs the points of these numbers and puts their results in place; each is recorded as soon as it
 // has ended. Of several that fail each is reported on standard error at once, and the others go on.
-// Where the user interrupts, some results stay null. Throws JobFailed for bad input, and
+// Where the user interrupts, some results stay away. Throws JobFailed for bad input, and
 // Interrupted at a second interrupt or where there is no result at all.
 void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers, Results& results);
 
 // Whether its record belongs to these results and to no other.
-bool is_lone(const Experiment& experiment, const nlohmann::ordered_json& result);
+bool is_lone(const Experiment& experiment, const PointResult& result);
 
 }  // namespace laboratory

@@ -3,70 +3,117 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
+#include <set>
 
-#include "experiments/laboratory/points/farm_run.hpp"
-#include "experiments/laboratory/points/pattern_table.hpp"
-#include "experiments/laboratory/points/point_result.hpp"
+#include "base/errors.hpp"
 #include "experiments/laboratory/points/speedups.hpp"
-#include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {
 
 namespace {
 
-using nlohmann::ordered_json;
+constexpr double EXACT = 0x1p53;  // up to here doubles hold every whole number
 
-bool is_standard(const std::string& axis) {
-  return axis == "topology" || axis == "workers" || axis == "objects";
+// The programs of the points, each once.
+std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
+  std::vector<const programs::Program*> all;
+  for (const auto& point : file.points)
+    if (std::ranges::find(all, point.experiment.program) == all.end())
+      all.push_back(point.experiment.program);
+  return all;
 }
 
-// What the laws say of every speed-up, behind the efficiency.
-void add_serial_fractions(Table& table) {
-  const std::size_t workers = *table.find("workers"), speedup = *table.find("speedup");
-  auto behind = static_cast<std::ptrdiff_t>(*table.find("efficiency")) + 1;
-  for (const auto& [name, law] : {std::pair("serial_karp_flatt", &karp_flatt),
-                                  std::pair("serial_gustafson", &serial_gustafson)}) {
-    table.columns.insert(table.columns.begin() + behind, name);
-    for (auto& row : table.rows) {
-      const auto n = as_number(row[workers]), s = as_number(row[speedup]);
-      const auto serial = n && s ? law(*n, *s) : std::nullopt;
-      Value cell;
-      if (serial) cell = *serial;
-      row.insert(row.begin() + behind, cell);
+// The name of the column of an axis.
+std::string column_of(const ExperimentFile& file, const std::string& axis) {
+  return axis == "workers" ? programs_of(file)[0]->processors : axis;
+}
+
+// A table that takes a row cell by cell; columns that are new come behind those that are known.
+class Filling {
+ public:
+  Filling(Table& table) : table_(table) {}
+
+  void begin() { table_.rows.emplace_back(table_.columns.size()); }
+  // A result that is an input as well has one column, and must be equal to it.
+  void put(const std::string& column, const Value& value) {
+    auto known = table_.find(column);
+    if (!known) {
+      known = table_.columns.size();
+      table_.columns.push_back(column);
+      for (auto& row : table_.rows) row.emplace_back();
     }
-    ++behind;
+    Value& cell = table_.rows.back()[*known];
+    if (cell == Value()) {
+      cell = value;
+    } else if (const auto found = as_number(value), there = as_number(cell); found && there) {
+      base::check_equal(("two columns " + column).c_str(), *found, *there);
+    }
+  }
+
+ private:
+  Table& table_;
+};
+
+Value to_value(const base::Scalar& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* source = std::get_if<base::Source>(&value)) return source->text;
+  return {};
+}
+
+// What goes into a point and is no axis.
+void put_inputs(Filling& filling, const Experiment& experiment, const PointResult& result) {
+  const auto& program = *experiment.program;
+  if (program.uses.network) {
+    filling.put("topology", experiment.topology.text);
+    filling.put(program.processors, std::int64_t{result.processors});
+  }
+  for (const auto& [name, cell] : result.described) filling.put(name, cell);
+  if (!program.shows_parameters) return;
+  for (const auto& p : program.parameters) filling.put(p.name, to_value(p.get(experiment.params)));
+}
+
+// The columns up to the measurements, in their order: rows that lack some leave them empty.
+std::vector<std::string> input_columns(const ExperimentFile& file) {
+  auto columns = axis_columns(file);
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(columns, name) == columns.end()) columns.push_back(name);
+  };
+  for (const auto* program : programs_of(file))
+    for (const auto& part : program->parts) add(part);
+  return columns;
+}
+
+// Whole numbers are written without a point, if a column holds nothing else.
+void make_whole(Table& table) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const bool whole = std::ranges::all_of(table.rows, [&](const auto& row) {
+      const auto* number = std::get_if<double>(&row[c]);
+      return !number || (*number == std::floor(*number) && std::abs(*number) < EXACT);
+    });
+    for (auto& row : table.rows)
+      if (const auto* number = std::get_if<double>(&row[c]); number && whole)
+        row[c] = static_cast<std::int64_t>(*number);
   }
 }
 
 }  // namespace
 
-bool is_complete_row(const Table& table, const std::vector<Value>& row) {
-  const auto column = table.find("ended");
-  return !column || row[*column] == Value("done") || row[*column] == Value("saturated");
-}
-
-bool is_farm(const ExperimentFile& file) { return file.points[0].experiment.program == "farm"; }
-
-Value to_value(const ordered_json& json) {
-  if (json.is_null()) return {};
-  if (json.is_number_integer()) return json.get<std::int64_t>();
-  if (json.is_number()) return json.get<double>();
-  return json.get<std::string>();
+bool is_farm(const ExperimentFile& file) {
+  const auto all = programs_of(file);
+  return all.size() == 1 && all[0]->name == "farm";
 }
 
 // A coordinate without TOML's quotes; numbers as numbers.
 Value to_value(const Coordinate& at) {
-  const auto json = ordered_json::parse(at.toml, nullptr, false);
-  if (json.is_number()) return to_value(json);
+  const auto json = nlohmann::json::parse(at.toml, nullptr, false);
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
   const auto& text = at.toml;
   const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'');
   return quoted ? text.substr(1, text.size() - 2) : text;
-}
-
-// What the axis of a name is called in the table.
-static std::string column_of(const ExperimentFile& file, const std::string& axis) {
-  return !is_farm(file) && axis == "workers" ? "processors" : axis;
 }
 
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column) {
@@ -78,64 +125,53 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
   return {column};
 }
 
-const ordered_json& longest_row(const std::vector<ordered_json>& results) {
-  std::vector<const ordered_json*> all;
-  for (const auto& result : results)
-    for (const auto* row : rows_of(result)) all.push_back(row);
-  return **std::ranges::max_element(all, {}, [](const auto* row) { return row->size(); });
-}
-
 std::vector<std::string> axis_columns(const ExperimentFile& file) {
+  const auto all = programs_of(file);
   std::vector<std::string> columns;
-  if (is_farm(file)) columns = {"topology", "workers", "objects"};
-  for (const auto& axis : file.axes)
-    if (!is_farm(file) || !is_standard(axis)) columns.push_back(column_of(file, axis));
+  if (all.size() == 1) columns = all[0]->leading;
+  for (const auto& axis : file.axes) {
+    const auto column = column_of(file, axis);
+    if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
+  }
   return columns;
 }
 
-Table make_table(const ExperimentFile& file, const std::vector<ordered_json>& results) {
-  if (!is_farm(file)) return make_pattern_table(file, results);
+Table make_table(const ExperimentFile& file, const Results& results) {
   Table table;
-  table.columns = axis_columns(file);
+  table.columns = input_columns(file);
   table.axes = table.columns.size();
-  const auto& longest = longest_row(results);
-  for (const auto& [name, value] : longest.items()) table.columns.push_back(name);
+  Filling filling(table);
+  const auto add_row = [&](std::size_t point, const base::Row& measured) {
+    filling.begin();
+    table.points.push_back(point);
+    const Point& at = file.points[point];
+    for (const auto& coordinate : at.at)
+      filling.put(column_of(file, coordinate.axis), to_value(coordinate));
+    put_inputs(filling, at.experiment, results[point]);
+    for (const auto& [name, cell] : measured) filling.put(name, cell);
+  };
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Point& point = file.points[i];
-    std::vector<Value> row{point.experiment.topology, to_value(results[i]["workers"]),
-                           to_value(results[i]["objects"])};
-    for (const auto& at : point.at)
-      if (!is_standard(at.axis)) row.push_back(to_value(at));
-    for (const auto& [name, ignored] : longest.items())
-      row.push_back(to_value(results[i]["row"].value(name, ordered_json())));
-    table.rows.push_back(std::move(row));
+    for (const auto& row : results[i].rows) add_row(i, row);
+    if (results[i].rows.empty()) add_row(i, {});
   }
-  add_speedups(table, "workers");
-  add_serial_fractions(table);
+  table.columns.push_back("ended");
+  for (std::size_t r = 0; r < table.rows.size(); ++r)
+    table.rows[r].emplace_back(results[table.points[r]].ended);
+  const auto processors = programs_of(file)[0]->processors;
+  add_speedups(table, processors);
+  add_serial_fractions(table, processors);
+  if (programs_of(file)[0]->shows_parameters || programs_of(file).size() > 1) make_whole(table);
   return table;
 }
 
-std::string image_key(const Experiment& experiment) {
-  const auto& p = experiment.farm.image;
-  return fmt::format("{} {}x{} {} {} {} {} {} {},{},{},{}", scene_source(experiment), p.width,
-                     p.height, p.limits.depth, p.limits.min_influence, int(p.feelers),
-                     int(p.sample), p.ambient, p.area.x, p.area.y, p.area.width, p.area.height);
-}
-
-std::string stages_key(const Experiment& experiment) {
-  std::string key;
-  for (const auto& s : experiment.farm.stages)
-    key += fmt::format(" {} {} {} {} {},{},{},{}", s.min_influence, s.depth_reflected,
-                       s.depth_transmitted, s.min_cell, s.area.x, s.area.y, s.area.width,
-                       s.area.height);
-  return key;
-}
-
-std::string image_name(const Experiment& experiment) {
-  std::string name = std::filesystem::path(scene_source(experiment)).filename().string();
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
-  return "image-" + name;
+std::vector<std::string> first_result(const ExperimentFile& file, const Table& table) {
+  std::set<std::string> inputs{"topology", "processors", "workers"};
+  for (std::size_t c = 0; c < table.axes; ++c) inputs.insert(table.columns[c]);
+  for (const auto* program : programs_of(file))
+    for (const auto& p : program->parameters) inputs.insert(p.name);
+  for (const auto& column : table.columns)
+    if (!inputs.contains(column)) return {column};
+  return {};
 }
 
 }  // namespace laboratory

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {
 
@@ -18,6 +18,11 @@ bool is_base(const Table& table, const std::vector<Value>& base, const std::vect
 
 }  // namespace
 
+bool is_complete_row(const Table& table, const std::vector<Value>& row) {
+  const auto column = table.find("ended");
+  return !column || row[*column] == Value("done") || row[*column] == Value("saturated");
+}
+
 void add_speedups(Table& table, const std::string& processors) {
   const auto axis = table.find(processors), time = table.find("time_s");
   const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");
@@ -31,6 +36,19 @@ void add_speedups(Table& table, const std::string& processors) {
     const double s = *as_number((*base)[*time]) / *as_number(row[*time]);
     row[*speedup] = s;
     row[*efficiency] = s / *as_number(row[*axis]);
+  }
+}
+
+void add_serial_fractions(Table& table, const std::string& processors) {
+  const auto axis = table.find(processors), speedup = table.find("speedup");
+  for (const auto& [name, law] : {std::pair("serial_karp_flatt", &karp_flatt),
+                                  std::pair("serial_gustafson", &serial_gustafson)}) {
+    const auto column = table.find(name);
+    if (!column || !axis || !speedup) return;
+    for (auto& row : table.rows) {
+      const auto n = as_number(row[*axis]), s = as_number(row[*speedup]);
+      if (const auto serial = n && s ? law(*n, *s) : std::nullopt) row[*column] = *serial;
+    }
   }
 }
 

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
 
 #include "base/errors.hpp"
+#include "base/whole_file.hpp"
 
 namespace laboratory {
 
@@ -25,24 +22,6 @@ Save find_format(const std::string& file) {
   return ending == ".svg" ? &observe::save_timeline : nullptr;
 }
 
-std::string partial_of(const std::string& file) { return file + ".partial"; }
-
-[[noreturn]] void fail(const std::string& file, int error) {
-  std::error_code ignored;
-  fs::remove(partial_of(file), ignored);
-  throw std::system_error(error != 0 ? error : EIO, std::generic_category(),
-                          file + ": cannot be written");
-}
-
-// Beside its name, and renamed when it is whole.
-void save_file(const std::string& file, const observe::Trace& trace) {
-  errno = 0;
-  std::ofstream out(partial_of(file), std::ios::binary);
-  if (out) find_format(file)(trace, out);
-  out.close();
-  if (!out || std::rename(partial_of(file).c_str(), file.c_str()) != 0) fail(file, errno);
-}
-
 // What would go wrong after the simulation goes wrong before it.
 void check_place(const char* option, const std::string& file, const fs::path& results) {
   const auto inside = fs::weakly_canonical(fs::absolute(file))
@@ -52,11 +31,7 @@ void check_place(const char* option, const std::string& file, const fs::path& re
         fmt::format("{}: found {}, expected a file outside of the results folder {}, which is "
                     "replaced as a whole",
                     option, file, results.string()));
-  errno = 0;
-  if (fs::is_directory(file)) fail(file, EISDIR);
-  if (!std::ofstream(partial_of(file))) fail(file, errno);
-  std::error_code ignored;
-  fs::remove(partial_of(file), ignored);
+  base::check_can_save(file);
 }
 
 }  // namespace
@@ -91,7 +66,8 @@ TraceFiles::TraceFiles(const RunOptions& options) : options_(options) {
 void TraceFiles::save(const std::string& title) {
   trace_.title = title;
   for (const auto& file : {options_.trace, options_.timeline})
-    if (!file.empty()) save_file(file, trace_);
+    if (!file.empty())
+      base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace_, out); });
 }
 
 }  // namespace laboratory

@@ -6,47 +6,40 @@
 #include <cctype>
 #include <cmath>
 
-#include "experiments/laboratory/report/exhibit_parts.hpp"
+#include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {
 namespace {
 
-// The axes that x is made of.
-std::vector<std::size_t> axes_of_x(const CheckPlan::Figure& figure, const Table& table) {
+using Figure = CheckPlan::Figure;
+
+// ---- Curves ----
+
+// A curve and the rows of the table that its points were made from, in the order of x.
+struct Curve {
+  std::string name;
+  RowList rows;
+  std::vector<double> x, y;
+};
+
+// The axes that the expression of x names.
+std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   std::vector<std::size_t> axes;
   for (const auto& name : figure.x.names())
     if (const auto axis = table.find(name); axis && *axis < table.axes) axes.push_back(*axis);
   return axes;
 }
 
-std::vector<std::size_t> choose_series(const CheckPlan::Figure& figure, const Table& table,
-                                       const RowList& rows) {
+// The axes whose values tell the curves apart: those that were declared, if any were.
+std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
+                                     const RowList& rows) {
+  if (!figure.spec.has_series) return choose_series_axes(table, rows, axes_of_x(figure, table));
   std::vector<std::size_t> axes;
-  if (figure.spec.has_series) {
-    for (const auto& name : figure.spec.series) axes.push_back(*table.find(name));
-    return axes;
-  }
-  const auto x = axes_of_x(figure, table);
-  for (std::size_t axis = 0; axis < table.axes; ++axis)
-    if (std::ranges::find(x, axis) == x.end() && distinct(table, rows, axis).size() > 1 &&
-        !is_determined(table, rows, axis, x))
-      axes.push_back(axis);
+  for (const auto& name : figure.spec.series) axes.push_back(*table.find(name));
   return axes;
 }
 
-void sort_points(Curve& curve) {
-  Series rows{.name = {}, .x = curve.x, .y = {}};
-  for (const auto row : curve.rows) rows.y.push_back(static_cast<double>(row));
-  Series points{.name = {}, .x = curve.x, .y = curve.y};
-  sort_by_x(rows);
-  sort_by_x(points);
-  for (std::size_t i = 0; i < rows.y.size(); ++i)
-    curve.rows[i] = static_cast<std::size_t>(rows.y[i]);
-  curve.x = points.x;
-  curve.y = points.y;
-}
-
-// "speed-up" for a column, the text itself for an expression.
+// The label that was given, else "speed-up" for a column and the text itself for an expression.
 std::string label_of(const std::string& text, const std::string& given) {
   if (!given.empty()) return given;
   return base::Formula::is_name(text) ? make_label(text) : text;
@@ -54,72 +47,25 @@ std::string label_of(const std::string& text, const std::string& given) {
 
 std::string without_unit(const std::string& label) { return label.substr(0, label.rfind(" [")); }
 
-// "Time per ray" of a column; a label that was given stays as it is.
-std::string title_of(const std::string& label, bool is_column) {
-  auto title = without_unit(label);
-  if (is_column && !title.empty())
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
-}
-
-// Of several y each curve says which it is of.
-std::string name_curve(const CheckPlan::Figure& figure, std::size_t y, const std::string& values) {
+// The values of the series' axes, behind the label of y where there are several.
+std::string name_curve(const Figure& figure, std::size_t y, const std::string& values) {
   if (figure.y.size() == 1) return values;
   const auto label = without_unit(label_of(figure.spec.y[y], ""));
   return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
-void choose_scales(Plot& plot, const PlotSpec& spec) {
-  std::vector<double> x, y;
-  for (const auto& series : plot.series) {
-    std::ranges::copy(series.x, std::back_inserter(x));
-    std::ranges::copy(series.y, std::back_inserter(y));
-  }
-  const bool over_workers = spec.x == "workers" || spec.x == "processors";
-  plot.log_x = spec.log_x.value_or(wants_log_x(over_workers ? "workers" : spec.x, x));
-  plot.log_y = spec.log_y.value_or(plot.log_x && (plot.ideal_line || is_geometric(y)));
-  if (!plot.log_y && std::ranges::min(y) >= 0) plot.y_min = 0;
+void sort_points(Curve& curve) {
+  const auto order = order_of(curve.x);
+  curve.rows = pick(curve.rows, order);
+  curve.x = pick(curve.x, order);
+  curve.y = pick(curve.y, order);
 }
 
-std::optional<Exhibit> make_exhibit(const CheckPlan::Figure& figure, const Rows& rows,
-                                    std::vector<std::string>& nothing) {
-  const PlotSpec& spec = figure.spec;
-  RowList left_out;
-  const auto curves = make_curves(figure, rows, left_out);
-  const auto note = note_left_out(rows.table(), left_out);
-  if (curves.empty()) {
-    nothing.push_back(fmt::format("The plot {} has no points. {}", spec.name, note.value_or("")));
-    return std::nullopt;
-  }
-  Exhibit exhibit;
-  if (note) exhibit.notes.push_back(*note);
-  Plot& plot = exhibit.plot;
-  plot.name = spec.name;
-  plot.x_label = label_of(spec.x, spec.x_label);
-  plot.y_label = label_of(spec.y[0], spec.y_label);
-  plot.title = spec.title.empty() ? title_of(plot.y_label, spec.y_label.empty()) : spec.title;
-  plot.ideal_line = spec.ideal;
-  const bool is_alone = !spec.ideal && !figure.reference && spec.fit == Law::none;
-  for (const auto& curve : curves)
-    plot.series.push_back(
-        {.name = curve.name.empty() && !is_alone ? without_unit(plot.y_label) : curve.name,
-         .x = curve.x,
-         .y = curve.y});
-  choose_scales(plot, spec);
-  if (figure.reference) add_reference(exhibit, figure, rows, curves);
-  if (spec.fit != Law::none) add_fits(exhibit, figure, rows, curves);
-  if (spec.optimum) add_optima(exhibit, figure, curves);
-  return exhibit;
-}
-
-}  // namespace
-
-std::string describe(const std::string& series) { return series.empty() ? "" : series + ": "; }
-
-std::vector<Curve> make_curves(const CheckPlan::Figure& figure, const Rows& rows,
-                               RowList& left_out) {
+// A curve for each combination of values of the series' axes. Adds to `left_out` the rows that
+// cannot be evaluated because others are missing.
+std::vector<Curve> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
   const auto chosen = choose_rows(rows, figure.where);
-  const auto axes = choose_series(figure, rows.table(), chosen);
+  const auto axes = choose_axes(figure, rows.table(), chosen);
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < figure.y.size(); ++i)
     for (const auto row : chosen) {
@@ -136,6 +82,286 @@ std::vector<Curve> make_curves(const CheckPlan::Figure& figure, const Rows& rows
   std::ranges::for_each(curves, sort_points);
   return curves;
 }
+
+// The beginning of a sentence about one curve: "200 objects: ", or "" for the only curve.
+std::string describe(const std::string& curve) { return curve.empty() ? "" : curve + ": "; }
+
+// ---- References: numbers from elsewhere ----
+
+double round_to(double value, double step) { return std::round(value / step) * step; }
+
+// The published value for each row of the table. Adds a note on those of points that were not run.
+std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure& figure,
+                                                  const Table& table) {
+  const PlotSpec& spec = figure.spec;
+  const Table& reference = *figure.reference;
+  std::vector<std::optional<double>> published(table.rows.size());
+  const auto matches = match_rows(reference, table, spec.keys);
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    for (const auto row : matches[i])
+      published[row] = as_number(reference.rows[i][*reference.find(spec.column)]);
+  if (auto note = note_missing(reference, spec.reference, spec.column, spec.keys, matches))
+    exhibit.notes.push_back(*note);
+  return published;
+}
+
+// Adds the published points beside curve `i`, and by how much the simulated ones are off.
+void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Curve& curve, std::size_t i,
+                   const std::vector<std::optional<double>>& published) {
+  const auto name = (curve.name.empty() ? "" : curve.name + ", ") + spec.reference_name;
+  Series reference{.name = name, .x = {}, .y = {}, .kind = SeriesKind::reference, .of = i};
+  Series difference{.name = "", .x = {}, .y = {}, .of = i};
+  for (std::size_t k = 0; k < curve.rows.size(); ++k) {
+    const auto& value = published[curve.rows[k]];
+    if (!value) continue;
+    const double percent = 100 * (curve.y[k] - *value) / std::abs(*value);
+    reference.x.push_back(curve.x[k]);
+    reference.y.push_back(*value);
+    difference.x.push_back(curve.x[k]);
+    difference.y.push_back(percent);
+    exhibit.differences.rows.push_back(
+        {curve.name, to_cell(curve.x[k]), curve.y[k], *value, round_to(percent, 0.01)});
+  }
+  if (reference.x.empty()) return;
+  exhibit.plot.series.push_back(std::move(reference));
+  exhibit.plot.differences.push_back(std::move(difference));
+}
+
+void tell_differences(Exhibit& exhibit, const std::string& reference_name) {
+  const auto& rows = exhibit.differences.rows;
+  if (rows.empty()) return;
+  double mean = 0, worst = 0;
+  for (const auto& row : rows) {
+    const double size = std::abs(*as_number(row.back()));
+    mean += size / static_cast<double>(rows.size());
+    worst = std::max(worst, size);
+  }
+  exhibit.findings.push_back(
+      fmt::format("{}: {:.1f} % from the {} on average, {:.1f} % at worst, of {} points.",
+                  exhibit.plot.title, mean, reference_name, worst, rows.size()));
+}
+
+void add_reference(Exhibit& exhibit, const Figure& figure, const Rows& rows,
+                   const std::vector<Curve>& curves) {
+  const PlotSpec& spec = figure.spec;
+  const auto published = find_published(exhibit, figure, rows.table());
+  exhibit.differences.columns = {"series", spec.x, "predicted", spec.reference_name,
+                                 "difference %"};
+  exhibit.differences.axes = 2;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    compare_curve(exhibit, spec, curves[i], i, published);
+  exhibit.plot.difference_label = "difference [%]";
+  tell_differences(exhibit, spec.reference_name);
+}
+
+// ---- Fits: laws through the curves ----
+
+// Fits the declared law; `growth` receives G(n) of each point where the law is Sun and Ni's.
+std::optional<Fit> fit_law(const Figure& figure, const Rows& rows, const Curve& curve,
+                           std::vector<double>& growth) {
+  switch (figure.spec.fit) {
+    case Law::amdahl:
+      return fit_amdahl(curve.x, curve.y);
+    case Law::gustafson:
+      return fit_gustafson(curve.x, curve.y);
+    case Law::sun_ni:
+      for (const auto row : curve.rows)
+        growth.push_back(rows.eval(*figure.growth, row).value_or(NAN));
+      return fit_sun_ni(curve.x, curve.y, growth);
+    case Law::log:
+      return fit_log(curve.x, curve.y);
+    case Law::none:
+      break;
+  }
+  return std::nullopt;
+}
+
+// The fitted law as a line: Sun and Ni's through the curve's x only, where its growth is known.
+Series draw_law(Law law, const Fit& fit, const Curve& curve, const std::vector<double>& growth,
+                bool log_x) {
+  constexpr int SAMPLES = 128;
+  Series line{.name = "", .x = {}, .y = {}, .kind = SeriesKind::law};
+  const double first = fit.parameters[0].value;
+  if (law == Law::sun_ni) {
+    line.x = curve.x;
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      line.y.push_back(sun_ni_speedup(first, curve.x[i], growth[i]));
+    return line;
+  }
+  const double low = curve.x.front(), high = curve.x.back();
+  for (int i = 0; i <= SAMPLES; ++i) {
+    const double way = double(i) / SAMPLES;
+    const double x = log_x ? low * std::pow(high / low, way) : low + way * (high - low);
+    line.x.push_back(x);
+    line.y.push_back(law == Law::amdahl      ? amdahl_speedup(first, x)
+                     : law == Law::gustafson ? gustafson_speedup(first, x)
+                                             : first + fit.parameters[1].value * std::log10(x));
+  }
+  return line;
+}
+
+// A warning where the interval holds values that no serial fraction can have; else "".
+const char* judge_interval(const Estimate& p) {
+  constexpr double EXACT = 1e-6;  // the points lie on the law, even with the fraction 0 or 1
+  if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
+  if (p.high < 0 || p.low > 1) return ": no share of the work, the law does not hold";
+  return p.low <= 0 || p.high > 1 ? ": the points do not determine it" : "";
+}
+
+void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
+  for (const auto& p : fit.parameters) {
+    exhibit.fits.rows.push_back({curve, fit.law, p.name, p.value, p.low, p.high, p.standard_error,
+                                 fit.rms, fit.minimised, static_cast<std::int64_t>(fit.points)});
+    if (p.name == "a") continue;
+    exhibit.findings.push_back(
+        fmt::format("{}{} by {}: {:.3g}, with 95 % confidence from {:.3g} to {:.3g}{}.",
+                    describe(curve), p.name, fit.law, p.value, p.low, p.high, judge_interval(p)));
+  }
+}
+
+// The result behind the curve's name in the key: "s = 0.0123 ± 0.0021".
+std::string label_fit(const Fit& fit) {
+  const auto& p = fit.parameters.back();
+  const char* name = fit.parameters.size() > 1 ? "k" : "s";
+  const double error = (p.high - p.low) / 2;
+  if (error < 1e-6) return fmt::format("{} = {:.3g}", name, p.value);
+  const int digits = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  return fmt::format("{} = {:.{}f} ± {:.{}f}", name, p.value, digits, error, digits);
+}
+
+const char* name_law(Law law) {
+  return law == Law::amdahl      ? "Amdahl's law (± 95 %)"
+         : law == Law::gustafson ? "Gustafson's law (± 95 %)"
+         : law == Law::sun_ni    ? "Sun and Ni's law (± 95 %)"
+                                 : "a + k log10 x (± 95 %)";
+}
+
+// The first line alone stands in the key, with the law's name.
+void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
+              const std::vector<Curve>& curves) {
+  exhibit.fits.columns = {"series",   "law",     "parameter",      "value",
+                          "low_95",   "high_95", "standard_error", "rms_residual",
+                          "residual", "points"};
+  exhibit.fits.axes = 1;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    std::vector<double> growth;
+    const auto fit = fit_law(figure, rows, curves[i], growth);
+    if (!fit) {
+      exhibit.notes.push_back(
+          fmt::format("{}no law was fitted: too few points", describe(curves[i].name)));
+      continue;
+    }
+    auto line = draw_law(figure.spec.fit, *fit, curves[i], growth, exhibit.plot.log_x);
+    line.of = i;
+    if (exhibit.fits.rows.empty()) line.name = name_law(figure.spec.fit);
+    exhibit.plot.series.push_back(std::move(line));
+    exhibit.plot.series[i].name += fmt::format(" ({})", label_fit(*fit));
+    tell_fit(exhibit, curves[i].name, *fit);
+  }
+}
+
+// ---- Optima: where the curves are largest ----
+
+// What a curve does after its largest value. A fall by less than a hundredth does not count.
+std::string describe_after(const Curve& curve, std::size_t best, bool& falls) {
+  constexpr double LEVEL = 0.01;
+  const double most = curve.y[best];
+  const double least_after =
+      *std::ranges::min_element(curve.y.begin() + std::ptrdiff_t(best), curve.y.end());
+  falls = least_after < most - LEVEL * std::abs(most);
+  if (falls) return fmt::format("turns down after {:g}", curve.x[best]);
+  const auto level =
+      std::ranges::find_if(curve.y, [&](double y) { return y >= most - LEVEL * std::abs(most); });
+  const auto from = static_cast<std::size_t>(level - curve.y.begin());
+  if (from + 1 < curve.y.size()) return fmt::format("levels off at {:g}", curve.x[from]);
+  return fmt::format("still rising at {:g}", curve.x.back());
+}
+
+// The first mark alone stands in the key.
+void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Curve>& curves) {
+  const auto& y = figure.spec.y;
+  const std::string of_y = y.size() == 1 && base::Formula::is_name(y[0]) ? y[0] : "y";
+  exhibit.optima.columns = {"series", "largest_" + of_y, "at_" + figure.spec.x, "then"};
+  exhibit.optima.axes = 1;
+  bool is_first = true;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Curve& curve = curves[i];
+    const auto best = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
+    bool falls = false;
+    const auto after = describe_after(curve, best, falls);
+    exhibit.optima.rows.push_back({curve.name, curve.y[best], to_cell(curve.x[best]), after});
+    exhibit.findings.push_back(fmt::format("{}{} {} {}.", describe(curve.name),
+                                           exhibit.plot.y_label, after, exhibit.plot.x_label));
+    if (!falls) continue;
+    exhibit.plot.series.push_back({.name = is_first ? "largest, falls afterwards" : "",
+                                   .x = {curve.x[best]},
+                                   .y = {curve.y[best]},
+                                   .kind = SeriesKind::mark,
+                                   .of = i});
+    is_first = false;
+  }
+}
+
+// ---- The figure ----
+
+// "Time per ray" for a column; a label that was given stays as it is.
+std::string title_of(const std::string& label, bool is_column) {
+  auto title = without_unit(label);
+  if (is_column && !title.empty())
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
+
+void choose_scales(Plot& plot, const PlotSpec& spec) {
+  std::vector<double> x, y;
+  for (const auto& series : plot.series) {
+    std::ranges::copy(series.x, std::back_inserter(x));
+    std::ranges::copy(series.y, std::back_inserter(y));
+  }
+  const bool over_workers = spec.x == "workers" || spec.x == "processors";
+  plot.log_x = spec.log_x.value_or(wants_log_x(over_workers ? "workers" : spec.x, x));
+  plot.log_y = spec.log_y.value_or(plot.log_x && (plot.ideal_line || is_geometric(y)));
+  if (!plot.log_y && std::ranges::min(y) >= 0) plot.y_min = 0;
+}
+
+Plot make_plot(const Figure& figure, const std::vector<Curve>& curves) {
+  const PlotSpec& spec = figure.spec;
+  Plot plot;
+  plot.name = spec.name;
+  plot.x_label = label_of(spec.x, spec.x_label);
+  plot.y_label = label_of(spec.y[0], spec.y_label);
+  plot.title = spec.title.empty() ? title_of(plot.y_label, spec.y_label.empty()) : spec.title;
+  plot.ideal_line = spec.ideal;
+  const bool is_alone = !spec.ideal && !figure.reference && spec.fit == Law::none;
+  for (const auto& curve : curves)
+    plot.series.push_back(
+        {.name = curve.name.empty() && !is_alone ? without_unit(plot.y_label) : curve.name,
+         .x = curve.x,
+         .y = curve.y});
+  choose_scales(plot, spec);
+  return plot;
+}
+
+std::optional<Exhibit> make_exhibit(const Figure& figure, const Rows& rows,
+                                    std::vector<std::string>& nothing) {
+  const PlotSpec& spec = figure.spec;
+  RowList left_out;
+  const auto curves = make_curves(figure, rows, left_out);
+  const auto note = note_left_out(rows.table(), left_out);
+  if (curves.empty()) {
+    nothing.push_back(fmt::format("The plot {} has no points. {}", spec.name, note.value_or("")));
+    return std::nullopt;
+  }
+  Exhibit exhibit;
+  exhibit.plot = make_plot(figure, curves);
+  if (note) exhibit.notes.push_back(*note);
+  if (figure.reference) add_reference(exhibit, figure, rows, curves);
+  if (spec.fit != Law::none) add_fits(exhibit, figure, rows, curves);
+  if (spec.optimum) add_optima(exhibit, figure, curves);
+  return exhibit;
+}
+
+}  // namespace
 
 std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows,
                                    std::vector<std::string>& nothing) {

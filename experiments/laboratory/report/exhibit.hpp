@@ -1,5 +1,6 @@
+// The figures that an experiment declares: [[plot]] over its results, with what they tell.
 #pragma once
-// The declared figures of an experiment: [[plot]] over its results, with what they tell.
+
 #include <string>
 #include <vector>
 
@@ -8,22 +9,23 @@
 
 namespace laboratory {
 
-// A figure with the tables below it; tables without rows are not shown.
+/// A figure and the tables below it; tables without rows are not shown.
 struct Exhibit {
   Plot plot;
-  Table differences;  // a row per point with a reference: predicted, reference, difference in %
-  Table fits;         // a row per curve and parameter, with its 95 % confidence interval
-  Table optima;       // a row per curve: its largest y, and what comes after
-  std::vector<std::string> notes;     // points left out, fits that could not be
-  std::vector<std::string> findings;  // a sentence each
+  Table differences =
+      {};             ///< a row for each point with a reference: predicted, reference, difference %
+  Table fits = {};    ///< a row for each curve and parameter, with its 95 % confidence interval
+  Table optima = {};  ///< a row for each curve: its largest y, and what comes after
+  std::vector<std::string> notes = {};     ///< points left out, laws that were not fitted
+  std::vector<std::string> findings = {};  ///< sentences
 };
 
-// In the order of the file, those that have points; a figure without is named in the notes of
-// `nothing`.
+/// Makes the figures that have points, in the order of the file. Adds a note to `nothing` for each
+/// figure without points.
 std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows,
                                    std::vector<std::string>& nothing);
 
-// fits.csv: all of them, with the plot's name first.
+/// The rows of all fits with the plot's name first: fits.csv.
 Table make_fits_csv(const std::vector<Exhibit>& exhibits);
 
 }  // namespace laboratory

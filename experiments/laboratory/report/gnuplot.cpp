@@ -1,117 +1,96 @@
 #include "experiments/laboratory/report/gnuplot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
+#include <exception>
 #include <stdexcept>
-#include <system_error>
+#include <thread>
 
-#include "experiments/laboratory/host/files.hpp"
-
-extern char** environ;
+#include "base/host_program.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/report/plot_script.hpp"
 
 namespace laboratory {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A fresh directory, gone with the object.
-struct TemporaryFolder {
-  TemporaryFolder() {
-    std::string name = (fs::absolute(fs::temp_directory_path()) / "tlab-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw std::system_error(errno, std::generic_category(),
-                              name + ": cannot make a temporary folder");
-    path = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  fs::path path;
-};
-
-// Runs `gnuplot -d script`, what it says going to `messages`; its wait status, or -1 with errno.
-int spawn_gnuplot(const fs::path& script, const fs::path& messages) {
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, messages.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_adddup2(&files, 1, 2);
-  char program[] = "gnuplot", plain[] = "-d";
-  std::string argument = script.string();
-  char* const arguments[] = {program, plain, argument.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program, &files, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&files);
-  errno = error;
-  if (error != 0) return -1;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return -1;
-  return status;
+// Runs a script and returns what it draws on standard output: the one place where gnuplot is
+// started. Throws std::runtime_error, naming the plot, unless it runs to its end.
+std::string run_script(const std::string& script, const std::string& name) {
+  return base::run_program({.name = "gnuplot",
+                            .arguments = {"-d", "-"},
+                            .input = script,
+                            .purpose = "plot " + name,
+                            .remedy = "install gnuplot-nox"});
 }
 
-std::string on_terminals(const std::string& script, const std::string& name, int height,
-                         const fs::path& folder) {
+std::string on_svg(const std::string& script, const std::string& name, int height) {
   std::string id = "plot_" + name;
   std::ranges::replace_if(
       id, [](unsigned char c) { return c >= 0x80 || !std::isalnum(c); }, '_');
   return fmt::format(
       "set terminal svg noenhanced size 800,{} dynamic font 'sans-serif,15' linewidth 1 "
-      "name '{}' background '#ffffff'\nset output {}\n{}unset output\n"
+      "name '{}' background '#ffffff'\n{}",
+      height, id, script);
+}
+
+std::string on_png(const std::string& script, int height) {
+  return fmt::format(
       "set terminal pngcairo noenhanced size 1600,{} font 'sans,13' fontscale 2 linewidth 2 "
-      "pointscale 2 background '#ffffff'\nset output {}\n{}unset output\n",
-      height, id, quote_for_gnuplot((folder / "plot.svg").string()), script, 2 * height,
-      quote_for_gnuplot((folder / "plot.png").string()), script);
+      "pointscale 2 background '#ffffff'\n{}",
+      2 * height, script);
+}
+
+bool is_whole(const Drawing& drawing) {
+  const std::string_view png = drawing.png;
+  return drawing.svg.find("</svg>") != std::string::npos && png.size() > 12 &&
+         png.substr(png.size() - 8, 4) == "IEND";
 }
 
 }  // namespace
 
-std::string quote_for_gnuplot(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '\'') quoted += '\'';
-    quoted += code < 0x20 || code == 0x7f ? ' ' : c;
-  }
-  return quoted + "'";
+Drawing run_gnuplot(const std::string& script, const std::string& name, int height) {
+  Drawing drawing{run_script(on_svg(script, name, height), name),
+                  run_script(on_png(script, height), name)};
+  if (!is_whole(drawing))
+    throw std::runtime_error(
+        fmt::format("plot {}: gnuplot left an incomplete drawing (is {} full?)", name,
+                    fs::temp_directory_path().string()));
+  return drawing;
 }
 
-Drawing run_gnuplot(const std::string& script, const std::string& name, int height) {
-  const TemporaryFolder folder;
-  const auto script_file = folder.path / "plot.gp", messages = folder.path / "messages.txt";
-  write_file(script_file, on_terminals(script, name, height, folder.path));
-  const int status = spawn_gnuplot(script_file, messages);
-  if (status == -1 && errno == ENOENT)
-    throw std::runtime_error(fmt::format(
-        "plot {}: drawing needs the program gnuplot, which was not found: install gnuplot-nox",
-        name));
-  if (status == -1)
-    throw std::runtime_error(
-        fmt::format("plot {}: cannot run gnuplot: {}", name, std::strerror(errno)));
-  if (status != 0)
-    throw std::runtime_error(fmt::format("plot {}: gnuplot failed (wait status {}): {}", name,
-                                         status, read_file(messages)));
-  Drawing drawing{read_file(folder.path / "plot.svg"), read_file(folder.path / "plot.png")};
-  const bool is_whole = drawing.svg.find("</svg>") != std::string::npos &&
-                        drawing.png.size() > 12 &&
-                        std::string_view(drawing.png).substr(drawing.png.size() - 8, 4) == "IEND";
-  if (!is_whole)
-    throw std::runtime_error(fmt::format("plot {}: gnuplot left an incomplete file (is {} full?)",
-                                         name, folder.path.parent_path().string()));
-  return drawing;
+void draw_plot(const Plot& plot, const fs::path& folder) {
+  if (plot.name.empty() || plot.name.starts_with('.') || plot.name.find('/') != std::string::npos)
+    throw std::invalid_argument(
+        fmt::format("plot \"{}\": its name is no file stem (expected one without / and not "
+                    "starting with a point)",
+                    plot.name));
+  const auto drawing = run_gnuplot(make_gnuplot_script(plot), plot.name, choose_height(plot));
+  base::save_whole(folder / (plot.name + ".svg"), drawing.svg);
+  base::save_whole(folder / (plot.name + ".png"), drawing.png);
+}
+
+// Each thread only waits for its gnuplot.
+void draw_plots(const std::vector<Plot>& plots, const fs::path& folder) {
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::exception_ptr> failures(plots.size());
+  auto draw = [&] {
+    for (std::size_t i = next++; i < plots.size(); i = next++) try {
+        draw_plot(plots[i], folder);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+  };
+  const auto most = std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < std::min(most, plots.size()); ++i) threads.emplace_back(draw);
+  threads.clear();
+  for (const auto& failure : failures)
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace laboratory

@@ -5,20 +5,19 @@
 #include <algorithm>
 #include <map>
 
-#include "experiments/laboratory/host/files.hpp"
-#include "experiments/laboratory/points/farm_run.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/points/network_setup.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// A share of the time; rounding may lead a hair beyond.
+// The busy share of the time, from 0 to 1; rounding may have led a hair beyond.
 double busy(const ordered_json& of, const std::string& name) {
   return std::clamp(of.at(name).at("busy").get<double>(), 0.0, 1.0);
 }
@@ -28,9 +27,10 @@ std::array<double, 2> both_ways(const ordered_json& links, const std::string& a,
   return {busy(links, a + ">" + b), busy(links, b + ">" + a)};
 }
 
+// The name of a worker in a record, from its processor.
 std::string worker(int id) { return fmt::format("worker{}", id + 1); }
 
-// Of a full root the farm has opened a link: it is not there.
+// Removes the link that the farm opens where the root has no free one: the record lacks it.
 void keep_links_of(topologies::Topology& topology, const ordered_json& links) {
   std::erase_if(topology.links, [&](const topologies::Link& link) {
     return !links.contains(worker(link.a.processor) + ">" + worker(link.b.processor));
@@ -62,17 +62,17 @@ std::string draw(const Point& point, const ordered_json& use) {
   return to_load_svg(topology, loads);
 }
 
-// "tree-workers-16-objects-800"
+// "topology-tree-workers-16" from the axes, else the name of the topology.
 std::string file_name(const Point& point) {
   std::string name;
   for (const auto& at : point.at) name += "-" + at.axis + "-" + to_string(to_value(at));
-  if (name.empty()) name = "-" + point.experiment.topology;
+  if (name.empty()) name = "-" + point.experiment.topology.text;
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '-';
   return name.substr(1);
 }
 
-// Of points alike but for their workers the one with most.
+// Whether each point has the most workers among those that differ from it in workers only.
 std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
   const std::size_t column = *s.table.find("workers");
@@ -93,17 +93,17 @@ std::vector<bool> find_largest(const Simulation& s) {
 
 }  // namespace
 
-std::vector<ReportDrawing> draw_networks(const fs::path& folder, const Simulation& s) {
-  std::vector<ReportDrawing> drawings;
+std::vector<Report::Drawing> draw_networks(const fs::path& folder, const Simulation& s) {
+  std::vector<Report::Drawing> drawings;
   if (s.file.report.networks == "none" || !is_farm(s.file)) return drawings;
   const auto is_largest = find_largest(s);
   fs::create_directory(folder / "networks");
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
-    if (!is_complete(s.results[i]) || (s.file.report.networks == "largest" && !is_largest[i]))
+    if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;
     const Point& point = s.file.points[i];
-    const auto svg = draw(point, load_record(folder / s.records[i]).at("use"));
-    write_file(folder / "networks" / (file_name(point) + ".svg"), svg);
+    const auto svg = draw(point, load_record(folder / s.records[i]).use);
+    base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
     if (is_largest[i]) drawings.push_back({name_of(point), svg});
   }
   return drawings;

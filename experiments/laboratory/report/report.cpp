@@ -3,212 +3,201 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <kainjow/mustache.hpp>
 
-#include "experiments/laboratory/host/files.hpp"
-#include "experiments/laboratory/report/html.hpp"
-#include "experiments/laboratory/report/report_style.hpp"
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/report/embed.hpp"
+#include "experiments/laboratory/report/report_files.hpp"
 
 namespace laboratory {
 namespace {
 
-std::string make_section(const std::string& title, const std::string& content) {
-  if (content.empty()) return {};
-  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", title, content);
+namespace mustache = kainjow::mustache;
+using mustache::data, mustache::object;
+
+data make_list() { return data(data::type::list); }
+
+// What `make` makes of each element.
+template <class T, class Make>
+data make_list(const std::vector<T>& elements, Make make) {
+  data list = make_list();
+  for (const auto& element : elements) list << make(element);
+  return list;
 }
 
-std::string make_facts(const Report& report) {
-  std::string rows;
-  for (const auto& [name, value] : report.facts)
-    rows += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), escape_html(value));
-  return rows.empty() ? "" : "<dl>\n" + rows + "</dl>\n";
-}
+data make_texts(const std::vector<std::string>& texts) { return make_list(texts, std::identity()); }
 
-// A line above every row at which an axis other than the fastest moves on.
+// Whether each row begins a group: an axis other than the one that changes fastest moves on.
 std::vector<bool> find_groups(const Table& table) {
-  std::vector<bool> begins(table.rows.size());
-  std::vector<std::size_t> slow;  // all varying axes, then without the last that changes row to row
+  const auto& rows = table.rows;
+  std::vector<bool> begins(rows.size());
   for (std::size_t axis = 0; axis < table.axes; ++axis) {
+    const auto changes_at = [&](std::size_t i) { return rows[i][axis] != rows[i - 1][axis]; };
     std::size_t changes = 0;
-    for (std::size_t i = 1; i < table.rows.size(); ++i)
-      changes += table.rows[i][axis] != table.rows[i - 1][axis];
-    if (2 * changes < table.rows.size()) slow.push_back(axis);
+    for (std::size_t i = 1; i < rows.size(); ++i) changes += changes_at(i);
+    if (2 * changes >= rows.size()) continue;
+    for (std::size_t i = 1; i < rows.size(); ++i) begins[i] = begins[i] || changes_at(i);
   }
-  for (std::size_t i = 1; i < table.rows.size(); ++i)
-    begins[i] = std::ranges::any_of(
-        slow, [&](std::size_t axis) { return table.rows[i][axis] != table.rows[i - 1][axis]; });
   return begins;
 }
 
-std::string make_table_html(const Table& table, const std::vector<std::string>& columns) {
-  const auto shown = find_all(table, columns);
-  const auto begins = find_groups(table);
-  std::string head;
-  std::vector<std::string> rows(table.rows.size());
+// The axes come first, whatever the order of these columns. Large data are moved into place, since
+// an initializer list copies them.
+data make_table(const Table& table, const std::vector<std::string>& columns) {
+  auto shown = find_all(table, columns);
+  std::ranges::stable_partition(shown, [&](std::size_t column) { return column < table.axes; });
+  struct Row {
+    data axes = make_list(), values = make_list();
+  };
+  std::vector<Row> cells(table.rows.size());
+  data head = make_list();
   for (const std::size_t column : shown) {
-    const auto tag = column < table.axes ? "th scope=\"row\"" : "td";
-    const auto cells = format_column(table, column);
-    const auto look = is_numeric(table, column) ? " class=\"number\"" : "";
-    head += fmt::format("<th scope=\"col\"{}>{}</th>", look,
-                        escape_html(make_label(table.columns[column])));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] += fmt::format("<{}{}>{}</{:.2}>", tag, look, escape_html(cells[i]), tag);
+    const bool number = is_numeric(table, column);
+    head << object{{"label", make_label(table.columns[column])}, {"number", number}};
+    const auto texts = format_column(table, column);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      (column < table.axes ? cells[i].axes : cells[i].values)
+          << object{{"text", texts[i]}, {"number", number}};
   }
-  std::string html = "<div class=\"wide\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n";
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    html += fmt::format("<tr{}>{}</tr>\n", begins[i] ? " class=\"group\"" : "", rows[i]);
-  return html + "</tbody>\n</table></div>\n";
-}
-
-std::string make_results(const Report& report) {
-  const Table& table = report.table;
-  if (table.rows.empty()) return {};
-  std::string loads;
-  if (!report.load_columns.empty())
-    loads = "<details><summary>Loads</summary>\n" + make_table_html(table, report.load_columns) +
-            "</details>\n";
-  return make_table_html(table, report.shown_columns) + loads +
-         fmt::format(
-             "<p class=\"download\"><a download=\"results.csv\" href=\"{}\">All {} columns as "
-             "CSV</a></p>\n",
-             to_data_uri("text/csv", to_csv(table)), table.columns.size());
-}
-
-std::string make_checks(const Report& report) {
-  std::string html;
-  for (const auto& check : report.checks) {
-    html += fmt::format("<p>{}</p>\n", escape_html(check.summary));
-    for (const auto& note : check.notes) html += fmt::format("<p>{}</p>\n", escape_html(note));
-    if (!check.table.rows.empty()) html += make_table_html(check.table, {});
+  data made, rows = make_list();
+  const auto begins = find_groups(table);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    data row;
+    row["group"] = bool(begins[i]);
+    row["axes"] = std::move(cells[i].axes);
+    row["values"] = std::move(cells[i].values);
+    rows << row;
   }
-  return html;
+  made["head"] = std::move(head);
+  made["rows"] = std::move(rows);
+  return made;
 }
 
-std::string make_part(const Report::Part& part) {
-  std::string html;
-  for (const auto& note : part.notes) html += fmt::format("<p>{}</p>\n", escape_html(note));
-  for (const auto& table : part.tables)
-    if (!table.rows.empty()) html += make_table_html(table, {});
-  if (html.empty() || part.title.empty()) return html;
-  return fmt::format("<h3>{}</h3>\n{}", escape_html(part.title), html);
+data make_whole_table(const Table& table) { return make_table(table, {}); }
+
+data make_part(const Report::Part& part) {
+  auto tables = part.tables;
+  std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
+  data made;
+  made["heading"] = part.heading;
+  made["notes"] = make_texts(part.notes);
+  made["tables"] = make_list(tables, make_whole_table);
+  return made;
 }
 
-std::string make_answers(const Report& report) {
-  std::string html;
-  for (const auto& part : report.answers) html += make_part(part);
-  return html;
+bool is_empty(const Report::Part& part) {
+  return part.notes.empty() &&
+         std::ranges::all_of(part.tables, [](const Table& table) { return table.rows.empty(); });
 }
 
-std::string make_plot_figures(const Report& report) {
-  std::string figures;
-  for (std::size_t i = 0; i < report.plots.size(); ++i) {
-    const Plot& plot = report.plots[i];
-    const auto svg = read_file(report.plots_folder / (plot.name + ".svg"));
-    const auto label = fmt::format("{}: {} over {}", plot.title, plot.y_label, plot.x_label);
-    const auto below = i < report.plot_parts.size() ? make_part(report.plot_parts[i]) : "";
-    figures += fmt::format(
-        "<figure class=\"plot\">{}{}</figure>\n",
-        inline_svg(svg, fmt::format("plot{}-", i + 1), label),
-        below.empty() ? "" : "<details open><summary>Numbers</summary>\n" + below + "</details>");
+data make_answers(std::vector<Report::Part> answers) {
+  std::erase_if(answers, is_empty);
+  return make_list(answers, make_part);
+}
+
+// The identifiers in the drawings begin with `kind` and the drawing's number, from 1.
+data make_drawings(const std::vector<Report::Drawing>& drawings, const std::string& kind) {
+  data list = make_list();
+  int number = 0;
+  for (const auto& [caption, svg, numbers] : drawings)
+    list << object{{"caption", caption},
+                   {"svg", inline_svg(svg, fmt::format("{}{}-", kind, ++number), caption)},
+                   {"numbers", is_empty(numbers) ? data(false) : make_part(numbers)}};
+  return list;
+}
+
+data make_results(const Report& report) {
+  const auto make_columns = [&](const std::vector<std::string>& columns) {
+    data part, tables = make_list();
+    tables << make_table(report.table, columns);
+    part["notes"] = make_list();
+    part["tables"] = std::move(tables);
+    return part;
+  };
+  data results = make_columns(report.shown_columns);
+  const bool has_loads = !report.load_columns.empty();
+  results["loads"] = has_loads ? make_columns(report.load_columns) : data(false);
+  results["csv"] = to_data_uri("text/csv", to_csv(report.table));
+  results["columns"] = std::to_string(report.table.columns.size());
+  return results;
+}
+
+// Small images are enlarged by a whole factor, so that every pixel is a square.
+data make_image(const Report::Image& image) {
+  constexpr unsigned ENLARGED = 400;  // about the width in pixels of the page
+  const auto bytes = base::read_text(image.png);
+  const auto size = read_png_size(bytes, image.png.string());
+  const unsigned factor = std::max(1u, ENLARGED / std::max(1u, size.width));
+  return object{{"caption", image.caption},
+                {"png", to_data_uri("image/png", bytes)},
+                {"columns", std::to_string(size.width)},
+                {"rows", std::to_string(size.height)},
+                {"width", std::to_string(size.width * factor)},
+                {"height", std::to_string(size.height * factor)},
+                {"factor", factor > 1 ? data(std::to_string(factor)) : data(false)}};
+}
+
+data make_fact(const std::pair<std::string, std::string>& fact) {
+  return object{{"name", fact.first}, {"value", fact.second}};
+}
+
+data make_entry(const Report::ModelRow& row) {
+  return object{{"key", row.key},
+                {"value", row.value},
+                {"unit", row.unit},
+                {"provenance", row.provenance},
+                {"source", row.source}};
+}
+
+// The template leaves out a section that the page does not have.
+void add_section(data& page, const char* name, data items) {
+  if (!items.is_empty_list()) page[name]["items"] = std::move(items);
+}
+
+void add_text(data& page, const char* name, const std::string& text) {
+  if (!text.empty()) page[name] = text;
+}
+
+// HTML has no control characters but line ends and tabs.
+std::string escape(const std::string& text) {
+  std::string escaped;
+  for (const char c : mustache::html_escape(text)) {
+    const auto code = static_cast<unsigned char>(c);
+    if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7f)
+      escaped += "\xef\xbf\xbd";
+    else
+      escaped += c;
   }
-  return figures.empty() ? "" : "<div class=\"plots\">\n" + figures + "</div>\n";
-}
-
-std::string make_drawings(const Report& report) {
-  std::string figures;
-  for (std::size_t i = 0; i < report.drawings.size(); ++i) {
-    const auto& drawing = report.drawings[i];
-    figures +=
-        fmt::format("<figure class=\"network\">{}<figcaption>{}</figcaption></figure>\n",
-                    inline_svg(drawing.svg, fmt::format("network{}-", i + 1), drawing.caption),
-                    escape_html(drawing.caption));
-  }
-  return figures;
-}
-
-std::string make_list(const std::vector<std::string>& sentences) {
-  std::string items;
-  for (const auto& text : sentences) items += fmt::format("<li>{}</li>\n", escape_html(text));
-  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
-}
-
-std::string make_image_figures(const Report& report) {
-  constexpr unsigned ENLARGED = 400;  // pixels of the page, about
-  std::string figures;
-  for (const auto& image : report.images) {
-    const auto bytes = read_file(image.png);
-    const auto size = read_png_size(bytes, image.png.string());
-    const unsigned factor =
-        image.pixelated ? std::max(1u, ENLARGED / std::max(1u, size.width)) : 1u;
-    figures += fmt::format(
-        "<figure><img{} width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"><figcaption>{} "
-        "({} × {} pixels{})</figcaption></figure>\n",
-        image.pixelated ? " class=\"pixelated\"" : "", size.width * factor, size.height * factor,
-        escape_html(image.caption), to_data_uri("image/png", bytes), escape_html(image.caption),
-        size.width, size.height,
-        factor > 1 ? fmt::format(", shown {} times as large", factor) : "");
-  }
-  return figures.empty() ? "" : "<div class=\"images\">\n" + figures + "</div>\n";
-}
-
-std::string make_reproduction(const Report& report) {
-  std::string html;
-  if (!report.command.empty())
-    html += fmt::format("<pre><code>{}</code></pre>\n", escape_html(report.command));
-  return html;
-}
-
-std::string make_settings(const Report& report) {
-  if (report.experiment_toml.empty()) return {};
-  return fmt::format("<p>The experiment, every setting resolved:</p>\n<pre><code>{}</code></pre>\n",
-                     escape_html(report.experiment_toml));
-}
-
-std::string make_model(const Report& report) {
-  std::string rows;
-  for (const auto& row : report.model) {
-    const bool is_notable = row.provenance == "calibrated" || row.provenance == "assumed";
-    rows += fmt::format(
-        "<tr><th scope=\"row\" class=\"key\">{}</th><td class=\"number\">{}</td><td>{}</td>"
-        "<td{}>{}</td><td>{}</td></tr>\n",
-        escape_html(row.key), escape_html(row.value), escape_html(row.unit),
-        is_notable ? " class=\"" + row.provenance + "\"" : "", escape_html(row.provenance),
-        escape_html(row.source));
-  }
-  if (rows.empty()) return {};
-  return "<div class=\"wide\"><table class=\"model\">\n<thead><tr><th scope=\"col\">parameter</th>"
-         "<th scope=\"col\" class=\"number\">value</th><th scope=\"col\">unit</th>"
-         "<th scope=\"col\">provenance</th><th scope=\"col\">source</th></tr></thead>\n<tbody>\n" +
-         rows + "</tbody>\n</table></div>\n";
+  return escaped;
 }
 
 }  // namespace
 
 std::string make_report(const Report& report) {
-  // The policy makes a browser hold the page to its promise: nothing is loaded, nothing runs.
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; img-src data:\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>{0}</h1>\n",
-      escape_html(report.title), REPORT_STYLE);
-  if (!report.question.empty())
-    html += fmt::format("<p class=\"question\">{}</p>\n", escape_html(report.question));
-  html += "</header>\n";
-  for (const auto& [title, content] : {std::pair("What was found", make_list(report.findings)),
-                                       {"Machine", make_facts(report)},
-                                       {"Plots", make_plot_figures(report)},
-                                       {"Answers", make_answers(report)},
-                                       {"Results", make_results(report)},
-                                       {"Checks", make_checks(report)},
-                                       {"Load of the network", make_drawings(report)},
-                                       {"Images", make_image_figures(report)},
-                                       {"Notes", make_list(report.notes)},
-                                       {"Settings", make_settings(report)},
-                                       {"How to reproduce", make_reproduction(report)},
-                                       {"Machine model", make_model(report)}})
-    html += make_section(title, content);
-  return html + "</main>\n</body>\n</html>\n";
+  data page;
+  page["part"] = PART_TEMPLATE;
+  page["style"] = REPORT_STYLE;
+  page["title"] = report.title;
+  add_text(page, "question", report.question);
+  add_section(page, "findings", make_texts(report.findings));
+  add_section(page, "facts", make_list(report.facts, make_fact));
+  add_section(page, "plots", make_drawings(report.plots, "plot"));
+  add_section(page, "answers", make_answers(report.answers));
+  if (!report.table.rows.empty()) page["results"] = make_results(report);
+  add_section(page, "checks", make_list(report.checks, make_part));
+  add_section(page, "networks", make_drawings(report.networks, "network"));
+  add_section(page, "images", make_list(report.images, make_image));
+  add_section(page, "notes", make_texts(report.notes));
+  add_text(page, "settings", report.settings);
+  add_text(page, "command", report.command);
+  add_section(page, "model", make_list(report.model, make_entry));
+  mustache::mustache whole(REPORT_TEMPLATE);
+  whole.set_custom_escape(escape);
+  auto html = whole.render(page);
+  if (!whole.is_valid()) throw base::InvariantBroken("report.mustache: " + whole.error_message());
+  return html;
 }
 
 }  // namespace laboratory

@@ -1,21 +1,30 @@
+// The report of a run: plots, tables of figures, drawings of networks, and the page.
 #pragma once
-// The report of a run for people.
-#include <filesystem>
 
-#include "experiments/laboratory/file/experiment.hpp"
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "experiments/laboratory/points/run_options.hpp"
 #include "experiments/laboratory/report/simulation.hpp"
 
 namespace laboratory {
 
-// plots/*.svg, plots/*.png and report.html.
+/// Writes report.html, plots/*.svg, plots/*.png and networks/*.svg, fits.csv, best.csv and pays.csv
+/// into the folder that holds the run's images and records. Throws what draw_plot, draw_networks
+/// and make_report throw.
 void write_report(const std::filesystem::path& folder, const RunOptions& options,
                   const Simulation& simulation);
 
-// The experiment's, or its file's name.
+/// Does so again for the results of an earlier run, and prints where the page is. Throws
+/// base::BadInput, with the file, where the folder holds no results or damaged ones.
+void report_results(const std::string& folder);
+
+/// The title of the experiment, else the name of its file.
 std::string title_of(const ExperimentFile& file);
 
-// The columns of the printed table: of the farm the axes, and what answers most questions.
+/// The columns of the printed table: for the farm the axes and what answers most questions, for
+/// other programs all.
 std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table);
 
 }  // namespace laboratory

@@ -1,5 +1,6 @@
+// What came out of running the points of an experiment, and run.json, which keeps it.
 #pragma once
-// What came out of running every point of an experiment.
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -7,22 +8,36 @@
 #include "experiments/laboratory/judge/check_results.hpp"
 #include "experiments/laboratory/points/host_speed.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
+#include "experiments/laboratory/points/run_options.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
 namespace laboratory {
 
+/// Vectors named "each point" have one element for each of file.points.
 struct Simulation {
-  ExperimentFile file;                         // the points that were run
-  HostSpeeds host_speeds;                      // where cost = "timed"
-  Results results;                             // of each point
-  std::vector<std::filesystem::path> records;  // of each point, in the folder of results: "use" too
-  std::vector<std::string> images;             // of each point the file it has saved, or ""
+  ExperimentFile file;     ///< its points are those that were run
+  HostSpeeds host_speeds;  ///< where cost = "timed"
+  Results results;         ///< result of each point, without "use", which its record has
+  std::vector<std::filesystem::path> records;  ///< path of each point's record, from the results
   Table table;
   std::vector<CheckResult> checks;
-  std::string ended;      // why, a sentence
-  bool complete = false;  // every point was run to its end
-  std::size_t there = 0;  // points whose results were there before
+  std::string ended;      ///< why the run ended, a sentence
+  bool complete = false;  ///< every point was run to its end
+  std::size_t there = 0;  ///< number of points whose results were there before
   double wall_s = 0;
 };
+
+/// Writes `folder`/run.json: where the results come from (make_origin), versions, models with
+/// provenance, hashes of the files that the experiment names, why the run ended, the host's speed
+/// where it was measured; for each point its results' files, seed, how busy processors and links
+/// were, host times and events. Reads the records of the points, in `folder`, one by one.
+void save_run_json(const std::filesystem::path& folder, const RunOptions& options,
+                   const Simulation& simulation);
+
+/// Reads `folder`/run.json and the records of its points; makes the table and evaluates the checks
+/// anew. `file` is the experiment that run.json holds. host_speeds, there and wall_s stay as they
+/// are by default. Throws nlohmann::json::exception for a damaged run.json, base::BadInput for a
+/// damaged record.
+Simulation load_simulation(const std::filesystem::path& folder, const ExperimentFile& file);
 
 }  // namespace laboratory

@@ -1,23 +1,22 @@
 #include "experiments/laboratory/table/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
+
+#include "base/csv.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
 
 namespace laboratory {
 namespace {
 
-std::string to_shortest(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
-
-// How to write the doubles of one column: the fmt presentation.
+// The format of the doubles of one column.
 std::string choose_format(const Table& table, std::size_t column) {
   double largest = 0, smallest = INFINITY;
   for (const auto& row : table.rows) {
@@ -33,17 +32,30 @@ std::string choose_format(const Table& table, std::size_t column) {
   return fmt::format("{{:.{}f}}", std::max(0, 4 - digits_before));
 }
 
-// Characters of a UTF-8 text.
+// The number of characters of a UTF-8 text.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
-// Control characters would break the lines, or command the terminal.
-std::string make_printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return text;
+Value read_bare(std::string_view text) {
+  if (text.empty()) return std::monostate{};
+  if (const auto integer = base::parse_number<std::int64_t>(text)) return *integer;
+  if (const auto number = base::parse_number<double>(text)) return *number;
+  return std::string(text);
+}
+
+// Quotes a text that would be read as something else.
+std::string write_text(const std::string& text) {
+  return read_bare(text) == Value(text) ? base::quote_csv(text) : '"' + text + '"';
+}
+
+std::string write_value(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return write_text(*text);
+  std::string digits = to_string(value);
+  const bool is_double = std::holds_alternative<double>(value);
+  if (is_double && digits.find_first_not_of("-0123456789") == std::string::npos) digits += ".0";
+  return digits;
 }
 
 }  // namespace
@@ -81,18 +93,16 @@ Value to_cell(double value) {
 
 std::string to_string(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
-  if (const auto* number = std::get_if<double>(&value)) return to_shortest(*number);
+  if (const auto* number = std::get_if<double>(&value)) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, *number).ptr};
+  }
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return {};
 }
 
 std::string join_texts(const std::vector<std::string>& texts, std::string_view separator) {
-  std::string joined;
-  for (const auto& text : texts) {
-    if (&text != &texts.front()) joined += separator;
-    joined += text;
-  }
-  return joined;
+  return fmt::format("{}", fmt::join(texts, separator));
 }
 
 std::string make_label(std::string_view column) {
@@ -131,8 +141,8 @@ std::vector<std::size_t> find_all(const Table& table, const std::vector<std::str
   for (const auto& name : shown) {
     const auto index = table.find(name);
     if (!index)
-      throw std::invalid_argument(fmt::format("no column \"{}\" in the table; its columns are {}",
-                                              name, join_texts(table.columns, ", ")));
+      throw base::BadInput(fmt::format("no column \"{}\" in the table; its columns are {}", name,
+                                       join_texts(table.columns, ", ")));
     indices.push_back(*index);
   }
   return indices;
@@ -153,7 +163,7 @@ std::string to_text(const Table& table, const std::vector<std::string>& shown) {
   for (const std::size_t column : find_all(table, shown)) {
     auto cells = format_column(table, column);
     cells.insert(cells.begin(), table.columns[column]);
-    std::ranges::transform(cells, cells.begin(), make_printable);
+    for (auto& cell : cells) cell = base::blank_controls(cell, '?');
     const std::size_t width = width_of(std::ranges::max(cells, {}, width_of));
     cells.insert(cells.begin() + 1, std::string(width, '-'));
     const bool to_right = is_numeric(table, column);
@@ -169,6 +179,33 @@ std::string to_text(const Table& table, const std::vector<std::string>& shown) {
     text += line + '\n';
   }
   return text;
+}
+
+std::string to_csv(const Table& table) {
+  std::vector<std::string> cells(table.columns.size());
+  std::ranges::transform(table.columns, cells.begin(), write_text);
+  std::string text = base::join_csv(cells);
+  for (const auto& row : table.rows) {
+    base::check_equal("cells of a table's row", row.size(), table.columns.size());
+    std::ranges::transform(row, cells.begin(), write_value);
+    text += base::join_csv(cells);
+  }
+  return text;
+}
+
+Table parse_csv(std::string_view text, std::string_view name) {
+  base::CsvReader reader(text, name);
+  Table table{.columns = reader.take_header(), .rows = {}};
+  for (auto cells = reader.take(); !cells.empty(); cells = reader.take()) {
+    if (base::is_blank(cells) && table.columns.size() > 1) continue;
+    if (cells.size() != table.columns.size())
+      reader.fail(fmt::format("{} cells, expected {}: {}", cells.size(), table.columns.size(),
+                              fmt::join(table.columns, ",")));
+    auto& row = table.rows.emplace_back();
+    for (auto& cell : cells)
+      row.push_back(cell.is_quoted ? Value(std::move(cell.text)) : read_bare(cell.text));
+  }
+  return table;
 }
 
 }  // namespace laboratory

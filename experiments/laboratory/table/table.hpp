@@ -1,5 +1,5 @@
-// Results as a table: named columns, one row or more per sweep point, cells that know their type.
 #pragma once
+// Results as a table: named columns, one row or more per sweep point, cells that know their type.
 
 #include <cstdint>
 #include <optional>
@@ -17,13 +17,13 @@ struct Table {
   std::vector<std::string> columns;  ///< different from each other, none empty
   std::size_t axes = 0;              ///< the first `axes` columns are the sweep's axes
   std::vector<std::vector<Value>> rows;
-  std::vector<std::size_t> points = {};  ///< of each row the sweep's point, ascending; none: row i
-                                         ///< is point i
+  std::vector<std::size_t> points = {};  ///< the sweep's point of each row, ascending; empty where
+                                         ///< row i is point i
 
   std::size_t point_of(std::size_t row) const;
-  std::size_t row_of(std::size_t point) const;  ///< the first; every point has one
+  std::size_t row_of(std::size_t point) const;  ///< the first row of a point; every point has one
   std::size_t count_points() const;
-  std::optional<std::size_t> find(std::string_view column) const;
+  std::optional<std::size_t> find(std::string_view column) const;  ///< none for an unknown name
 };
 
 /// The number in a cell of either numeric type; none for text and empty cells.
@@ -41,15 +41,15 @@ std::string to_string(const Value& value);
 /// "a, b, c" for the separator ", ".
 std::string join_texts(const std::vector<std::string>& texts, std::string_view separator);
 
-/// A column's name for people, its unit in brackets: "time_per_ray_ms" is "time per ray [ms]".
+/// A column's name for people, with its unit in brackets: "time_per_ray_ms" is "time per ray [ms]".
 std::string make_label(std::string_view column);
 
 /// The cells of one column for people. Doubles share one precision: four significant digits of the
 /// largest, or of each where the column spans more than three decades.
 std::vector<std::string> format_column(const Table& table, std::size_t column);
 
-/// The columns to show, as indices; all of them for none named. std::invalid_argument for a name
-/// that is no column, with the known ones.
+/// The indices of the columns to show, of all columns where `shown` is empty. Throws BadInput, with
+/// the known names, for a name that is no column.
 std::vector<std::size_t> find_all(const Table& table, const std::vector<std::string>& shown);
 
 /// True where a column holds numbers and nothing else but empty cells: aligned to the right.
@@ -63,10 +63,9 @@ std::string to_text(const Table& table, const std::vector<std::string>& shown = 
 /// text that could be read as something else is quoted. `axes` is not written.
 std::string to_csv(const Table& table);
 
-/// The reverse. Lines that start with # are comments, blank lines are skipped (but are rows in a
-/// table of one column), blanks around bare cells are dropped; "\r\n" and a byte order mark are
-/// allowed. A quoted cell is text; a bare one is an integer, else a double, else text. `axes` is 0.
-/// Throws std::invalid_argument "name:line: ...".
+/// Reads what to_csv writes, and what base::CsvReader allows. Blank lines are skipped, but are rows
+/// in a table of one column. A quoted cell is text; a bare one is an integer, else a double, else
+/// text. `axes` is 0. Throws BadInput "name:line: ...".
 Table parse_csv(std::string_view text, std::string_view name);
 
 }  // namespace laboratory

@@ -1,41 +1,23 @@
 #include "renderer/radiosity/files/load_room.hpp"
 
-#include <fmt/format.h>
+#include <sstream>
 
-#include <cerrno>
-#include <filesystem>
-#include <system_error>
-
-#include "base/errors.hpp"
-#include "renderer/radiosity/files/files.hpp"
+#include "base/whole_file.hpp"
+#include "renderer/files/tokens.hpp"
+#include "renderer/radiosity/files/nff_room.hpp"
+#include "renderer/radiosity/files/obj_room.hpp"
+#include "renderer/radiosity/files/read_room.hpp"
 
 namespace radiosity {
 
-std::ifstream open_file(const std::string& path, const char* expected) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw base::BadInput(fmt::format("{}: found a directory, expected {}", path, expected));
-  std::ifstream in(path);
-  if (!in)
-    throw base::BadInput(
-        fmt::format("{}: cannot be read: {}", path, std::generic_category().message(errno)));
-  return in;
-}
-
 Room load_room(const std::string& path) {
   if (path.ends_with(".obj")) return load_obj_room(path);
-  if (path.ends_with(".nff")) {
-    std::ifstream in = open_file(path, "an NFF file");
-    return read_nff_room(in, path);
-  }
-  if (path.ends_with(".room")) {
-    std::ifstream in = open_file(path, "a room");
-    return read_room(in, path);
-  }
-  throw base::BadInput(
-      fmt::format("{}: found a room's name with another ending, expected .room, .nff "
-                  "or .obj",
-                  path));
+  const bool is_nff = path.ends_with(".nff");
+  if (!is_nff && !path.ends_with(".room"))
+    throw base::BadInput(fmt::format(
+        "{}: found a room's name with another ending, expected .room, .nff or .obj", path));
+  std::istringstream in(base::read_text(path));
+  return is_nff ? read_nff_room(in, path) : read_room(in, path);
 }
 
 }  // namespace radiosity

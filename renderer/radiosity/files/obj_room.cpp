@@ -1,113 +1,155 @@
-// Not by tinyobjloader: of 2.0.0 it reads "nan" as 0 and passes over what it does not know, without
-// a word and without a line.
+#include "renderer/radiosity/files/obj_room.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 
-#include "renderer/files/nff_statements.hpp"
-#include "renderer/radiosity/files/files.hpp"
-#include "renderer/radiosity/files/load_room.hpp"
-#include "renderer/radiosity/files/mtl.hpp"
-#include "renderer/radiosity/files/statement.hpp"
+#include "base/whole_file.hpp"
+#include "renderer/radiosity/files/parts.hpp"
 #include "renderer/radiosity/room/check.hpp"
 #include "renderer/scene/bounds.hpp"
+
+// Not by tinyobjloader: version 2.0.0 reads "nan" as 0 and passes over what it does not know,
+// without a word and without a line.
 
 namespace radiosity {
 
 namespace {
 
-struct Reader {
-  renderer::Tokens tokens;
-  std::string path;
-  Room room{};
-  std::vector<Vec> points{}, normals{};
-  std::optional<std::uint32_t> material{};  // of the faces to come
+// A material of an MTL file; its Ks counts if it turns out to be a mirror.
+struct Draft {
+  Material material;
+  Rgb specular;
+  int line;
 };
 
-void read_library(Reader& r, Statement& s) {
-  do {
-    const std::filesystem::path folder = std::filesystem::path(r.path).parent_path();
-    const std::string path = (folder / s.take_word("a file")).string();
-    std::ifstream in = open_file(path, "an MTL file");
-    read_mtl(in, path, r.room.materials);
-    r.room.libraries.push_back(path);
-  } while (!s.peek().empty());
+void read_mtl_statement(Tokens& tokens, std::vector<Draft>& drafts) {
+  constexpr int MIRROR = 3, MAX_ILLUM = 10;
+  const std::string name = tokens.take();
+  if (name == "newmtl") {
+    drafts.push_back({{}, {}, tokens.line()});
+    drafts.back().material.name = tokens.take_word("a name");
+    return tokens.end_line();
+  }
+  const bool known = name == "Kd" || name == "Ks" || name == "Ke" || name == "illum";
+  if (!known) return tokens.skip_line();
+  if (drafts.empty())
+    tokens.fail(tokens.line(), fmt::format("found '{}', expected 'newmtl' before it", name));
+  Draft& draft = drafts.back();
+  if (name == "illum")
+    draft.material.mirror = tokens.take_count("illum", 0, MAX_ILLUM) == MIRROR;
+  else if (name == "Kd")
+    draft.material.reflectance = tokens.take_rgb(name);
+  else if (name == "Ks")
+    draft.specular = tokens.take_rgb(name);
+  else
+    draft.material.emission = tokens.take_rgb(name);
+  tokens.end_line();
 }
 
-void use_material(Reader& r, Statement& s) {
-  const std::string_view name = s.peek();
-  std::string known;
-  for (std::uint32_t i = 0; i < r.room.materials.size(); ++i) {
-    if (r.room.materials[i].name == name) {
-      r.material = i;
-      s.skip();
-      return;
+void load_mtl(const std::string& path, std::vector<Material>& materials) {
+  std::istringstream in(base::read_text(path));
+  Tokens tokens(in, path);
+  std::vector<Draft> drafts;
+  while (tokens.begin_line()) read_mtl_statement(tokens, drafts);
+  for (Draft& draft : drafts) {
+    if (draft.material.mirror) draft.material.reflectance = draft.specular;
+    add_material(tokens, draft.line, draft.material, materials);
+  }
+}
+
+class Reader {
+ public:
+  Reader(std::istream& in, const std::string& path) : tokens_(in, path) {}
+
+  Room read() {
+    while (tokens_.begin_line()) read_statement();
+    check_light(room_, tokens_.name());
+    return std::move(room_);
+  }
+
+ private:
+  void read_statement() {
+    using Read = void (Reader::*)();
+    constexpr std::pair<std::string_view, Read> STATEMENTS[] = {{"v", &Reader::read_point},
+                                                                {"vn", &Reader::read_normal},
+                                                                {"f", &Reader::read_face},
+                                                                {"usemtl", &Reader::use_material},
+                                                                {"mtllib", &Reader::read_library},
+                                                                {"vt", &Reader::skip},
+                                                                {"g", &Reader::skip},
+                                                                {"o", &Reader::skip},
+                                                                {"s", &Reader::skip}};
+    (this->*tokens_.take_choice(STATEMENTS,
+                                "a statement: v, vt, vn, f, g, o, s, usemtl or mtllib"))();
+  }
+
+  void skip() { tokens_.skip_line(); }
+
+  void read_point() {
+    points_.push_back(tokens_.take_vec("a vertex"));
+    skip();  // a weight or a colour
+  }
+
+  void read_normal() {
+    normals_.push_back(tokens_.take_vec("a normal"));
+    tokens_.end_line();
+  }
+
+  void use_material() {
+    material_ = take_material(tokens_, room_, "files above");
+    skip();
+  }
+
+  void read_library() {
+    do {
+      const auto folder = std::filesystem::path(tokens_.name()).parent_path();
+      const std::string path = (folder / tokens_.take_word("a file")).string();
+      load_mtl(path, room_.materials);
+      room_.libraries.push_back(path);
+    } while (!tokens_.peek().empty());
+  }
+
+  // Corners are v, v/vt, v//vn or v/vt/vn.
+  void read_face() {
+    const int line = tokens_.line();
+    if (!material_) tokens_.fail(line, "found 'f', expected 'usemtl' before the first face");
+    Face face;
+    face.material = *material_;
+    while (!tokens_.peek().empty()) {
+      const std::string_view word = tokens_.peek();
+      const std::size_t slash = word.find('/'),
+                        second = word.find('/', std::min(slash, word.size() - 1) + 1);
+      face.corners.push_back(find(points_, word.substr(0, slash), "vertex (v)"));
+      if (slash != word.npos && second != word.npos)
+        face.normals.push_back(find(normals_, word.substr(second + 1), "normal (vn)"));
+      tokens_.take();
     }
-    known += (i == 0 ? "" : ", ") + r.room.materials[i].name;
+    add_face(tokens_, line, std::move(face), room_);
   }
-  s.fail_next(fmt::format("a material of the files above: {}", known.empty() ? "none yet" : known));
-}
 
-// Of a corner's reference: counted from 1, or backwards from -1.
-const Vec& find(const std::vector<Vec>& list, std::string_view text, const char* what,
-                Statement& s) {
-  const auto count = static_cast<long long>(list.size());
-  long long n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc{} || end != text.data() + text.size() || n == 0 || n > count || n < -count)
-    s.fail_next(
-        fmt::format("the number of a {} in each corner, of the {} so far, 1 the first and "
-                    "-1 the last",
-                    what, count));
-  return list[static_cast<std::size_t>(n > 0 ? n - 1 : count + n)];
-}
-
-// Corners are v, v/vt, v//vn or v/vt/vn.
-void read_face(Reader& r, Statement& s) {
-  if (!r.material) s.fail("found 'f', expected 'usemtl' before the first face");
-  Face face;
-  face.material = *r.material;
-  while (!s.peek().empty()) {
-    const std::string_view word = s.peek();
-    const std::size_t slash = word.find('/'),
-                      second = word.find('/', std::min(slash, word.size() - 1) + 1);
-    face.corners.push_back(find(r.points, word.substr(0, slash), "vertex (v)", s));
-    if (slash != word.npos && second != word.npos)
-      face.normals.push_back(find(r.normals, word.substr(second + 1), "normal (vn)", s));
-    s.take_word("");
+  // What a corner refers to: counted from 1, or backwards from -1.
+  const Vec& find(const std::vector<Vec>& list, std::string_view text, const char* what) {
+    const auto count = static_cast<long long>(list.size());
+    long long n = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    if (error != std::errc{} || end != text.data() + text.size() || n == 0 || n > count ||
+        n < -count)
+      tokens_.fail_next(
+          fmt::format("the number of a {} in each corner, of the {} so far, 1 the first and "
+                      "-1 the last",
+                      what, count));
+    return list[static_cast<std::size_t>(n > 0 ? n - 1 : count + n)];
   }
-  face.where = fmt::format("{}:{}", r.path, s.line());
-  at_line(r.tokens, s.line(), [&] { check_face(face, r.room.materials.size()); });
-  r.room.faces.push_back(std::move(face));
-}
 
-void read_statement(Reader& r) {
-  constexpr std::string_view NAMES[] = {"v", "vn", "f", "usemtl", "mtllib", "vt", "g", "o", "s"};
-  const auto* name = std::find(std::begin(NAMES), std::end(NAMES), r.tokens.peek());
-  if (name == std::end(NAMES))
-    r.tokens.fail_next("a statement: v, vt, vn, f, g, o, s, usemtl or mtllib");
-  r.tokens.take();
-  Statement s(r.tokens);
-  switch (name - NAMES) {
-    case 0:
-      r.points.push_back(s.take_vec("a vertex"));
-      return s.skip();  // a weight or a colour
-    case 1:
-      r.normals.push_back(s.take_vec("a normal"));
-      return s.end();
-    case 2:
-      return read_face(r, s);
-    case 3:
-      return use_material(r, s);
-    case 4:
-      return read_library(r, s);
-    default:
-      return s.skip();
-  }
-}
+  Tokens tokens_;
+  Room room_;
+  std::vector<Vec> points_, normals_;
+  std::optional<std::uint32_t> material_;  // of the faces to come
+};
 
 // The bounds just fit into the picture, up is y.
 renderer::View make_view(const Room& room) {
@@ -124,12 +166,10 @@ renderer::View make_view(const Room& room) {
 }  // namespace
 
 Room load_obj_room(const std::string& path) {
-  std::ifstream in = open_file(path, "an OBJ file");
-  Reader r{renderer::Tokens(in, path), path};
-  while (!r.tokens.peek().empty()) read_statement(r);
-  check_light(r.room, path);
-  r.room.view = make_view(r.room);
-  return std::move(r.room);
+  std::istringstream in(base::read_text(path));
+  Room room = Reader(in, path).read();
+  room.view = make_view(room);
+  return room;
 }
 
 }  // namespace radiosity

@@ -8,7 +8,7 @@
 
 namespace radiosity {
 
-/// A patch by its parameters: p + s a + t b + s t c.
+/// A patch as a function of its parameters: p + s a + t b + s t c.
 struct Quad {
   explicit Quad(const Patch& patch) : normal(patch.normal) {
     p = patch.at[0];
@@ -30,8 +30,8 @@ struct Viewpoint {
   Vec at, normal;
 };
 
-/// Each term of Eq 3.8 with A_2/N: of a delta area at a squared distance, the cosines times the
-/// distance.
+/// A term of Eq 3.8, with A_2/N = `area`; `square` of the distance, `here` and `there` the cosines
+/// times the distance.
 inline double eval_delta(double area, double square, double here, double there) {
   return here * there / square * area / (std::numbers::pi * square + area);
 }
@@ -61,7 +61,7 @@ class DeltaAreas {
   }
 
  private:
-  // Around (s, t), of these shares of the patch's sides.
+  // A delta area around (s, t); its sides are shares of the patch's.
   struct Delta {
     double s, t, along, across;
   };
@@ -89,7 +89,7 @@ class DeltaAreas {
     return eval_delta(area, square, here, there);
   }
 
-  // Halved along, across, or both.
+  // The sum over the parts of a delta area that is halved along, across, or both.
   double add_parts(const Delta& delta, bool along, bool across, int halvings) {
     const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
     const double width = along ? delta.along / 2 : delta.along;
@@ -105,11 +105,11 @@ class DeltaAreas {
   const Viewpoint& eye_;
   const Quad& quad_;
   const Sight& sight_;
-  const double enough_;  // of a delta area's longer side over its distance, squared
+  const double enough_;  // square of a delta area's longer side over its distance
   renderer::Work& work_;
 };
 
-/// Whether any of the patch is before the viewpoint, and the viewpoint before the patch.
+/// Whether a part of the patch is in front of the viewpoint, and the viewpoint in front of it.
 inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
   for (const Vec& corner : patch.at)

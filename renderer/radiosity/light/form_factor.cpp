@@ -1,11 +1,8 @@
 #include "renderer/radiosity/light/form_factor.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "renderer/radiosity/light/delta_areas.hpp"
 #include "renderer/radiosity/light/mirrors.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace radiosity {
 
@@ -14,16 +11,25 @@ using renderer::Work;
 
 namespace {
 
-// Of the distance to a point: a ray that goes no further does not meet the object it lies on.
+// The share of the distance to a point within which a ray does not meet the object of the point.
 constexpr double NEARLY = 1 - 1e-9;
+
+// How a vertex sees a patch directly, for DeltaAreas.
+struct DirectSight {
+  const Eye& eye;
+  const Vertex& vertex;
+  const Patch& patch;
+  Work& work;
+  bool sees(const Vec& point) const {
+    return radiosity::sees(eye, vertex.lit, vertex.object, point, patch.object, work);
+  }
+  static bool misses(const Vec&, double) { return false; }
+};
 
 }  // namespace
 
 void check(const FactorParams& params) {
-  const auto require = [](bool holds, const char* name, double found, const char* expected) {
-    if (!holds)
-      throw std::invalid_argument(fmt::format("{}: found {}, expected {}", name, found, expected));
-  };
+  using renderer::require;
   require(params.samples >= 1 && params.samples <= 1024, "samples", params.samples, "1 to 1024");
   require(params.spread > 0, "spread", params.spread, "more than 0");
   require(params.halvings >= 0 && params.halvings <= 30, "halvings", params.halvings, "0 to 30");
@@ -49,21 +55,6 @@ bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, 
   return !(eye.access ? intersect(blockers, ray, eye.params.traversal, work, *eye.access)
                       : intersect(blockers, ray, eye.params.traversal, work));
 }
-
-namespace {
-
-struct DirectSight {
-  const Eye& eye;
-  const Vertex& vertex;
-  const Patch& patch;
-  Work& work;
-  bool sees(const Vec& point) const {
-    return radiosity::sees(eye, vertex.lit, vertex.object, point, patch.object, work);
-  }
-  static bool misses(const Vec&, double) { return false; }
-};
-
-}  // namespace
 
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   work[Op::factor_begun] += 1;

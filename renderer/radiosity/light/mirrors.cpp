@@ -1,9 +1,9 @@
 #include "renderer/radiosity/light/mirrors.hpp"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 
-#include "renderer/radiosity/light/mirror_path.hpp"
-#include "renderer/radiosity/light/mirror_pieces.hpp"
+#include "renderer/radiosity/light/delta_areas.hpp"
 
 namespace radiosity {
 
@@ -12,6 +12,294 @@ using renderer::Work;
 
 namespace {
 
+// The way of light over a chain of mirrors, made straight: what looks is mirrored instead of what
+// is seen (figures 3.11 and 3.12). images[0] is the vertex's viewpoint, images[j] is mirrored by
+// the chain's first j mirrors.
+struct Chain {
+  template <class T, std::size_t most>
+  using List = boost::container::static_vector<T, most>;
+
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // the first is the one the vertex looks into
+  List<Viewpoint, MOST_REFLECTIONS + 1> images;
+  Rgb reflectance{1, 1, 1};  // product of the mirrors'
+  // Angle under which the narrowest of them is seen, rad, about.
+  double width = std::numeric_limits<double>::infinity();
+
+  explicit Chain(const Viewpoint& eye) : images{eye} {}
+  const Viewpoint& last() const { return images.back(); }
+  // Whether the chain's end can look into the mirror.
+  bool can_meet(const Mirror& mirror) const;
+  // Whether the last mirror may show any of a convex polygon: no edge of it divides them.
+  bool may_show(std::span<const Vec> corners) const;
+  // The chain with one mirror more, of this reflectance.
+  Chain extend(const Mirror& mirror, const Rgb& by) const;
+};
+
+// Where a way meets a chain's mirrors, in the chain's order.
+using Path = std::array<Vec, MOST_REFLECTIONS>;
+
+Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
+  return direction - 2 * dot(mirror.normal, direction) * mirror.normal;
+}
+
+Vec mirror_point(const Mirror& mirror, const Vec& point) {
+  return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
+}
+
+// Whether a point in the mirror's plane is inside, or outside by no more than the margin.
+bool is_within(const Mirror& mirror, const Vec& point, double margin = 0) {
+  const auto& c = mirror.corners;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Vec edge = c[(i + 1) % c.size()] - c[i];
+    const double inside = dot(mirror.normal, cross(edge, point - c[i]));
+    if (inside < 0 && (margin == 0 || inside < -margin * length(edge))) return false;
+  }
+  return true;
+}
+
+bool Chain::can_meet(const Mirror& mirror) const {
+  return dot(mirror.normal, last().at - mirror.corners[0]) > 0 &&
+         (mirrors.empty() || (mirrors.back() != &mirror && may_show(mirror.corners)));
+}
+
+bool Chain::may_show(std::span<const Vec> corners) const {
+  const Mirror& window = *mirrors.back();
+  const auto is_out = [&](const Vec& normal, const Vec& through) {
+    return std::ranges::all_of(corners,
+                               [&](const Vec& c) { return dot(normal, c - through) <= 0; });
+  };
+  if (is_out(window.normal, window.centre)) return false;
+  const Vec& eye = last().at;  // behind the window
+  const auto& edge = window.corners;
+  for (std::size_t i = 0; i < edge.size(); ++i)
+    if (is_out(cross(edge[i] - eye, edge[(i + 1) % edge.size()] - eye), eye)) return false;
+  return true;
+}
+
+Chain Chain::extend(const Mirror& mirror, const Rgb& by) const {
+  Chain longer = *this;
+  const Vec way = mirror.centre - last().at;
+  const double square = dot(way, way);
+  longer.width = std::min(width, mirror.width * -dot(mirror.normal, way) / square);
+  longer.images.push_back(
+      {mirror_point(mirror, last().at), mirror_direction(mirror, last().normal)});
+  longer.mirrors.push_back(&mirror);
+  longer.reflectance = reflectance * by;
+  return longer;
+}
+
+// The way from the vertex to a point; none if it misses a mirror.
+std::optional<Path> find_path(const Chain& chain, const Vec& to) {
+  Path points;
+  Vec from = to;
+  for (std::size_t j = chain.mirrors.size(); j-- > 0;) {
+    const Mirror& mirror = *chain.mirrors[j];
+    const Vec way = chain.images[j + 1].at - from;
+    const double before = dot(mirror.normal, from - mirror.corners[0]);
+    const double along = dot(mirror.normal, way);
+    if (!(before > 0 && along < 0)) return std::nullopt;  // behind the mirror, or away from it
+    points[j] = from + before / -along * way;
+    if (!is_within(mirror, points[j])) return std::nullopt;
+    from = points[j];
+  }
+  return points;
+}
+
+// Whether every way to the points within a radius of `to` surely misses a mirror. The ways form a
+// cone whose tip is the vertex's image; a mirror cuts it in an ellipse.
+bool surely_misses(const Chain& chain, const Vec& to, double radius) {
+  Vec from = to;
+  const double whole = length(to - chain.last().at);
+  double gone = 0;
+  for (std::size_t j = chain.mirrors.size(); j-- > 0;) {
+    const Mirror& mirror = *chain.mirrors[j];
+    const Vec way = chain.images[j + 1].at - from;
+    const double before = dot(mirror.normal, from - mirror.corners[0]);
+    const double along = -dot(mirror.normal, way), left = length(way);
+    if (!(before > radius && along > radius)) return false;  // no telling
+    const Vec point = from + before / along * way;
+    gone += before / along * left;
+    const double slope = (along - radius) / left;  // the least cosine of the cone's lines, about
+    if (!is_within(mirror, point, 2 * radius * (whole - gone) / whole / slope)) return true;
+    from = point;
+  }
+  return false;
+}
+
+// Whether nothing blocks a way that meets the mirrors along `path`.
+bool is_free(const Eye& eye, const Vertex& vertex, const Chain& chain, const Path& path,
+             const Vec& to, std::uint32_t object, renderer::Work& work) {
+  Vec from = vertex.lit;
+  std::uint32_t on = vertex.object;
+  for (std::size_t j = 0; j < chain.mirrors.size(); ++j) {
+    const std::uint32_t mirror = chain.mirrors[j]->object;
+    if (!sees(eye, from, on, path[j], mirror, work)) return false;
+    from = path[j];
+    on = mirror;
+  }
+  return sees(eye, from, on, to, object, work);
+}
+
+// The rectangle around a mirror along its first edge, cut into n x n pieces.
+struct Pieces {
+  Pieces(const Mirror& mirror, int n) : n(n) {
+    const Vec along = normalize(mirror.corners[1] - mirror.corners[0]);
+    const Vec across = cross(mirror.normal, along);
+    double lo_u = 0, hi_u = 0, lo_v = 0, hi_v = 0;
+    for (const Vec& corner : mirror.corners) {
+      const Vec d = corner - mirror.corners[0];
+      lo_u = std::min(lo_u, dot(d, along));
+      hi_u = std::max(hi_u, dot(d, along));
+      lo_v = std::min(lo_v, dot(d, across));
+      hi_v = std::max(hi_v, dot(d, across));
+    }
+    origin = mirror.corners[0] + lo_u * along + lo_v * across;
+    u = (hi_u - lo_u) / n * along;
+    v = (hi_v - lo_v) / n * across;
+  }
+  Vec centre(int i, int j) const { return origin + (i + 0.5) * u + (j + 0.5) * v; }
+  double area() const { return length(u) * length(v); }
+  int n;
+  Vec origin, u, v;  // u and v: the sides of a piece
+};
+
+// The least solid angle of the pieces that a path meets, and the index of its mirror in the chain.
+struct Least {
+  double angle = std::numeric_limits<double>::infinity();
+  std::size_t mirror = 0;
+};
+
+// A way from the vertex over a chain to the patch's plane.
+struct Way {
+  Path path;
+  Vec end;
+  Least least;
+};
+
+// What a vertex sees of a patch over a chain.
+struct MirroredPatch {
+  const Eye& eye;
+  const Vertex& vertex;
+  const Patch& patch;
+  const Quad& quad;
+  const Chain& chain;
+};
+
+// The sum of Eq 3.17 over the patch's delta areas (samples x samples, not halved) and the pieces
+// of the chain's mirrors (FactorParams::mirror_pieces).
+class PieceSum {
+ public:
+  PieceSum(const MirroredPatch& seen, Work& work) : seen_(seen), work_(work) {
+    for (const Mirror* mirror : seen.chain.mirrors)
+      pieces_.emplace_back(*mirror, seen.eye.params.mirror_pieces);
+  }
+
+  double sum() {
+    const int n = seen_.eye.params.samples;
+    double total = 0;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) total += add_delta((i + 0.5) / n, (j + 0.5) / n, 0.5 / n);
+    return total;
+  }
+
+ private:
+  // The delta area within `half` of (s, t).
+  double add_delta(double s, double t, double half) {
+    work_[Op::delta_area] += 1;
+    const Quad& quad = seen_.quad;
+    const double area = 4 * half * half * quad.eval_density(s, t);
+    const Vec centre = quad.eval(s, t);
+    if (const auto path = find_path(seen_.chain, centre)) {
+      const Way way{*path, centre, least_angle(*path)};
+      if (way.least.angle >= solid_angle(area, centre)) return add_way(way, area, 1);
+    }
+    corners_ = {quad.eval(s - half, t - half), quad.eval(s + half, t - half),
+                quad.eval(s + half, t + half), quad.eval(s - half, t + half)};
+    double total = 0;
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      for (int j = 0; j < pieces_[k].n; ++j)
+        for (int i = 0; i < pieces_[k].n; ++i) {
+          work_[Op::light_mirrored] += 1;
+          // A way is found over the pieces of each of its mirrors: where these are the least.
+          const auto way = follow(k, pieces_[k].centre(i, j));
+          if (!way || way->least.mirror != k) continue;
+          const double whole = solid_angle(area, way->end);
+          if (way->least.angle < whole) total += add_way(*way, area, way->least.angle / whole);
+        }
+    return total;
+  }
+
+  // The term of Eq 3.17 for a share h of the delta area.
+  double add_way(const Way& way, double area, double h) {
+    const Viewpoint& eye = seen_.chain.last();
+    const Vec line = way.end - eye.at;
+    const double here = dot(eye.normal, line), there = -dot(seen_.quad.normal, line);
+    if (here <= 0 || there <= 0 ||
+        !is_free(seen_.eye, seen_.vertex, seen_.chain, way.path, way.end, seen_.patch.object,
+                 work_))
+      return 0;
+    return eval_delta(h * area, dot(line, line), here, there);
+  }
+
+  // The way from the vertex over the chain, through a piece's centre at the k-th mirror, if it ends
+  // in the delta area.
+  std::optional<Way> follow(std::size_t k, const Vec& centre) const {
+    const auto& chain = seen_.chain;
+    if (!is_within(*chain.mirrors[k], centre)) return std::nullopt;
+    // Straight on from the vertex's last image.
+    Vec through = centre;
+    for (std::size_t j = k + 1; j < chain.mirrors.size(); ++j)
+      through = mirror_point(*chain.mirrors[j], through);
+    const Vec direction = through - chain.last().at;
+    const double along = dot(seen_.quad.normal, direction);
+    if (!(along < 0)) return std::nullopt;
+    const Vec end = chain.last().at +
+                    dot(seen_.quad.normal, seen_.quad.p - chain.last().at) / along * direction;
+    if (!is_in_delta(end)) return std::nullopt;
+    const auto path = find_path(chain, end);
+    if (!path) return std::nullopt;
+    return Way{*path, end, least_angle(*path)};
+  }
+
+  bool is_in_delta(const Vec& point) const {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (dot(seen_.quad.normal, cross(corners_[(k + 1) % 4] - corners_[k], point - corners_[k])) <
+          0)
+        return false;
+    return true;
+  }
+
+  // The solid angle of an area as seen from the vertex over the chain.
+  double solid_angle(double area, const Vec& point) const {
+    const Vec line = point - seen_.chain.last().at;
+    const double square = dot(line, line);
+    return area * -dot(seen_.quad.normal, line) / (square * std::sqrt(square));
+  }
+
+  // The minimum of Eq 3.18 over the pieces that a path meets.
+  Least least_angle(const Path& path) const {
+    Least least;
+    double distance = 0;
+    Vec from = seen_.vertex.lit;
+    for (std::size_t j = 0; j < pieces_.size(); ++j) {
+      const Vec line = path[j] - from;
+      const double step = length(line);
+      distance += step;
+      const double cosine = -dot(seen_.chain.mirrors[j]->normal, line) / step;
+      const double angle = pieces_[j].area() * cosine / (distance * distance);
+      if (angle < least.angle) least = {angle, j};
+      from = path[j];
+    }
+    return least;
+  }
+
+  const MirroredPatch seen_;
+  std::vector<Pieces> pieces_;  // by mirror of the chain
+  std::array<Vec, 4> corners_;  // of the delta area
+  Work& work_;
+};
+
+// How a vertex sees a patch over a chain, for DeltaAreas.
 struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -26,7 +314,7 @@ struct MirroredSight {
   }
   bool misses(const Vec& point, double radius) const {
     work[Op::light_mirrored] += chain.mirrors.size();
-    return radiosity::misses(chain, point, radius);
+    return surely_misses(chain, point, radius);
   }
 };
 
@@ -35,7 +323,7 @@ class Mirroring {
   Mirroring(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work)
       : eye_(eye), vertex_(vertex), patch_(patch), quad_(patch), work_(work) {}
 
-  // Of all chains that begin with this one.
+  // The sum over all chains that begin with this one.
   Rgb sum(const Chain& chain) const {
     Rgb total;
     if (chain.mirrors.size() == static_cast<std::size_t>(eye_.params.reflections)) return total;
@@ -53,9 +341,10 @@ class Mirroring {
  private:
   double eval_chain(const Chain& chain) const {
     const FactorParams& params = eye_.params;
-    if (params.mirror_pieces > 0) return sum_pieces({eye_, vertex_, patch_, quad_, chain}, work_);
+    if (params.mirror_pieces > 0)
+      return PieceSum({eye_, vertex_, patch_, quad_, chain}, work_).sum();
     const MirroredSight sight{eye_, vertex_, patch_, chain, work_};
-    // Through a mirror that looks very narrow comes little light: no more care than that.
+    // Little light comes through a mirror that looks very narrow: it deserves no more care.
     constexpr double LEAST = 0.25;
     const double spread =
         std::clamp(params.mirror_share * chain.width, LEAST * params.spread, params.spread);

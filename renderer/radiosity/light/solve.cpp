@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/radiosity/light/relight.hpp"
-
 namespace radiosity {
 
 using renderer::Op;
@@ -20,6 +18,7 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
+// What a patch received in the last shot.
 Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
   Rgb corners;
   for (const auto corner : mesh.patches[p].corners) corners += state.received[corner];
@@ -27,7 +26,7 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
   return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
 }
 
-// What reaches a vertex, and what of it is reflected.
+// The light of a patch that reaches a vertex and is reflected there.
 Rgb reflect(const Eye& eye, const Vertex& vertex, const Patch& sender, const Rgb& radiosity,
             Work& work) {
   const Rgb factor = eval_factors(eye, vertex, sender, work);
@@ -126,6 +125,7 @@ void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertice
 
 namespace {
 
+// Solves on `mesh`; the vertices of `fine`, if there is one, receive too, and are the solution's.
 Solution shoot_all(const Mesh& mesh, const Mesh* fine, const SolveParams& params,
                    const std::function<bool(int shots, double unshot)>& step) {
   check(params.factor);

@@ -8,70 +8,72 @@
 
 namespace radiosity {
 
-/// A patch's light, sent to all: what everybody needs to know of it.
+/// The light that a patch sends to all.
 struct Shot {
   std::uint32_t patch = 0;
-  Rgb radiosity;     ///< that had not been sent, of the patch
+  Rgb radiosity;     ///< the patch's unsent radiosity
   double power = 0;  ///< its sum over the colours, times the patch's area
 };
 
-/// Of every vertex and patch. Whoever owns some of the patches keeps theirs, and their vertices',
-/// up to date.
+/// The light of all vertices and patches. Where several share the work, the owner of a patch keeps
+/// its light and that of its vertices up to date.
 struct State {
   std::vector<Rgb> radiosity;  ///< by vertex
   std::vector<Rgb> unshot;     ///< by patch
   std::vector<Rgb> received;   ///< by vertex, in the last shot
-  std::vector<Rgb> in_centre;  ///< by patch: what its centre received in the last shot
+  std::vector<Rgb> in_centre;  ///< by patch, received by its centre in the last shot
 };
 
 /// Everything emits, nothing is sent.
 State make_state(const Mesh& mesh);
 
-/// Of the patches named the one with most power to send, of equals the first; none if all are dark.
+/// A shot of the patch, of those named, with most unsent power; of equals the first; none if all
+/// are dark.
 std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
                               std::span<const std::uint32_t> patches, renderer::Work& work);
 
-/// Each of the vertices named takes its share of what the patch sends: Eq 3.9 and 3.17. The patch
-/// may be of another mesh of the same room.
+/// Each of the vertices named takes its share of the radiosity that the patch sends: Eq 3.9 and
+/// 3.17. The patch may belong to another mesh of the same room.
 void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
              std::span<const std::uint32_t> vertices, State& state, renderer::Work& work);
 
-/// The same of the centres of the patches named, for Mean::simpson.
+/// The centres of the patches named take their shares, for Mean::simpson.
 void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
                         std::span<const std::uint32_t> patches, State& state, renderer::Work& work);
 
-/// What a patch has of light, of what is found in points of it.
+/// How the light that a patch received is found from that of points on it.
 enum class Mean : std::uint8_t {
-  corners,  ///< the four corners' mean: exact for bilinear light. J. Wallace's, and the thesis's
+  corners,  ///< the mean of the corners: exact for bilinear light; by J. Wallace and the thesis
   simpson,  ///< a twelfth of each corner's and two thirds of the centre's: exact for cubic light
 };
 
-/// Each of the patches named adds to what it has to send the mean of what it received; the one that
+/// Each of the patches named adds the mean of what it received to its unsent light; the one that
 /// shot has sent all that it had. Their corners, and centres, must have received.
 void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,
             State& state, renderer::Work& work);
 
 /// Power that has not been sent, in fixed point: a sum does not depend on its order.
 struct Unshot {
-  static constexpr double ONE = 1LL << 40;  ///< units of all the power that the room emits
+  static constexpr double ONE = 1LL << 40;  ///< units in the power that the room emits
   std::int64_t r = 0, g = 0, b = 0;
   Unshot& operator+=(const Unshot& other);
   bool operator==(const Unshot&) const = default;
 };
 Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uint32_t> patches);
-/// The share of the emitted power: 1 at first.
+/// The unsent share of the emitted power: 1 at first.
 double eval_share(const Unshot& unshot);
 
-/// Cohen's estimate of what the unsent power will yet give, everywhere: sent to all alike, and
-/// reflected on and on with the room's mean reflectance. A surface adds its reflectance times it.
+/// Cohen's estimate of the light that the unsent power will yet give everywhere, if it is sent to
+/// all alike and reflected again and again with the room's mean reflectance.
 Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot);
+/// Adds to each vertex the ambient light times its reflectance.
 void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertices);
 
 struct SolveParams {
   FactorParams factor;
   Mean mean = Mean::simpson;
-  int shots = 1'000'000;     ///< at most, >= 0
-  double tolerance = 0.001;  ///< until so much of the emitted power is unsent, 0..1
+  int shots = 1'000'000;     ///< most shots, >= 0
+  double tolerance = 0.001;  ///< unsent share of the emitted power at which it ends, 0..1
 };
 
 struct Solution {
@@ -87,15 +89,19 @@ struct Solution {
 Solution solve(const Mesh& mesh, const SolveParams& params,
                const std::function<bool(int shots, double unshot)>& step = nullptr);
 
-/// The oracle: the same equations by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the order
-/// of vertices, until none changes by more than `tolerance` of the brightest. Every factor is
-/// found again in every sweep, `shots` of them; for small rooms.
-Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6);
+/// Patches of `coarse` send, vertices of `fine` receive: solves on `coarse`, as solve() does, and
+/// lets the vertices of `fine` receive every shot too; the solution's vertices are those of `fine`.
+/// Both are meshes of the same room. A fine mesh of 14,000 patches takes as many shots as the
+/// coarse one, not a hundred times as many. (Substructuring: M. Cohen, D. Greenberg, D. Immel and
+/// P. Brock, "An Efficient Radiosity Approach for Realistic Image Synthesis", IEEE CG&A 6(3),
+/// 1986.)
+Solution relight(const Mesh& coarse, const Mesh& fine, const SolveParams& params,
+                 const std::function<bool(int shots, double unshot)>& step = nullptr);
 
-/// A patch's centre as a vertex.
+/// The centre of a patch as a vertex.
 Vertex make_centre(const Patch& patch);
 
-/// All indices of a mesh: of the vertices, and of the patches.
+/// All indices of a mesh's vertices, and of its patches.
 std::vector<std::uint32_t> all_vertices(const Mesh& mesh);
 std::vector<std::uint32_t> all_patches(const Mesh& mesh);
 

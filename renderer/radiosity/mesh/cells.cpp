@@ -9,12 +9,14 @@ namespace radiosity {
 
 namespace {
 
-// Sines of the angles at corners: a cell must keep this when a point moves.
+// Least sine of the angles at a cell's corners after a point has moved.
 constexpr double WELL_SHAPED = 0.3;
+// A corner is straight where the sine of its turn is less.
+constexpr double STRAIGHT = 0.17;
 
 }  // namespace
 
-// Where a line passes into a cell and out of it: at a point, or on the edge from it to `next`.
+// The ends of a line across a cell: at a point, or on the edge from it to `next`.
 struct Cells::Chord {
   struct End {
     std::uint32_t point, next;
@@ -59,8 +61,8 @@ bool Cells::move(std::uint32_t point, const Vec& to) {
     const Loop& loop = cells_[cell];
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec here = points_[loop[i]];
-      const Vec ahead = points_[loop[(i + 1) % 4]] - here,
-                behind = points_[loop[(i + 3) % 4]] - here;
+      const Vec ahead = points_[loop[(i + 1) % 4]] - here;
+      const Vec behind = points_[loop[(i + 3) % 4]] - here;
       if (dot(normal_, cross(ahead, behind)) < WELL_SHAPED * length(ahead) * length(behind)) {
         points_[point] = back;
         return false;
@@ -162,7 +164,7 @@ void Cells::cut(const Crease& crease, double touch) {
   for (std::size_t cell = 0; cell < count; ++cell) {
     const auto chord = find_chord(cell, heights);
     if (!chord) continue;
-    // Where on the crease, from 0 to its size, the chord begins and ends.
+    // Places on the crease, from 0 to its size, at which the chord begins and ends.
     double t[2];
     for (std::size_t i = 0; i < 2; ++i) {
       const auto& [point, next, share] = chord->ends[i];
@@ -187,23 +189,123 @@ void Cells::cut(const Crease& crease, double touch) {
     own(cell);
     own(cells_.size() - 1);
   }
-
   // The crease's ends become points of the edges that it lies on.
-  for (const double end : {0.0, size}) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const auto& [edge, cell] : owner_) {
-      const auto& [a, b] = edge;
-      if (heights[a] != 0 || heights[b] != 0 || (a > b && owner_.contains({b, a}))) continue;
-      const double from = dot(points_[a] - crease.a, along), to = dot(points_[b] - crease.a, along);
-      if (std::min(from, to) + touch < end && end < std::max(from, to) - touch)
-        edges.push_back(edge);
-    }
-    for (const auto& [a, b] : edges) {
-      const double from = dot(points_[a] - crease.a, along), to = dot(points_[b] - crease.a, along);
-      split_edge(a, b, (end - from) / (to - from));
-      heights.push_back(0);
-    }
+  for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
+}
+
+// Puts a point at the distance `end` from `origin` on every edge that lies on the line `along`:
+// where both heights are 0.
+void Cells::split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
+                           std::vector<double>& heights) {
+  const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& [edge, cell] : owner_) {
+    const auto& [a, b] = edge;
+    if (heights[a] != 0 || heights[b] != 0 || (a > b && owner_.contains({b, a}))) continue;
+    if (std::min(place(a), place(b)) + touch < end && end < std::max(place(a), place(b)) - touch)
+      edges.push_back(edge);
   }
+  for (const auto& [a, b] : edges) {
+    split_edge(a, b, (end - place(a)) / (place(b) - place(a)));
+    heights.push_back(0);
+  }
+}
+
+namespace {
+
+// Points and quads so far, and the middles of edges.
+struct Quads {
+  Division division;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+
+  std::uint32_t add(const Vec& point) {
+    division.points.push_back(point);
+    return static_cast<std::uint32_t>(division.points.size() - 1);
+  }
+  std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+    const auto [at, is_new] = middles.try_emplace(std::minmax(a, b));
+    if (is_new) at->second = add(0.5 * (division.points[a] + division.points[b]));
+    return at->second;
+  }
+  Vec at(std::uint32_t point) const { return division.points[point]; }
+};
+
+using Loop = std::vector<std::uint32_t>;
+
+// The sine of the angle from one way to another.
+double eval_sine(const Vec& a, const Vec& b, const Vec& normal) {
+  return dot(normal, cross(a, b)) / std::sqrt(dot(a, a) * dot(b, b));
+}
+
+bool is_straight(const Quads& quads, const Loop& loop, std::size_t i, const Vec& normal) {
+  const Vec here = quads.at(loop[i]);
+  const Vec ahead = quads.at(loop[(i + 1) % loop.size()]) - here;
+  const Vec behind = here - quads.at(loop[(i + loop.size() - 1) % loop.size()]);
+  return dot(ahead, behind) > 0 && eval_sine(behind, ahead, normal) < STRAIGHT;
+}
+
+// The least sine of the four angles that the way from corner i to corner k makes with the border.
+double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t k,
+                const Vec& normal) {
+  double least = 1;
+  for (const auto& [from, to] : {std::pair{i, k}, std::pair{k, i}}) {
+    const Vec here = quads.at(loop[from]), way = quads.at(loop[to]) - here;
+    const Vec ahead = quads.at(loop[(from + 1) % loop.size()]) - here;
+    const Vec behind = quads.at(loop[(from + loop.size() - 1) % loop.size()]) - here;
+    least = std::min({least, eval_sine(ahead, way, normal), eval_sine(way, behind, normal)});
+  }
+  return least;
+}
+
+// Cuts a cell from a straight corner to the other corner that makes the best angles, and so on with
+// its parts; adds these to `parts`.
+void cut_straight_corners(const Quads& quads, Loop loop, const Vec& normal,
+                          std::vector<Loop>& parts) {
+  std::size_t from = 0, to = 0;
+  double best = 0;
+  for (std::size_t i = 0; i < loop.size() && loop.size() > 3; ++i) {
+    if (!is_straight(quads, loop, i, normal)) continue;
+    for (std::size_t k = i + 2; k + 1 < i + loop.size(); ++k)
+      if (const double sine = eval_way(quads, loop, i, k % loop.size(), normal); sine > best) {
+        from = i;
+        to = k - i;
+        best = sine;
+      }
+  }
+  if (best == 0) {
+    parts.push_back(std::move(loop));
+    return;
+  }
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(from), loop.end());
+  const auto at = loop.begin() + static_cast<std::ptrdiff_t>(to);
+  Loop left(at, loop.end());
+  left.push_back(loop[0]);
+  cut_straight_corners(quads, {loop.begin(), at + 1}, normal, parts);
+  cut_straight_corners(quads, std::move(left), normal, parts);
+}
+
+// Adds a quad at every corner of a convex polygon: (corner, middle, centre, middle).
+void add_corners(Quads& quads, std::span<const std::uint32_t> loop) {
+  std::vector<Vec> corners;
+  for (const auto point : loop) corners.push_back(quads.at(point));
+  const std::uint32_t centre = quads.add(eval_mean(corners));
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto here = loop[i], next = loop[(i + 1) % loop.size()];
+    const auto last = loop[(i + loop.size() - 1) % loop.size()];
+    const auto ahead = quads.middle(here, next), behind = quads.middle(last, here);
+    quads.division.quads.push_back({here, ahead, centre, behind});
+  }
+}
+
+}  // namespace
+
+Division Cells::make_quads() const {
+  Quads quads;
+  quads.division.points = points_;
+  std::vector<Loop> parts;
+  for (const Loop& loop : cells_) cut_straight_corners(quads, loop, normal_, parts);
+  for (const Loop& part : parts) add_corners(quads, part);
+  return std::move(quads.division);
 }
 
 }  // namespace radiosity

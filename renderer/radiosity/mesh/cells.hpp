@@ -11,16 +11,16 @@ namespace radiosity {
 
 class Cells {
  public:
-  /// The quads of a division; equal points become one, the others keep their order.
+  /// Cells are the quads of a division; equal points become one, the others keep their order.
   Cells(const Division& division, const Vec& normal);
 
-  /// These points will not be moved.
+  /// The point will not be moved.
   void fix(std::uint32_t point) { line_[point] = FIXED; }
   /// Moves inner points that are nearer than `reach` to the creases' ends, to the creases or to
   /// where they cross each other there, as long as all cells stay well-shaped.
   void move_points(std::span<const Crease> creases, double reach);
-  /// Cuts all cells through which the crease runs for more than `touch`; points nearer than that to
-  /// its line count as on it.
+  /// Cuts all cells through which the crease runs for more than `touch`; points nearer to its line
+  /// than that are taken to lie on it.
   void cut(const Crease& crease, double touch);
   /// A quad for each corner of each cell: the corner, the middles of its edges, the cell's centre.
   /// A cell with straight corners is cut at these first. Points come first, as they are.
@@ -35,6 +35,8 @@ class Cells {
   void move_to_end(const Vec& end, double reach);
   std::optional<Chord> find_chord(std::size_t cell, std::span<const double> heights) const;
   std::uint32_t split_edge(std::uint32_t a, std::uint32_t b, double share);
+  void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
+                      std::vector<double>& heights);
   void own(std::size_t cell);
 
   Vec normal_;

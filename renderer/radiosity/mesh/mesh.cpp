@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t MOST_PATCHES = 10'000'000;
 
-double size_of(const Room& room) {
+double eval_size(const Room& room) {
   double size = 0;
   for (const auto& face : room.faces)
     for (const Vec& corner : face.corners) size = std::max(size, renderer::max_abs(corner));
@@ -41,7 +41,8 @@ Vec mean_of(const std::vector<Vec>& corners) {
   return mean;
 }
 
-// A little larger, so that no ray passes between faces that share an edge, however it is rounded.
+// The polygon a little larger, so that no ray passes between faces that share an edge, however it
+// is rounded.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
   const Vec centre = mean_of(corners);
@@ -49,7 +50,7 @@ std::vector<Vec> grow(std::vector<Vec> corners) {
   return corners;
 }
 
-// Without creases.
+// The number of quads of a face without creases.
 std::size_t count_quads(const Face& face, int refine) {
   const auto along = static_cast<std::size_t>(face.along) * static_cast<std::size_t>(refine);
   const auto across = static_cast<std::size_t>(face.across) * static_cast<std::size_t>(refine);
@@ -64,7 +65,7 @@ void check_count(const Face& face, std::size_t patches) {
                     face.where, MOST_PATCHES));
 }
 
-// A surface's normal between its face's corners.
+// The normals of a face, interpolated if it stands for a curved surface.
 class Normals {
  public:
   explicit Normals(const Face& face) : flat_(normalize(eval_area_normal(face.corners))) {
@@ -86,7 +87,7 @@ class Normals {
 class Builder {
  public:
   Builder(const Room& room, const MeshParams& params)
-      : room_(room), params_(params), welder_(size_of(room)) {
+      : room_(room), params_(params), welder_(eval_size(room)) {
     mesh_.materials = room.materials;
     mesh_.blockers.surfaces.emplace_back();
     mesh_.blockers.view = room.view;

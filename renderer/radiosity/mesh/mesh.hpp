@@ -10,11 +10,11 @@ namespace radiosity {
 
 struct Vertex {
   Vec at;
-  Vec lit;     ///< where its illumination is found: `at`, but on the border of a surface a little
-               ///< inside, where what touches the border is seen
+  Vec lit;     ///< point at which its illumination is found: `at`, but at the border of a surface
+               ///< a little inside, where what touches the border is seen
   Vec normal;  ///< unit
   std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< of Mesh::blockers that it lies on
+  std::uint32_t object = 0;  ///< index of the object of Mesh::blockers that it lies on
 };
 
 /// A convex quad. Its corners run counter-clockwise as seen from its front and have the parameters
@@ -26,7 +26,7 @@ struct Patch {
   Vec normal;  ///< unit
   double area = 0;
   std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< of Mesh::blockers
+  std::uint32_t object = 0;  ///< index into Mesh::blockers
   std::uint32_t face = 0;    ///< index into Room::faces
 };
 
@@ -37,7 +37,7 @@ struct Mirror {
   Vec centre;                ///< mean of the corners
   double width = 0;          ///< its area over its longest edge
   std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< of Mesh::blockers
+  std::uint32_t object = 0;  ///< index into Mesh::blockers
 };
 
 struct Mesh {
@@ -45,16 +45,16 @@ struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<Patch> patches;
   std::vector<Mirror> mirrors;
-  renderer::Scene blockers;  ///< every face once: what rays are cast against
-  double area = 0;           ///< of all patches
-  Rgb emitted;               ///< power of all patches
-  Rgb reflectance;           ///< mean of all patches, by area
+  renderer::Scene blockers;  ///< what rays are cast against: every face once
+  double area = 0;           ///< of all patches, in squares of the room's unit
+  Rgb emitted;               ///< power that all patches emit
+  Rgb reflectance;           ///< mean reflectance of the patches, by area
 };
 
 struct MeshParams {
-  int refine = 1;       ///< multiplies the divisions of every face, 1 to 1000
-  double inset = 0.01;  ///< how far inside border vertices are lit: a share of the way to the mean
-                        ///< centre of their patches, 0..0.5
+  int refine = 1;       ///< factor of the divisions of every face, 1 to 1000
+  double inset = 0.01;  ///< distance inside the border at which its vertices are lit, a share of
+                        ///< the way to the mean centre of their patches, 0..0.5
 };
 
 /// The room must pass check(). BadInput beyond 10 million patches.

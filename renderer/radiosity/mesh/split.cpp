@@ -25,7 +25,7 @@ bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edge
   return false;
 }
 
-// For each of the patches around a vertex the number of its group, counted from 0 by first patches.
+// The group of each patch around a vertex: the index of the group's first patch.
 std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint32_t> around,
                                      std::uint32_t vertex, const Edges& creases) {
   std::vector<std::size_t> group(around.size());

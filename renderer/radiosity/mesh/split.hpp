@@ -13,7 +13,7 @@ using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 /// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset).
 void inset_borders(Mesh& mesh, double inset);
 
-/// Gives every group of patches around a vertex that creases divide a vertex of its own; copies
+/// Gives every group of patches that creases divide around a vertex a vertex of its own; copies
 /// have the same place, and so the same illumination.
 void split_at_creases(Mesh& mesh, const Edges& creases);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Points that are one: at the same place, of the same material and with the same normal.
+// Points at the same place, of the same material and with the same normal are one.
 
 #include <array>
 #include <unordered_map>
@@ -10,10 +10,10 @@ namespace radiosity {
 
 class Welder {
  public:
-  /// `size`: the room's. Places are told apart from 1e-9 of it on.
+  /// `size` of the room, in its units; places nearer than 1e-9 of it are the same.
   explicit Welder(double size);
 
-  /// The number of the point, counted from 0 in the order they come; a new one if it is unlike all.
+  /// The number of the point; a point unlike all before gets the next, from 0.
   std::uint32_t weld(const Vec& at, const Vec& normal, std::uint32_t material);
   std::size_t count() const { return known_.size(); }
 
@@ -22,7 +22,7 @@ class Welder {
   struct Hash {
     std::size_t operator()(const Key& key) const;
   };
-  double unit_;  // a power of two: binary fractions lie in the middle of their cell
+  double unit_;  // width of a cell of places, a power of two: binary fractions are in its middle
   std::unordered_map<Key, std::uint32_t, Hash> known_;
 };
 

@@ -4,25 +4,22 @@
 
 #include <algorithm>
 
-#include "base/errors.hpp"
 #include "renderer/files/tokens.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace radiosity {
 
+using renderer::require;
+
 namespace {
 
-constexpr int MAX_DIVISIONS = 10000, MAX_SIDE = 65536;
 constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;  // shares of the face's size, and of its square
 constexpr double OFF_PLANE = 1e-6;                 // share of the face's size
 constexpr double NO_TURN = 1e-6;                   // sine of the angle between two edges
 
-void require(bool holds, const std::string& found, const std::string& expected) {
-  if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
-}
-
 std::string show(const Vec& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
-// Finite, and so small that products stay finite. A NaN compares false.
+// Numbers must be so small that products stay finite. A NaN compares false.
 void require_finite(const Vec& v, const std::string& what) {
   const double max = renderer::MAX_NUMBER;
   require(std::abs(v.x) <= max && std::abs(v.y) <= max && std::abs(v.z) <= max,
@@ -45,9 +42,7 @@ void check_plane(std::span<const Vec> corners, double size) {
   const Vec area = eval_area_normal(corners);
   require(length(area) > 2 * NO_AREA * size * size, fmt::format("{} corners around no area", n),
           "a face with an area: corners not on one line, no edges that cross");
-  const Vec normal = normalize(area);
-  Vec centre;
-  for (const Vec& c : corners) centre += (1.0 / static_cast<double>(n)) * c;
+  const Vec normal = normalize(area), centre = eval_mean(corners);
   for (std::size_t i = 0; i < n; ++i) {
     const double off = std::abs(dot(normal, corners[i] - centre));
     require(
@@ -89,6 +84,16 @@ void check_normals(const Face& face) {
     require(dot(face.normals[i], front) > 0,
             fmt::format("the normal {} of corner {}", show(face.normals[i]), i + 1),
             "one on the side of the face's front, from which corners run counter-clockwise");
+  }
+}
+
+// Runs `action`; what it rejects is reported with the place, if that has a name.
+template <typename Action>
+void at(const std::string& place, const Action& action) {
+  try {
+    action();
+  } catch (const BadInput& bad) {
+    throw BadInput(place.empty() ? bad.what() : fmt::format("{}: {}", place, bad.what()));
   }
 }
 
@@ -139,7 +144,7 @@ void check_crease(const Crease& crease) {
 }
 
 bool lies_on_a_face(const Crease& crease, const Room& room) {
-  return std::any_of(room.faces.begin(), room.faces.end(), [&](const Face& face) {
+  return std::ranges::any_of(room.faces, [&](const Face& face) {
     const Vec normal = normalize(eval_area_normal(face.corners));
     const auto is_on = [&](const Vec& end) {
       return std::abs(dot(normal, end - face.corners[0])) <= 1e-6 * eval_size(face.corners);
@@ -152,31 +157,39 @@ renderer::View check_view(const renderer::View& view) {
   require_finite(view.from, "the view's 'from'");
   require_finite(view.at, "the view's 'at'");
   require_finite(view.up, "the view's 'up'");
-  const auto in_range = [](int n) { return n >= 1 && n <= MAX_SIDE; };
+  const auto in_range = [](int n) { return n >= 1 && n <= renderer::MAX_SIDE; };
   require(in_range(view.width) && in_range(view.height),
           fmt::format("a picture of {} x {} pixels", view.width, view.height),
-          fmt::format("1 to {} each way", MAX_SIDE));
-  renderer::Scene scene;
-  scene.view = view;
-  finish(scene);
-  return scene.view;
+          fmt::format("1 to {} each way", renderer::MAX_SIDE));
+  return make_image_plane(view);
 }
 
 void check_light(const Room& room, const std::string& name) {
-  const auto need = [&](bool holds, const char* found, const char* expected) {
-    const char* colon = name.empty() ? "" : ": ";
-    if (!holds)
-      throw base::BadInput(fmt::format("{}{}found {}, expected {}", name, colon, found, expected));
-  };
   const auto any = [&](const auto& holds) {
-    return std::any_of(room.faces.begin(), room.faces.end(),
-                       [&](const Face& f) { return holds(room.materials[f.material]); });
+    return std::ranges::any_of(room.faces,
+                               [&](const Face& f) { return holds(room.materials[f.material]); });
   };
-  need(!room.faces.empty(), "no face", "one or more");
-  need(any([](const Material& m) { return !m.mirror; }), "nothing but mirrors",
-       "a face that is none");
-  need(any([](const Material& m) { return max_component(m.emission) > 0; }), "no face that emits",
-       "one or more: without light there is nothing to see");
+  at(name, [&] {
+    require(!room.faces.empty(), "no face", "one or more");
+    require(any([](const Material& m) { return !m.mirror; }), "nothing but mirrors",
+            "a face that is none");
+    require(any([](const Material& m) { return max_component(m.emission) > 0; }),
+            "no face that emits", "one or more: without light there is nothing to see");
+  });
+}
+
+void check(const Room& room) {
+  for (const Material& m : room.materials)
+    at(fmt::format("material '{}'", m.name), [&] { check_material(m); });
+  for (std::size_t i = 0; i < room.faces.size(); ++i) {
+    const Face& face = room.faces[i];
+    at(face.where.empty() ? fmt::format("face {}", i + 1) : face.where,
+       [&] { check_face(face, room.materials.size()); });
+  }
+  for (std::size_t i = 0; i < room.creases.size(); ++i)
+    at(fmt::format("crease {}", i + 1), [&] { check_crease(room.creases[i]); });
+  at("view", [&] { check_view(room.view); });
+  check_light(room, "");
 }
 
 }  // namespace radiosity

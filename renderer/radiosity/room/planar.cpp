@@ -8,6 +8,14 @@ Vec eval_mean(std::span<const Vec> corners) {
   return (1.0 / static_cast<double>(corners.size())) * sum;
 }
 
+Vec eval_area_normal(std::span<const Vec> corners) {
+  // From the first corner: the products of large coordinates would cancel.
+  Vec sum;
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  return sum;
+}
+
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance) {
   std::vector<double> heights;
   bool above = false;

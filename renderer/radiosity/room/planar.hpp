@@ -17,27 +17,28 @@ struct Plane {
   double offset = 0;
 };
 
-/// Above the plane, on its normal's side, > 0.
+/// The height of a point above the plane, > 0 on its normal's side.
 inline double eval_height(const Plane& plane, const Vec& p) {
   return dot(plane.normal, p) - plane.offset;
 }
 inline Vec lerp(const Vec& a, const Vec& b, double t) { return a + t * (b - a); }
-/// Of the corners.
 Vec eval_mean(std::span<const Vec> corners);
+/// The normal of the polygon's front, by Newell's method; its length is twice the area.
+Vec eval_area_normal(std::span<const Vec> corners);
 
-/// What lies above the plane; corners within `tolerance` of it lie in it. Empty unless a corner
-/// lies above.
+/// The part of a polygon that lies above the plane; corners within `tolerance` of the plane lie in
+/// it. Empty unless a corner lies above.
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance);
 
-/// Where the polygon's border passes from above the plane to below.
+/// The two points at which the polygon's border passes the plane; none if it does not.
 std::optional<std::array<Vec, 2>> cut(std::span<const Vec> polygon, const Plane& plane);
 
-/// Of a way or a segment, its share from `from` to `to`.
+/// A part of a segment, as shares of its length.
 struct Interval {
   double from = 0, to = 1;
 };
 
-/// The polygon's edges, as planes across it; above them is its inside. Edges of no length have
+/// Planes across the polygon through its edges; above them is its inside. Edges of no length have
 /// none.
 std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& normal);
 

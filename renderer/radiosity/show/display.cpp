@@ -1,14 +1,56 @@
-// From radiosity to bytes.
+#include "renderer/radiosity/show/display.hpp"
 
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfCompression.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStdIO.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <cerrno>
 
+#include "base/whole_file.hpp"
 #include "renderer/image/image.hpp"
-#include "renderer/radiosity/show/picture.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace radiosity {
+
+namespace {
+
+std::vector<float> make_floats(const Picture& picture) {
+  constexpr double MOST = std::numeric_limits<float>::max();
+  std::vector<float> floats;
+  floats.reserve(3 * picture.pixels.size());
+  for (const Rgb& pixel : picture.pixels)
+    for (const double value : {pixel.r, pixel.g, pixel.b})
+      floats.push_back(static_cast<float>(std::clamp(value, -MOST, MOST)));
+  return floats;
+}
+
+std::string make_exr(const Picture& picture) {
+  std::vector<float> floats = make_floats(picture);
+  Imf::Header header(picture.width, picture.height);
+  header.compression() = Imf::NO_COMPRESSION;
+  Imf::FrameBuffer pixels;
+  constexpr std::size_t PIXEL = 3 * sizeof(float);
+  std::size_t first = 0;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    pixels.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(floats.data() + first++),
+                                   PIXEL, PIXEL * static_cast<std::size_t>(picture.width)));
+  }
+  Imf::StdOSStream bytes;  // in memory: what is written may be a pipe
+  {
+    Imf::OutputFile file(bytes, header);
+    file.setFrameBuffer(pixels);
+    file.writePixels(picture.height);
+  }
+  return bytes.str();
+}
+
+}  // namespace
 
 double find_exposure(const Picture& picture, double share) {
   if (picture.pixels.empty()) return 1;
@@ -22,12 +64,22 @@ double find_exposure(const Picture& picture, double share) {
   return white > 0 ? 1 / white : 1;
 }
 
+double find_exposure(const Picture& picture, const std::vector<bool>& left_out, double share) {
+  Picture kept;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    if (!left_out[i]) kept.pixels.push_back(picture.pixels[i]);
+  return find_exposure(kept.pixels.empty() ? picture : kept, share);
+}
+
+Display fit(Display display, const Picture& picture, const std::vector<bool>& left_out) {
+  if (display.exposure == 0) display.exposure = find_exposure(picture, left_out);
+  return display;
+}
+
 Picture make_difference(const Picture& a, const Picture& b, double factor) {
   if (a.width != b.width || a.height != b.height)
-    throw std::invalid_argument(
-        fmt::format("found pictures of {} x {} and {} x {} pixels, "
-                    "expected equal sizes",
-                    a.width, a.height, b.width, b.height));
+    throw BadInput(fmt::format("found pictures of {} x {} and {} x {} pixels, expected equal sizes",
+                               a.width, a.height, b.width, b.height));
   Picture difference{a.width, a.height, {}};
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const Rgb &p = a.pixels[i], &q = b.pixels[i];
@@ -52,14 +104,18 @@ std::vector<std::uint8_t> make_rgb8(const Picture& picture, const Display& displ
 }
 
 void save_png(const std::string& path, const Picture& picture, const Display& display) {
-  const auto require = [](double value, const char* name) {
-    if (!(value > 0 && std::isfinite(value)))
-      throw std::invalid_argument(
-          fmt::format("{}: found {}, expected a number above 0", name, value));
+  const auto check = [](double value, const char* name) {
+    renderer::require(value > 0 && std::isfinite(value), name, value, "a number above 0");
   };
-  require(display.exposure, "exposure");
-  require(display.gamma, "gamma");
+  check(display.exposure, "exposure");
+  check(display.gamma, "gamma");
   renderer::save_png(path, picture.width, picture.height, make_rgb8(picture, display));
+}
+
+void save_exr(const std::string& path, const Picture& picture) {
+  if (picture.pixels.empty())
+    throw BadInput("save_exr: found a picture of no pixels, expected 1 or more");
+  base::save_whole(path, make_exr(picture));
 }
 
 }  // namespace radiosity

@@ -8,7 +8,7 @@
 
 namespace radiosity {
 
-/// Where the value and the derivatives of a corner (s, t), each 0 or 1, stand in G_H, by rows
+/// Indices of the value and the derivatives of a corner (s, t), each 0 or 1, in G_H, by rows
 /// (Eq 3.4).
 struct Slots {
   std::size_t value, by_s, by_t, by_st;
@@ -23,7 +23,7 @@ constexpr std::array<double, 4> eval_hermite_basis(double s) {
   return {2 * s3 - 3 * s2 + 1, 3 * s2 - 2 * s3, s3 - 2 * s2 + s, s3 - s2};
 }
 
-/// Eq 3.1, of G_H by rows.
+/// The surface of G_H, given by rows, at (s, t): Eq 3.1.
 inline renderer::Rgb eval_hermite(std::span<const renderer::Rgb, 16> g, double s, double t) {
   const auto hs = eval_hermite_basis(s), ht = eval_hermite_basis(t);
   renderer::Rgb sum;

@@ -38,7 +38,7 @@ Box make_box(const std::array<Corner, 4>& corners) {
   return box;
 }
 
-// The cell along one coordinate; the nearest of the grid's.
+// The number of the cell along one coordinate; the nearest one if `at` is outside.
 int find_cell(double at, double lo, double cell, int across) {
   return static_cast<int>(std::clamp((at - lo) / cell, 0.0, across - 1.0));
 }
@@ -70,7 +70,7 @@ void make_grid(const Mesh& mesh, Sides::Side& side, const renderer::Polygon& pol
 
 }  // namespace
 
-// Q = s E + t F + s t G; without s: cross(Q - t F, E + t G) = a t^2 + b t + c = 0. Of a quad that
+// Q = s E + t F + s t G; without s: cross(Q - t F, E + t G) = a t^2 + b t + c = 0. In a quad that
 // runs counter-clockwise the quadratic grows at the root within, as the map's Jacobian is positive.
 Corner invert_bilinear(const std::array<Corner, 4>& corners, const Corner& point) {
   const Corner e = corners[1] - corners[0], f = corners[3] - corners[0];

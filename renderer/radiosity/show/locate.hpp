@@ -21,15 +21,15 @@ using Corner = renderer::Corner;
 /// given one; outside 0..1 where it lies outside.
 Corner invert_bilinear(const std::array<Corner, 4>& corners, const Corner& point);
 
-/// What each side of each of a mesh's blockers is: nothing, patches or a mirror. The patches of a
-/// side are found by a grid of as many cells, each with those whose bounds touch it.
+/// What each side of each of a mesh's blockers is: nothing, patches or a mirror. A point's patch is
+/// found by a grid of as many cells as patches, each with those whose bounds touch it.
 struct Sides {
   enum class Kind : std::uint8_t { nothing, patches, mirror };
   struct Side {
     Kind kind = Kind::nothing;
     std::uint32_t mirror = 0;  ///< index into Mesh::mirrors
     std::vector<std::uint32_t> patches;
-    Corner lo, cell;  ///< of the grid: its corner, and the size of a cell
+    Corner lo, cell;  ///< the grid's corner, and the size of a cell
     int across = 0;   ///< cells along each coordinate
     std::vector<std::vector<std::uint32_t>> cells;
   };
@@ -38,7 +38,7 @@ struct Sides {
 
 Sides make_sides(const Mesh& mesh);
 
-/// Of an object's front, or its back.
+/// The front of an object, or its back.
 inline const Sides::Side& get_side(const Sides& sides, std::uint32_t object, bool back) {
   return sides.sides[2 * object + (back ? 1 : 0)];
 }

@@ -1,20 +1,17 @@
 #include "renderer/radiosity/show/reconstruct.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "renderer/radiosity/show/hermite.hpp"
-#include "renderer/radiosity/show/twists.hpp"
+#include "renderer/radiosity/show/slopes.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace radiosity {
 namespace {
 
-// Of a patch's corners in their order.
+// The parameters of a patch's corners, in their order.
 constexpr std::size_t S[] = {0, 1, 1, 0}, T[] = {0, 0, 1, 1};
 
-// Of a corner's derivatives along its edges, to the next corner and to the previous one, those by s
-// and t: edges run along s or t, up or down.
+// Sets a corner's value and its derivatives by s and t, from those along its edges to the next
+// corner and to the previous one: edges run along s or t, up or down.
 void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const Rgb& to_next,
                 const Rgb& to_prev) {
   const std::size_t s = S[corner], t = T[corner];
@@ -25,7 +22,7 @@ void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const 
   g[at.by_t] = (t == 0 ? 1.0 : -1.0) * (next_is_s ? to_prev : to_next);
 }
 
-// Vertex by vertex; every corner of every patch belongs to one.
+// G_H of every patch, set vertex by vertex: every corner of every patch belongs to one.
 std::vector<Rgb> make_bicubic(const Mesh& mesh, std::span<const Rgb> vertices, Twist twist) {
   const Fans fans = make_fans(mesh);
   const std::vector<Slopes<Rgb>> slopes = find_slopes(mesh, fans, vertices);
@@ -72,11 +69,9 @@ std::vector<Rgb> make_corners(const Mesh& mesh, std::span<const Rgb> vertices, b
 
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params) {
-  if (vertices.size() != mesh.vertices.size())
-    throw std::invalid_argument(
-        fmt::format("found {} illuminations, expected one for each of {} "
-                    "vertices",
-                    vertices.size(), mesh.vertices.size()));
+  renderer::require(vertices.size() == mesh.vertices.size(),
+                    fmt::format("{} illuminations", vertices.size()),
+                    fmt::format("one for each of {} vertices", mesh.vertices.size()));
   if (params.kind == Reconstruction::bicubic)
     return {params.kind, make_bicubic(mesh, vertices, params.twist)};
   return {params.kind, make_corners(mesh, vertices, params.kind == Reconstruction::flat)};

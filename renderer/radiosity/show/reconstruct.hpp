@@ -15,17 +15,17 @@ enum class Reconstruction : std::uint8_t {
 /// The mixed derivatives of Eq 3.4.
 enum class Twist : std::uint8_t {
   zero,
-  diagonal,  ///< the slope along s + t, as the thesis says (below Eq 3.7): a first derivative for a
-             ///< second, C1 on even grids of one orientation only
+  diagonal,  ///< the slope along s + t, as the thesis says (below Eq 3.7): a first derivative in
+             ///< place of a second, C1 on even grids of one orientation only
   estimated  ///< how the slopes along s change along t and the other way round
 };
 
 struct ReconstructionParams {
-  Reconstruction kind = Reconstruction::bicubic;
+  Reconstruction kind = Reconstruction::bilinear;
   Twist twist = Twist::estimated;
 };
 
-/// Of every patch what its surface is made of: 16 numbers a colour if bicubic, else 4.
+/// The surface over every patch: 16 values if bicubic, else 4.
 struct Illumination {
   Reconstruction kind = Reconstruction::bilinear;
   std::vector<Rgb> values;
@@ -34,12 +34,11 @@ struct Illumination {
 /// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are linear in them,
 /// continuous wherever patches share vertices or a crease has split these, and C1 across inner
 /// borders on grids of parallel lines. Linear functions stay so: with estimated twists on any
-/// quads, with none on parallelograms. std::invalid_argument if there are more or fewer values than
-/// vertices.
+/// quads, with none on parallelograms. BadInput if there are more or fewer values than vertices.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 
-/// At (s, t) of a patch, each 0..1; never below 0.
+/// The illumination at (s, t) of a patch, each 0..1; never below 0.
 Rgb eval_illumination(const Illumination& illumination, std::uint32_t patch, double s, double t);
 
 }  // namespace radiosity

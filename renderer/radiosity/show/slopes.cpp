@@ -1,9 +1,138 @@
 #include "renderer/radiosity/show/slopes.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "renderer/radiosity/mesh/split.hpp"
+
 namespace radiosity {
+
 namespace {
 
-// Its slopes come to be: inside first, then on straight borders, then at corners.
+// The neighbours on the border through a vertex: seen from `after`, the patches are on the left.
+// There is none inside, nor where several borders meet.
+struct Border {
+  std::uint32_t after = 0, before = 0;
+};
+std::optional<Border> find_border(std::span<const Wedge> wedges) {
+  Border border;
+  int starts = 0, ends = 0;
+  for (const Wedge& w : wedges) {
+    if (!w.next_inner) {
+      border.after = w.next;
+      ++starts;
+    }
+    if (!w.prev_inner) {
+      border.before = w.prev;
+      ++ends;
+    }
+  }
+  return starts == 1 && ends == 1 ? std::optional(border) : std::nullopt;
+}
+
+// Marks inner edges. Patches run counter-clockwise: what is next in one is previous in another.
+void mark_inner(std::span<Wedge> wedges) {
+  for (Wedge& a : wedges)
+    for (Wedge& b : wedges)
+      if (a.next == b.prev) a.next_inner = b.prev_inner = true;
+}
+
+// Whether one way goes on from the other, within 8 degrees.
+bool is_straight(const Vec& a, const Vec& b) {
+  return dot(a, b) < -0.99 * std::sqrt(dot(a, a) * dot(b, b));
+}
+
+// 1; for an edge less than a third as long as the one that it continues, or that continues it,
+// (3 |edge| / |other|)^2. A small error at the end of a short edge makes a steep slope there, and a
+// large error within the long one's patches.
+double find_trust(double edge, double other) {
+  const double share = other > 0 ? std::min(1.0, 3 * edge / other) : 1.0;
+  return share * share;
+}
+
+// The trust of an edge, from the longest of those within 45 degrees of straight on.
+double trust_edge(const Mesh& mesh, const Vertex& v, std::span<const Wedge> wedges,
+                  std::uint32_t neighbour) {
+  const Vec edge = unfold(v, mesh.vertices[neighbour].at);
+  double longest = 0;
+  for (const Wedge& w : wedges)
+    for (const std::uint32_t n : {w.next, w.prev}) {
+      const Vec other = unfold(v, mesh.vertices[n].at);
+      if (dot(edge, other) < -0.7 * length(edge) * length(other))
+        longest = std::max(longest, length(other));
+    }
+  return find_trust(length(edge), longest);
+}
+
+Place find_place(const Mesh& mesh, std::size_t vertex, std::span<const Wedge> wedges) {
+  const auto is_inner = [](const Wedge& w) { return w.next_inner && w.prev_inner; };
+  if (!wedges.empty() && std::ranges::all_of(wedges, is_inner)) return Place::inner;
+  const auto border = find_border(wedges);
+  if (!border) return Place::corner;
+  const Vertex& v = mesh.vertices[vertex];
+  return is_straight(unfold(v, mesh.vertices[border->after].at),
+                     unfold(v, mesh.vertices[border->before].at))
+             ? Place::straight
+             : Place::corner;
+}
+
+auto sort_key(const Vertex& v) {
+  return std::tuple(v.at.x, v.at.y, v.at.z, v.normal.x, v.normal.y, v.normal.z, v.material);
+}
+
+// Whether a crease has split the vertices: they have one place, normal and material, and so the
+// same illumination.
+bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
+
+std::vector<std::uint32_t> find_twins(const Mesh& mesh) {
+  const auto& vertices = mesh.vertices;
+  std::vector<std::uint32_t> order(vertices.size()), twins(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {},
+                    [&](std::uint32_t v) { return std::tuple(sort_key(vertices[v]), v); });
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    while (end < order.size() && are_twins(vertices[order[first]], vertices[order[end]])) ++end;
+    for (std::size_t i = first; i < end; ++i) twins[order[i]] = order[i + 1 < end ? i + 1 : first];
+  }
+  return twins;
+}
+
+}  // namespace
+
+Vec unfold(const Vertex& vertex, const Vec& to) {
+  const Vec edge = to - vertex.at;
+  const Vec flat = edge - dot(edge, vertex.normal) * vertex.normal;
+  const double squared = dot(flat, flat);
+  return squared > 0 ? std::sqrt(dot(edge, edge) / squared) * flat : Vec{};
+}
+
+Fans make_fans(const Mesh& mesh) {
+  Surroundings around = find_surroundings(mesh);
+  Fans fans;
+  fans.wedges.reserve(around.patches.size());
+  fans.places.reserve(mesh.vertices.size());
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (const std::uint32_t p : around.of(v)) {
+      const auto& corners = mesh.patches[p].corners;
+      const auto c = static_cast<std::uint32_t>(std::ranges::find(corners, v) - corners.begin());
+      fans.wedges.push_back({p, c, corners[(c + 1) % 4], corners[(c + 3) % 4], false, false, 1});
+    }
+    const std::span wedges = std::span(fans.wedges).subspan(around.first[v]);
+    mark_inner(wedges);
+    for (Wedge& w : wedges)
+      w.trust = trust_edge(mesh, mesh.vertices[v], wedges, w.next) *
+                trust_edge(mesh, mesh.vertices[v], wedges, w.prev);
+    fans.places.push_back(find_place(mesh, v, wedges));
+  }
+  fans.first = std::move(around.first);
+  fans.twins = find_twins(mesh);
+  return fans;
+}
+
+namespace {
+
+// The slopes so far; they are found inside first, then on straight borders, then at corners.
 struct Finder {
   const Mesh& mesh;
   const Fans& fans;
@@ -16,10 +145,10 @@ Rgb difference(const Finder& f, std::uint32_t from, std::uint32_t to) {
 }
 
 // The change along an edge, at its beginning, of the parabola through both ends with the slope m at
-// the far one: 2 (B_1 - B_0) - m. `back` is the slope there, but towards here.
+// the far one: 2 (B_1 - B_0) - m. `back` is -m, the slope towards here.
 Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
 
-// Along an edge that leads inside, at its beginning.
+// The change along an edge that leads inside, at its beginning.
 Rgb find_inner_change(const Finder& f, std::uint32_t vertex, std::uint32_t neighbour) {
   const Rgb whole = difference(f, vertex, neighbour);
   if (f.fans.places[neighbour] >= f.fans.places[vertex]) return whole;
@@ -27,7 +156,7 @@ Rgb find_inner_change(const Finder& f, std::uint32_t vertex, std::uint32_t neigh
   return bend(whole, along(f.slopes[neighbour], way));
 }
 
-// Along a border to a neighbour, if it passes the vertex, or a twin of it, straight.
+// The change along a border to a neighbour, if it passes the vertex, or a twin of it, straight.
 std::optional<Rgb> find_straight_change(const Finder& f, std::uint32_t vertex,
                                         std::uint32_t neighbour) {
   const Vertex& to = f.mesh.vertices[neighbour];
@@ -44,7 +173,7 @@ std::optional<Rgb> find_straight_change(const Finder& f, std::uint32_t vertex,
   return std::nullopt;
 }
 
-// Along a border, from its own vertices only: the same on both sides of a crease.
+// The change along a border, from its own vertices only: the same on both sides of a crease.
 Rgb find_border_change(const Finder& f, std::uint32_t vertex, std::uint32_t neighbour) {
   if (const auto known = find_straight_change(f, vertex, neighbour)) return *known;
   const Rgb whole = difference(f, vertex, neighbour);
@@ -114,6 +243,45 @@ std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
       if (fans.places[v] == place) f.slopes[v] = find_at(f, v);
   return std::move(f.slopes);
+}
+
+namespace {
+
+// Slopes across the unit normal `from`, after the shortest turn that takes it to `to`.
+Slopes<Rgb> turn(const Slopes<Rgb>& slopes, const Vec& from, const Vec& to) {
+  const double cosine = dot(from, to);
+  if (!(cosine > -0.5)) return {};  // no surface turns so far within a patch
+  const Rgb out = -1 / (1 + cosine) * along(slopes, to);
+  const Vec both = from + to;
+  return slopes + Slopes<Rgb>{both.x * out, both.y * out, both.z * out};
+}
+
+}  // namespace
+
+Slopes<Slopes<Rgb>> find_bend(const Mesh& mesh, const Fans& fans,
+                              std::span<const Slopes<Rgb>> slopes, std::uint32_t vertex) {
+  const Vertex& v = mesh.vertices[vertex];
+  const auto change = [&](std::uint32_t neighbour) {
+    return turn(slopes[neighbour], mesh.vertices[neighbour].normal, v.normal) +
+           -1.0 * slopes[vertex];
+  };
+  MeanPlane<Slopes<Rgb>> mean;
+  for (const Wedge& w : fans.at(vertex))
+    mean.add(v.normal, unfold(v, mesh.vertices[w.next].at), change(w.next),
+             unfold(v, mesh.vertices[w.prev].at), change(w.prev), w.trust);
+  return mean.get();
+}
+
+Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
+               const Slopes<Slopes<Rgb>>& bend) {
+  const auto& corners = mesh.patches[wedge.patch].corners;
+  const Vertex& v = mesh.vertices[corners[wedge.corner]];
+  const Vec next = mesh.vertices[wedge.next].at, prev = mesh.vertices[wedge.prev].at;
+  const Vec opposite = mesh.vertices[corners[(wedge.corner + 2) % 4]].at;
+  const Vec a = unfold(v, next), b = unfold(v, prev);
+  // The order of the two derivatives must not matter, so it is the mean of both.
+  const Rgb mixed = 0.5 * (along(along(bend, a), b) + along(along(bend, b), a));
+  return mixed + along(slopes, (v.at - next) + (opposite - prev));
 }
 
 }  // namespace radiosity

@@ -9,13 +9,13 @@ using renderer::Vec;
 
 namespace {
 
-// Only for the bounds of what reaches behind the eye: nearer than this share of the largest
-// coordinate nothing is drawn.
+// Least distance ahead at which the bounds of a triangle are found, a share of its largest
+// coordinate: it may reach behind the eye.
 constexpr double NEAR = 1e-9;
-// Of a front over a back at the same place, relative.
+// Share of the nearness by which a front is preferred to a back at the same place.
 constexpr double COINCIDENT = 1e-9;
 
-// Nearest wins, and of what coincides a front over a back.
+// Replaces what is nearer; of what coincides a front replaces a back.
 void put(Fragment& there, const Fragment& found) {
   using Kind = Fragment::Kind;
   if (!(found.nearness > 0)) return;
@@ -44,7 +44,7 @@ void ZBuffer::draw(Fragment::Kind kind, std::uint32_t patch, std::span<const Poi
     draw({kind, patch}, {points[0], points[i - 1], points[i]});
 }
 
-// Of the pixels whose centres the triangle may cover.
+// The pixels whose centres the triangle may cover.
 ZBuffer::Rectangle ZBuffer::bound(const Triangle& points) const {
   double far = 0;
   for (const Point& p : points) far = std::max(far, max_abs(p.at));
@@ -72,7 +72,7 @@ ZBuffer::Rectangle ZBuffer::bound(const Triangle& points) const {
 }
 
 void ZBuffer::draw(const Fragment& what, const Triangle& p) {
-  // Of a way (x, y, 1): edge i is 0 along the side across from corner i. Shared sides agree to
+  // For a way (x, y, 1), edge i is 0 along the side across from corner i. Shared sides agree to
   // the last bit.
   const std::array<Vec, 3> edges = {cross(p[1].at, p[2].at), cross(p[2].at, p[0].at),
                                     cross(p[0].at, p[1].at)};

@@ -9,7 +9,7 @@
 
 namespace radiosity {
 
-/// What is seen at a pixel: the nearest so far.
+/// The nearest surface at a pixel so far.
 struct Fragment {
   enum class Kind : std::uint8_t { nothing, back, patch, mirror };
   Kind kind = Kind::nothing;
@@ -29,12 +29,12 @@ class ZBuffer {
   /// The view has its image plane.
   ZBuffer(const renderer::View& view, int width, int height);
 
-  /// A convex polygon of 3 corners or more, either side: what is nearer wins,
-  /// of what coincides the first, but any other kind over a back. In each triangle from the first
-  /// corner s and t are linear in space.
+  /// Draws a convex polygon of 3 corners or more, either side. The nearest wins; of what coincides
+  /// the first, but any other kind before a back. In each triangle from the first corner s and t
+  /// are linear in space.
   void draw(Fragment::Kind kind, std::uint32_t patch, std::span<const Point> corners);
 
-  /// By y * width + x, rows from the top.
+  /// At y * width + x; rows run from the top.
   const std::vector<Fragment>& fragments() const { return fragments_; }
 
  private:
@@ -48,7 +48,7 @@ class ZBuffer {
 
   const renderer::View view_;
   const int width_, height_;
-  const double step_;  // of a pixel at distance 1
+  const double step_;  // width of a pixel at distance 1
   std::vector<Fragment> fragments_;
 };
 

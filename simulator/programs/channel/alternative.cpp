@@ -5,14 +5,22 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
-  const auto n = setup.whole("guards"), writer = setup.whole("writer");
+struct Params {
+  std::uint64_t bytes = 100;
+  int guards = 2, writer = 0;
+};
+
+struct Measured {
+  Seconds latency, busy;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   machine::Machine machine(setup.model);
   add_processors(machine, 1);
   auto& processor = *machine.processors()[0];
   std::deque<Channel<Message>> channels;
   std::vector<occam::Guard> guards;
-  for (std::int64_t i = 0; i < n; ++i)
+  for (int i = 0; i < params.guards; ++i)
     guards.emplace_back(&channels.emplace_back(fmt::format("guard{}", i)));
   Seconds sent, received;
   processor.start("reader", Priority::high, [&] {
@@ -22,23 +30,28 @@ Row run(const Setup& setup) {
   processor.start("writer", Priority::high, [&] {
     wait_for_start();
     sent = now();
-    out(channels[static_cast<std::size_t>(std::min(writer, n - 1))], make_message_of(setup));
+    out(channels[std::min(params.writer, params.guards - 1)], Message{params.bytes});
   });
   run_machine(setup, machine);
-  return {{"latency_s", (received - sent).value}, {"busy_s", processor.use().busy().value}};
+  return Measured{received - sent, processor.use().busy()};
 }
 
 }  // namespace
 
-Pattern make_alternative() {
-  return {"alternative",
-          "an ALT that waits over n guards, and an output: latency_s, from out to the end of in; "
-          "busy_s, of the CPU in all",
-          false,
-          {bytes_parameter(1),
-           {"guards", 2, 1, 1000, true, "channels the ALT waits on"},
-           {"writer", 0, 0, 999, true, "the guard that becomes ready, from 0"}},
-          &run};
+Program make_alternative() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "alternative",
+       .help = "an ALT that waits over several guards, and an output to one of them",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::whole("guards", &Params::guards, 1, 1000, "",
+                           "channels that the ALT waits on"),
+                  D::whole("writer", &Params::writer, 0, 999, "",
+                           "the guard that becomes ready, from 0; the last where it has no such")},
+       .columns = {base::column("latency_s", &Measured::latency,
+                                "from the start of out to the end of in"),
+                   base::column("busy_s", &Measured::busy, "time that the CPU worked")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -8,39 +8,53 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
+struct Params {
+  std::uint64_t bytes = 100;
+  std::int64_t messages = 100;
+  bool both = true;
+};
+
+struct Measured {
+  Seconds time;
+  double rate_Bps = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   machine::Machine machine(setup.model);
   add_processors(machine, 2);
-  const auto messages = setup.whole("messages");
-  const bool both = setup["both"] != 0;
   std::deque<Channel<Message>> channels;
   machine.connect(*machine.processors()[0], *machine.processors()[1]);
   for (int from : {0, 1}) {
-    if (from == 1 && !both) break;
+    if (from == 1 && !params.both) break;
     auto &here = *machine.processors()[from], &there = *machine.processors()[1 - from];
     auto& channel = channels.emplace_back(there.name() + ".in", machine.link(here, there));
     here.start("sender", Priority::high, [&] {
-      for (std::int64_t i = 0; i < messages; ++i) out(channel, make_message_of(setup));
+      for (std::int64_t i = 0; i < params.messages; ++i) out(channel, Message{params.bytes});
     });
     there.start("receiver", Priority::high, [&] {
-      for (std::int64_t i = 0; i < messages; ++i) channel.in();
+      for (std::int64_t i = 0; i < params.messages; ++i) channel.in();
     });
   }
   run_machine(setup, machine);
-  const double bytes = static_cast<double>(messages) * setup["bytes"] * (both ? 2 : 1);
-  return {{"time_s", machine.now().value}, {"rate_Bps", bytes / machine.now().value}};
+  const double bytes = static_cast<double>(params.messages) * static_cast<double>(params.bytes) *
+                       (params.both ? 2 : 1);
+  return Measured{machine.now(), bytes / machine.now().value};
 }
 
 }  // namespace
 
-Pattern make_both_ways() {
-  return {"both_ways",
-          "messages over one link, in one direction or both at once: rate_Bps, of all together",
-          false,
-          {bytes_parameter(1),
-           {"messages", 100, 1, 1e7, true, "in each direction"},
-           {"both", 1, 0, 1, true, "both directions, 1, or one, 0"}},
-          &run};
+Program make_both_ways() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "both_ways",
+       .help = "messages over one link, in one direction or in both at once",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::whole("messages", &Params::messages, 1, 1e7, "", "messages in each direction"),
+                  D::flag("both", &Params::both, "whether messages go in both directions")},
+       .columns = {base::column("time_s", &Measured::time, "time until all have been received"),
+                   base::column("rate_Bps", &Measured::rate_Bps,
+                                "bytes a second of both directions together")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -62,8 +62,16 @@ void consume(Wire& from, std::int64_t loops) {
   }
 }
 
-Row run(const Setup& setup) {
-  const auto loops = setup.whole("loops");
+struct Params {
+  std::int64_t loops = 1000;
+};
+
+struct Measured {
+  double loop_us = 0, loop_cycles = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto loops = params.loops;
   machine::Machine machine(setup.model);
   add_processors(machine, 1);
   auto& processor = *machine.processors()[0];
@@ -74,17 +82,20 @@ Row run(const Setup& setup) {
   processor.start("consume", Priority::low, [&] { consume(d, loops); });
   run_machine(setup, machine);
   const double loop_s = machine.now().value / static_cast<double>(loops);
-  return {{"loop_us", loop_s * 1e6}, {"loop_cycles", loop_s * setup.model.cpu.clock.value}};
+  return Measured{loop_s * 1e6, loop_s * setup.model.cpu.clock.value};
 }
 
 }  // namespace
 
-Pattern make_commstime() {
-  return {"commstime",
-          "the Commstime benchmark on one processor: loop_us",
-          false,
-          {{"loops", 1000, 1, 1e9, true, "of the cycle of processes"}},
-          &run};
+Program make_commstime() {
+  return make_program<Params, Measured>(
+      {.name = "commstime",
+       .help = "the Commstime benchmark on one processor",
+       .fields = {base::Declare<Params>::whole("loops", &Params::loops, 1, 1e9, "",
+                                               "turns of the cycle of processes")},
+       .columns = {base::column("loop_us", &Measured::loop_us, "time of a turn"),
+                   base::column("loop_cycles", &Measured::loop_cycles, "time of a turn")},
+       .run = &run});
 }
 
 }  // namespace programs

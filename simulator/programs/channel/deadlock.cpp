@@ -6,8 +6,17 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
-  const auto n = static_cast<int>(setup.whole("stations"));
+struct Params {
+  std::uint64_t bytes = 100;
+  int stations = 4;
+};
+
+struct Measured {
+  Seconds time;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const int n = params.stations;
   machine::Machine machine(setup.model);
   add_processors(machine, n);
   std::deque<Channel<Message>> channels;
@@ -22,23 +31,26 @@ Row run(const Setup& setup) {
       auto &from = channels[(id + n - 1) % n], &to = channels[id];
       const bool inputs_first = id % 2 == 1;
       if (inputs_first) from.in();
-      out(to, make_message_of(setup));
+      out(to, Message{params.bytes});
       if (!inputs_first) from.in();
-      out(to, make_message_of(setup));
+      out(to, Message{params.bytes});
       from.in();
     });
   run_machine(setup, machine);
-  return {{"time_s", machine.now().value}};
+  return Measured{machine.now()};
 }
 
 }  // namespace
 
-Pattern make_deadlock() {
-  return {"deadlock",
-          "a ring whose processes all output first, to show what is said of a deadlock",
-          false,
-          {bytes_parameter(), {"stations", 4, 3, 1000, true, "processors in the ring"}},
-          &run};
+Program make_deadlock() {
+  return make_program<Params, Measured>(
+      {.name = "deadlock",
+       .help = "a ring whose processes all output first, to show what is said of a deadlock",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  base::Declare<Params>::whole("stations", &Params::stations, 3, 1000, "",
+                                               "processors in the ring")},
+       .columns = {base::column("time_s", &Measured::time, "never known, as the run has no end")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -5,26 +5,36 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
-  const auto operations = setup.whole("operations");
+struct Params {
+  std::int64_t operations = 10000;
+};
+
+struct Measured {
+  double mflops = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   machine::Machine machine(setup.model);
   add_processors(machine, 1);
   machine.processors()[0]->start("additions", Priority::low, [&] {
-    for (std::int64_t i = 0; i < operations; ++i) compute(get_instruction(setup.model, "add"));
+    for (std::int64_t i = 0; i < params.operations; ++i)
+      compute(get_instruction(setup.model, "add"));
     this_process().sync();
   });
   run_machine(setup, machine);
-  return {{"mflops", static_cast<double>(operations) / machine.now().value / 1e6}};
+  return Measured{static_cast<double>(params.operations) / machine.now().value / 1e6};
 }
 
 }  // namespace
 
-Pattern make_flops() {
-  return {"flops",
-          "additions of 32-bit reals, operands in registers: mflops",
-          false,
-          {{"operations", 10000, 1, 1e9, true, "additions"}},
-          &run};
+Program make_flops() {
+  return make_program<Params, Measured>(
+      {.name = "flops",
+       .help = "additions of 32-bit reals, operands in registers",
+       .fields = {base::Declare<Params>::whole("operations", &Params::operations, 1, 1e9, "",
+                                               "additions")},
+       .columns = {base::column("mflops", &Measured::mflops, "million additions a second")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -7,9 +7,18 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
-  const bool busy = setup["busy"] != 0;
-  const auto messages = setup.whole("messages");
+struct Params {
+  std::uint64_t bytes = 100;
+  std::int64_t messages = 20;
+  bool busy = true;
+};
+
+struct Measured {
+  double latency_s = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto messages = params.messages;
   machine::Machine machine(setup.model);
   Line line(machine, 3);
   Seconds sum, sent;
@@ -18,13 +27,13 @@ Row run(const Setup& setup) {
       // Far enough apart for the machine to be idle; odd, to meet the computation anywhere.
       occam::wait_until(occam::ticks(START + static_cast<double>(i) * Seconds{1.237e-3}));
       sent = now();
-      out(line.channels[0], make_message_of(setup));
+      out(line.channels[0], Message{params.bytes});
     }
   });
   machine.processors()[1]->start("router", Priority::high, [&] {
     for (std::int64_t i = 0; i < messages; ++i) out(line.channels[1], line.channels[0].in());
   });
-  if (busy)
+  if (params.busy)
     machine.processors()[1]->start("computation", Priority::low, [&] {
       const Seconds enough = static_cast<double>(messages + 3) * Seconds{1.237e-3};
       compute({static_cast<std::int64_t>(enough.value * setup.model.cpu.clock.value)});
@@ -37,19 +46,23 @@ Row run(const Setup& setup) {
     }
   });
   run_machine(setup, machine);
-  return {{"latency_s", sum.value / static_cast<double>(messages)}};
+  return Measured{sum.value / static_cast<double>(messages)};
 }
 
 }  // namespace
 
-Pattern make_interrupt() {
-  return {"interrupt",
-          "a high-priority router beside a low-priority computation: latency_s, over two links",
-          false,
-          {bytes_parameter(1),
-           {"messages", 20, 1, 1e6, true, "one after the other"},
-           {"busy", 1, 0, 1, true, "the router's processor computes, 1, or is idle, 0"}},
-          &run};
+Program make_interrupt() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "interrupt",
+       .help = "a high-priority router beside a low-priority computation",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::whole("messages", &Params::messages, 1, 1e6, "",
+                           "messages, one after the other"),
+                  D::flag("busy", &Params::busy, "whether the router's processor computes")},
+       .columns = {base::column("latency_s", &Measured::latency_s,
+                                "mean time of a message over the two links")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -5,17 +5,26 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
+struct Params {
+  std::uint64_t bytes = 100;
+  int switches = 0;
+};
+
+struct Measured {
+  Seconds latency;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   machine::Machine machine(setup.model);
   add_processors(machine, 2);
   auto &left = *machine.processors()[0], &right = *machine.processors()[1];
-  machine.connect(left, right, static_cast<int>(setup.whole("switches")));
+  machine.connect(left, right, params.switches);
   Channel<Message> channel("right.in", machine.link(left, right));
   Seconds sent, received;
   left.start("sender", Priority::high, [&] {
     wait_for_start();
     sent = now();
-    out(channel, make_message_of(setup));
+    out(channel, Message{params.bytes});
   });
   right.start("receiver", Priority::high, [&] {
     Message message;
@@ -23,18 +32,22 @@ Row run(const Setup& setup) {
     received = now();
   });
   run_machine(setup, machine);
-  return {{"latency_s", (received - sent).value}};
+  return Measured{received - sent};
 }
 
 }  // namespace
 
-Pattern make_message() {
-  return {"message",
-          "one message over one link, its receiver waiting: latency_s, from out to in",
-          false,
-          {bytes_parameter(0),
-           {"switches", 0, 0, 16, true, "C004 link switches between the two processors"}},
-          &run};
+Program make_message() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "message",
+       .help = "one message over one link, its receiver waiting",
+       .fields = {bytes_field<Params>(&Params::bytes, 0),
+                  D::whole("switches", &Params::switches, 0, 16, "",
+                           "C004 link switches between the two processors")},
+       .columns = {base::column("latency_s", &Measured::latency,
+                                "from the start of out to the end of in")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -5,42 +5,59 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
-  const auto stages = static_cast<int>(setup.whole("stages"));
-  const auto messages = setup.whole("messages");
-  const Cycles work{setup.whole("stage_cycles")};
+struct Params {
+  std::uint64_t bytes = 100;
+  int stages = 4;
+  std::int64_t messages = 100;
+  Cycles stage_cycles{1000};
+};
+
+struct Measured {
+  double period_s = 0;
+  Seconds time;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const int stages = params.stages;
   machine::Machine machine(setup.model);
   Line line(machine, stages);
   std::vector<Seconds> arrivals;
   for (int id = 0; id < stages; ++id) {
     machine.processors()[id]->start("stage", Priority::high, [&, id] {
-      for (std::int64_t i = 0; i < messages; ++i) {
+      for (std::int64_t i = 0; i < params.messages; ++i) {
         if (id > 0) line.channels[id - 1].in();
         if (id + 1 == stages) arrivals.push_back(now());
-        compute(work);
-        if (id + 1 < stages) out(line.channels[id], make_message_of(setup));
+        compute(params.stage_cycles);
+        if (id + 1 < stages) out(line.channels[id], Message{params.bytes});
       }
     });
   }
   run_machine(setup, machine);
-  // Of the second half, when the pipeline is full.
+  // Only the second half counts, when the pipeline is full.
   const std::size_t half = arrivals.size() / 2;
   const Seconds took = arrivals.back() - arrivals[half];
   const double period = took.value / static_cast<double>(arrivals.size() - 1 - half);
-  return {{"period_s", period}, {"throughput_per_s", 1 / period}, {"time_s", machine.now().value}};
+  return Measured{period, machine.now()};
 }
 
 }  // namespace
 
-Pattern make_pipeline() {
-  return {"pipeline",
-          "a saturated pipeline of stages that input, compute and output: throughput_per_s",
-          false,
-          {bytes_parameter(1),
-           {"stages", 4, 3, 1000, true, "processors in a line"},
-           {"messages", 100, 4, 1e7, true, "that pass"},
-           {"stage_cycles", 1000, 0, 1e9, true, "of computation in each stage, for each message"}},
-          &run};
+Program make_pipeline() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "pipeline",
+       .help = "a saturated pipeline of stages that input, compute and output",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::whole("stages", &Params::stages, 3, 1000, "", "processors in a line"),
+                  D::whole("messages", &Params::messages, 4, 1e7, "", "messages that pass"),
+                  D::whole("stage_cycles", &Params::stage_cycles, 0, 1e9, "cycles",
+                           "computation of each stage for each message")},
+       .columns = {base::column("period_s", &Measured::period_s, "mean time between two messages"),
+                   base::column<Measured>(
+                       "throughput_per_s", [](const Measured& m) { return 1 / m.period_s; },
+                       "messages a second"),
+                   base::column("time_s", &Measured::time, "time until all have passed")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -5,9 +5,18 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
-  const auto rounds = setup.whole("rounds");
-  const Cycles service{setup.whole("service_cycles")};
+struct Params {
+  std::uint64_t bytes = 100, reply_bytes = 100;
+  Cycles service_cycles{1000};
+  std::int64_t rounds = 10;
+};
+
+struct Measured {
+  double round_trip_s = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto rounds = params.rounds;
   machine::Machine machine(setup.model);
   add_processors(machine, 2);
   auto &client = *machine.processors()[0], &server = *machine.processors()[1];
@@ -19,7 +28,7 @@ Row run(const Setup& setup) {
     wait_for_start();
     const Seconds from = now();
     for (std::int64_t i = 0; i < rounds; ++i) {
-      out(request, make_message_of(setup));
+      out(request, Message{params.bytes});
       reply.in();
     }
     took = now() - from;
@@ -27,25 +36,30 @@ Row run(const Setup& setup) {
   server.start("server", Priority::high, [&] {
     for (std::int64_t i = 0; i < rounds; ++i) {
       request.in();
-      compute(service);
-      out(reply, Message{static_cast<std::uint64_t>(setup.whole("reply_bytes"))});
+      compute(params.service_cycles);
+      out(reply, Message{params.reply_bytes});
     }
   });
   run_machine(setup, machine);
-  return {{"round_trip_s", took.value / static_cast<double>(rounds)}};
+  return Measured{took.value / static_cast<double>(rounds)};
 }
 
 }  // namespace
 
-Pattern make_request() {
-  return {"request",
-          "request and reply between neighbours: round_trip_s",
-          false,
-          {bytes_parameter(1),
-           {"reply_bytes", 100, 1, 1e9, true, "length of the reply"},
-           {"service_cycles", 1000, 0, 1e9, true, "of the server, for each request"},
-           {"rounds", 10, 1, 1e7, true, "requests, one after the other"}},
-          &run};
+Program make_request() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "request",
+       .help = "requests between neighbours, each with its reply",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::whole("reply_bytes", &Params::reply_bytes, 1, 1e9, "bytes",
+                           "length of the reply"),
+                  D::whole("service_cycles", &Params::service_cycles, 0, 1e9, "cycles",
+                           "computation of the server for each request"),
+                  D::whole("rounds", &Params::rounds, 1, 1e7, "", "requests, one after the other")},
+       .columns = {base::column("round_trip_s", &Measured::round_trip_s,
+                                "mean time from a request to the end of its reply")},
+       .run = &run});
 }
 
 }  // namespace programs

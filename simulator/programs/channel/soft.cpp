@@ -5,12 +5,20 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
+struct Params {
+  std::uint64_t bytes = 100;
+  bool reader_first = true, high = true;
+};
+
+struct Measured {
+  Seconds latency, busy;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   machine::Machine machine(setup.model);
   add_processors(machine, 1);
   auto& processor = *machine.processors()[0];
-  const Priority priority = setup["high"] != 0 ? Priority::high : Priority::low;
-  const bool reader_first = setup["reader_first"] != 0;
+  const Priority priority = params.high ? Priority::high : Priority::low;
   Channel<Message> channel("soft");
   Seconds second_came, over;
   auto meet = [&](bool reads, bool is_second) {
@@ -22,25 +30,31 @@ Row run(const Setup& setup) {
     if (reads)
       channel.in();
     else
-      out(channel, make_message_of(setup));
+      out(channel, Message{params.bytes});
     if (is_second) over = now();
   };
-  processor.start("writer", priority, [&] { meet(false, reader_first); });
-  processor.start("reader", priority, [&] { meet(true, !reader_first); });
+  processor.start("writer", priority, [&] { meet(false, params.reader_first); });
+  processor.start("reader", priority, [&] { meet(true, !params.reader_first); });
   run_machine(setup, machine);
-  return {{"latency_s", (over - second_came).value}, {"busy_s", processor.use().busy().value}};
+  return Measured{over - second_came, processor.use().busy()};
 }
 
 }  // namespace
 
-Pattern make_soft() {
-  return {"soft",
-          "one message between two processes of a processor: latency_s, of the second to come",
-          false,
-          {bytes_parameter(1),
-           {"reader_first", 1, 0, 1, true, "who comes first: the reader, 1, or the writer, 0"},
-           {"high", 1, 0, 1, true, "priority of both: high, 1, or low, 0"}},
-          &run};
+Program make_soft() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "soft",
+       .help = "one message between two processes of a processor",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::flag("reader_first", &Params::reader_first,
+                          "whether the reader comes first, or the writer"),
+                  D::flag("high", &Params::high,
+                          "whether both processes have high priority, or low")},
+       .columns = {base::column("latency_s", &Measured::latency,
+                                "time that the second process to come is in its in or out"),
+                   base::column("busy_s", &Measured::busy, "time that the CPU worked")},
+       .run = &run});
 }
 
 }  // namespace programs

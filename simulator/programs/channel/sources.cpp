@@ -19,8 +19,18 @@ void multiplexer(std::span<Channel<Message>* const> inputs, Channel<Message>& ou
   }
 }
 
-Row run(const Setup& setup) {
-  const auto k = setup.whole("sources"), each = setup.whole("messages");
+struct Params {
+  std::uint64_t bytes = 100;
+  std::int64_t sources = 2, messages = 40;
+};
+
+struct Measured {
+  double period_s = 0, period_of_a_source_s = 0;
+  Seconds time;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto k = params.sources, all = k * params.messages;
   machine::Machine machine(setup.model);
   Line line(machine, 3);
   auto& from = *machine.processors()[0];
@@ -29,17 +39,16 @@ Row run(const Setup& setup) {
   for (std::int64_t i = 0; i < k; ++i) {
     inputs.push_back(&soft.emplace_back(fmt::format("from.source{}", i)));
     from.start(fmt::format("source{}", i), Priority::high, [&, channel = inputs.back()] {
-      for (std::int64_t m = 0; m < each; ++m) out(*channel, make_message_of(setup));
+      for (std::int64_t m = 0; m < params.messages; ++m) out(*channel, Message{params.bytes});
     });
   }
-  from.start("multiplexer", Priority::high,
-             [&] { multiplexer(inputs, line.channels[0], k * each); });
+  from.start("multiplexer", Priority::high, [&] { multiplexer(inputs, line.channels[0], all); });
   machine.processors()[1]->start("relay", Priority::high, [&] {
-    for (std::int64_t m = 0; m < k * each; ++m) out(line.channels[1], line.channels[0].in());
+    for (std::int64_t m = 0; m < all; ++m) out(line.channels[1], line.channels[0].in());
   });
   std::vector<Seconds> arrivals;
   machine.processors()[2]->start("sink", Priority::high, [&] {
-    for (std::int64_t m = 0; m < k * each; ++m) {
+    for (std::int64_t m = 0; m < all; ++m) {
       line.channels[1].in();
       arrivals.push_back(now());
     }
@@ -48,21 +57,25 @@ Row run(const Setup& setup) {
   // In the middle half, when every source still has something to say.
   const std::size_t n = arrivals.size(), a = n / 4, b = n - 1 - n / 4;
   const double period = (arrivals[b] - arrivals[a]).value / static_cast<double>(b - a);
-  return {{"period_s", period},
-          {"period_of_a_source_s", static_cast<double>(k) * period},
-          {"time_s", machine.now().value}};
+  return Measured{period, static_cast<double>(k) * period, machine.now()};
 }
 
 }  // namespace
 
-Pattern make_sources() {
-  return {"sources",
-          "parallel sources through one link and a relay: period_s, between messages",
-          false,
-          {bytes_parameter(1),
-           {"sources", 2, 1, static_cast<double>(occam::MAX_REPLICAS), true, "processes that send"},
-           {"messages", 40, 4, 1e7, true, "of each source"}},
-          &run};
+Program make_sources() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "sources",
+       .help = "parallel sources that share one link, and a relay behind it",
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::whole("sources", &Params::sources, 1, 8, "", "processes that send"),
+                  D::whole("messages", &Params::messages, 4, 1e7, "", "messages of each source")},
+       .columns = {base::column("period_s", &Measured::period_s,
+                                "mean time between two messages at the sink"),
+                   base::column("period_of_a_source_s", &Measured::period_of_a_source_s,
+                                "the same of messages of one source"),
+                   base::column("time_s", &Measured::time, "time until all have arrived")},
+       .run = &run});
 }
 
 }  // namespace programs

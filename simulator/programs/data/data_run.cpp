@@ -1,10 +1,10 @@
-// The accesses themselves; their parameters are in data.cpp.
+#include "simulator/programs/data/data_run.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/declare/random.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/support.hpp"
-#include "simulator/programs/data/data.hpp"
 
 namespace programs {
 
@@ -37,7 +37,7 @@ class Test {
   void live(int id) {
     DataManager& data = memory_.manager(id);
     const bool is_coordinator = id == load_.data.coordinator;
-    Random random(load_.seed, id);
+    base::Random random(load_.seed, id);
     for (auto& pass : marks_) {
       Mark& mark = pass[static_cast<std::size_t>(id)];
       mark.start = now();
@@ -63,7 +63,7 @@ class Test {
         const Mark& mark = marks_[p][static_cast<std::size_t>(id)];
         const DataUse earlier = p > 0 ? marks_[p - 1][static_cast<std::size_t>(id)].use : DataUse{};
         if (id == load_.data.coordinator && load_.together)
-          pass.server_seen = static_cast<double>(mark.use.seen - earlier.seen);
+          pass.server_seen = mark.use.seen - earlier.seen;
         if (!makes_accesses(id)) continue;
         start = std::min(start, mark.start);
         end = std::max(end, mark.end);
@@ -82,7 +82,7 @@ class Test {
            load_.data.scheme == shared_memory::Scheme::pages;
   }
 
-  void make_accesses(DataManager& data, Random& random) const {
+  void make_accesses(DataManager& data, base::Random& random) const {
     for (int i = 0; i < load_.accesses; ++i) {
       const auto item = std::ranges::upper_bound(wanted_, random.uniform() * wanted_.back());
       data.access({0, std::min(static_cast<int>(item - wanted_.begin()), load_.items - 1)});
@@ -113,27 +113,22 @@ class Test {
 
 }  // namespace
 
-std::vector<DataPass> run_data(const machine::Model& model, const network::Routing& routing,
-                               const DataLoad& load, observe::Watch* watch) {
+std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routing,
+                               const DataLoad& load) {
   const int n = routing.processors();
-  machine::Machine machine(model);
+  machine::Machine machine(setup.model);
   for (int id = 0; id < n; ++id)
-    machine.add_processor(fmt::format("p{}", id), get_bytes(model, "worker_memory"));
+    machine.add_processor(fmt::format("p{}", id), get_bytes(setup.model, "worker_memory"));
   const auto catalogue = shared_memory::make_catalogue(load.items, load.item_bytes);
   auto params = load.network;
-  params.longest = longest_message(model, catalogue, load.data);
+  params.longest = longest_message(setup.model, catalogue, load.data);
   network::Network network(machine, routing, params);
   shared_memory::VirtualMemory memory(machine, network, catalogue, load.data);
   Test test(network.routing(), load, memory);
   for (int id = 0; id < n; ++id)
     machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
                                     [&, id] { test.live(id); });
-  observe::Watch none;
-  const auto end = observe::run(machine, watch ? *watch : none);
-  if (end != machine::End::done)
-    throw Unfinished(
-        "machine", machine.now(),
-        fmt::format("the run was ended at {:.6f} s ({})", machine.now().value, to_string(end)));
+  run_machine(setup, machine);
   return test.finish();
 }
 

@@ -21,9 +21,19 @@ void pass_on(const Message& message, const Channels& children, bool in_parallel)
   occam::par(branches);
 }
 
-Row run(const Setup& setup) {
+struct Params {
+  std::uint64_t bytes = 100;
+  bool in_parallel = true;
+};
+
+struct Measured {
+  Seconds latency;
+  int depth = 0;
+  std::size_t fan_out = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto tree = topologies::make_spanning_tree(setup.topology, setup.topology.root);
-  const bool in_parallel = setup["in_parallel"] != 0;
   machine::Machine machine(setup.model);
   add_processors(machine, setup.topology.processors);
   std::deque<Channel<Message>> channels;
@@ -42,30 +52,35 @@ Row run(const Setup& setup) {
   Seconds last;
   for (std::size_t id = 0; id < tree.parent.size(); ++id)
     machine.processors()[id]->start("node", Priority::high, [&, id] {
-      Message message = make_message_of(setup);
+      Message message = Message{params.bytes};
       if (from_parent[id])
         in(*from_parent[id], message);
       else
         wait_for_start();
       last = std::max(last, now());
-      pass_on(message, to_children[id], in_parallel);
+      pass_on(message, to_children[id], params.in_parallel);
     });
   run_machine(setup, machine);
-  return {{"latency_s", (last - START).value},
-          {"depth", std::ranges::max(tree.depth)},
-          {"fan_out", static_cast<double>(fan_out)}};
+  return Measured{last - START, std::ranges::max(tree.depth), fan_out};
 }
 
 }  // namespace
 
-Pattern make_broadcast() {
-  return {"broadcast",
-          "a message from the root to all along the spanning tree: latency_s, of the last to have "
-          "it; the tree's depth and fan_out",
-          true,
-          {bytes_parameter(1),
-           {"in_parallel", 1, 0, 1, true, "to the children in PAR, 1, or in SEQ, 0"}},
-          &run};
+Program make_broadcast() {
+  return make_program<Params, Measured>(
+      {.name = "broadcast",
+       .help = "a message from the root to all along the spanning tree",
+       .uses = {.network = true},
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  base::Declare<Params>::flag(
+                      "in_parallel", &Params::in_parallel,
+                      "whether a processor outputs to its children in PAR, or in SEQ")},
+       .columns = {base::column("latency_s", &Measured::latency,
+                                "time until the last processor has the message"),
+                   base::column("depth", &Measured::depth, "links from the root to the last leaf"),
+                   base::column("fan_out", &Measured::fan_out,
+                                "most children of a processor in the tree")},
+       .run = &run});
 }
 
 }  // namespace programs

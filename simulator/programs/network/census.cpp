@@ -4,11 +4,24 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "simulator/declare/program.hpp"
+#include "simulator/declare/support.hpp"
 
 namespace programs {
 
 namespace {
+
+enum class Pairs { all, root };
+const base::Names<Pairs> PAIRS = {{"all", Pairs::all}, {"root", Pairs::root}};
+
+struct Params {
+  Pairs pairs = Pairs::all;
+};
+
+// What a processor has to do for others.
+struct Measured {
+  base::Cell processor;
+  int routes_through = 0, lower_neighbours = 0;
+};
 
 using Around = std::vector<std::vector<topologies::Neighbour>>;
 
@@ -25,9 +38,9 @@ struct Passed {
   int pairs = 0;
 };
 
-Passed count_passed(const Setup& setup, const Around& around) {
+Passed count_passed(const Setup& setup, const Params& params, const Around& around) {
   const int n = setup.topology.processors, root = setup.topology.root;
-  const bool all = setup.choice("pairs") == "all";
+  const bool all = params.pairs == Pairs::all;
   Passed passed{std::vector<int>(n), 0};
   for (int from = 0; from < n; ++from)
     for (int to = 0; to < n; ++to) {
@@ -47,33 +60,36 @@ std::vector<std::string> describe_busiest(const Passed& passed) {
                       *most, passed.pairs)};
 }
 
-Rows run(const Setup& setup) {
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto around = topologies::neighbours(setup.topology);
-  const auto passed = count_passed(setup, around);
-  std::vector<Row> rows;
+  const auto passed = count_passed(setup, params, around);
+  std::vector<Measured> rows;
   for (int id = 0; id < setup.topology.processors; ++id) {
     const auto lower = std::ranges::count_if(
         around[id], [&](const auto& neighbour) { return neighbour.processor < id; });
-    rows.push_back({{"processor", id},
-                    {"routes_through", passed.through[id]},
-                    {"lower_neighbours", static_cast<double>(lower)}});
+    rows.push_back(
+        {processor_cell(setup.topology, id), passed.through[id], static_cast<int>(lower)});
   }
-  return Rows(std::move(rows), describe_busiest(passed));
+  return Outcome<Measured>(std::move(rows), describe_busiest(passed));
 }
 
 }  // namespace
 
-Pattern make_census() {
-  return {.name = "census",
-          .help =
-              "nothing runs: of each processor routes_through, the ordered pairs of others whose "
-              "route passes through it, and lower_neighbours, those with a lower number",
-          .uses_topology = true,
-          .parameters = {make_choice("pairs", {"all", "root"},
-                                     "who speaks with whom: all with all, or the root with all")},
-          .run = &run,
-          .parts = {"processor"},
-          .uses_routes = true};
+Program make_census() {
+  return make_program<Params, Measured>(
+      {.name = "census",
+       .help = "what each processor of a network has to do for others; nothing runs",
+       .uses = {.network = true, .routes = true},
+       .fields = {base::Declare<Params>::choice(
+           "pairs", &Params::pairs, PAIRS,
+           "who speaks with whom: all with all, or the root with all")},
+       .columns = {base::column("processor", &Measured::processor, "number or label"),
+                   base::column("routes_through", &Measured::routes_through,
+                                "ordered pairs of others whose route passes through it"),
+                   base::column("lower_neighbours", &Measured::lower_neighbours,
+                                "neighbours with a lower number")},
+       .parts = {"processor"},
+       .run = &run});
 }
 
 }  // namespace programs

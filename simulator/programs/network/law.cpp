@@ -29,12 +29,21 @@ void worker(network::StoreAndForward& network, int id, Cycles share) {
   out(network.into(id), result);
 }
 
-Row run(const Setup& setup) {
+struct Params {
+  double serial_fraction = 0.05, work_cycles = 1e8;
+  bool scaled = false;
+};
+
+struct Measured {
+  Seconds time;
+  double speedup = 0, efficiency = 0, serial_measured = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
-  const double s = setup["serial_fraction"], work = setup["work_cycles"];
-  const bool scaled = setup["scaled"] != 0;
-  const double share = (1 - s) * work / (scaled ? 1 : n);  // of a processor, of the parallel part
-  const double total = s * work + n * share;               // of one processor alone
+  const double s = params.serial_fraction, work = params.work_cycles;
+  const double share = (1 - s) * work / (params.scaled ? 1 : n);  // parallel part of a processor
+  const double total = s * work + n * share;                      // work of one processor alone
   const auto cycles = [](double c) { return Cycles{std::llround(c)}; };
   machine::Machine machine(setup.model);
   add_processors(machine, n);
@@ -45,25 +54,31 @@ Row run(const Setup& setup) {
     machine.processors()[id]->start("worker", Priority::low,
                                     [&, id] { worker(network, id, cycles(share)); });
   run_machine(setup, machine);
-  const double time_s = machine.now().value;
-  const double speedup = total / setup.model.cpu.clock.value / time_s;
-  return {{"time_s", time_s},
-          {"speedup", speedup},
-          {"efficiency", speedup / n},
-          {"serial_measured", n > 1 ? (n - speedup) / (n - 1) : s}};
+  const double speedup = total / setup.model.cpu.clock.value / machine.now().value;
+  return Measured{machine.now(), speedup, speedup / n, n > 1 ? (n - speedup) / (n - 1) : s};
 }
 
 }  // namespace
 
-Pattern make_law() {
-  return {"law",
-          "a program with a serial fraction on a network: speedup over one processor; "
-          "serial_measured, the thesis's Eq 4.29",
-          true,
-          {{"serial_fraction", 0.05, 0, 1, false, "of the work (where scaled: of one processor's)"},
-           {"work_cycles", 1e8, 1, 1e11, true, "the work; where scaled, of one processor"},
-           {"scaled", 0, 0, 1, true, "the parallel part grows with the machine, 1, or not, 0"}},
-          &run};
+Program make_law() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "law",
+       .help = "a program with a serial fraction on a network",
+       .uses = {.network = true},
+       .fields = {D::number("serial_fraction", &Params::serial_fraction, 0, 1, "",
+                            "serial share of the work; where scaled, of one processor's work"),
+                  D::number("work_cycles", &Params::work_cycles, 1, 1e11, "cycles",
+                            "the work; where scaled, that of one processor"),
+                  D::flag("scaled", &Params::scaled,
+                          "whether the parallel part grows with the machine")},
+       .columns = {base::column("time_s", &Measured::time, "time until all is done"),
+                   base::column("speedup", &Measured::speedup,
+                                "time of the same work on one processor, over time_s"),
+                   base::column("efficiency", &Measured::efficiency, "speedup over processors"),
+                   base::column("serial_measured", &Measured::serial_measured,
+                                "serial fraction that this speedup tells (thesis, Eq 4.29)")},
+       .run = &run});
 }
 
 }  // namespace programs

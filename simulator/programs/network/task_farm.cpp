@@ -7,13 +7,23 @@ namespace programs {
 
 namespace {
 
+struct Params {
+  std::uint64_t bytes = 100;
+  std::int64_t tasks_per_worker = 20;
+  Cycles task_cycles{10'000'000}, centre_cycles{1'000'000};
+};
+
+struct Measured {
+  Seconds time;
+  double throughput_per_s = 0, cpu_busy_centre = 0;
+};
+
 constexpr int AHEAD = 2;  // tasks a worker has, or that are on their way to it
 
 struct Farm {
   network::StoreAndForward& network;
-  std::uint64_t bytes;
+  const Params& params;
   std::int64_t tasks;
-  Cycles centre, task;
 
   void send(int from, int to, std::uint64_t length) const {
     network::Pointer packet;
@@ -34,8 +44,8 @@ struct Farm {
     }
   }
   void hand_out(int worker, std::int64_t& sent) const {
-    compute(centre);
-    send(0, worker, sent++ < tasks ? bytes : STOP_BYTES);
+    compute(params.centre_cycles);
+    send(0, worker, sent++ < tasks ? params.bytes : STOP_BYTES);
   }
   void work(int id) const {
     for (int stops = 0; stops < AHEAD;) {
@@ -43,21 +53,19 @@ struct Farm {
         ++stops;
         continue;
       }
-      compute(task);
-      send(id, 0, bytes);
+      compute(params.task_cycles);
+      send(id, 0, params.bytes);
     }
   }
   static constexpr std::uint64_t STOP_BYTES = 1;  // shorter than any task
 };
 
-Row run(const Setup& setup) {
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int workers = setup.topology.processors - 1;
   machine::Machine machine(setup.model);
   add_processors(machine, setup.topology.processors);
   network::StoreAndForward network(machine, setup.topology);
-  const Farm farm{network, static_cast<std::uint64_t>(setup.whole("bytes")),
-                  setup.whole("tasks_per_worker") * workers, Cycles{setup.whole("centre_cycles")},
-                  Cycles{setup.whole("task_cycles")}};
+  const Farm farm{network, params, params.tasks_per_worker * workers};
   std::vector<Seconds> results;
   auto& centre = *machine.processors()[0];
   centre.start("centre", Priority::low, [&] { farm.coordinate(workers, results); });
@@ -69,22 +77,31 @@ Row run(const Setup& setup) {
   const std::size_t rounds = results.size() / round, a = rounds / 4 * round,
                     b = a + rounds / 2 * round;
   const double throughput = static_cast<double>(b - a) / (results[b] - results[a]).value;
-  return {{"time_s", machine.now().value},
-          {"throughput_per_s", throughput},
-          {"cpu_busy_centre", centre.use().busy() / machine.now()}};
+  return Measured{machine.now(), throughput, centre.use().busy() / machine.now()};
 }
 
 }  // namespace
 
-Pattern make_task_farm() {
-  return {"task_farm",
-          "a farm of equal tasks, its centre the first processor: throughput_per_s",
-          true,
-          {{"bytes", 100, 2, 1e9, true, "of a task, and of its result"},
-           {"tasks_per_worker", 20, 8, 1e6, true, "in all, for each worker"},
-           {"task_cycles", 1e7, 0, 1e10, true, "of a worker, for a task"},
-           {"centre_cycles", 1e6, 0, 1e10, true, "of the centre, for a task"}},
-          &run};
+Program make_task_farm() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "task_farm",
+       .help = "a farm of equal tasks, its centre the first processor",
+       .uses = {.network = true},
+       .fields = {D::whole("bytes", &Params::bytes, 2, 1e9, "bytes",
+                           "length of a task, and of its result"),
+                  D::whole("tasks_per_worker", &Params::tasks_per_worker, 8, 1e6, "",
+                           "tasks in all, over workers"),
+                  D::whole("task_cycles", &Params::task_cycles, 0, 1e10, "cycles",
+                           "computation of a worker for a task"),
+                  D::whole("centre_cycles", &Params::centre_cycles, 0, 1e10, "cycles",
+                           "computation of the centre for a task")},
+       .columns = {base::column("time_s", &Measured::time, "time until all workers have stopped"),
+                   base::column("throughput_per_s", &Measured::throughput_per_s,
+                                "results a second, in the middle of the run"),
+                   base::column("cpu_busy_centre", &Measured::cpu_busy_centre,
+                                "share of the time that the centre's CPU worked")},
+       .run = &run});
 }
 
 }  // namespace programs

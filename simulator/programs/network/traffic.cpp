@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "simulator/declare/random.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
 
@@ -13,7 +13,7 @@ std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, 
                                           std::uint64_t seed) {
   std::vector<Arrival> arrivals;
   for (int from = 0; from < processors && processors > 1; ++from) {
-    Random random(seed, from);
+    base::Random random(seed, from);
     for (double at = 0;;) {
       at += random.exponential() / packets_per_s * 1e6;
       if (at > window_us) break;
@@ -36,7 +36,7 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     to_send[arrivals[i].from].push_back(i);
     ++to_receive[arrivals[i].to];
-    result.hops +=
+    result.links +=
         static_cast<std::uint64_t>(network.routes().distance(arrivals[i].from, arrivals[i].to));
   }
   for (int id = 0; id < n; ++id) {
@@ -73,52 +73,82 @@ double mean_inside(const std::vector<Delivery>& deliveries, double from_s, doubl
   return inside_s / (to_s - from_s);
 }
 
+struct Params {
+  std::uint64_t bytes = 100, seed = 1;
+  double load = 0.1, window_s = 0.1;
+};
+
+struct Measured {
+  double latency_s = 0;
+  std::size_t packets = 0;
+  double links_mean = 0, inside_mean = 0;
+  std::size_t longest_queue = 0;
+  double link_busy_max = 0;
+  bool is_saturated = false;
+};
+
 constexpr double MOST_PACKETS = 1e7;  // each takes some 100 bytes of the host's memory
 
-Row run(const Setup& setup) {
-  const double window_s = setup["window_s"], rate = setup.model.link.one_way_rate;
-  const double packets =
-      setup.topology.processors * setup["load"] * rate / setup["bytes"] * window_s;
+std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
+  const int n = setup.topology.processors;
+  const double rate = setup.model.link.one_way_rate, bytes = static_cast<double>(params.bytes);
+  const double packets = n * params.load * rate / bytes * params.window_s;
   if (packets > MOST_PACKETS)
     throw base::BadInput(fmt::format(
         "program.load, window_s and bytes: found {:.3g} packets, expected at most {:.3g}", packets,
         MOST_PACKETS));
-  const auto arrivals =
-      make_uniform_traffic(setup.topology.processors, setup["load"] * rate / setup["bytes"],
-                           window_s * 1e6, static_cast<std::uint64_t>(setup.whole("seed")));
+  auto arrivals =
+      make_uniform_traffic(n, params.load * rate / bytes, params.window_s * 1e6, params.seed);
   if (arrivals.empty()) throw base::BadInput("program.window_s: so short that no packet is sent");
-  const auto result =
-      run_traffic(setup, arrivals, static_cast<std::uint64_t>(setup.whole("bytes")));
-  // Of the packets sent in the second half, when the queues have filled.
+  return arrivals;
+}
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto arrivals = make_arrivals(setup, params);
+  const auto result = run_traffic(setup, arrivals, params.bytes);
+  const double window_s = params.window_s;
+  // Packets count that are sent in the second half, when the queues have filled.
   double sum_s = 0, count = 0;
   for (const auto& d : result.deliveries)
     if (d.sent_s > window_s / 2) sum_s += d.received_s - d.sent_s, ++count;
   const double earlier = mean_inside(result.deliveries, window_s / 4, window_s / 2);
   const double later = mean_inside(result.deliveries, 3 * window_s / 4, window_s);
-  const bool saturated = later > 1.6 * earlier && later > setup.topology.processors;
-  return {{"latency_s", sum_s / std::max(count, 1.0)},
-          {"packets", static_cast<double>(arrivals.size())},
-          {"hops_mean", static_cast<double>(result.hops) / static_cast<double>(arrivals.size())},
-          {"inside_mean", later},
-          {"longest_queue", static_cast<double>(result.longest_queue)},
-          {"link_busy_max", result.link_busy_max},
-          {"saturated", saturated ? 1.0 : 0.0}};
+  const bool is_saturated = later > 1.6 * earlier && later > setup.topology.processors;
+  const double links = static_cast<double>(result.links) / static_cast<double>(arrivals.size());
+  Outcome<Measured> outcome(Measured{sum_s / std::max(count, 1.0), arrivals.size(), links, later,
+                                     result.longest_queue, result.link_busy_max, is_saturated});
+  outcome.is_saturated = is_saturated;
+  return outcome;
 }
 
 }  // namespace
 
-Pattern make_traffic() {
-  return {
-      "traffic",
-      "uniform random traffic over store-and-forward routers: latency_s, on average; saturated, "
-      "where queues grow without bound",
-      true,
-      {bytes_parameter(1),
-       {"load", 0.1, 1e-6, 100, false,
-        "bytes that each processor offers, over what a link direction carries"},
-       {"window_s", 0.1, 1e-4, 1e4, false, "how long packets are offered"},
-       {"seed", 1, 0, 1e15, true, "of times and destinations"}},
-      &run};
+Program make_traffic() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "traffic",
+       .help = "uniform random traffic over store-and-forward routers",
+       .uses = {.network = true},
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  D::number("load", &Params::load, 1e-6, 100, "",
+                            "bytes that each processor offers, over what a link direction carries"),
+                  D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
+                            "how long packets are offered"),
+                  seed_field<Params>(&Params::seed, "seed of times and destinations")},
+       .columns = {base::column("latency_s", &Measured::latency_s,
+                                "mean time of a packet, of those sent in the second half"),
+                   base::column("packets", &Measured::packets, "packets sent"),
+                   base::column("links_mean", &Measured::links_mean,
+                                "links that a packet passes, on average"),
+                   base::column("inside_mean", &Measured::inside_mean,
+                                "packets in the network, on average over the last quarter"),
+                   base::column("longest_queue", &Measured::longest_queue,
+                                "most packets that waited for one link at once"),
+                   base::column("link_busy_max", &Measured::link_busy_max,
+                                "share of the time that the busiest direction of a link was busy"),
+                   base::column("saturated", &Measured::is_saturated,
+                                "1 where queues grow without bound, else 0")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -24,7 +24,7 @@ struct TrafficResult {
   std::vector<Delivery> deliveries;  // one an arrival, in their order
   double link_busy_max = 0;          // share of the time of the busiest link direction
   std::size_t longest_queue = 0;     // packets
-  std::uint64_t hops = 0;
+  std::uint64_t links = 0;           // that all packets pass
 };
 
 // Store and forward over the topology of `setup`, `bytes` a packet, until all are delivered.

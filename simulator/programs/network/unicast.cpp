@@ -7,20 +7,29 @@ namespace programs {
 
 namespace {
 
-Row run(const Setup& setup) {
+struct Params {
+  std::uint64_t bytes = 100;
+  int hops = 1;
+};
+
+struct Measured {
+  Seconds latency;
+  int guards = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   machine::Machine machine(setup.model);
   add_processors(machine, setup.topology.processors);
   network::StoreAndForward network(machine, setup.topology);
-  const auto hops = static_cast<int>(setup.whole("hops"));
   int to = 0;
-  while (to < setup.topology.processors && network.routes().distance(0, to) != hops) ++to;
+  while (to < setup.topology.processors && network.routes().distance(0, to) != params.hops) ++to;
   if (to == setup.topology.processors)
     throw base::BadInput(
         fmt::format("program.hops: found {}, but no processor of {} is so "
                     "far from the first",
-                    hops, setup.topology.name));
+                    params.hops, setup.topology.name));
   network::Pointer packet, arrived;
-  packet.to = {0, to, static_cast<std::uint64_t>(setup.whole("bytes")), 0, START};
+  packet.to = {0, to, params.bytes, 0, START};
   Seconds received;
   machine.processors()[0]->start("client", Priority::high, [&] {
     wait_for_start();
@@ -31,18 +40,24 @@ Row run(const Setup& setup) {
     received = now();
   });
   run_machine(setup, machine);
-  return {{"latency_s", (received - START).value}, {"guards", network.guards_on_the_way(0, to)}};
+  return Measured{received - START, network.guards_on_the_way(0, to)};
 }
 
 }  // namespace
 
-Pattern make_unicast() {
-  return {"unicast",
-          "a packet through an idle network of store-and-forward routers, from the first processor "
-          "to one `hops` away: latency_s, and the ALT guards it passes",
-          true,
-          {bytes_parameter(1), {"hops", 1, 0, 1000, true, "links on the way"}},
-          &run};
+Program make_unicast() {
+  return make_program<Params, Measured>(
+      {.name = "unicast",
+       .help = "a packet through an idle network of store-and-forward routers",
+       .uses = {.network = true},
+       .fields = {bytes_field<Params>(&Params::bytes),
+                  base::Declare<Params>::whole("hops", &Params::hops, 0, 1000, "",
+                                               "links from the first processor to the receiver")},
+       .columns = {base::column("latency_s", &Measured::latency,
+                                "from the start of out to the end of in"),
+                   base::column("guards", &Measured::guards,
+                                "guards of all ALTs that the packet passes")},
+       .run = &run});
 }
 
 }  // namespace programs

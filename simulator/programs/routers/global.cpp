@@ -9,20 +9,25 @@ namespace {
 using network::Client;
 using network::Message;
 
+struct Params {
+  RouterParams routers;
+  std::uint64_t bytes = 4;
+  std::int64_t messages = 10000, window = 8;
+};
+
 struct Global {
   const ApplicationCost& cost;
-  std::int64_t messages, window;
-  std::uint64_t bytes;
+  const Params& params;
   int others;
 
   // Sends while not too many are unanswered, and takes answers.
   void ask(Client& client) const {
     std::int64_t sent = 0;
-    for (std::int64_t answers = 0; answers < messages * others;) {
-      if (sent < messages && sent - answers / others < window) {
+    for (std::int64_t answers = 0; answers < params.messages * others;) {
+      if (sent < params.messages && sent - answers / others < params.window) {
         Message message;
         message.to = network::make_global(0);
-        message.length = bytes;
+        message.length = params.bytes;
         cost("message_made");
         client.send(message);
         ++sent;
@@ -35,7 +40,7 @@ struct Global {
   }
 
   void answer(Client& client) const {
-    for (std::int64_t i = 0; i < messages; ++i) {
+    for (std::int64_t i = 0; i < params.messages; ++i) {
       Message message;
       message.to = client.receive().from;
       message.length = 4;
@@ -46,44 +51,53 @@ struct Global {
   }
 };
 
-Rows run(const Setup& setup) {
-  const auto bytes = static_cast<std::uint64_t>(setup.whole("message_bytes"));
-  const int others = setup.topology.processors - 1;
-  if (others == 0)
-    throw base::BadInput("network.topology: found one processor, expected at least two");
-  RouterMachine on(setup, network_params(setup, std::max<std::uint64_t>(bytes, 4)));
+struct Measured {
+  double time_s_per_10000 = 0;
+  Seconds time;
+  std::size_t most_held = 0;
+  double cpu_busy_root = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const int others = setup.topology.processors - 1, root = setup.topology.root;
+  check_two_processors(setup);
+  RouterMachine on(setup, network_params(params.routers, std::max<std::uint64_t>(params.bytes, 4)));
   const ApplicationCost cost(setup.model);
-  const Global global{cost, setup.whole("messages"), setup.whole("window"), bytes, others};
+  const Global global{cost, params, others};
   for (int id = 0; id <= others; ++id)
     on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low, [&, id] {
-      if (id == setup.topology.root)
+      if (id == root)
         global.ask(on.network->client(id));
       else
         global.answer(on.network->client(id));
     });
   run_machine(setup, on.machine);
-  const double time_s = on.machine.now().value;
-  return Row{{"time_s_per_10000", time_s / static_cast<double>(global.messages) * 1e4},
-             {"time_s", time_s},
-             {"most_held", static_cast<double>(on.network->use().most_held)},
-             {"cpu_busy_root",
-              on.machine.processors()[setup.topology.root]->use().busy() / on.machine.now()}};
+  const Seconds time = on.machine.now();
+  return Measured{time.value / static_cast<double>(params.messages) * 1e4, time,
+                  on.network->use().most_held, on.machine.processors()[root]->use().busy() / time};
 }
 
 }  // namespace
 
-Pattern make_global_messages() {
-  return {.name = "global",
-          .help =
-              "GLOBAL messages from the root, until every other processor has answered each: "
-              "time_s_per_10000",
-          .uses_topology = true,
-          .parameters = router_parameters(
-              {message_bytes_parameter(),
-               {"messages", 10000, 1, 1e7, true, "sent by the root"},
-               {"window", 8, 1, 1e6, true, "messages that may be unanswered before the next"}}),
-          .run = &run,
-          .uses_routes = true};
+Program make_global() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "global",
+       .help = "GLOBAL messages from the root, until every other processor has answered each",
+       .uses = {.network = true, .routes = true},
+       .fields = base::join(
+           base::lift_all<Params>(router_fields(), &Params::routers),
+           {{message_bytes_field<Params>(&Params::bytes),
+             D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),
+             D::whole("window", &Params::window, 1, 1e6, "",
+                      "messages that may be unanswered before the next is sent")}}),
+       .columns = {base::column("time_s_per_10000", &Measured::time_s_per_10000,
+                                "time of ten thousand messages at this rate"),
+                   base::column("time_s", &Measured::time, "time until all have been answered"),
+                   most_held_column(&Measured::most_held),
+                   base::column("cpu_busy_root", &Measured::cpu_busy_root,
+                                "share of the time that the root's CPU worked")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -1,7 +1,7 @@
 // InPathTo requests along a line, which those on the way answer now and then (5.1.1.3).
 #include <algorithm>
 
-#include "simulator/declare/random.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -18,7 +18,7 @@ constexpr int ASKED = 0, ASKING = 1;  // kinds of process
 // On the way: answers with a probability, else gives the request back. At the end: always answers.
 void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
-  Random random(seed, client.processor());
+  base::Random random(seed, client.processor());
   for (;;) {
     Message message = client.receive();
     const double uniform = random.uniform();
@@ -34,27 +34,39 @@ void answer(Client& client, double probability, std::uint64_t seed) {
   }
 }
 
-Rows run(const Setup& setup) {
-  const auto n = static_cast<int>(setup.whole("n"));
-  const auto requests = setup.whole("requests");
+struct Params {
+  RouterParams routers;
+  int links = 10;
+  double probability = 0.1;
+  std::int64_t requests = 10000;
+  std::uint64_t seed = 1;
+};
+
+struct Measured {
+  double distance_mean = 0, distance_error = 0, saved = 0, round_trip_s = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const int n = params.links;
   const auto line = topologies::make_line(n + 1);
-  auto params = network_params(setup, 0);
-  params.processes.assign(static_cast<std::size_t>(n) + 1, {1U << ASKED});
-  params.processes.front() = {1U << ASKING};
+  auto on_network = network_params(params.routers, 0);
+  on_network.processes.assign(static_cast<std::size_t>(n) + 1, {1U << ASKED});
+  on_network.processes.front() = {1U << ASKING};
   machine::Machine machine(setup.model);
   for (int id = 0; id <= n; ++id)
     machine.add_processor(fmt::format("p{}", id), get_bytes(setup.model, "worker_memory"));
   network::Network network(
-      machine, network::make_routing(params.method, line, topologies::make_routes(line)), params);
+      machine, network::make_routing(on_network.method, line, topologies::make_routes(line)),
+      on_network);
   double sum = 0, squares = 0;
   for (int id = 1; id <= n; ++id)
     machine.processors()[id]->start("asked", Priority::low, [&, id] {
-      answer(network.client(id), setup["s_p"], static_cast<std::uint64_t>(setup.whole("seed")));
+      answer(network.client(id), params.probability, params.seed);
     });
   Seconds end;
   machine.processors()[0]->start("asking", Priority::low, [&] {
     Client& client = network.client(0);
-    for (std::int64_t i = 0; i < requests; ++i) {
+    for (std::int64_t i = 0; i < params.requests; ++i) {
       Message request;
       request.to = {n, ASKED, Mode::in_path_to};
       request.from.process = ASKING;
@@ -66,29 +78,34 @@ Rows run(const Setup& setup) {
     end = now();
   });
   run_machine(setup, machine);
-  const auto count = static_cast<double>(requests);
+  const auto count = static_cast<double>(params.requests);
   const double mean = sum / count, variance = std::max(0.0, squares / count - mean * mean);
-  return Row{{"distance_mean", mean},
-             {"distance_error", std::sqrt(variance / count)},
-             {"saved", 1 - mean / n},
-             {"round_trip_s", end.value / count}};
+  return Measured{mean, std::sqrt(variance / count), 1 - mean / n, end.value / count};
 }
 
 }  // namespace
 
-Pattern make_in_path() {
-  return {.name = "in_path",
-          .help =
-              "InPathTo requests from one end of a line to the other, which each processor on "
-              "the way answers with probability s_p: distance_mean, the links they pass; "
-              "distance_error, its standard error; saved, the share of links spared",
-          .uses_topology = false,
-          .parameters =
-              router_parameters({{"n", 10, 1, 1000, true, "links from end to end"},
-                                 {"s_p", 0.1, 0, 1, false, "probability of an answer on the way"},
-                                 {"requests", 10000, 1, 1e8, true, "one after the other"},
-                                 {"seed", 1, 0, 1e15, true, "of who answers"}}),
-          .run = &run};
+Program make_in_path() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "in_path",
+       .help = "InPathTo requests from one end of a line to the other, which each processor on the "
+               "way may answer",
+       .fields = base::join(
+           base::lift_all<Params>(router_fields(), &Params::routers),
+           {{D::whole("n", &Params::links, 1, 1000, "", "links from end to end"),
+             D::number("s_p", &Params::probability, 0, 1, "",
+                       "probability that a processor on the way answers"),
+             D::whole("requests", &Params::requests, 1, 1e8, "", "requests, one after the other"),
+             seed_field<Params>(&Params::seed, "seed of who answers")}}),
+       .columns = {base::column("distance_mean", &Measured::distance_mean,
+                                "links that a request passes, on average"),
+                   base::column("distance_error", &Measured::distance_error,
+                                "standard error of distance_mean"),
+                   base::column("saved", &Measured::saved, "share of all links that is spared"),
+                   base::column("round_trip_s", &Measured::round_trip_s,
+                                "mean time from a request to the end of its reply")},
+       .run = &run});
 }
 
 }  // namespace programs

@@ -1,7 +1,7 @@
 // Every processor sends messages to all others at random: what the routers and the application
 // that does so take of the CPU (table 5.2).
 #include "base/errors.hpp"
-#include "simulator/declare/random.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
 namespace programs {
@@ -11,24 +11,29 @@ namespace {
 using network::Client;
 using network::Message;
 
+struct Params {
+  RouterParams routers;
+  std::uint64_t bytes = 4, seed = 1;
+  double pause_s = 1e-3, window_s = 3;
+};
+
 struct Talk {
   const ApplicationCost& cost;
-  double pause_s;
-  std::uint64_t bytes, seed;
+  const Params& params;
   int processors;
 
   // One sequential process (LSGP): it takes what comes until its next message is due.
   void run(Client& client) const {
-    Random random(seed, client.processor());
+    base::Random random(params.seed, client.processor());
     network::Handed handed;
     for (;;) {
-      const auto due = occam::ticks(now() + Seconds{pause_s * random.exponential()});
+      const auto due = occam::ticks(now() + Seconds{params.pause_s * random.exponential()});
       for (bool is_due = false; !is_due;)
         occam::pri_alt(occam::when(client.from_router(), handed, [&] { cost("message_read"); }),
                        occam::after(due, [&] { is_due = true; }));
       Message message;
       message.to.processor = random.other_than(client.processor(), processors);
-      message.length = bytes;
+      message.length = params.bytes;
       cost("number_drawn");
       cost("number_drawn");
       cost("message_made");
@@ -37,49 +42,63 @@ struct Talk {
   }
 };
 
-Rows run(const Setup& setup) {
-  const auto bytes = static_cast<std::uint64_t>(setup.whole("message_bytes"));
+struct Measured {
+  base::Cell processor;
+  double cpu_percent = 0, sent_per_s = 0, received_per_s = 0, passed_per_s = 0;
+  std::size_t most_held = 0;
+};
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
-  if (n < 2) throw base::BadInput("network.topology: found one processor, expected at least two");
-  RouterMachine on(setup, network_params(setup, bytes));
+  check_two_processors(setup);
+  RouterMachine on(setup, network_params(params.routers, params.bytes));
   const ApplicationCost cost(setup.model);
-  const Talk talk{cost, setup["pause_s"], bytes, static_cast<std::uint64_t>(setup.whole("seed")),
-                  n};
+  const Talk talk{cost, params, n};
   for (int id = 0; id < n; ++id)
     on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
                                        [&, id] { talk.run(on.network->client(id)); });
-  run_machine_until(setup, on.machine, {setup["window_s"]});
-  std::vector<Row> rows;
+  run_machine_until(setup, on.machine, {params.window_s});
+  const double time_s = on.machine.now().value;
+  std::vector<Measured> rows;
   for (int id = 0; id < n; ++id) {
     const auto& use = on.network->use(id);
-    const double time_s = on.machine.now().value;
-    rows.push_back(
-        {{"processor", id},
-         {"cpu_percent", 100 * (on.machine.processors()[id]->use().busy().value / time_s)},
-         {"sent_per_s", static_cast<double>(use.taken) / time_s},
-         {"received_per_s", static_cast<double>(use.delivered) / time_s},
-         {"passed_per_s", static_cast<double>(use.passed) / time_s},
-         {"most_held", static_cast<double>(use.most_held)}});
+    const double busy_s = on.machine.processors()[id]->use().busy().value;
+    rows.push_back({processor_cell(setup.topology, id), 100 * (busy_s / time_s),
+                    static_cast<double>(use.taken) / time_s,
+                    static_cast<double>(use.delivered) / time_s,
+                    static_cast<double>(use.passed) / time_s, use.most_held});
   }
-  return Rows(std::move(rows));
+  return Outcome<Measured>(std::move(rows));
 }
 
 }  // namespace
 
-Pattern make_random_traffic() {
-  return {.name = "random_traffic",
-          .help =
-              "messages of all processors to all others, at random: of each processor "
-              "cpu_percent, of its router and of the application that makes them",
-          .uses_topology = true,
-          .parameters = router_parameters(
-              {message_bytes_parameter(),
-               {"pause_s", 1e-3, 1e-6, 1e6, false, "from a message to the next, on average"},
-               {"window_s", 3, 1e-3, 1e5, false, "how long"},
-               {"seed", 1, 0, 1e15, true, "of pauses and destinations"}}),
-          .run = &run,
-          .parts = {"processor"},
-          .uses_routes = true};
+Program make_random_traffic() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "random_traffic",
+       .help = "messages of all processors to all others, at random",
+       .uses = {.network = true, .routes = true},
+       .fields = base::join(
+           base::lift_all<Params>(router_fields(), &Params::routers),
+           {{message_bytes_field<Params>(&Params::bytes),
+             D::number("pause_s", &Params::pause_s, 1e-6, 1e6, "s",
+                       "time from a message to the next of its sender, on average"),
+             D::number("window_s", &Params::window_s, 1e-3, 1e5, "s", "time that is simulated"),
+             seed_field<Params>(&Params::seed, "seed of pauses and destinations")}}),
+       .columns = {base::column("processor", &Measured::processor, "number or label"),
+                   base::column("cpu_percent", &Measured::cpu_percent,
+                                "percent of the time that its router and the application that "
+                                "makes messages took of its CPU"),
+                   base::column("sent_per_s", &Measured::sent_per_s,
+                                "messages a second that its application sent"),
+                   base::column("received_per_s", &Measured::received_per_s,
+                                "messages a second that its application received"),
+                   base::column("passed_per_s", &Measured::passed_per_s,
+                                "messages a second that passed from one of its links to another"),
+                   most_held_column(&Measured::most_held)},
+       .parts = {"processor"},
+       .run = &run});
 }
 
 }  // namespace programs

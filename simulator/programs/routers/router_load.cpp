@@ -2,7 +2,7 @@
 // sinks take them at once; up to the load at which queues grow without bound, or out of their
 // buffers.
 #include "base/errors.hpp"
-#include "simulator/declare/random.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
 namespace programs {
@@ -18,22 +18,29 @@ struct Seen {
   std::uint64_t in_window = 0;           // received in the window
 };
 
-struct Load {
-  double rate_per_s, warm_up_s, window_s;
-  std::uint64_t bytes, seed;
+struct Params {
+  RouterParams routers;
+  std::uint64_t bytes = 4, seed = 1;
+  double load = 0.01, warm_up_s = 0.02, window_s = 0.1;
+};
+
+struct Offers {
+  const Params& params;
+  double rate_per_s;
   int processors;
+
+  double end_s() const { return params.warm_up_s + params.window_s; }
 
   // A Poisson stream; a message that must wait for the router has been offered all the same.
   void offer(Client& client, Seen& seen) const {
-    Random random(seed, client.processor());
-    const double end_s = warm_up_s + window_s;
-    for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s;) {
+    base::Random random(params.seed, client.processor());
+    for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s();) {
       occam::wait_until(occam::ticks({at_s}));
       Message message;
       message.to.processor = random.other_than(client.processor(), processors);
-      message.length = bytes;
+      message.length = params.bytes;
       message.number = static_cast<std::uint64_t>(at_s * 1e9);
-      if (at_s >= warm_up_s) ++seen.offered;
+      if (at_s >= params.warm_up_s) ++seen.offered;
       client.send(std::move(message));
     }
   }
@@ -42,32 +49,23 @@ struct Load {
     for (;;) {
       const double sent_s = static_cast<double>(client.receive().number) * 1e-9;
       const double here_s = now().value;
-      if (here_s >= warm_up_s && here_s < warm_up_s + window_s) ++seen.in_window;
-      if (sent_s < warm_up_s) continue;
+      if (here_s >= params.warm_up_s && here_s < end_s()) ++seen.in_window;
+      if (sent_s < params.warm_up_s) continue;
       seen.sum_s += here_s - sent_s;
       ++seen.count;
     }
   }
 };
 
-Load make_load(const Setup& setup) {
-  const double link = setup.model.link.one_way_rate;
-  const auto bytes = setup.whole("message_bytes");
-  const double whole = static_cast<double>(bytes + std::int64_t{Message::IDENTIFICATION});
-  return {setup["load"] * link / whole,
-          setup["warm_up_s"],
-          setup["window_s"],
-          static_cast<std::uint64_t>(bytes),
-          static_cast<std::uint64_t>(setup.whole("seed")),
-          setup.topology.processors};
+Offers make_offers(const Setup& setup, const Params& params) {
+  const auto whole = static_cast<double>(params.bytes + std::uint64_t{Message::IDENTIFICATION});
+  return {params, params.load * setup.model.link.one_way_rate / whole, setup.topology.processors};
 }
 
 constexpr double MOST_MESSAGES = 1e7;
 
-void check_load(const Load& load) {
-  if (load.processors < 2)
-    throw base::BadInput("network.topology: found one processor, expected at least two");
-  const double messages = load.rate_per_s * (load.warm_up_s + load.window_s) * load.processors;
+void check_messages(const Offers& offers) {
+  const double messages = offers.rate_per_s * offers.end_s() * offers.processors;
   if (messages > MOST_MESSAGES)
     throw base::BadInput(
         fmt::format("program.load, warm_up_s and window_s: found {:.3g} messages, expected at most "
@@ -76,14 +74,14 @@ void check_load(const Load& load) {
 }
 
 // The source has a channel of its own into the router, the sink one from it.
-void start_clients(const Load& load, RouterMachine& on, std::vector<Seen>& seen) {
-  for (int id = 0; id < load.processors; ++id) {
+void start_clients(const Offers& offers, RouterMachine& on, std::vector<Seen>& seen) {
+  for (int id = 0; id < offers.processors; ++id) {
     auto& processor = *on.machine.processors()[id];
     processor.start(fmt::format("p{}.source", id), Priority::high,
-                    [&, id] { load.offer(on.network->client(id, 1), seen[id]); });
+                    [&, id] { offers.offer(on.network->client(id, 1), seen[id]); });
     processor
         .start(fmt::format("p{}.sink", id), Priority::high,
-               [&, id] { load.take(on.network->client(id), seen[id]); })
+               [&, id] { offers.take(on.network->client(id), seen[id]); })
         .set_server();
   }
 }
@@ -99,68 +97,107 @@ Seen add_up(const std::vector<Seen>& seen) {
   return all;
 }
 
-Row make_row(const Load& load, const RouterMachine& on, const Seen& all, bool overflowed) {
-  const double now_s = on.machine.now().value, none = std::numeric_limits<double>::quiet_NaN();
-  // Of the window, what was before the end or the overflow.
-  const double window_s = overflowed ? now_s - load.warm_up_s : load.window_s;
-  const double accepted = static_cast<double>(all.in_window) / window_s / load.processors;
-  const double time_s = std::max(now_s, load.warm_up_s + window_s);
+struct Measured {
+  double offered_per_s = 0;
+  std::optional<double> accepted_per_s = {}, latency_s = {};
+  double links_mean = 0;
+  std::size_t most_held = 0;
+  double cpu_busy_max = 0, link_busy_max = 0;
+  bool has_overflowed = false, is_saturated = false;
+};
+
+Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
+                 bool has_overflowed) {
+  const auto& params = offers.params;
+  const double now_s = on.machine.now().value;
+  // The part of the window before the end or the overflow.
+  const double window_s = has_overflowed ? now_s - params.warm_up_s : params.window_s;
+  const double time_s = std::max(now_s, params.warm_up_s + window_s);
+  Measured m{.offered_per_s = offers.rate_per_s,
+             .links_mean = on.network->routing().mean_distance(),
+             .most_held = on.network->use().most_held,
+             .has_overflowed = has_overflowed};
+  if (window_s > 0)
+    m.accepted_per_s = static_cast<double>(all.in_window) / window_s / offers.processors;
+  if (!has_overflowed && all.count > 0) m.latency_s = all.sum_s / static_cast<double>(all.count);
   double cpu_s = 0, link_s = 0;
   for (const auto& processor : on.machine.processors())
     cpu_s = std::max(cpu_s, processor->use().busy().value);
   for (const auto& link : on.machine.links()) link_s = std::max(link_s, link->use().busy.value);
+  m.cpu_busy_max = cpu_s / time_s;
+  m.link_busy_max = link_s / time_s;
   const bool behind = static_cast<double>(all.in_window) < 0.9 * static_cast<double>(all.offered);
-  const bool late = now_s - load.warm_up_s - load.window_s > 0.05 * load.window_s;
-  const bool has_latency = !overflowed && all.count > 0;
-  return {{"offered_per_s", load.rate_per_s},
-          {"accepted_per_s", window_s > 0 ? accepted : none},
-          {"latency_s", has_latency ? all.sum_s / static_cast<double>(all.count) : none},
-          {"links_mean", on.network->routing().mean_distance()},
-          {"most_held", static_cast<double>(on.network->use().most_held)},
-          {"cpu_busy_max", cpu_s / time_s},
-          {"link_busy_max", link_s / time_s},
-          {"overflowed", overflowed ? 1.0 : 0.0},
-          {"saturated", overflowed || (behind && late) ? 1.0 : 0.0}};
+  const bool late = now_s - params.warm_up_s - params.window_s > 0.05 * params.window_s;
+  m.is_saturated = has_overflowed || (behind && late);
+  return m;
 }
 
-Rows run(const Setup& setup) {
-  const Load load = make_load(setup);
-  check_load(load);
-  auto params = network_params(setup, load.bytes);
-  params.processes.assign(static_cast<std::size_t>(load.processors), {~0U, 0});
-  RouterMachine on(setup, params);
-  std::vector<Seen> seen(static_cast<std::size_t>(load.processors));
-  start_clients(load, on, seen);
-  std::vector<std::string> notes;
-  bool overflowed = false;
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  check_two_processors(setup);
+  const Offers offers = make_offers(setup, params);
+  check_messages(offers);
+  auto on_network = network_params(params.routers, params.bytes);
+  on_network.processes.assign(static_cast<std::size_t>(offers.processors), {~0U, 0});
+  RouterMachine on(setup, on_network);
+  std::vector<Seen> seen(static_cast<std::size_t>(offers.processors));
+  start_clients(offers, on, seen);
+  Outcome<Measured> outcome;
+  bool has_overflowed = false;
   try {
     run_machine(setup, on.machine);
   } catch (const network::Overflow& overflow) {
-    overflowed = true;
-    notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));
+    has_overflowed = true;
+    outcome.notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));
   }
   const Seen all = add_up(seen);
-  if (all.count == 0) notes.push_back("no message of the window was received");
-  return Rows({make_row(load, on, all, overflowed)}, notes);
+  if (all.count == 0) outcome.notes.push_back("no message of the window was received");
+  outcome.rows.push_back(measure(offers, on, all, has_overflowed));
+  outcome.is_saturated = outcome.rows[0].is_saturated;
+  return outcome;
+}
+
+base::Fields<Params> make_fields() {
+  using D = base::Declare<Params>;
+  return base::join(
+      base::lift_all<Params>(router_fields(), &Params::routers),
+      {{message_bytes_field<Params>(&Params::bytes),
+        D::number("load", &Params::load, 1e-6, 100, "",
+                  "bytes that each processor offers, over what a link direction carries"),
+        D::number("warm_up_s", &Params::warm_up_s, 0, 1e4, "s", "time before anything is measured"),
+        D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
+                  "how long messages are offered then"),
+        seed_field<Params>(&Params::seed, "seed of times and destinations")}});
+}
+
+base::Columns<Measured> make_columns() {
+  return {
+      base::column("offered_per_s", &Measured::offered_per_s,
+                   "messages a second that each processor offers"),
+      base::column("accepted_per_s", &Measured::accepted_per_s,
+                   "messages a second of the window that each processor received"),
+      base::column("latency_s", &Measured::latency_s,
+                   "mean time of a message; empty where a router overflowed"),
+      base::column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
+      most_held_column(&Measured::most_held),
+      base::column("cpu_busy_max", &Measured::cpu_busy_max,
+                   "share of the time that the busiest CPU worked"),
+      base::column("link_busy_max", &Measured::link_busy_max,
+                   "share of the time that the busiest direction of a link was busy"),
+      base::column("overflowed", &Measured::has_overflowed,
+                   "1 where a router ran out of buffers, else 0"),
+      base::column("saturated", &Measured::is_saturated,
+                   "1 where queues grow without bound or a router overflowed, else 0")};
 }
 
 }  // namespace
 
-Pattern make_router_load() {
-  return {.name = "router_load",
-          .help =
-              "random messages at a rate: latency_s and accepted_per_s of each processor, up to "
-              "saturation; overflowed, where a router ran out of buffers",
-          .uses_topology = true,
-          .parameters = router_parameters(
-              {message_bytes_parameter(),
-               {"load", 0.01, 1e-6, 100, false,
-                "bytes that each processor offers, over what a link direction carries"},
-               {"warm_up_s", 0.02, 0, 1e4, false, "before anything is measured"},
-               {"window_s", 0.1, 1e-4, 1e4, false, "how long messages are offered then"},
-               {"seed", 1, 0, 1e15, true, "of times and destinations"}}),
-          .run = &run,
-          .uses_routes = true};
+Program make_router_load() {
+  return make_program<Params, Measured>({.name = "router_load",
+                                         .help = "random messages at a rate, up to saturation",
+                                         .uses = {.network = true, .routes = true},
+                                         .fields = make_fields(),
+                                         .columns = make_columns(),
+                                         .run = &run});
 }
 
 }  // namespace programs

@@ -1,14 +1,16 @@
-#include "simulator/programs/routers/soak.hpp"
-
+// A soak of routers: processes all over a network send each other messages of every kind at random,
+// and an account is kept of each.
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "base/errors.hpp"
-#include "simulator/declare/random.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
 namespace programs {
@@ -19,6 +21,21 @@ using network::Client;
 using network::Message;
 using network::Mode;
 
+struct Params {
+  RouterParams routers;
+  std::uint64_t longest = 100, messages = 1000;
+  double pause_s = 1e-3, global = 0.02, in_path = 0.2;
+  std::uint64_t seed = 1;
+};
+
+struct Measured {
+  Seconds time;
+  std::uint64_t sent = 0, expected = 0, delivered = 0, returned = 0, lost = 0;
+  std::uint64_t duplicated = 0, misdelivered = 0, reordered = 0;
+  double links_mean = 0;
+  std::size_t most_held = 0;
+};
+
 struct Planned {
   int from = 0, to = 0;
   Mode mode{};
@@ -27,8 +44,8 @@ struct Planned {
 };
 
 // What is sent, the same for the same seed on any machine.
-std::vector<Planned> make_plan(int processors, const SoakParams& params) {
-  Random random(params.seed);
+std::vector<Planned> make_plan(int processors, const Params& params) {
+  base::Random random(params.seed);
   std::vector<Planned> plan(params.messages);
   for (auto& p : plan) {
     p.from = random.below(processors);
@@ -94,14 +111,14 @@ class Account {
     last = std::max(last, message.number + 1);
   }
 
-  SoakResult finish() {
+  void finish() {
     result.links_mean = static_cast<double>(links_) /
                         static_cast<double>(std::max<std::uint64_t>(1, result.delivered));
     name_lost();
-    return result;
   }
 
-  SoakResult result;
+  Measured result;
+  std::vector<std::string> notes;  // what was lost, by sender and receiver
 
  private:
   bool on_the_way(const Planned& sent, int here) const {
@@ -132,9 +149,8 @@ class Account {
     }
     for (const auto& [pair, numbers] : lost) {
       result.lost += numbers.size();
-      result.notes.push_back(fmt::format("lost from p{} to p{}: {} message(s), number {}",
-                                         pair.first, pair.second, numbers.size(),
-                                         fmt::join(numbers, ", ")));
+      notes.push_back(fmt::format("lost from p{} to p{}: {} message(s), number {}", pair.first,
+                                  pair.second, numbers.size(), fmt::join(numbers, ", ")));
     }
   }
 
@@ -180,72 +196,67 @@ void live(Client& client, const std::vector<Planned>& plan, Account& account) {
   }
 }
 
-}  // namespace
-
-SoakResult run_soak(const Setup& setup, const SoakParams& params) {
+Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
-  if (n < 2) throw base::BadInput("network.topology: found one processor, expected at least two");
-  RouterMachine on(setup, network_params(setup, params.longest));
+  check_two_processors(setup);
+  RouterMachine on(setup, network_params(params.routers, params.longest));
   const auto plan = make_plan(n, params);
-  const network::Routing before = routing_of(setup);  // links that are cut change the network's
+  // Links that are cut change the network's own routing.
+  const network::Routing before = routing_of(setup, params.routers.method);
   Account account(before, plan, !setup.faults.empty());
   for (int id = 0; id < n; ++id)
     on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
                                        [&, id] { live(on.network->client(id), plan, account); });
   run_machine(setup, on.machine);
-  SoakResult result = account.finish();
-  result.time_s = on.machine.now().value;
-  result.most_held = on.network->use().most_held;
-  return result;
+  account.finish();
+  account.result.time = on.machine.now();
+  account.result.most_held = on.network->use().most_held;
+  return Outcome<Measured>({account.result}, account.notes);
 }
 
-namespace {
+base::Fields<Params> make_fields() {
+  using D = base::Declare<Params>;
+  return base::join(
+      base::lift_all<Params>(router_fields(), &Params::routers),
+      {{D::whole("message_bytes", &Params::longest, 0, 1e9, "bytes",
+                 "contents of the longest message; others have any length up to it"),
+        D::whole("messages", &Params::messages, 1, 1e7, "",
+                 "messages that all processors send together"),
+        D::number("pause_s", &Params::pause_s, 1e-6, 1e3, "s",
+                  "time between two messages of one sender, on average"),
+        D::number("global_share", &Params::global, 0, 1, "", "share of messages to all"),
+        D::number("in_path_share", &Params::in_path, 0, 1, "",
+                  "share of messages that are offered to all on their way; the others are unicast"),
+        seed_field<Params>(&Params::seed, "seed of all that is random")}});
+}
 
-Rows run(const Setup& setup) {
-  SoakParams params;
-  params.messages = static_cast<std::uint64_t>(setup.whole("messages"));
-  params.longest = static_cast<std::uint64_t>(setup.whole("message_bytes"));
-  params.pause_s = setup["pause_s"];
-  params.global = setup["global_share"];
-  params.in_path = setup["in_path_share"];
-  params.seed = static_cast<std::uint64_t>(setup.whole("seed"));
-  const auto r = run_soak(setup, params);
-  const auto number = [](std::uint64_t n) { return static_cast<double>(n); };
-  return Rows({Row{{"time_s", r.time_s},
-                   {"sent", number(r.sent)},
-                   {"expected", number(r.expected)},
-                   {"delivered", number(r.delivered)},
-                   {"returned", number(r.returned)},
-                   {"lost", number(r.lost)},
-                   {"duplicated", number(r.duplicated)},
-                   {"misdelivered", number(r.misdelivered)},
-                   {"reordered", number(r.reordered)},
-                   {"links_mean", r.links_mean},
-                   {"most_held", number(r.most_held)}}},
-              r.notes);
+base::Columns<Measured> make_columns() {
+  return {
+      base::column("time_s", &Measured::time, "time until nothing moves any more"),
+      base::column("sent", &Measured::sent, "messages sent"),
+      base::column("expected", &Measured::expected, "deliveries that they ask for"),
+      base::column("delivered", &Measured::delivered, "the right deliveries, each once"),
+      base::column("returned", &Measured::returned,
+                   "messages that came back to their senders, with a reason"),
+      base::column("lost", &Measured::lost, "deliveries that neither happened nor came back"),
+      base::column("duplicated", &Measured::duplicated, "deliveries of what had come before"),
+      base::column("misdelivered", &Measured::misdelivered, "deliveries at a wrong processor"),
+      base::column("reordered", &Measured::reordered,
+                   "deliveries after a later message of the same sender, receiver and mode"),
+      base::column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
+      most_held_column(&Measured::most_held)};
 }
 
 }  // namespace
 
-Pattern make_soak() {
-  const SoakParams usual;
-  return {.name = "soak",
-          .help =
-              "random messages of every kind between all processors: how many were delivered, "
-              "lost, duplicated, reordered",
-          .uses_topology = true,
-          .parameters = router_parameters(
-              {{"message_bytes", 100, 0, 1e9, true, "contents of the longest message"},
-               {"messages", 1000, 1, 1e7, true, "sent, by all together"},
-               {"pause_s", usual.pause_s, 1e-6, 1e3, false,
-                "between two messages of one sender, on average"},
-               {"global_share", usual.global, 0, 1, false, "of the messages, to all"},
-               {"in_path_share", usual.in_path, 0, 1, false,
-                "of the messages, offered to all on their way"},
-               {"seed", 1, 0, 1e15, true, "of all that is random"}}),
-          .run = &run,
-          .uses_routes = true,
-          .uses_faults = true};
+Program make_soak() {
+  return make_program<Params, Measured>(
+      {.name = "soak",
+       .help = "random messages of every kind between all processors: what becomes of them",
+       .uses = {.network = true, .routes = true, .faults = true},
+       .fields = make_fields(),
+       .columns = make_columns(),
+       .run = &run});
 }
 
 }  // namespace programs

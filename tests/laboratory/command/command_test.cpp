@@ -5,7 +5,6 @@
 
 #include <fstream>
 
-#include "experiments/laboratory/host/files.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 

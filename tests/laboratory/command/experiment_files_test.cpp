@@ -14,37 +14,37 @@ namespace fs = std::filesystem;
 // What is left out of those that would take long.
 const std::map<std::string, std::vector<std::string>>& reductions() {
   static const std::map<std::string, std::vector<std::string>> all{
-      {"latency/both-ways", {"program.messages=200", "sweep.bytes=[16, 4096]"}},
-      {"latency/farm-limits", {"sweep.topology=[\"tree\"]", "sweep.workers=[5, 11, 17]"}},
-      {"latency/amdahl", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
-      {"latency/gustafson", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
-      {"latency/message", {"sweep.switches=[0, 3]", "sweep.bytes=[0, 1, 4, 65536]"}},
-      {"latency/pipeline", {"sweep.stages=[3, 8]", "sweep.bytes=[4, 1000]"}},
-      {"latency/broadcast", {"sweep.bytes=[100]"}},
-      {"shared-scene",
+      {"formulas/both-ways", {"program.messages=200", "sweep.bytes=[16, 4096]"}},
+      {"formulas/farm-limits", {"sweep.topology=[\"tree\"]", "sweep.workers=[5, 11, 17]"}},
+      {"formulas/amdahl-law", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
+      {"formulas/gustafson-law", {"sweep.serial_fraction=[0, 0.05]", "sweep.workers=[1, 4, 16]"}},
+      {"formulas/message", {"sweep.switches=[0, 3]", "sweep.bytes=[0, 1, 4, 65536]"}},
+      {"formulas/pipeline", {"sweep.stages=[3, 8]", "sweep.bytes=[4, 1000]"}},
+      {"formulas/broadcast", {"sweep.bytes=[100]"}},
+      {"studies/shared-scene",
        {"scene.objects=400", "image.width=16", "image.height=16", "sweep.workers=[4]",
         "sweep.cache_percent=[0, 10, 100]"}},
       {"farm", {"sweep.objects=[200]", "sweep.workers=[1, 2, 5, 7]"}},
       {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 2, 4, 7]"}},
       {"thesis/bounds", {"sweep.workers=[4]", "sweep.depth=[2, 5]"}},
-      {"topologies",
+      {"studies/topologies",
        {"sweep.task=[\"ray\", \"block:2x2\"]", "image.width=24", "image.height=24",
         "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 8], [\"amp\", 1], "
         "[\"amp\", 8]]"}},
-      {"amdahl", {"sweep.width, height=[[16, 16], [32, 32]]", "sweep.workers=[1, 4, 16]"}},
-      {"routers",
+      {"studies/amdahl", {"sweep.width, height=[[16, 16], [32, 32]]", "sweep.workers=[1, 4, 16]"}},
+      {"studies/routers",
        {"sweep.topology=[\"mesh:4x4\"]", "sweep.load=[0.01, 0.05]", "program.window_s=0.02"}},
-      {"data-managers",
+      {"studies/data-managers",
        {"sweep.topology=[\"mesh:4x4\"]", "sweep.cache_percent=[10]", "sweep.zipf=[1]"}},
-      {"soak", {"program.messages=5000"}},
+      {"studies/soak", {"program.messages=5000"}},
       {"thesis/table-5.2", {"sweep.message_bytes=[4]"}},
       {"thesis/table-5.3", {"program.messages=500", "sweep.message_bytes=[4, 32, 512]"}},
       {"thesis/figure-5.8", {"sweep.s_p=[0.1, 0.5, 1]", "sweep.n=[2, 10]"}},
       {"thesis/table-5.4", {"sweep.cache_percent=[1, 36, 100]"}},
-      {"radiosity-scaling",
+      {"studies/radiosity-scaling",
        {"program.refine=3", "program.max_shots=10", "program.width=32", "program.height=24",
         "sweep.topology=[\"mesh\"]", "sweep.workers=[1, 16]", "let.least=\"6\""}},
-      {"radiosity-distribution",
+      {"studies/radiosity-distribution",
        {"program.refine=2", "program.max_shots=3", "program.width=32", "program.height=24",
         "sweep.borders, cache_percent=[[\"exchanged\", 0], [\"exchanged\", 50]]"}},
       {"thesis/figure-3.8",
@@ -58,12 +58,12 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
         "network.workers=1"}},
       {"thesis/figure-3.18",
        {"program.tolerance=0.1", "program.width=64", "program.height=48", "network.workers=1"}},
-      {"latency/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
+      {"formulas/unicast", {"sweep.hops=[0, 1, 4]", "sweep.bytes=[4, 100]"}},
   };
   return all;
 }
 
-// "latency/soft", ...: those with checks, not the machine models beside them.
+// "formulas/soft", ...: those with checks, not the machine models beside them.
 std::vector<std::string> find_experiments() {
   const fs::path root = TLAB_SOURCE_DIR "/experiments";
   std::vector<std::string> found;
@@ -74,6 +74,21 @@ std::vector<std::string> find_experiments() {
   }
   std::ranges::sort(found);
   return found;
+}
+
+TEST(ExperimentFiles, AreFoundAndTheirReductionsNameThem) {
+  const auto found = find_experiments();
+  EXPECT_GE(found.size(), 40u);
+  for (const auto& [name, ignored] : reductions())
+    EXPECT_NE(std::ranges::find(found, name), found.end()) << name;
+}
+
+TEST(ExperimentFiles, HaveNamesOfTheirOwn) {
+  std::map<std::string, std::string> paths;
+  for (const auto& path : find_experiments()) {
+    const auto [other, is_new] = paths.emplace(fs::path(path).filename(), path);
+    EXPECT_TRUE(is_new) << path << " and " << other->second << " share a folder of results";
+  }
 }
 
 class Experiments : public testing::TestWithParam<std::string> {};

@@ -45,10 +45,10 @@ struct Radiosity : Sweep {
 
 TEST_F(Radiosity, PathsAreRelativeToTheFileAndCheckedFirst) {
   const auto file = load_experiment((folder.path / "e.toml").string(), {});
-  EXPECT_EQ(file.points[0].experiment.files.at("scene").text, "rooms/box.room");
-  EXPECT_EQ(file.points[0].experiment.files.at("scene").path,
-            (folder.path / "rooms/box.room").string());
-  EXPECT_EQ(file.points[0].experiment.files.at("reference").path, "");
+  const Experiment& e = file.points[0].experiment;
+  EXPECT_EQ(std::get<base::Source>(get_value(e, "scene")),
+            (base::Source{"rooms/box.room", (folder.path / "rooms/box.room").string()}));
+  EXPECT_EQ(std::get<base::Source>(get_value(e, "reference")).path, "");
   const std::string start = "[program]\nname = \"radiosity\"\n";
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {start, "bad.toml: program.scene: found none, expected a file"},

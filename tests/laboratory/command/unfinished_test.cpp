@@ -9,7 +9,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/laboratory/host/files.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 

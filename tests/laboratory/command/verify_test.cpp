@@ -95,6 +95,23 @@ TEST(ExperimentsVerify, FoldersAreSearchedAndFilesWithoutChecksSkipped) {
   EXPECT_TRUE(fs::exists(folder.path / "out/deep/a/results.csv"));
 }
 
+TEST(ExperimentsVerify, WithoutAnyCheckItEndsWithOneAndSaysWhere) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path / "none");
+  std::ofstream(folder.path / "e.toml") << SWEEP << HOLDS;
+  std::ofstream(folder.path / "plain.toml") << SWEEP;
+  std::ofstream(folder.path / "none/plain.toml") << SWEEP;
+  for (const std::vector<std::string>& paths :
+       {std::vector<std::string>{"plain.toml"}, {"none"}, {"e.toml", "none"}}) {
+    auto arguments = paths;
+    arguments.insert(arguments.begin(), "verify");
+    const auto done = tlab(folder.path, arguments);
+    EXPECT_EQ(done.exit_code, 1) << done.out;
+    EXPECT_TRUE(contains(done.err, paths.back() + ": found no [[check]], expected at least one"))
+        << done.err;
+  }
+}
+
 TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
   const TemporaryFolder folder;
   std::string bytes = "1";

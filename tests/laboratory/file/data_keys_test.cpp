@@ -50,10 +50,10 @@ TEST_F(DataKeys, AddColumnsWhereWorkersShareTheScene) {
   const std::string blocks = BLOCKS;
   ASSERT_EQ(run(blocks).exit_code, 0);
   const auto plain = results();
-  EXPECT_FALSE(contains(plain, "hit_local"));
+  EXPECT_FALSE(contains(plain, "on_path"));
   const auto swept = run(blocks + "[sweep]\ncache_percent = [0, 20, 100]\n");
   ASSERT_EQ(swept.exit_code, 0) << swept.err;
-  EXPECT_TRUE(contains(results(), ",hit_local,hit_path,hit_queue,hit_server,hit_disk,"));
+  EXPECT_TRUE(contains(results(), ",local,on_path,by_queue,at_coordinator,on_disk,"));
 }
 
 // With a memory for a part of the scene.

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/points/farm_run.hpp"
+#include "experiments/laboratory/points/network_setup.hpp"
 #include "tests/laboratory/support/load.hpp"
 
 namespace laboratory {
@@ -16,10 +16,10 @@ TEST(ExperimentsFile, DefaultsAreOnePoint) {
   const auto file = load("");
   ASSERT_EQ(file.points.size(), 1u);
   const Experiment& e = file.points[0].experiment;
-  EXPECT_EQ(e.model, "t805-25");
+  EXPECT_EQ(e.model.text, "t805-25");
   EXPECT_EQ(make_workers(e).name, "tree:7");
-  EXPECT_EQ(scene_source(e), "spheres:200");
-  EXPECT_EQ(e.farm.image.limits.depth, 15);
+  EXPECT_EQ(farm::scene_source(farm_of(e)), "spheres:200");
+  EXPECT_EQ(farm_of(e).farm.image.limits.depth, 15);
 }
 
 TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
@@ -27,7 +27,7 @@ TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
   EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers"}));
   ASSERT_EQ(file.points.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(file.points[i].experiment.objects, i < 3 ? 200 : 800);
+    EXPECT_EQ(objects_of(file.points[i].experiment), i < 3 ? 200 : 800);
     EXPECT_EQ(file.points[i].experiment.workers, static_cast<std::int64_t>(i % 3 + 1));
   }
 }
@@ -39,9 +39,9 @@ TEST(ExperimentsFile, CoupledAxesMoveTogether) {
   EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers", "height"}));
   EXPECT_EQ(file.coupled, (std::vector<std::vector<std::string>>{{"workers", "height"}}));
   ASSERT_EQ(file.points.size(), 6u);
-  EXPECT_EQ(file.points[5].experiment.objects, 800);
+  EXPECT_EQ(objects_of(file.points[5].experiment), 800);
   EXPECT_EQ(file.points[5].experiment.workers, 4);
-  EXPECT_EQ(file.points[5].experiment.farm.image.height, 32);
+  EXPECT_EQ(farm_of(file.points[5].experiment).farm.image.height, 32);
   EXPECT_EQ(name_of(file.points[5]), "objects = 800, workers = 4, height = 32");
   EXPECT_TRUE(file.resolved.ends_with(
       "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]"))
@@ -70,18 +70,18 @@ TEST(ExperimentsFile, SetReplacesAnyKey) {
                          {"network.topology=ring", "sweep.workers=[5]", "image.width=64",
                           "title=\"A = b\"", "sweep.objects=[7, 9]"});
   ASSERT_EQ(file.points.size(), 2u);
-  EXPECT_EQ(file.points[0].experiment.topology, "ring");
+  EXPECT_EQ(file.points[0].experiment.topology.text, "ring");
   EXPECT_EQ(file.points[1].experiment.workers, 5);
-  EXPECT_EQ(file.points[1].experiment.objects, 9);
+  EXPECT_EQ(objects_of(file.points[1].experiment), 9);
   EXPECT_EQ(file.points[0].experiment.title, "A = b");
-  EXPECT_EQ(file.points[0].experiment.farm.image.width, 64);
+  EXPECT_EQ(farm_of(file.points[0].experiment).farm.image.width, 64);
 }
 
 TEST(ExperimentsFile, StagesAndOrders) {
   const auto file = load(
       "[[stage]]\nmin_cell = 4\ndepth_reflected = 1\n[[stage]]\narea = [1, 2, 3, 4]\n"
       "[[order]]\nat_s = 2\nmin_influence = 0.5\n[[order]]\nat_s = 3.5\nnon_interactive = true\n");
-  const auto& p = file.points[0].experiment.farm;
+  const auto& p = farm_of(file.points[0].experiment).farm;
   ASSERT_EQ(p.stages.size(), 2u);
   EXPECT_EQ(p.stages[0].min_cell, 4);
   EXPECT_EQ(p.stages[1].area, (renderer::Area{1, 2, 3, 4}));
@@ -94,8 +94,8 @@ TEST(ExperimentsFile, PathsAreRelativeToTheFile) {
   const auto file = load("[scene]\nsource = \"a/b.nff\"\n[network]\ntopology = \"net.dot\"\n");
   const Experiment& e = file.points[0].experiment;
   const auto folder = std::filesystem::path(file.path).parent_path();
-  EXPECT_EQ(e.scene, (folder / "a/b.nff").string());
-  EXPECT_EQ(e.topology, (folder / "net.dot").string());
+  EXPECT_EQ(farm_of(e).scene, (base::Source{"a/b.nff", (folder / "a/b.nff").string()}));
+  EXPECT_EQ(e.topology, (base::Source{"net.dot", (folder / "net.dot").string()}));
 }
 
 TEST(ExperimentsFile, TopologiesOfANumberOfWorkers) {
@@ -115,12 +115,12 @@ TEST(ExperimentsFile, TopologiesOfANumberOfWorkers) {
                                                               {"hypercube", 8, "hypercube:3"},
                                                               {"tree:4:2", 9, "tree:4:2"}}) {
     Experiment e;
-    e.topology = name;
+    e.topology.path = name;
     e.workers = workers;
     EXPECT_EQ(make_workers(e).name, spec);
   }
   Experiment e;
-  e.topology = "hypercube";
+  e.topology.path = "hypercube";
   for (const int workers : {6, 32, 256}) {
     e.workers = workers;
     const auto told = message_of<base::BadInput>([&] { make_workers(e); });
@@ -134,7 +134,7 @@ TEST(ExperimentsFile, EveryTopologyCanBeSizedByAPowerOfTwo) {
     for (int workers = 1; workers <= 256; workers *= 2) {
       if (name == std::string("hypercube") && workers > 16) break;
       Experiment e;
-      e.topology = name;
+      e.topology.path = name;
       e.workers = workers;
       const auto topology = make_workers(e);
       EXPECT_EQ(topology.processors, workers) << name;

@@ -1,4 +1,4 @@
-// Experiments whose program is a pattern, and numbers of the machine that an experiment changes.
+// Experiments with a program of their own, and numbers of the machine that an experiment changes.
 #include <fstream>
 
 #include "base/errors.hpp"
@@ -14,12 +14,12 @@ namespace {
 const std::string MESSAGE = "[program]\nname = \"message\"\n";
 
 TEST(ExperimentsProgram, ParametersHaveDefaultsAndAreAxes) {
-  EXPECT_EQ(load("").points[0].experiment.program, "farm");
-  EXPECT_EQ(load(MESSAGE).points[0].experiment.parameters.at("bytes"), 100);
-  EXPECT_EQ(load(MESSAGE + "bytes = 7\n").points[0].experiment.parameters.at("bytes"), 7);
+  EXPECT_EQ(load("").points[0].experiment.program->name, "farm");
+  EXPECT_EQ(show_value(load(MESSAGE).points[0].experiment, "bytes"), "100");
+  EXPECT_EQ(show_value(load(MESSAGE + "bytes = 7\n").points[0].experiment, "bytes"), "7");
   const auto file = load(MESSAGE + "[sweep]\nbytes = [1, 2e1]\n");
   ASSERT_EQ(file.points.size(), 2u);
-  EXPECT_EQ(file.points[1].experiment.parameters.at("bytes"), 20);
+  EXPECT_EQ(show_value(file.points[1].experiment, "bytes"), "20");
   EXPECT_EQ(file.points[1].numbers.at("program.bytes"), 20);
 }
 

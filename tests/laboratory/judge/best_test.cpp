@@ -18,8 +18,8 @@ struct Case {
     for (const auto& point : file.points) {
       const auto& e = point.experiment;
       const double n = double(e.workers);
-      const double time = e.topology == "line" ? 64 / std::min(n, 2.0) : 64 / std::min(n, 8.0);
-      table.rows.push_back({e.topology, e.workers, e.objects, time});
+      const double time = e.topology.text == "line" ? 64 / std::min(n, 2.0) : 64 / std::min(n, 8.0);
+      table.rows.push_back({e.topology.text, e.workers, objects_of(e), time});
     }
   }
   BestAnswer find() const {

@@ -64,6 +64,69 @@ TEST(ExperimentsChecks, EveryPointIsCompared) {
   EXPECT_FALSE(result.points[1].holds);
 }
 
+// The latencies are 1, 2.2 and 4, the bytes 1, 2 and 4.
+TEST(ExperimentsChecks, BoundsDecide) {
+  for (const auto& [bounds, verdict] : std::vector<std::pair<std::string, Verdict>>{
+           {"at_least = 1", Verdict::holds},
+           {"at_least = 1.01", Verdict::fails},
+           {"at_most = 4", Verdict::holds},
+           {"at_most = 3.99", Verdict::fails},
+           {"between = [1, 4.0]", Verdict::holds},
+           {"between = [1.01, 4]", Verdict::fails},
+           {"between = [1, 3.99]", Verdict::fails},
+           {"between = [\"bytes\", \"1.1 * bytes\"]", Verdict::holds},
+           {"at_least = \"1.01 * bytes\"", Verdict::fails},
+           {"at_least = 2\nwhere = \"bytes > 1\"", Verdict::holds},
+           {"at_least = \"0 / 0\"", Verdict::fails},
+           {"between = [\"0 / 0\", 9]", Verdict::fails},
+           {"between = [0, \"0 / 0\"]", Verdict::fails},
+           {"at_least = \"{latency_s @ bytes = 3}\"", Verdict::unmatched}}) {
+    const Case test(check(bounds + "\n"));
+    EXPECT_EQ(test.eval().at(0).verdict, verdict) << bounds;
+  }
+  Case infinite(check("at_least = 1\n"));
+  infinite.table.rows[1][2] = INFINITY;
+  EXPECT_EQ(infinite.eval().at(0).verdict, Verdict::fails);
+}
+
+TEST(ExperimentsChecks, OfBoundsTheNearestIsShownAndHowFarAValueIsBeyondIt) {
+  const Case test(check("between = [1.5, \"bytes + 0.5\"]\n"));
+  const auto result = test.eval().at(0);
+  ASSERT_EQ(result.points.size(), 3u);
+  const auto expect = [&](std::size_t i, double bound, double error, Kind kind) {
+    EXPECT_EQ(result.points[i].expected, bound) << i;
+    EXPECT_EQ(result.points[i].error, error) << i;
+    EXPECT_EQ(result.points[i].kind, kind) << i;
+  };
+  expect(0, 1.5, -0.5, Kind::at_least);
+  expect(1, 2.5, 0, Kind::at_most);
+  expect(2, 4.5, 0, Kind::at_most);
+  EXPECT_EQ(
+      summarize(result, test.table),
+      "FAILED   c: latency_s at 3 point(s), worst 1 (between 1.5 and bytes + 0.5) at topology "
+      "= line, bytes = 1");
+  const auto shown = make_check_table(result, test.table, 3);
+  EXPECT_EQ(shown.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "bound",
+                                                     "error", "kind", "mark"}));
+  EXPECT_EQ(shown.rows.at(0).back(), Value("fails, worst"));
+  const auto csv = make_checks_csv({result}, test.table);
+  EXPECT_EQ(csv.rows.at(0).back(), Value("at_least"));
+}
+
+TEST(ExperimentsChecks, WithinABoundThePointThatIsNearestToItIsTheWorst) {
+  const Case test(check("at_least = 0.5\n"));
+  const auto result = test.eval().at(0);
+  EXPECT_EQ(result.worst, 0u);
+  EXPECT_EQ(summarize(result, test.table),
+            "ok       c: latency_s at 3 point(s), worst 1 (at least 0.5) at topology = line, bytes "
+            "= 1");
+  const auto shown = make_check_table(result, test.table, 2);  // the worst first
+  EXPECT_EQ(shown.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "at least",
+                                                     "error", "mark"}));
+  EXPECT_EQ(shown.rows.at(0).back(), Value("worst"));
+  EXPECT_EQ(shown.rows.at(1)[1], Value(std::int64_t{2}));
+}
+
 TEST(ExperimentsChecks, WhatIsNoNumberFails) {
   for (const char* formula : {"0 / 0", "1 / 0", "note_missing"}) {
     Case test(check("formula = \"" + std::string(formula) + "\"\nwithin = 1e9\n"));
@@ -196,7 +259,21 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
   const std::string good = "formula = \"bytes\"\n", in = "within = 1\n";
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {check(good), "e.toml:5: check \"c\": expected a tolerance"},
-           {check(in), "expected either a formula or a reference"},
+           {check(in),
+            "check \"c\": found none, expected either a formula or a reference, or "
+            "at_least, at_most or between"},
+           {check(good + "at_least = 1\n"), "check \"c\": found formula and at_least, expected"},
+           {check("at_least = 1\nat_most = 2\n"), "found at_least and at_most, expected"},
+           {check("between = [1, 2]\nat_most = 2\n"), "found at_most and between, expected"},
+           {check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nbetween = [1, 2]\n"),
+            "found reference and between, expected"},
+           {check("at_most = 1\n" + in), "found at_most and within, expected no tolerance"},
+           {check("at_most = 1\ncalibrated = \"1\"\n"), "found at_most and calibrated, expected"},
+           {check("between = [2, 1]\n"), "e.toml:8: between: found [ 2, 1 ], expected [lowest, h"},
+           {check("between = [1]\n"), "between: found [ 1 ], expected [lowest, highest]"},
+           {check("at_least = true\n"), "e.toml:8: at_least: found true, expected a text"},
+           {check("at_least = \"byte\"\n"), "check \"c\": at_least: unknown variable \"byte\""},
+           {check("at_most = \"1 +\"\n"), "check \"c\": at_most: found \"1 +\""},
            {check(good + in + "within_abs = 1\n"), "not both"},
            {check(good + in + "keys = [\"bytes\"]\n"), "expected keys"},
            {check(good + in + "column = \"x\"\n"), "expected no column"},
@@ -220,7 +297,7 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
            {check(good + in) + "[let]\n\"a b\" = 3\n", "expected a name of letters"},
            {check(good + in) + "[let]\na = true\n", "let.a: found true, expected a text"},
            {check(good + in) + "[let]\na = \"nothing + 1\"\n", "let.a: unknown variable"},
-           {check("reference = \"no.csv\"\nkeys = [\"bytes\"]\n" + in), "no.csv: cannot open"},
+           {check("reference = \"no.csv\"\nkeys = [\"bytes\"]\n" + in), "no.csv: cannot be read"},
            {check("reference = \"ref.csv\"\nkeys = [\"byte\"]\n" + in),
             "keys: unknown column \"byte\" of "},
            {check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\ncolumn = \"x\"\n" + in),

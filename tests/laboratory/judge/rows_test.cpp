@@ -20,9 +20,9 @@ struct Case {
   Case() {
     for (const auto& point : file.points) {
       const auto& e = point.experiment;
-      const auto height = static_cast<std::int64_t>(e.farm.image.height);
-      table.rows.push_back({e.topology, e.workers, e.objects, height,
-                            double(e.objects) / double(e.workers), "a>b", "done"});
+      const auto height = std::get<std::int64_t>(get_value(e, "image.height"));
+      table.rows.push_back({e.topology.text, e.workers, objects_of(e), height,
+                            double(objects_of(e)) / double(e.workers), "a>b", "done"});
     }
   }
   std::optional<double> eval(const std::string& text, std::size_t row) const {

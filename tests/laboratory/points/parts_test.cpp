@@ -3,7 +3,6 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/judge/check_results.hpp"
-#include "experiments/laboratory/points/pattern_table.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "tests/laboratory/support/load.hpp"
@@ -17,13 +16,13 @@ using nlohmann::ordered_json;
 const std::string CENSUS = "[program]\nname = \"census\"\n";
 
 TEST(ExperimentsChoices, AreTextsInTheFile) {
-  EXPECT_EQ(load(CENSUS).points[0].experiment.parameters.at("pairs"), 0);
-  EXPECT_EQ(load(CENSUS + "pairs = \"root\"\n").points[0].experiment.parameters.at("pairs"), 1);
-  EXPECT_EQ(load(CENSUS, {"program.pairs=root"}).points[0].experiment.parameters.at("pairs"), 1);
+  EXPECT_EQ(show_value(load(CENSUS).points[0].experiment, "pairs"), "all");
+  EXPECT_EQ(show_value(load(CENSUS + "pairs = \"root\"\n").points[0].experiment, "pairs"), "root");
+  EXPECT_EQ(show_value(load(CENSUS, {"program.pairs=root"}).points[0].experiment, "pairs"), "root");
   const auto file = load(CENSUS + "[sweep]\npairs = [\"root\", \"all\"]\n");
   ASSERT_EQ(file.points.size(), 2u);
-  EXPECT_EQ(file.points[0].experiment.parameters.at("pairs"), 1);
-  EXPECT_EQ(file.points[1].experiment.parameters.at("pairs"), 0);
+  EXPECT_EQ(show_value(file.points[0].experiment, "pairs"), "root");
+  EXPECT_EQ(show_value(file.points[1].experiment, "pairs"), "all");
   for (const auto& [value, found] :
        {std::pair("\"rot\"", "found 'rot', expected one of all, root (did you mean \"root\"?)"),
         {"1", "found 1, expected one of all, root"},
@@ -119,22 +118,16 @@ TEST(ExperimentsParts, APointWithoutRowsKeepsOneWithoutParts) {
   const auto file = load(CENSUS + "[sweep]\nworkers = [2, 3, 4]\n[network]\ntopology = \"line\"\n" +
                          "[[check]]\nname = \"c\"\nof = \"routes_through\"\nwithin_abs = 0\n"
                          "formula = \"{routes_through @ processor = 0, processors = 2}\"\n");
-  const auto row = [](int processor, int through) {
-    return ordered_json{{"processor", processor}, {"routes_through", through}};
+  const auto make = [](int processors, const std::string& ended) {
+    PointResult result;
+    result.topology = fmt::format("line:{}", processors);
+    result.processors = processors;
+    result.ended = ended;
+    return result;
   };
-  const Results results{{{"topology", "line:2"},
-                         {"processors", 2},
-                         {"ended", "done"},
-                         {"rows", {row(0, 7), row(1, 7)}}},
-                        {{"topology", "line:3"},
-                         {"processors", 3},
-                         {"ended", "failed"},
-                         {"message", "m"},
-                         {"row", ordered_json::object()}},
-                        {{"topology", "line:4"},
-                         {"processors", 4},
-                         {"ended", "limit"},
-                         {"row", ordered_json::object()}}};
+  Results results{make(2, "done"), make(3, "failed"), make(4, "limit")};
+  for (const std::int64_t processor : {0, 1})
+    results[0].rows.push_back({{"processor", processor}, {"routes_through", std::int64_t{7}}});
   const Table table = make_table(file, results);
   EXPECT_EQ(table.axes, 2u);
   EXPECT_EQ(table.points, (std::vector<std::size_t>{0, 0, 1, 2}));

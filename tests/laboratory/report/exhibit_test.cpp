@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/laws.hpp"
-#include "tests/laboratory/support/support.hpp"
+#include "tests/laboratory/support/load.hpp"
 
 namespace laboratory {
 namespace {
@@ -27,10 +27,10 @@ struct Case {
     file = load_experiment((folder.path / "e.toml").string(), {});
     for (const auto& point : file.points) {
       const auto& e = point.experiment;
-      const double n = double(e.workers), serial = e.objects == 200 ? 0.05 : 0.2;
+      const double n = double(e.workers), serial = objects_of(e) == 200 ? 0.05 : 0.2;
       const double s = amdahl_speedup(serial, n);
       table.rows.push_back(
-          {"tree", e.workers, e.objects, n == 32 && e.objects == 800 ? 0.8 * s : s, "a>b"});
+          {"tree", e.workers, objects_of(e), n == 32 && objects_of(e) == 800 ? 0.8 * s : s, "a>b"});
     }
   }
 
@@ -197,7 +197,7 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
            {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = [\"speedup\", \"workers\"]\n"
             "reference = \"ref.csv\"\nkeys = [\"workers\"]\ncolumn = \"s\"\n",
             "expected one y with a reference"},
-           {plot("reference = \"no.csv\"\nkeys = [\"workers\"]\n"), "no.csv: cannot open"},
+           {plot("reference = \"no.csv\"\nkeys = [\"workers\"]\n"), "no.csv: cannot be read"},
            {plot("series = [\"object\"]\n"),
             "plot \"p\": series: \"object\" is no axis of the results, the nearest is \"objects\""},
            {plot("where = \"worker > 1\"\n"), "where: unknown variable \"worker\""},

@@ -4,8 +4,8 @@
 #include <regex>
 #include <set>
 
-#include "experiments/laboratory/host/files.hpp"
 #include "experiments/laboratory/report/gnuplot.hpp"
+#include "experiments/laboratory/report/plot_script.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {
@@ -117,7 +117,22 @@ Plot awkward_plot() {
 }
 
 TEST(ExperimentsDrawing, QuotedTextExpandsNothing) {
-  EXPECT_EQ(quote_for_gnuplot("a'b\n\"$(x)`y`\\"), "'a''b \"$(x)`y`\\'");
+  EXPECT_EQ(quote_for_gnuplot("a'b\n\"$(x)`y`\\@z"), R"("a'b \"$(x)\140y\140\\\100z")");
+}
+
+TEST(ExperimentsDrawing, TitlesMayBeginWithAnyQuote) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
+  const TemporaryFolder folder;
+  Plot plot;
+  plot.name = "quotes";
+  plot.title = "'Ideal' speed-up";
+  plot.x_label = "''workers''";
+  plot.y_label = "\"speed-up\"";
+  plot.series = {{.name = "'", .x = {1, 2}, .y = {1, 2}}};
+  draw_plot(plot, folder.path);
+  const auto svg = read_file(folder.path / "quotes.svg");
+  for (const auto& text : {plot.title, plot.x_label, plot.y_label, plot.series[0].name})
+    EXPECT_NE(svg.find("<text>" + text + "</text>"), std::string::npos) << text;
 }
 
 TEST(ExperimentsDrawing, ReferencesWearTheColourOfTheSeriesTheyName) {

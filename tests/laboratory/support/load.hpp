@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "experiments/laboratory/file/experiment.hpp"
+#include "simulator/farm/program.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {
@@ -15,5 +16,19 @@ inline ExperimentFile load(const std::string& text,
   std::ofstream(path) << text;
   return load_experiment(path.string(), overrides);
 }
+
+// The value of a parameter, and the same for people.
+inline base::Scalar get_value(const Experiment& e, const std::string& parameter) {
+  return e.program->find(parameter)->get(e.params);
+}
+inline std::string show_value(const Experiment& e, const std::string& parameter) {
+  return base::to_text(get_value(e, parameter));
+}
+
+// The farm's parameters, and its number of objects.
+inline const farm::ProgramParams& farm_of(const Experiment& e) {
+  return std::any_cast<const farm::ProgramParams&>(e.params);
+}
+inline std::int64_t objects_of(const Experiment& e) { return farm_of(e).objects; }
 
 }  // namespace laboratory

@@ -10,7 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "base/whole_file.hpp"
+
 namespace laboratory {
+
+inline std::string read_file(const std::filesystem::path& path) { return base::read_text(path); }
+
+inline void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  base::save_whole(path, bytes);
+}
 
 struct TemporaryFolder {
   TemporaryFolder() {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/host/files.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {

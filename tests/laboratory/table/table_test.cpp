@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "base/errors.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {
@@ -97,7 +98,7 @@ TEST(ExperimentsCsv, ReadsWhatPeopleWrite) {
 
 TEST(ExperimentsCsv, ErrorsNameTheLine) {
   const auto message = [](std::string_view text) {
-    return message_of<std::invalid_argument>([&] { parse_csv(text, "ref.csv"); });
+    return message_of<base::BadInput>([&] { parse_csv(text, "ref.csv"); });
   };
   EXPECT_EQ(message("a,b\n1,2\n\n1,2,3\n"), "ref.csv:4: 3 cells, expected 2: a,b");
   EXPECT_EQ(message("a,b\n\"x\ny\",1\n7\n"), "ref.csv:4: 1 cells, expected 2: a,b");
@@ -146,7 +147,7 @@ TEST(ExperimentsTable, TextIsAligned) {
             "      1  tree\n"
             "     16  hypercube\n"
             "      7  x?y\n");
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { to_text(table, {"time"}); }),
+  EXPECT_EQ(message_of<base::BadInput>([&] { to_text(table, {"time"}); }),
             "no column \"time\" in the table; its columns are topology, workers, time_s, note");
 }
 

@@ -7,6 +7,8 @@
 
 #include "base/errors.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
+#include "renderer/radiosity/files/nff_room.hpp"
+#include "renderer/radiosity/files/read_room.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace radiosity::test {
@@ -24,7 +26,7 @@ inline Room make_small_room() {
   return room;
 }
 
-/// Convex, flat and of 3 to 8 corners, which lie on an ellipse in a random plane.
+/// A convex polygon: its corners lie on an ellipse in a random plane.
 inline std::vector<Vec> make_convex(Random& random, int corners) {
   const Vec centre = random.point(5);
   const auto [u, v] = renderer::test::make_plane(random.direction());
@@ -60,8 +62,8 @@ inline Room make_random_room(std::uint64_t seed) {
     room.faces.push_back(face);
   }
   for (int i = random.below(4); i > 0; --i) {
-    const auto& on = room.faces[static_cast<std::size_t>(random.below(faces))]
-                         .corners;  // from a corner to a side
+    // From a corner to a side.
+    const auto& on = room.faces[static_cast<std::size_t>(random.below(faces))].corners;
     room.creases.push_back({on[0], on[1] + random.range(0.1, 0.9) * (on[2] - on[1])});
   }
   room.view.from = random.point(9);
@@ -76,7 +78,7 @@ inline Room make_random_room(std::uint64_t seed) {
 inline std::string write(const Vec& v) { return fmt::format(" {} {} {}", v.x, v.y, v.z); }
 inline std::string write(const Rgb& c) { return fmt::format(" {} {} {}", c.r, c.g, c.b); }
 
-/// As read_room reads it; where there is a choice of statements, either.
+/// The text that read_room reads; it uses all statements that a face may have.
 inline std::string write(const Room& room) {
   std::string text = "# a room\n";
   for (const Material& m : room.materials) {
@@ -106,7 +108,7 @@ inline Room read(const std::string& text) {
   return read_room(in, "test.room");
 }
 
-/// What `action` finds wrong; "accepted" if nothing.
+/// The text of the BadInput that `action` throws, or "accepted".
 template <typename Action>
 std::string get_error(const Action& action) {
   try {

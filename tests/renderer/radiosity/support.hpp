@@ -18,7 +18,7 @@ using renderer::test::Random;
 
 inline Rgb grey(double value) { return {value, value, value}; }
 
-/// p, p + a, p + a + b, p + b: its front is the side from which a turns left to b.
+/// Adds p, p + a, p + a + b, p + b: its front is the side from which a turns left to b.
 inline Face& add_quad(Room& room, std::uint32_t material, const Vec& p, const Vec& a, const Vec& b,
                       int along = 1, int across = 1) {
   Face face;
@@ -30,15 +30,15 @@ inline Face& add_quad(Room& room, std::uint32_t material, const Vec& p, const Ve
   return room.faces.back();
 }
 
-/// As it is seen from its other side.
+/// The face as it is seen from its other side.
 inline Face turn(Face face) {
   std::swap(face.corners[1], face.corners[3]);
   std::swap(face.along, face.across);
   return face;
 }
 
-/// The six sides of a box, n x n patches each: floor, ceiling, and the walls at low x, high x, low
-/// y and high y. They face inwards, those of a block outwards.
+/// Adds the six sides of a box, n x n patches each: floor, ceiling, and the walls at low x, high x,
+/// low y and high y. They face inwards, those of a block outwards.
 inline void add_box(Room& room, std::uint32_t material, const Vec& lo, const Vec& hi, int n = 1) {
   const Vec x{hi.x - lo.x, 0, 0}, y{0, hi.y - lo.y, 0}, z{0, 0, hi.z - lo.z};
   add_quad(room, material, lo, x, y, n, n);
@@ -94,12 +94,12 @@ inline SolveParams make_params(double tolerance, const FactorParams& factor = {}
   return params;
 }
 
-/// A point on nothing, for factors only.
+/// A point that lies on no object.
 inline Vertex make_point(const Vec& at, const Vec& normal) {
   return {at, at, normal, 0, NO_OBJECT};
 }
 
-/// The mean of f(point) over a patch, of n x n points.
+/// The mean of f(point) over n x n points of a patch.
 double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
   const Quad quad(patch);
   double total = 0, area = 0;

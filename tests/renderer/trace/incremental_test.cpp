@@ -54,7 +54,7 @@ TEST(Incremental, EqualsWhittedRecursion) {
     Whitted whitted{scene, params};
     for (int y = 0; y < params.height; ++y)
       for (int x = 0; x < params.width; ++x) {
-        const Ray primary = make_primary(scene, params, x, y);
+        const Ray primary = make_primary(scene.view, params, x, y);
         const Rgb expected = whitted.shade(primary.origin, primary.direction, NO_OBJECT, 1);
         const Rgb found = rendering.samples.get(primary.sample);
         // Highlights are rounded to 24 bits.

@@ -75,7 +75,7 @@ TEST(Refraction, DescendantsOfATransmittedRayKnowIt) {
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nl 9 9 9\nf 1 1 1 0.5 0.5 9 0.5 1.5\ns 0 0 0 1\n");
   const Params params = make_params(8, 8, 4);
   Work work;
-  Children rays = {make_primary(scene, params, 4, 4)};
+  Children rays = {make_primary(scene.view, params, 4, 4)};
   std::array<int, 2> feelers{};
   while (!rays.empty()) {
     const Ray ray = rays.back();

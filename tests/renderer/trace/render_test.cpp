@@ -44,7 +44,8 @@ TEST(Render, RaysInAnyOrderGiveTheSameBits) {
   Samples found(12, 12);
   Work work;
   Children depository;
-  for (int i = 0; i < 144; ++i) depository.push_back(make_primary(scene, params, i % 12, i / 12));
+  for (int i = 0; i < 144; ++i)
+    depository.push_back(make_primary(scene.view, params, i % 12, i / 12));
   while (!depository.empty()) {
     std::swap(
         depository[static_cast<std::size_t>(random.below(static_cast<int>(depository.size())))],
@@ -70,7 +71,7 @@ TEST(Render, SamplePositions) {
   // Where the ray meets the image plane, which spans -1..1.
   const auto at = [&](SamplePosition position, int x, int y) {
     params.sample = position;
-    const Vec d = make_primary(scene, params, x, y).direction;
+    const Vec d = make_primary(scene.view, params, x, y).direction;
     return std::array{d.x / -d.z, d.y / -d.z};
   };
   const auto expect = [&](SamplePosition position, int x, int y, double u, double v) {
@@ -91,7 +92,7 @@ TEST(Render, ParamsAreChecked) {
     try {
       check(params);
       ADD_FAILURE() << field << " accepted";
-    } catch (const std::invalid_argument& bad) {
+    } catch (const base::BadInput& bad) {
       EXPECT_EQ(std::string(bad.what()).substr(0, std::string(field).size()), field);
     }
   };
@@ -106,7 +107,7 @@ TEST(Render, ParamsAreChecked) {
   rejects([](Params& p) { p.area = {90, 0, 11, 1}; }, "area");
   rejects([](Params& p) { p.area = {0, 0, 5, 0}; }, "area");
   rejects([](Params& p) { p.area = {2000000000, 0, 2000000000, 1}; }, "area");
-  EXPECT_THROW(render(make_spheres(1), Params{}, 0), std::invalid_argument);
+  EXPECT_THROW(render(make_spheres(1), Params{}, 0), base::BadInput);
 }
 
 TEST(Render, ProgressIsToldAndMayStopIt) {

@@ -1,15 +1,17 @@
 #pragma once
 // What the farm's tests share.
-#include <functional>
 #include <random>
 #include <sstream>
 #include <string>
 
-#include "experiments/laboratory/host/jobs.hpp"
 #include "renderer/files/nff.hpp"
 #include "simulator/farm/farm.hpp"
+#include "tests/support/isolated.hpp"
 
 namespace farm {
+
+using test::isolated;
+using test::run_isolated;
 
 // Limits that let some rays through and not others.
 inline Limits random_limits(std::mt19937_64& random) {
@@ -20,11 +22,6 @@ inline Limits random_limits(std::mt19937_64& random) {
   limits.min_cell = 1 << random() % 5;
   if (random() % 3 == 0) limits.area = {4, 4, 10, 10};
   return limits;
-}
-
-// A simulation in a process of its own; returns a text, passes failures on.
-inline std::string isolated(const std::function<std::string()>& body) {
-  return laboratory::run_jobs(1, 1, [&](std::size_t) { return body(); }).front();
 }
 
 // Glass, mirror and floor, two lights: every kind of ray.

@@ -15,6 +15,7 @@ namespace farm {
 namespace {
 
 using farm::isolated;
+using farm::run_isolated;
 
 farm::Params block_params(int width, int height) {
   farm::Params params = farm::small_params();
@@ -51,15 +52,16 @@ std::string describe(const SharedParams& data) {
 }
 
 // Every access is to one box or object that the sequential renderer tests, and is found once.
-std::string compare(const farm::Params& params, const std::string& topology,
-                    const renderer::Scene& scene, const SharedParams& data) {
-  return isolated([&] {
+void expect_equal(const farm::Params& params, const std::string& topology,
+                  const renderer::Scene& scene, const SharedParams& data) {
+  run_isolated([&] {
     const auto oracle = renderer::render(scene, params.image);
     const auto shared = run(params, topology, scene, data);
     const auto& use = shared.data;
-    return fmt::format("{} {} {} {}", shared.farm.samples == oracle.samples,
-                       shared.farm.rays == oracle.rays, use.accesses() == count_tests(oracle.work),
-                       use.found_at(shared_memory::Level::local) + use.requests == use.accesses());
+    EXPECT_TRUE(shared.farm.samples == oracle.samples);
+    EXPECT_TRUE(shared.farm.rays == oracle.rays);
+    EXPECT_EQ(use.accesses(), count_tests(oracle.work));
+    EXPECT_EQ(use.found_at(shared_memory::Level::local) + use.requests, use.accesses());
   });
 }
 
@@ -85,45 +87,44 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
         auto params = block_params(1 + int(random() % 8), 1 + int(random() % 8));
         if (random() % 3 == 0) params.image.area = {3, 2, 1 + int(random() % 13), 7};
         params.image.traversal = renderer::Traversal(random() % 2);
-        EXPECT_EQ(compare(params, topology, small ? glass : spheres, data), "true true true true")
-            << "seed " << seed << ", " << topology << ", " << describe(data);
+        SCOPED_TRACE(fmt::format("seed {}, {}, {}", seed, topology, describe(data)));
+        expect_equal(params, topology, small ? glass : spheres, data);
       }
 }
 
 // With room for all of it a worker asks for no record twice, and the disk is read once for each.
 TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
-  const auto found = isolated([&] {
+  run_isolated([&] {
     const auto size = size_of(scene);
     const auto use = run(block_params(4, 4), "tree:4", scene, shared_params(100)).data;
-    return fmt::format("{} {}", use.requests <= 4 * (size.boxes + size.objects),
-                       use.found_at(shared_memory::Level::disk) <= size.boxes + size.objects);
+    EXPECT_LE(use.requests, 4 * (size.boxes + size.objects));
+    EXPECT_LE(use.found_at(shared_memory::Level::disk), size.boxes + size.objects);
   });
-  EXPECT_EQ(found, "true true");
 }
 
 // Without InPathTo only the coordinator answers; a queue needs requests that are offered.
 TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   const auto scene = renderer::make_spheres(60);
   SharedParams data = shared_params(20);
-  const auto on_the_way = [&] {
-    return isolated([&] {
+  const auto expect_answers = [&](bool on_the_way, bool by_a_queue) {
+    run_isolated([&] {
       const auto use = run(block_params(4, 4), "line:4", scene, data).data;
-      return fmt::format("{} {}", use.found_at(shared_memory::Level::path) > 0,
-                         use.found_at(shared_memory::Level::queue) > 0);
+      EXPECT_EQ(use.found_at(shared_memory::Level::path) > 0, on_the_way);
+      EXPECT_EQ(use.found_at(shared_memory::Level::queue) > 0, by_a_queue);
     });
   };
-  EXPECT_EQ(on_the_way(), "true true");
+  expect_answers(true, true);
   data.waiting_queue = false;
-  EXPECT_EQ(on_the_way(), "true false");
+  expect_answers(true, false);
   data.in_path = false;
-  EXPECT_EQ(on_the_way(), "false false");
+  expect_answers(false, false);
 }
 
 // One worker with all in its cache: kernel + accesses * data_access cycles, and little else.
 TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   const auto scene = renderer::make_spheres(20);
-  const auto found = isolated([&] {
+  run_isolated([&] {
     const auto params = block_params(8, 6);
     const auto model = machine::load_model("t805-25");
     const auto shared = run(params, "line:1", scene, shared_params(100));
@@ -132,10 +133,10 @@ TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
     const double accesses =
         double(count_tests(work)) * double(get_operation(model, "data_access").value);
     const double ratio = shared.farm.time_s * model.cpu.clock.value / (kernel + accesses);
-    return fmt::format("{} {}", std::abs(double(shared.farm.kernel_cycles.value) - kernel) < 10,
-                       ratio > 1 && ratio < 1.15 ? "near" : fmt::format("{}", ratio));
+    EXPECT_NEAR(double(shared.farm.kernel_cycles.value), kernel, 10);
+    EXPECT_GT(ratio, 1);
+    EXPECT_LT(ratio, 1.15);
   });
-  EXPECT_EQ(found, "true near");
 }
 
 // A memory for program, buffers and 10 % of the scene is too small for the farm where every worker
@@ -144,7 +145,7 @@ TEST(SharedFarm, RendersWhatWorkersCannotHold) {
   const auto scene = renderer::make_spheres(800);
   auto params = block_params(8, 6);
   params.worker_memory = 150'000;
-  EXPECT_EQ(compare(params, "tree:4", scene, shared_params(10)), "true true true true");
+  expect_equal(params, "tree:4", scene, shared_params(10));
   const auto plain = isolated([&] {
     try {
       run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:4"), scene, params);

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "tests/support/support.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 

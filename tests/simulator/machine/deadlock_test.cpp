@@ -1,4 +1,4 @@
-// Deadlock: who waits for what and for whom, and the cycle.
+// The report of a deadlock: what each process waits for and from which processes, and the cycle.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {

@@ -1,7 +1,7 @@
 // Links cost the CPU: the DMA's memory cycles.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {

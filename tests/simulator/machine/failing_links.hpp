@@ -1,7 +1,7 @@
 // Machines whose links are cut.
 #pragma once
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 

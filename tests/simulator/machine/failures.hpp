@@ -5,12 +5,12 @@
 
 #include "base/errors.hpp"
 #include "simulator/machine/faults.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 
-// Runs a machine that fails. The first line of the answer: the type of what was thrown, and of
-// whom and at what cycle a fault is; the rest is the message.
+// Runs a machine that fails. The first line of the answer is the type of the exception, and the
+// place and the cycle of a fault; the rest is the message.
 inline std::string failure_of(const std::function<void(Lab&)>& body) {
   return isolated([&]() -> std::string {
     Lab lab;

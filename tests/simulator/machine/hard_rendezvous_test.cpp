@@ -1,7 +1,7 @@
 // Channels on a link: when a transfer starts and ends, and what arrives.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {
@@ -94,7 +94,7 @@ TEST(HardRendezvous, StartsWhenBothEndsAreThereAndTakesBytesOverRate) {
   expect_hard_times(machine::load_model("t414-20"), make_hard_cases(false));
 }
 
-// Whether the guard was ready is a matter of simulated times, not of who was created first.
+// Whether the guard was ready is a matter of simulated times, not of the order of creation.
 TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
   expect_hard_times(make_exact_model(), make_hard_cases(true));
   expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));

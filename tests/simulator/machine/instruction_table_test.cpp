@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {

@@ -1,4 +1,4 @@
-// Links that are cut: who is told, when, and what is counted.
+// Links that are cut: which processes are told, when, and what is counted.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/failing_links.hpp"
@@ -10,7 +10,6 @@ constexpr double CUT = 5000;  // cycles
 
 double blocked() { return static_cast<double>(make_exact_model().channel.blocked.value); }
 
-// The cut at `cycle`; each attempt's end, whether its message was moved, and the end of the run.
 struct Try {
   bool forward;
   Priority priority;
@@ -18,6 +17,9 @@ struct Try {
   std::int64_t computes;
   std::uint64_t bytes = 8;
 };
+
+// Cuts the link at `cycle` while these processes output and input. Returns for each whether its
+// message was moved and when it was told, in cycles; then the end of the run and what is counted.
 Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   return isolated_numbers([&] {
     CutPair pair(cycle, make_exact_model(), switches);
@@ -47,7 +49,7 @@ Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   });
 }
 
-// At the instant, in either direction and at either end.
+// The process is told at that instant, in either direction and at either end.
 TEST(LinkFailure, EndsAWaitForThePartner) {
   for (auto priority : BOTH_PRIORITIES)
     for (bool forward : {true, false})
@@ -79,7 +81,7 @@ TEST(LinkFailure, EndsTransfersOfBothDirections) {
   EXPECT_EQ(found.at(8), CUT);
 }
 
-// In the delay of a link switch nothing moves yet.
+// Nothing moves yet while a link switch delays the first byte.
 TEST(LinkFailure, EndsAMessageInALinkSwitch) {
   const double just_begun = blocked() + 1;
   const auto found = try_all(
@@ -98,7 +100,7 @@ TEST(LinkFailure, ComesTooLateForWhatHasArrived) {
             (Numbers{0, end - 1, 0, end - 1, end - 1, 0, 0, 100, 100, 0, 0, 1599}));
 }
 
-// At once: `blocked` is all it costs, from the start of the run or later.
+// It is told at once: `blocked` is all it costs, whether the cut was at the start or later.
 TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
   for (auto priority : BOTH_PRIORITIES)
     for (auto side : {Side::writer, Side::reader})
@@ -111,7 +113,7 @@ TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
 }
 
 // A high-priority process is ahead of the clock: its partner, which waits, is told at the cut, and
-// it when it comes.
+// the process itself when it comes.
 TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   for (auto first : {Side::writer, Side::reader}) {
     const Side second = first == Side::writer ? Side::reader : Side::writer;
@@ -122,7 +124,7 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// Of a tag and contents: in the tag, between the two, in the contents.
+// The cut is during the tag, between tag and contents, or during the contents.
 TEST(LinkFailure, OfAVariantProtocolIsTheSameInBothItsParts) {
   for (double cut = 1; cut < 2 * blocked() + 16 * (1 + 8); cut += 3) {
     const auto found = isolated_numbers([&] {
@@ -168,7 +170,7 @@ TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
                 ROUNDING);
 }
 
-// After the end of the run, or its limit, nothing happens; nor does a second cut.
+// Nothing happens after the end of the run or its limit, and a second cut has no effect.
 TEST(LinkFailure, IsToldOnceAndNotAfterTheEnd) {
   const auto run = [](double cut, double end, double limit) {
     return isolated_numbers([=] {

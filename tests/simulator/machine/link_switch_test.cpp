@@ -1,7 +1,7 @@
 // C004 link switches between processors.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {

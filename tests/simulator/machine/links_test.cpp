@@ -1,7 +1,7 @@
 // Links: how long transfers take, alone, both ways, beside others and over several hops.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {

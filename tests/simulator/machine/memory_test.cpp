@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/random_machine.hpp"
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {

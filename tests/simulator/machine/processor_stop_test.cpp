@@ -30,7 +30,7 @@ auto computing(std::int64_t cycles, double& end) {
   };
 }
 
-// It was busy up to then and is idle after; the rest goes on as long as it takes.
+// The processor is busy up to then and idle after; the others go on as long as they have to.
 TEST(ProcessorStop, EndsWhatItComputes) {
   for (auto priority : BOTH_PRIORITIES)
     for (std::int64_t elsewhere : {0, 20'000}) {
@@ -50,7 +50,7 @@ TEST(ProcessorStop, EndsWhatItComputes) {
     }
 }
 
-// A low process that a high one keeps from its CPU, or that is on its way back.
+// A high-priority process keeps the other from its CPU, or the way back to that one is under way.
 TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   const auto& s = make_exact_model().scheduler;
   const auto there = s.preemption.value, back = s.return_to_low.value;
@@ -89,8 +89,8 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Waiting, under way or later: its neighbours are told at that instant, or at once. Nobody is told
-// there.
+// Neighbours that wait or communicate are told at that instant, those that try later at once. No
+// process of the stopped processor is told.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   for (auto priority : BOTH_PRIORITIES)
@@ -117,7 +117,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         }
 }
 
-// Its own soft channels, and a PAR: nothing happens any more, and nobody calls it a deadlock.
+// Nothing happens any more on its soft channels and in its PARs, and that is no deadlock.
 TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   const auto found = isolated_numbers([] {
     StoppedPair pair;
@@ -136,7 +136,7 @@ TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   EXPECT_EQ(found, (Numbers{20'000, 20'000}));
 }
 
-// The others may wait for it for ever.
+// A process elsewhere may wait for it for ever.
 TEST(ProcessorStop, LeavesADeadlockElsewhere) {
   const auto report = failure_of([](Lab& lab) {
     Processor& a = lab.cpu();
@@ -153,8 +153,8 @@ TEST(ProcessorStop, LeavesADeadlockElsewhere) {
       << report;
 }
 
-// Before anything else of that instant, even what was asked for before; once, links and all. An
-// observer may ask for more.
+// Observers are told before anything else happens at that instant, even what was asked for before;
+// they are told once for the processor and all its links, and may ask for more failures.
 TEST(ProcessorStop, IsToldBeforeAnythingElseHappens) {
   const auto log = isolated([] {
     StoppedPair pair;

@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-#include "tests/support/support.hpp"
+#include "tests/support/lab.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 

@@ -1,7 +1,7 @@
 // Channels of one processor: when a rendezvous is over, what it costs, and what arrives.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {
@@ -23,8 +23,8 @@ std::vector<SoftCase> make_soft_cases() {
   return cases;
 }
 
-// The first pays its operands and `blocked`; the second, who comes at `date`, its operands, set-up
-// and copy; then both go on, and a high one pre-empts a low one.
+// The first pays its operands and `blocked`; the second, which comes at `date`, its operands,
+// set-up and copy; then both go on, and a high one pre-empts a low one.
 void expect_soft_times(const Model& model) {
   constexpr std::int64_t date = 102'400;  // a tick of every clock
   const auto cases = make_soft_cases();

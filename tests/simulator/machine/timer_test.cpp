@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {
@@ -68,8 +68,8 @@ TEST(Timer, WaitsUntilATickAndNotForThePast) {
   }
 }
 
-// An ALT of a channel and a timeout. Who outputs is on another processor, and does so at a cycle,
-// or never.
+// An ALT of a channel and a timeout. A process on another processor outputs at some cycle, or
+// never.
 struct Timeout {
   Priority priority;
   std::int64_t starts, output_at, tick;  // cycles, cycles, ticks of the reader's clock

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "simulator/network/network.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/lab.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace network {

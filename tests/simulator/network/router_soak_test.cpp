@@ -3,43 +3,34 @@
 
 #include <random>
 
-#include "simulator/declare/program.hpp"
 #include "tests/simulator/network/router_support.hpp"
+#include "tests/simulator/programs/run_program.hpp"
 
 namespace network {
 
 namespace {
 
-const programs::Pattern& find_pattern(const std::string& name) {
-  return *std::ranges::find(programs::all_patterns(), name, &programs::Pattern::name);
-}
+using programs::Settings, programs::get_number;
+using SoakOutcome = programs::Outcome<programs::Row>;
 
-using Settings = std::map<std::string, double, std::less<>>;
-
-programs::Rows run_soak(const topologies::Topology& topology, const Settings& settings,
-                        const std::vector<programs::PlannedFault>& faults = {}) {
-  const auto& pattern = find_pattern("soak");
+SoakOutcome run_soak(const topologies::Topology& topology, const Settings& settings,
+                     const std::vector<programs::PlannedFault>& faults = {}) {
   const auto model = machine::load_model("t805-25");
-  programs::Setup setup{model, topology, {}, nullptr, &pattern, topologies::make_routes(topology)};
-  for (const auto& p : pattern.parameters) setup.parameters[p.name] = p.value;
-  for (const auto& [name, value] : settings) setup.parameters.at(name) = value;
+  programs::Setup setup{model, topology};
+  setup.routes = topologies::make_routes(topology);
   setup.faults = faults;
-  return pattern.run(setup);
+  return programs::run_program("soak", setup, settings);
 }
 
-std::string to_text(const programs::Rows& rows) {
+std::string to_text(const SoakOutcome& outcome) {
   std::string text;
-  const programs::Row row = rows.rows.at(0);
-  for (const auto& [name, value] : row) text += fmt::format("{}={:a} ", name, value);
-  for (const auto& note : rows.notes) text += note + "\n";
+  for (const auto& [name, cell] : outcome.rows.at(0))
+    text += fmt::format("{}={:a} ", name, get_number(outcome.rows[0], name));
+  for (const auto& note : outcome.notes) text += note + "\n";
   return text;
 }
 
-double get(const programs::Rows& rows, const std::string& column) {
-  for (const auto& [name, value] : rows.rows.at(0))
-    if (name == column) return value;
-  throw std::out_of_range(column);
-}
+constexpr const char* BY_SEED[] = {"green", "chalmers", "acyclic"};
 
 }  // namespace
 
@@ -48,27 +39,28 @@ TEST(RouterSoak, RandomNetworksLoseNothing) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     const auto topology = random_topology(static_cast<unsigned>(seed), 64);
-    const Settings settings{{"method", static_cast<double>(seed % 3)},
-                            {"within", static_cast<double>(random() % 2)},
+    const Settings settings{{"method", BY_SEED[seed % 3]},
+                            {"within", random() % 2 == 0 ? "pointers" : "copies"},
                             {"buffers", 20000},
                             {"messages", 300},
-                            {"message_bytes", static_cast<double>(random() % 40)},
+                            {"message_bytes", static_cast<std::int64_t>(random() % 40)},
                             {"pause_s", random() % 2 == 0 ? 2e-4 : 5e-3},
                             {"global_share", 0.1},
-                            {"seed", static_cast<double>(seed)}};
+                            {"seed", static_cast<std::int64_t>(seed)}};
     isolated([&] {
-      const auto rows = run_soak(topology, settings);
-      EXPECT_EQ(get(rows, "delivered"), get(rows, "expected"));
+      const auto outcome = run_soak(topology, settings);
+      const auto& row = outcome.rows.at(0);
+      EXPECT_EQ(get_number(row, "delivered"), get_number(row, "expected"));
       for (const char* wrong : {"lost", "duplicated", "misdelivered", "reordered", "returned"})
-        EXPECT_EQ(get(rows, wrong), 0) << wrong;
-      if (testing::Test::HasFailure()) throw std::runtime_error(to_text(rows));
+        EXPECT_EQ(get_number(row, wrong), 0) << wrong;
+      if (testing::Test::HasFailure()) throw std::runtime_error(to_text(outcome));
       return std::string();
     });
   }
 }
 
 TEST(RouterSoak, TheSameTwice) {
-  for (double method = 0; method < 3; ++method) {
+  for (const char* method : BY_SEED) {
     const auto once = [&] {
       return isolated([&] { return to_text(run_soak(random_topology(7), {{"method", method}})); });
     };
@@ -92,21 +84,23 @@ TEST(RouterSoak, FailuresLoseNothingUnsaid) {
     if (!only_links)
       faults.push_back({1e-4 * static_cast<double>(random() % 300),
                         static_cast<int>(random() % static_cast<unsigned>(topology.processors))});
-    const Settings settings{{"method", static_cast<double>(seed % 3)},
+    const Settings settings{{"method", BY_SEED[seed % 3]},
                             {"buffers", 20000},
                             {"messages", 300},
                             {"pause_s", 2e-3},
                             {"global_share", 0.1},
-                            {"seed", static_cast<double>(seed)}};
+                            {"seed", static_cast<std::int64_t>(seed)}};
     isolated([&] {
-      const auto rows = run_soak(topology, settings, faults);
-      EXPECT_EQ(get(rows, "duplicated"), 0);
-      EXPECT_EQ(get(rows, "misdelivered"), 0);
-      EXPECT_EQ(get(rows, "delivered") + get(rows, "returned") + get(rows, "lost"),
-                get(rows, "expected"));
-      EXPECT_EQ(rows.notes.empty(), get(rows, "lost") == 0);
-      EXPECT_TRUE(!only_links || get(rows, "lost") == 0);
-      if (testing::Test::HasFailure()) throw std::runtime_error(to_text(rows));
+      const auto outcome = run_soak(topology, settings, faults);
+      const auto& row = outcome.rows.at(0);
+      EXPECT_EQ(get_number(row, "duplicated"), 0);
+      EXPECT_EQ(get_number(row, "misdelivered"), 0);
+      EXPECT_EQ(
+          get_number(row, "delivered") + get_number(row, "returned") + get_number(row, "lost"),
+          get_number(row, "expected"));
+      EXPECT_EQ(outcome.notes.empty(), get_number(row, "lost") == 0);
+      EXPECT_TRUE(!only_links || get_number(row, "lost") == 0);
+      if (testing::Test::HasFailure()) throw std::runtime_error(to_text(outcome));
       return std::string();
     });
   }
@@ -115,7 +109,7 @@ TEST(RouterSoak, FailuresLoseNothingUnsaid) {
 TEST(RouterSoak, TheNaiveRouterDeadlocksAndSaysHow) {
   const auto text = isolated([] {
     try {
-      run_soak(topologies::make_generated("ring:5"), {{"method", 3}, {"pause_s", 1e-4}});
+      run_soak(topologies::make_generated("ring:5"), {{"method", "naive"}, {"pause_s", 1e-4}});
     } catch (const machine::Deadlock& deadlock) {
       return std::string(deadlock.what());
     }

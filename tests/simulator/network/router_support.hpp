@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulator/network/network.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/lab.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/make/generators.hpp"
 

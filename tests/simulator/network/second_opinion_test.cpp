@@ -11,7 +11,8 @@
 #include <span>
 
 #include "simulator/programs/network/traffic.hpp"
-#include "tests/support/support.hpp"
+#include "tests/simulator/programs/run_program.hpp"
+#include "tests/support/lab.hpp"
 #include "topologies/graph/metrics.hpp"
 #include "topologies/route/routes.hpp"
 
@@ -38,7 +39,7 @@ std::vector<double> run_machine_on(const topologies::Topology& topology,
   return occam::isolated_numbers([&] {
     const auto model = make_ideal_model();
     std::vector<double> latencies;
-    for (const auto& d : run_traffic(Setup{model, topology, {}}, arrivals, BYTES).deliveries)
+    for (const auto& d : run_traffic(Setup{model, topology}, arrivals, BYTES).deliveries)
       latencies.push_back(d.received_s - d.sent_s);
     return latencies;
   });
@@ -136,22 +137,20 @@ TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
   }
 }
 
-// The pattern says whether its queues grow without bound.
+// The program says whether its queues grow without bound.
 TEST(QueueingTheory, ASaturatedNetworkSaysSo) {
   const auto model = make_ideal_model();
   const auto topology = topologies::make_topology("mesh:4x4");
   const double full = saturating_rate(topology) * service_of(model);
-  const auto pattern = std::ranges::find(all_patterns(), "traffic", &Pattern::name);
   for (const double share : {0.1, 0.9, 1.2, 3.0}) {
-    programs::Setup setup{model, topology, {}};
-    for (const auto& p : pattern->parameters) setup.parameters[p.name] = p.value;
-    setup.parameters["bytes"] = BYTES;
-    setup.parameters["load"] = share * full;
-    const auto saturated = occam::isolated_numbers([&] {
-      const Row row = pattern->run(setup).rows.at(0);
-      return occam::Numbers{std::ranges::find(row, "saturated", &Row::value_type::first)->second};
+    const auto found = occam::isolated_numbers([&] {
+      const auto outcome =
+          run_program("traffic", programs::Setup{model, topology},
+                      {{"bytes", static_cast<std::int64_t>(BYTES)}, {"load", share * full}});
+      return occam::Numbers{get_number(outcome.rows.at(0), "saturated"),
+                            outcome.is_saturated ? 1.0 : 0.0};
     });
-    EXPECT_EQ(saturated.at(0), share > 1 ? 1 : 0) << share << " of the saturating load";
+    EXPECT_EQ(found, occam::Numbers(2, share > 1 ? 1 : 0)) << share << " of the saturating load";
   }
 }
 

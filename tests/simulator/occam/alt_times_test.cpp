@@ -1,7 +1,7 @@
 // What an ALT on one processor costs, for both orders of arrival: every time is a sum of rows.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {

@@ -1,14 +1,14 @@
-// PROTOCOL with CASE: a tag, then contents, each a communication of its own.
+// PROTOCOL with CASE: the tag and then the contents are communications of their own.
 #include <gtest/gtest.h>
 
-#include "tests/simulator/programs/rows.hpp"
+#include "tests/support/lab.hpp"
 
 namespace occam {
 namespace {
 
 using Messages = std::vector<Words>;
 
-// When the reader has all of the messages, in cycles, and the sum of their contents.
+// The time at which the reader has all of the messages, in s, and the sum of their contents.
 Numbers send(const Messages& messages, Protocol protocol, bool by_alt) {
   return isolated_numbers([&] {
     machine::Machine machine(make_exact_model());

@@ -1,26 +1,21 @@
 // What each processor does for others, counted over the routes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "base/errors.hpp"
-#include "simulator/declare/program.hpp"
+#include "tests/simulator/programs/run_program.hpp"
 #include "tests/topologies/support.hpp"
 
 namespace programs {
 namespace {
 
-const Pattern& census() { return *std::ranges::find(all_patterns(), "census", &Pattern::name); }
-
-Rows run_census(const topologies::Topology& topology, double pairs) {
+Outcome<Row> run_census(const topologies::Topology& topology, const std::string& pairs) {
   static const auto model = machine::load_model("t805-25");
-  Setup setup{model, topology, {{"pairs", pairs}}, nullptr, &census()};
+  Setup setup{model, topology};
   setup.routes = topologies::make_routes(topology);
-  return census().run(setup);
+  return run_program("census", setup, {{"pairs", pairs}});
 }
 
 // A route of d links passes through d - 1 processors; each link has one lower end.
-TEST(PatternsCensus, EveryLinkOfEveryRouteIsCounted) {
+TEST(ProgramsCensus, EveryLinkOfEveryRouteIsCounted) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto topology = topologies::random_topology(seed);
@@ -33,12 +28,13 @@ TEST(PatternsCensus, EveryLinkOfEveryRouteIsCounted) {
         if (from == topology.root || to == topology.root) of_root += distances[to] - 1;
       }
     }
-    for (const auto& [pairs, expected] : {std::pair(0.0, all), {1.0, of_root}}) {
-      double through = 0, lower = 0, processor = 0;
+    for (const auto& [pairs, expected] : {std::pair("all", all), {"root", of_root}}) {
+      double through = 0, lower = 0;
+      int processor = 0;
       for (const auto& row : run_census(topology, pairs).rows) {
-        EXPECT_EQ(row.at(0), (Row::value_type{"processor", processor++}));
-        through += row.at(1).second;
-        lower += row.at(2).second;
+        EXPECT_EQ(get_number(row, "processor"), processor++);
+        through += get_number(row, "routes_through");
+        lower += get_number(row, "lower_neighbours");
       }
       EXPECT_EQ(processor, topology.processors);
       EXPECT_EQ(through, expected);
@@ -47,25 +43,16 @@ TEST(PatternsCensus, EveryLinkOfEveryRouteIsCounted) {
   }
 }
 
-TEST(PatternsCensus, NotesSayWhoIsPassedMost) {
-  const auto rows = run_census(topologies::make_topology("line:3"), 0);
+TEST(ProgramsCensus, NotesSayWhoIsPassedMost) {
+  const auto rows = run_census(topologies::make_topology("line:3"), "all");
   EXPECT_EQ(rows.notes, std::vector<std::string>{"p1 is on the way of most routes, 2 of 6"});
-  EXPECT_TRUE(run_census(topologies::make_topology("ring:3"), 0).notes.empty());
+  EXPECT_TRUE(run_census(topologies::make_topology("ring:3"), "all").notes.empty());
 }
 
-TEST(PatternsChoices, AreTextsOfTheirPattern) {
-  const auto model = machine::load_model("t805-25");
-  programs::Setup setup{model, {}, {{"pairs", 1}, {"more", 0}}, nullptr, &census()};
-  EXPECT_EQ(setup.choice("pairs"), "root");
-  EXPECT_THROW(setup.choice("more"), base::InvariantBroken);
-  EXPECT_THROW(setup.choice("missing"), base::InvariantBroken);
-  setup.parameters["pairs"] = 2;
-  EXPECT_THROW(setup.choice("pairs"), base::InvariantBroken);
-  const auto method = make_choice("method", {"chalmers", "green", "classes"}, "of the routers");
-  EXPECT_EQ(method.value, 0);
-  EXPECT_EQ(method.low, 0);
-  EXPECT_EQ(method.high, 2);
-  EXPECT_TRUE(method.whole);
+TEST(ProgramsCensus, CallsProcessorsByTheirLabels) {
+  auto line = topologies::make_topology("line:2");
+  line.labels = {"A", "B"};
+  EXPECT_EQ(get_cell(run_census(line, "all").rows.at(1), "processor"), base::Cell("B"));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "base/errors.hpp"
-#include "simulator/programs/data/data.hpp"
-#include "tests/support/support.hpp"
+#include "simulator/programs/data/data_run.hpp"
+#include "tests/support/lab.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -36,15 +36,16 @@ DataLoad make_load(int items, int cached, int accesses) {
 
 std::vector<DataPass> run_on(const topologies::Topology& topology, const DataLoad& load) {
   const auto routes = topologies::make_routes(topology);
-  return run_data(model(), network::make_routing(load.network.method, topology, routes), load);
+  return run_data(Setup{model(), topology},
+                  network::make_routing(load.network.method, topology, routes), load);
 }
 
-// Of each pass, all that is counted.
+// All that is counted, by pass.
 occam::Numbers numbers_of(const std::vector<DataPass>& passes) {
   occam::Numbers numbers;
   for (const auto& pass : passes) {
     const auto& use = pass.use;
-    numbers.insert(numbers.end(), {pass.time_s, static_cast<double>(pass.server_seen)});
+    numbers.insert(numbers.end(), {pass.time_s, static_cast<double>(pass.server_seen.value_or(0))});
     for (const auto count : use.found) numbers.push_back(static_cast<double>(count));
     for (const auto count :
          {use.requests, use.request_links, use.spared_by_path, use.spared_by_queue, use.seen,

@@ -80,7 +80,7 @@ TEST(Catalogue, CountsPlacesClassAfterClass) {
   EXPECT_EQ(catalogue.largest(), 30u);
   EXPECT_EQ(catalogue.total(), 60u);
   for (const Item missing : {Item{0, 2}, Item{1, 0}, Item{3, 0}, Item{-1, 0}, Item{0, -1}})
-    EXPECT_THROW(catalogue.place(missing), std::out_of_range);
+    EXPECT_THROW(catalogue.place(missing), base::InvariantBroken);
   EXPECT_THROW(make_catalogue(0, 8), base::BadInput);
 }
 

@@ -1,6 +1,7 @@
 #include "topologies/files/formats.hpp"
 
 #include "tests/topologies/support.hpp"
+#include "topologies/draw/graphviz.hpp"
 
 namespace topologies {
 namespace {

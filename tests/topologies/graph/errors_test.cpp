@@ -1,5 +1,6 @@
 #include "tests/topologies/support.hpp"
 #include "topologies/files/formats.hpp"
+#include "topologies/make/amp.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace topologies {
@@ -115,8 +116,8 @@ std::string graphml(const std::string& body) {
 
 TEST(TopologyErrors, Graphml) {
   const std::string ab = R"(<node id="a"/><node id="b"/><edge source="a" target="b"/>)";
-  std::string deep;
-  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  std::string deep, closed;
+  for (int i = 0; i < 100000; ++i) deep += "<a>", closed += "</a>";
   expect_rejected(
       {{"", {"x.graphml", "malformed GraphML"}},
        {"<graphml>\n<graph>\n<node></graph>", {"malformed GraphML, line 3"}},
@@ -133,7 +134,10 @@ TEST(TopologyErrors, Graphml) {
        {graphml(R"(<node id="a"/><node id="b"/><edge source="a" target="b"><data key="p">7</data>)"
                 "</edge>"),
         {"port \"7\"", "0 to 3"}},
-       {deep, {"nested elements"}}},
+       {deep, {"malformed GraphML, line 1"}},
+       {deep + "</a>", {"malformed GraphML"}},
+       {graphml(deep + closed), {"empty"}},
+       {graphml(R"(<node id="a"><graph/></node>)"), {"a graph inside node \"a\""}}},
       [](const std::string& text) { read_graphml(text, "x.graphml"); });
 }
 
@@ -141,11 +145,11 @@ TEST(TopologyErrors, Files) {
   const TemporaryFile other("net.txt", "graph { a -- b }");
   const auto folder = testing::TempDir() + "tlab-folder-" + std::to_string(getpid()) + ".dot";
   std::filesystem::create_directory(folder);
-  expect_rejected({{"no/such/file.dot", {"no/such/file.dot", "no such file"}},
+  expect_rejected({{"no/such/file.dot", {"no/such/file.dot", "No such file"}},
                    {".dot", {"unknown generator"}},
-                   {folder, {folder, "is a directory"}},
+                   {folder, {folder, "cannot be read: Is a directory"}},
                    {other.path, {other.path, "expected .dot, .gv or .graphml"}},
-                   {std::string(5000, 'q') + ".dot", {"no such file"}}},
+                   {std::string(5000, 'q') + ".dot", {"cannot be read"}}},
                   [](const std::string& spec) { make_topology(spec); });
   std::filesystem::remove(folder);
 }

@@ -1,7 +1,7 @@
 // The minimum-path network: its links, how near its distances come to the least, the same anywhere.
+#include "topologies/make/amp.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/graph/metrics.hpp"
-#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {

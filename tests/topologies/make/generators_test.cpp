@@ -76,12 +76,24 @@ TEST_P(TopologyBalance, SiblingsDifferByOneProcessorAtMost) {
 }
 
 TEST(TopologyGenerators, EveryFormIsListedAndItsNameUnderstood) {
+  EXPECT_GE(generators().size(), 8u);
   for (const auto& generator : generators()) {
-    EXPECT_TRUE(generator.form.starts_with(generator.name + ":"));
+    EXPECT_TRUE(generator.form.starts_with(generator.name() + ":"));
     EXPECT_FALSE(generator.help.empty());
-    const auto smallest = generator.name + (generator.form.ends_with("RxC") ? ":3x3" : ":3");
+    const auto smallest = generator.name() + (generator.form.ends_with("RxC") ? ":3x3" : ":3");
     EXPECT_EQ(make_topology(smallest).name, smallest);
   }
+}
+
+TEST(TopologyGenerators, ShapesAreKept) {
+  const auto mesh = make_topology("mesh:4x6"), torus = make_torus(2, 5);
+  EXPECT_EQ(mesh.shape.form, Shape::Form::grid);
+  EXPECT_EQ(mesh.shape.rows, 4);
+  EXPECT_EQ(mesh.shape.columns, 6);
+  EXPECT_EQ(torus.shape.form, Shape::Form::grid);
+  EXPECT_EQ(torus.shape.columns, 5);
+  EXPECT_EQ(make_topology("amp:6").shape.form, Shape::Form::around_root);
+  EXPECT_EQ(make_tree(7).shape.form, Shape::Form::unknown);
 }
 
 TEST(TopologyGenerators, LargestIsMade) {

@@ -55,7 +55,7 @@ inline double coaxial_discs(double first, double second, double distance) {
   return (s - sqrt(s * s - 4 * (b / a) * (b / a))) / 2;
 }
 
-/// Lambert: of any polygon, what of it is above the point's horizon.
+/// Lambert: the part of any polygon above the point's horizon.
 inline double polygon(const Vec& at, const Vec& normal, const std::vector<Vec>& corners) {
   std::vector<Vec> above;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -1,5 +1,5 @@
-// Form factors against closed forms. Sizes and distances in units of the first side; the seven
-// numbers that a test prints are errors: of 1, 4, 16, 64, 256 and 1024 samples, and by default.
+// Form factors against closed forms. Sizes and distances are in units of the first side; the seven
+// numbers that a test prints are errors: with 1, 4, 16, 64, 256 and 1024 samples, and by default.
 
 #include "tests/renderer/radiosity/light/closed_forms.hpp"
 
@@ -23,7 +23,7 @@ Face make_quad(const Vec& p, const Vec& a, const Vec& b) {
   Room room;
   return add_quad(room, 0, p, a, b);
 }
-// Of the disc's area.
+// A polygon of the disc's area.
 Face make_disc(double z, const Vec& axis, double radius, int corners) {
   const double share = corners / (2 * closed::PI) * std::sin(2 * closed::PI / corners);
   Face face;
@@ -69,14 +69,14 @@ TEST(ClosedForms, OfAPointAndAnUprightRectangle) {
         .expect_small_and_converging();
 }
 
-// Of 64 corners: 64 thin patches.
+// A disc of 64 corners has 64 thin patches.
 TEST(ClosedForms, OfAPointAndADisc) {
   for (const double c : DISTANCES)
     find_errors(make_disc(c, -UP, 1, 64), closed::parallel_disc(1, c))
         .expect_small_and_converging();
 }
 
-// From patch to patch: the mean over 16 x 16 points. They stand for the patch within 0.3 %.
+// Errors from patch to patch. The mean over 16 x 16 points stands for the patch within 0.3 %.
 Errors find_errors(const Face& from, const Face& to, double exact) {
   const Mesh receiver = make_lamp(from), lamp = make_lamp(to);
   return {lamp, exact, [&](const Eye& eye) {

@@ -1,5 +1,5 @@
-// In a closed room everything that a vertex sees is a patch; and what one patch sees of another is
-// to what the other sees of it as their areas.
+// In a closed room everything that a vertex sees is a patch; and the factors between two patches
+// are to each other as their areas.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct Range {
   }
 };
 
-// Of every vertex, or of every so many.
+// The sums of the factors of every vertex, or of every step-th.
 Range sum_all(const Mesh& mesh, const FactorParams& params, std::size_t step = 1) {
   Range sums;
   for (std::size_t v = 0; v < mesh.vertices.size(); v += step)
@@ -67,8 +67,8 @@ TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
              all_fine.lo, all_fine.hi);
 }
 
-// By the mean over 6 x 6 points of the receiver. Of the vertices alone, four points on the border
-// of the patch, it holds for patches that are small for their distance.
+// The mean is taken over 6 x 6 points of the receiver. The mean of the vertices alone, four points
+// on the border of the patch, is good for patches that are small for their distance.
 TEST(ClosedRoom, FactorsAreReciprocal) {
   double worst = 0, worst_corners = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -105,6 +105,7 @@ TEST(ClosedRoom, FactorsAreReciprocal) {
       worst_corners = std::max(worst_corners, error);
     }
   }
+  EXPECT_GT(worst_corners, 0) << "no two patches are far from each other";
   fmt::print("of the smaller patch's hemisphere: {:.5f}, by corners {:.5f}\n", worst,
              worst_corners);
 }

@@ -35,7 +35,7 @@ inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& ve
   return shares;
 }
 
-/// The same by eval_factor.
+/// The shares of the sides of faces by eval_factor.
 inline std::map<Side, double> eval_sides(const Eye& eye, const Vertex& vertex, const Room& room) {
   std::map<Side, double> shares;
   Work work;

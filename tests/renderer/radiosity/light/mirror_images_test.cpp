@@ -1,8 +1,7 @@
-// What mirrors show is what is seen in the unfolded room: the same delta areas through the same
-// window. So the adaptive pieces (FactorParams::mirror_pieces = 0) agree with it to a millionth if
-// they are cut as what is seen directly (mirror_share out of the way),
-// whatever the size of patches; but for delta areas whose centre lies on a mirror's or a thing's
-// edge.
+// Mirrors show what is seen in the unfolded room: the same delta areas through the same window. So
+// the adaptive pieces (FactorParams::mirror_pieces = 0) agree with it to a millionth if they are
+// cut as what is seen directly (mirror_share has no effect), whatever the size of patches; except
+// where the centre of a delta area lies on the edge of a mirror or of a thing.
 
 #include <gtest/gtest.h>
 
@@ -44,7 +43,7 @@ TEST(MirrorImages, OfAWholeWall) {
   }
 }
 
-// A part of the wall is a mirror; the rest of it stays in the unfolded room, in the way.
+// A part of the wall is a mirror; the rest stays in the way in the unfolded room.
 TEST(MirrorImages, OfAPartOfAWall) {
   Room room = make_cube("xyYzZ", true, 2);
   const Vec at{2, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -56,9 +55,9 @@ TEST(MirrorImages, OfAPartOfAWall) {
   expect_images(room, {{HIGH_X}}, {.reflections = 1});
 }
 
-// Three images: the one of both stands behind their edge, half of it seen over one mirror first.
-// (What is seen exactly behind that edge is lost: the path meets no mirror there. Points on the
-// diagonal of this room do see delta areas so.)
+// There are three images: that of both mirrors stands behind their edge, and each half of it is
+// seen over another mirror first. (Light exactly behind that edge is lost, as the path meets no
+// mirror there; points on the diagonal of this room do see delta areas so.)
 TEST(MirrorImages, OfTwoAtRightAngles) {
   Room room = make_cube("xyzZ", true, 2);
   add_walls(room, "XY", 1, 2);
@@ -83,7 +82,7 @@ TEST(MirrorImages, OfTwoFaceToFace) {
   }
 }
 
-// Every vertex has its image, which gets as much as it; also of the lamp's light that has been
+// Every vertex has an image, which gets as much light, also of the lamp's light that has been
 // reflected. With smaller delta areas they come together.
 TEST(MirrorImages, HaveTheRoomsRadiosity) {
   Room room = make_cube("xyYzZ", true, 2);

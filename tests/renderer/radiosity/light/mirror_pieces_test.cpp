@@ -168,7 +168,7 @@ TEST_F(Pieces, OfTwoMirrorsConverge) {
   }
 }
 
-// In a solution errors of patches cancel: vertices are lit by many.
+// Many patches light a vertex of a solution, and their errors cancel.
 TEST_F(Pieces, LightARoom) {
   const Mesh mesh = make(3);
   const Solution exact = solve(mesh, make_params(0.01));

@@ -7,7 +7,7 @@
 namespace radiosity::test {
 namespace {
 
-// Of all patches; of one colour.
+// The sum of the factors of all patches, for one colour.
 double sum_by_mirrors(const Mesh& mesh, const Vertex& vertex, const FactorParams& params) {
   double total = 0;
   Work work;
@@ -66,7 +66,7 @@ TEST(Mirrors, ColourWhatTheyReflect) {
   EXPECT_GT(twice, 0.1);
 }
 
-// With a perfect mirror in place of a wall a vertex still sees patches all around.
+// A vertex still sees patches all around if a perfect mirror takes the place of a wall.
 TEST(Mirrors, LoseNoLight) {
   for (const std::string mirrors : {"X", "XY"}) {
     Room room = make_cube(mirrors == "X" ? "xyYzZ" : "xyzZ", false, 2);

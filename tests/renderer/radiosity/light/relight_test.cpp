@@ -1,5 +1,5 @@
 // Patches send, elements receive.
-#include "renderer/radiosity/light/relight.hpp"
+#include "renderer/radiosity/light/solve.hpp"
 
 #include <gtest/gtest.h>
 

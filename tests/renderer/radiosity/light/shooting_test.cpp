@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "tests/renderer/radiosity/support.hpp"
+#include "tests/renderer/radiosity/light/gather.hpp"
 
 namespace radiosity::test {
 namespace {
 
-// Furnished, in colours, a lamp in the ceiling, and where asked for a mirror hanging in it.
+// A furnished room in colours with a lamp in the ceiling and, if asked for, a mirror hanging in it.
 Room make_room(std::uint64_t seed, bool mirror, int n) {
   Random random{seed};
   Room room = make_furnished(random, 2, n);
@@ -50,7 +50,7 @@ TEST(Shooting, AgreesWithGathering) {
   }
 }
 
-// Of all patches, the radiosity by area.
+// The mean of the radiosity of all patches, by area.
 double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   double total = 0;
   for (const Patch& patch : mesh.patches)
@@ -58,8 +58,8 @@ double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   return total / mesh.area;
 }
 
-// What is not yet sent is missing without the ambient term; with it the mean is nearer to the end
-// after any number of shots, and right within 5 %.
+// Without the ambient term the unsent light is missing; with it the mean is nearer to the end after
+// any number of shots, and right within 5 %.
 TEST(Shooting, AmbientLightStandsForWhatIsUnsent) {
   const Mesh mesh = make_mesh(make_room(5, false, 2), {});
   const auto mean_after = [&](int shots, bool ambient) {
@@ -123,7 +123,8 @@ TEST(Shooting, EndsAtItsToleranceOrNumberOfShots) {
   EXPECT_EQ(solve(mesh, make_params(0), [](int shots, double) { return shots < 3; }).shots, 3);
 }
 
-// The strongest first, of equals the first; who shoots has nothing left (but what mirrors return).
+// The brightest patch shoots first, of equals the first; it has nothing left (but what mirrors
+// return).
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
   State state = make_state(mesh);

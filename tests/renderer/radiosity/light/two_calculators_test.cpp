@@ -8,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// Of any polygon anywhere, some of it below the horizon; nothing in between.
+// Polygons lie anywhere, partly below the horizon; nothing is in between.
 TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   double worst = 0, worst_fine = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -34,7 +34,7 @@ TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   fmt::print("largest error {:.5f}, with delta areas of 0.05 {:.5f}\n", worst, worst_fine);
 }
 
-// In rooms where things stand in the way: of every side of every face, for vertices of all.
+// Factors of every side of every face, for vertices of all, in rooms where things are in the way.
 TEST(TwoCalculators, AgreeWithHemispheresInFurnishedRooms) {
   double worst = 0, worst_fine = 0, sum = 0, sum_fine = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -6,13 +6,13 @@
 
 namespace radiosity::test {
 
-/// A plane through a point, and its normal; what lies before it has an image behind it.
+/// A plane through a point; what lies in front of it has an image behind it.
 struct Plane {
   Vec at, normal;
   Vec reflect(const Vec& p) const { return p - 2 * dot(normal, p - at) * normal; }
 };
 
-/// Seen in a mirror what runs counter-clockwise runs clockwise.
+/// The mirror image of a face; in a mirror, clockwise is counter-clockwise.
 inline Face reflect(Face face, const Plane& plane) {
   for (Vec& corner : face.corners) corner = plane.reflect(corner);
   std::reverse(face.corners.begin() + 1, face.corners.end());
@@ -36,7 +36,7 @@ inline Room unfold(const Room& room, const std::vector<std::vector<Plane>>& chai
   return unfolded;
 }
 
-/// For every face of the room what a vertex gets of it, directly and by mirrors.
+/// The light of each face of the room at a vertex, directly and by mirrors.
 inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
                                            std::size_t faces) {
   std::vector<double> shares(faces);
@@ -45,7 +45,7 @@ inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
     shares[patch.face] += eval_factors(eye, vertex, patch, work).r;
   return shares;
 }
-/// The same in the unfolded room, of the face and its images.
+/// The light of each face and its images in the unfolded room.
 inline std::vector<double> eval_by_images(const Eye& eye, const Vertex& vertex, std::size_t faces) {
   std::vector<double> shares(faces);
   Work work;
@@ -54,30 +54,18 @@ inline std::vector<double> eval_by_images(const Eye& eye, const Vertex& vertex, 
   return shares;
 }
 
-/// The walls of [0, 2] x [0, 2] x [0, 2], those named by `walls` ("xXyYzZ": low x, high x, ...) of
-/// material 0, n x n patches.
+/// Adds the walls of [0, 2] x [0, 2] x [0, 2] that `walls` names ("xXyYzZ": low x, high x, ...),
+/// n x n patches each.
 inline void add_walls(Room& room, const std::string& walls, int n, std::uint32_t material = 0) {
   constexpr Vec O{0, 0, 0}, X{2, 0, 0}, Y{0, 2, 0}, Z{0, 0, 2};
-  for (const char wall : walls) switch (wall) {
-      case 'x':
-        add_quad(room, material, O, Y, Z, n, n);
-        break;
-      case 'X':
-        add_quad(room, material, X, Z, Y, n, n);
-        break;
-      case 'y':
-        add_quad(room, material, O, Z, X, n, n);
-        break;
-      case 'Y':
-        add_quad(room, material, Y, X, Z, n, n);
-        break;
-      case 'z':
-        add_quad(room, material, O, X, Y, n, n);
-        break;
-      case 'Z':
-        add_quad(room, material, Z, Y, X, n, n);
-        break;
-    }
+  constexpr struct {
+    char name;
+    Vec corner, along, across;
+  } WALLS[] = {{'x', O, Y, Z}, {'X', X, Z, Y}, {'y', O, Z, X},
+               {'Y', Y, X, Z}, {'z', O, X, Y}, {'Z', Z, Y, X}};
+  for (const char name : walls)
+    for (const auto& wall : WALLS)
+      if (wall.name == name) add_quad(room, material, wall.corner, wall.along, wall.across, n, n);
 }
 
 /// White walls, a lamp, a perfect mirror; a table and a screen that throw shadows.

@@ -11,6 +11,11 @@ namespace radiosity::grids {
 
 using renderer::test::Random;
 
+inline constexpr ReconstructionParams BICUBIC{Reconstruction::bicubic},
+    BILINEAR{Reconstruction::bilinear, Twist::zero};
+
+inline Rgb grey(double value) { return {value, value, value}; }
+
 inline void add_patch(Mesh& mesh, const std::array<std::uint32_t, 4>& corners) {
   Patch patch;
   patch.corners = corners;

@@ -1,4 +1,4 @@
-// experiments/rooms: what their comments say of them holds.
+// experiments/scenes: what their comments say of them holds.
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,13 @@
 #include <set>
 
 #include "renderer/radiosity/mesh/mesh.hpp"
+#include "renderer/radiosity/room/check.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
 
 namespace radiosity::test {
 namespace {
 
-const std::string ROOMS = TLAB_SOURCE_DIR "/experiments/rooms/";
+const std::string ROOMS = TLAB_SOURCE_DIR "/experiments/scenes/";
 
 class OurRooms : public testing::TestWithParam<const char*> {
  protected:
@@ -60,7 +61,7 @@ TEST_P(OurRooms, ShowTheirFrontsToTheView) {
   std::set<std::uint32_t> seen;
   for (int y = 0; y < params.height; ++y)
     for (int x = 0; x < params.width; ++x) {
-      const renderer::Ray ray = make_primary(mesh.blockers, params, x, y);
+      const renderer::Ray ray = make_primary(mesh.blockers.view, params, x, y);
       const auto hit = intersect(mesh.blockers, ray, params.traversal, work);
       if (!hit) {
         EXPECT_TRUE(path().ends_with(".obj")) << "a gap at pixel " << x << " " << y;
@@ -81,7 +82,7 @@ bool is_covered(const Face& polygon, const Vec& from, const Vec& to) {
   return at.y > c[0].y && at.y < c[2].y && at.z > c[0].z && at.z < c[2].z;
 }
 
-// Of 9 x 9 points of the window, its corners among them.
+// How many of 9 x 9 points of the window, its corners among them, the polygon hides.
 int count_covered(const Face& window, const Face& polygon, const Vec& point) {
   int covered = 0;
   for (int i = 0; i <= 8; ++i)

@@ -1,4 +1,4 @@
-// From a point of a face to its patch.
+// A point of a face finds its patch.
 #include "renderer/radiosity/show/locate.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A convex quad: corners on a circle, in order, squeezed and turned; or one side of no length.
+// A convex quad: corners in order on a circle, squeezed and turned; a side may have no length.
 std::array<Corner, 4> make_quad(Random& random) {
   std::array<double, 4> angles;
   for (double& a : angles) a = random.range(0, 2 * std::numbers::pi);

@@ -1,6 +1,5 @@
 // The second pass against illumination that is known everywhere, and the z-buffer against it.
 #include "renderer/radiosity/show/picture.hpp"
-#include "base/errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +32,7 @@ TEST(TracePicture, EveryPixelHasWhatItsRayMeets) {
     }
 }
 
-// Whatever is linear is kept by the patches of any cut, so the picture does not depend on it.
+// Linear radiosity is kept by patches of any cut, so the picture does not depend on it.
 TEST(TracePicture, DoesNotDependOnTheMesh) {
   Room room = make_furnished_cube(1);
   const Picture coarse = trace(room, make_mesh(room, {1}));
@@ -46,7 +45,7 @@ TEST(TracePicture, DoesNotDependOnTheMesh) {
   }
 }
 
-// Mirrored at x = 1 the point has 2 - x; in two facing mirrors a ray goes on.
+// The mirror at x = 1 shows 2 - x for x; between two facing mirrors a ray goes on.
 TEST(TracePicture, MirrorsShowTheMirroredRoom) {
   Room room = make_cube(3);
   room.view.at = {1, 0.4, 0.2};
@@ -136,14 +135,14 @@ TEST(TracePicture, SamplesAreTheMeanOfAFinerPicture) {
 
 TEST(TracePicture, ImpossibleParametersAreErrors) {
   for (const PictureParams& bad :
-       {PictureParams{0, 5, 1, 1}, PictureParams{5, 70000, 1, 1}, PictureParams{5, 5, 0, 1},
+       {PictureParams{-1, 5, 1, 1}, PictureParams{5, 70000, 1, 1}, PictureParams{5, 5, 0, 1},
         PictureParams{5, 5, 65, 1}, PictureParams{5, 5, 1, -1}, PictureParams{5, 5, 1, 1001}})
-    EXPECT_THROW(check(bad), std::invalid_argument);
+    EXPECT_THROW(check(bad), base::BadInput);
   check(PictureParams{});
-  EXPECT_THROW(make_image_plane({{1, 2, 3}, {1, 2, 3}}), base::BadInput);
+  EXPECT_THROW(renderer::make_image_plane({{1, 2, 3}, {1, 2, 3}}), base::BadInput);
 }
 
-// At the same points: pixels differ only where rounding decides which of two faces is met.
+// Both sample the same points: pixels differ only where rounding decides which of two faces is met.
 TEST(PreviewPicture, IsTheTracedPicture) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random{seed};
@@ -173,7 +172,7 @@ TEST(PreviewPicture, IsTheTracedPicture) {
   }
 }
 
-// From outside, and past the corners of what is behind the eye.
+// The room is seen from outside, and past corners that are behind the eye.
 TEST(PreviewPicture, MirrorsAreAsGreyAsTheRoom) {
   Room room = make_cube(4);
   room.faces[4].material = 1;

@@ -44,7 +44,7 @@ inline Room make_cube(int divide) {
   return room;
 }
 
-/// The same with what hangs in it: a two-sided triangle and pentagon, and quads back to back.
+/// The cube with a two-sided triangle and pentagon in it, and two quads back to back.
 inline Room make_furnished_cube(int divide) {
   Room room = make_cube(divide);
   room.faces.push_back(make_face({{0.2, 0.2, 0.3}, {0.7, 0.3, 0.2}, {0.4, 0.8, 0.5}}, divide));
@@ -59,8 +59,7 @@ inline Room make_furnished_cube(int divide) {
   return room;
 }
 
-/// A radiosity that is linear in space, and positive within the unit cube: as it is on any patch,
-/// however it is cut.
+/// A radiosity that is linear in space, so that any patch reproduces it; positive in the unit cube.
 inline Rgb eval_linear(const Vec& p) {
   return {1 + p.x, 2 + p.y - 0.5 * p.z, 1.5 - 0.3 * p.x + p.z};
 }
@@ -89,7 +88,7 @@ inline Vec eval_way(const renderer::View& view, const PictureParams& params, int
                    (params.height / 2.0 - y - 0.5) * step * cross(right, ahead));
 }
 
-/// From within the unit cube to its border.
+/// The distance from a point in the unit cube to its border.
 inline double eval_reach(const Vec& from, const Vec& way) {
   double reach = renderer::Bounds::INF;
   for (int axis = 0; axis < 3; ++axis)

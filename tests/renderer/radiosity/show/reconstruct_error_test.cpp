@@ -7,15 +7,7 @@
 namespace radiosity {
 namespace {
 
-using grids::find_error;
-using grids::make_grid;
-using grids::make_lines;
-using grids::Random;
-using grids::take;
-
-constexpr ReconstructionParams BICUBIC, BILINEAR{Reconstruction::bilinear, Twist::zero};
-
-Rgb grey(double value) { return {value, value, value}; }
+using namespace grids;
 
 Vertex place_on_wall(double u, double v) {
   const Vec at{u, v, 0};

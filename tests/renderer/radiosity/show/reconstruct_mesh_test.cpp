@@ -11,18 +11,11 @@
 namespace radiosity {
 namespace {
 
-using grids::eval_distance;
-using grids::find_error;
-using grids::make_grid;
-using grids::make_lines;
-using grids::Random;
-using grids::take;
-
-constexpr ReconstructionParams BICUBIC, BILINEAR{Reconstruction::bilinear, Twist::zero};
+using namespace grids;
 
 // A regular polygon of radius 1 in some plane.
 Face make_polygon(Random& random, int corners, int along) {
-  const auto plane = grids::make_plane(random, true);
+  const auto plane = make_plane(random, true);
   Face face;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * i / corners;
@@ -79,7 +72,7 @@ TEST(ReconstructMesh, PolygonsKeepLinearFunctionsAndHaveNoGaps) {
       const Vec way = random.point(1);
       const auto linear = [&](const Vec& at) { return Rgb{dot(at, way) + 20, 7, 20 - at.x}; };
       EXPECT_LT(find_error(mesh, reconstruct(mesh, take(mesh, linear), BICUBIC), linear), 1e-10);
-      const auto values = grids::make_colours(random, mesh.vertices.size());
+      const auto values = make_colours(random, mesh.vertices.size());
       EXPECT_LT(find_largest_gap(mesh, reconstruct(mesh, values, BICUBIC), random), 1e-12);
     }
 }
@@ -113,7 +106,7 @@ TEST(ReconstructMesh, PolygonsAreNearSmoothFunctionsAndDoNotOvershoot) {
 // Where faces of one plane and material touch, the surface goes on.
 TEST(ReconstructMesh, FacesThatShareVerticesAreOneSurface) {
   Random random{1};
-  const auto plane = grids::make_plane(random);
+  const auto plane = make_plane(random);
   std::vector<Face> faces(2);
   faces[0].corners = {plane(0, 0).at, plane(1, 0).at, plane(1, 1).at, plane(0, 1).at};
   faces[1].corners = {plane(1, 1).at, plane(1, 0).at, plane(3, 0).at, plane(3, 1).at};
@@ -141,8 +134,8 @@ TEST(ReconstructMesh, CreasesLeaveNoGapsWhereverTheyCrossTurnAndEnd) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
-    Mesh mesh = make_grid(make_lines(6, &random), make_lines(6, &random), grids::make_plane(random),
-                          &random);
+    Mesh mesh =
+        make_grid(make_lines(6, &random), make_lines(6, &random), make_plane(random), &random);
     Edges creases;
     for (std::uint32_t i = 0; i < 7; ++i)
       for (std::uint32_t j = 0; j < 6; ++j) {
@@ -161,7 +154,7 @@ TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   for (const bool creased : {true, false}) {
     Random random{3};
     const auto lines = make_lines(6, &random);
-    Mesh mesh = make_grid(lines, lines, grids::make_plane(random), &random);
+    Mesh mesh = make_grid(lines, lines, make_plane(random), &random);
     const Vec ridge = mesh.vertices[7 * 2].at;
     const Vec across = mesh.vertices[7 * 3].at - ridge;
     const Vec along = mesh.vertices[7 * 2 + 1].at - ridge;
@@ -199,7 +192,7 @@ TEST(ReconstructMesh, ACylinderIsAsGoodAsItsPlane) {
     return Vertex{at, at, {0, 0, 1}, 0, 0};
   };
   const Mesh cylinder = make_grid(u, v, round), plane = make_grid(u, v, rolled_out);
-  const auto values = grids::make_colours(random, cylinder.vertices.size());
+  const auto values = make_colours(random, cylinder.vertices.size());
   for (const Twist twist : {Twist::zero, Twist::diagonal, Twist::estimated}) {
     const ReconstructionParams params{Reconstruction::bicubic, twist};
     const auto a = reconstruct(cylinder, values, params), b = reconstruct(plane, values, params);

@@ -12,18 +12,9 @@
 namespace radiosity {
 namespace {
 
-using grids::eval_distance;
-using grids::find_error;
-using grids::make_grid;
-using grids::make_lines;
-using grids::Random;
-using grids::take;
+using namespace grids;
 
 constexpr Twist TWISTS[] = {Twist::zero, Twist::diagonal, Twist::estimated};
-constexpr ReconstructionParams BICUBIC, BILINEAR{Reconstruction::bilinear, Twist::zero};
-
-Rgb grey(double value) { return {value, value, value}; }
-
 // Eq 3.1 as it stands there, matrix by matrix.
 TEST(Hermite, IsTheProductOfEq31) {
   constexpr double M[4][4] = {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
@@ -46,8 +37,8 @@ TEST(Hermite, IsTheProductOfEq31) {
 TEST(Reconstruct, KeepsTheVertices) {
   Random random{2};
   const auto lines = make_lines(4, &random);
-  const Mesh mesh = make_grid(lines, lines, grids::make_plane(random), &random);
-  const auto values = grids::make_colours(random, mesh.vertices.size());
+  const Mesh mesh = make_grid(lines, lines, make_plane(random), &random);
+  const auto values = make_colours(random, mesh.vertices.size());
   for (const Twist twist : TWISTS)
     for (const auto kind : {Reconstruction::bilinear, Reconstruction::bicubic}) {
       const Illumination b = reconstruct(mesh, values, {kind, twist});
@@ -63,7 +54,7 @@ TEST(Reconstruct, KeepsTheVertices) {
 
 TEST(Reconstruct, FlatIsTheMeanOfTheCorners) {
   Random random{3};
-  const Mesh mesh = make_grid({0, 1}, {0, 1}, grids::make_plane(random));
+  const Mesh mesh = make_grid({0, 1}, {0, 1}, make_plane(random));
   const std::vector<Rgb> values{{1, 0, 0}, {2, 0, 0}, {3, 8, 0}, {6, 0, 4}};
   const auto flat = reconstruct(mesh, values, {Reconstruction::flat, Twist::zero});
   EXPECT_EQ(eval_illumination(flat, 0, 0.1, 0.9), (Rgb{3, 2, 1}));
@@ -74,7 +65,7 @@ TEST(Reconstruct, ConstantAndLinearFunctionsAreExactOnUnevenQuads) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
-    const auto plane = grids::make_plane(random);
+    const auto plane = make_plane(random);
     const auto shaken = [&](double u, double v) {
       return plane(u + random.range(-0.06, 0.06), v + random.range(-0.06, 0.06));
     };
@@ -93,7 +84,7 @@ TEST(Reconstruct, QuadraticFunctionsAreExactOnParallelLines) {
     Random random{seed};
     const auto u = make_lines(2 + random.below(3), &random);
     const auto v = make_lines(2 + random.below(3), &random);
-    const Mesh mesh = make_grid(u, v, grids::make_plane(random), &random);
+    const Mesh mesh = make_grid(u, v, make_plane(random), &random);
     const Vec a = random.point(1), b = random.point(1);
     const auto quadratic = [&](const Vec& at) {
       return Rgb{100 + dot(a, at) * dot(b, at), 100 + at.x * at.y, 100 - at.z * at.z};
@@ -115,9 +106,9 @@ Gaps find_gaps(const Mesh& mesh, const Illumination& b, std::uint32_t nu, Random
                         double t2) {
     gaps.value = std::max(
         gaps.value, eval_distance(eval_illumination(b, p, s, t), eval_illumination(b, q, s2, t2)));
-    const Vec way = grids::find_point(mesh, p, s > t, t >= s) - grids::find_point(mesh, p, 0, 0);
-    const Rgb here = grids::differentiate_along(mesh, b, p, s, t, way);
-    const Rgb there = grids::differentiate_along(mesh, b, q, s2, t2, way);
+    const Vec way = find_point(mesh, p, s > t, t >= s) - find_point(mesh, p, 0, 0);
+    const Rgb here = differentiate_along(mesh, b, p, s, t, way);
+    const Rgb there = differentiate_along(mesh, b, q, s2, t2, way);
     gaps.slope = std::max(gaps.slope, eval_distance(here, there));
   };
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p)
@@ -133,9 +124,8 @@ TEST(Reconstruct, IsC1AcrossInnerBorders) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
-    const Mesh mesh =
-        make_grid(make_lines(5, &random), make_lines(4, &random), grids::make_plane(random));
-    const auto values = grids::make_colours(random, mesh.vertices.size());
+    const Mesh mesh = make_grid(make_lines(5, &random), make_lines(4, &random), make_plane(random));
+    const auto values = make_colours(random, mesh.vertices.size());
     for (const Twist twist : {Twist::zero, Twist::estimated}) {
       const auto gaps =
           find_gaps(mesh, reconstruct(mesh, values, {Reconstruction::bicubic, twist}), 5, random);
@@ -154,8 +144,8 @@ TEST(Reconstruct, WithDiagonalTwistsIsC1OnEvenGridsOnly) {
   const auto lines = make_lines(4), uneven = make_lines(4, &random);
   const ReconstructionParams params{Reconstruction::bicubic, Twist::diagonal};
   const auto find = [&](const std::vector<double>& u) {
-    const Mesh mesh = make_grid(u, lines, grids::make_plane(random));
-    const auto values = grids::make_colours(random, mesh.vertices.size());
+    const Mesh mesh = make_grid(u, lines, make_plane(random));
+    const auto values = make_colours(random, mesh.vertices.size());
     return find_gaps(mesh, reconstruct(mesh, values, params), 4, random);
   };
   EXPECT_LT(find(lines).slope, 1e-6);
@@ -169,12 +159,12 @@ TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     const auto u = make_lines(3, &random), v = make_lines(4, &random);
-    const auto plane = grids::make_plane(random);
+    const auto plane = make_plane(random);
     const double slant = random.range(-0.5, 0.5);
     const auto beyond = [&](double a, double b) { return plane(1 + 2 * a, b + slant * a); };
     const Mesh left = make_grid(u, v, plane), right = make_grid(u, v, beyond);
-    const auto b = grids::make_colours(random, left.vertices.size());
-    auto c = grids::make_colours(random, right.vertices.size());
+    const auto b = make_colours(random, left.vertices.size());
+    auto c = make_colours(random, right.vertices.size());
     for (std::size_t row = 0; row < v.size(); ++row) c[4 * row] = b[4 * row + 3];
     const auto l = reconstruct(left, b, BICUBIC), r = reconstruct(right, c, BICUBIC);
     double slope = 0;
@@ -183,8 +173,8 @@ TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
       const std::uint32_t p = 3 * row + 2, q = 3 * row;
       EXPECT_LT(eval_distance(eval_illumination(l, p, 1, t), eval_illumination(r, q, 0, t)), 1e-12);
       const Vec way = plane(1, 0).at - plane(0, 0).at;
-      slope = std::max(slope, eval_distance(grids::differentiate_along(left, l, p, 1, t, way),
-                                            grids::differentiate_along(right, r, q, 0, t, way)));
+      slope = std::max(slope, eval_distance(differentiate_along(left, l, p, 1, t, way),
+                                            differentiate_along(right, r, q, 0, t, way)));
     }
     EXPECT_GT(slope, 0.01);
   }
@@ -198,7 +188,7 @@ TEST(Reconstruct, SmallErrorsOnNarrowPatchesStaySmall) {
     Random random{seed};
     const double narrow = random.range(0.001, 0.1);
     const std::vector<double> u{0, 0.4, 0.4 + narrow, 1};
-    const Mesh mesh = make_grid(u, u, grids::make_plane(random), &random);
+    const Mesh mesh = make_grid(u, u, make_plane(random), &random);
     std::vector<Rgb> values;
     for (int v = 0; v < 16; ++v) values.push_back(grey(9 + random.range(-0.01, 0.01)));
     const auto nine = [](const Vec&) { return grey(9); };
@@ -209,8 +199,8 @@ TEST(Reconstruct, SmallErrorsOnNarrowPatchesStaySmall) {
 TEST(Reconstruct, IsLinearInTheIlluminationColourByColour) {
   Random random{5};
   const auto u = make_lines(3, &random);
-  const Mesh mesh = make_grid(u, u, grids::make_plane(random), &random);
-  const auto a = grids::make_colours(random, 16), b = grids::make_colours(random, 16);
+  const Mesh mesh = make_grid(u, u, make_plane(random), &random);
+  const auto a = make_colours(random, 16), b = make_colours(random, 16);
   std::vector<Rgb> sum, reds;
   for (std::size_t v = 0; v < 16; ++v) {
     sum.push_back(1000 * a[v] + 0.001 * b[v]);
@@ -232,13 +222,13 @@ TEST(Reconstruct, IsLinearInTheIlluminationColourByColour) {
 TEST(Reconstruct, DoesNotDependOnTheUnitOfLength) {
   Random random{6};
   const auto u = make_lines(3, &random);
-  const auto plane = grids::make_plane(random);
+  const auto plane = make_plane(random);
   const auto larger = [&](double a, double b) {
     Vertex vertex = plane(a, b);
     vertex.at = 1024 * vertex.at;
     return vertex;
   };
-  const auto values = grids::make_colours(random, 16);
+  const auto values = make_colours(random, 16);
   const auto a = reconstruct(make_grid(u, u, plane), values, BICUBIC);
   const auto b = reconstruct(make_grid(u, u, larger), values, BICUBIC);
   for (std::uint32_t p = 0; p < 9; ++p)
@@ -248,7 +238,7 @@ TEST(Reconstruct, DoesNotDependOnTheUnitOfLength) {
 
 TEST(Reconstruct, IsNeverBelowZero) {
   Random random{7};
-  const Mesh mesh = make_grid(make_lines(3), make_lines(1), grids::make_plane(random));
+  const Mesh mesh = make_grid(make_lines(3), make_lines(1), make_plane(random));
   const std::vector<Rgb> values{grey(8), grey(0), grey(0), grey(8),
                                 grey(8), grey(0), grey(0), grey(8)};
   const auto b = reconstruct(mesh, values, BICUBIC);
@@ -257,11 +247,11 @@ TEST(Reconstruct, IsNeverBelowZero) {
 
 TEST(Reconstruct, RefusesIlluminationsOfAnotherMesh) {
   Random random{8};
-  const Mesh mesh = make_grid({0, 1}, {0, 1}, grids::make_plane(random));
+  const Mesh mesh = make_grid({0, 1}, {0, 1}, make_plane(random));
   try {
     reconstruct(mesh, std::vector<Rgb>(5), BICUBIC);
     FAIL();
-  } catch (const std::invalid_argument& e) {
+  } catch (const base::BadInput& e) {
     EXPECT_STREQ(e.what(), "found 5 illuminations, expected one for each of 4 vertices");
   }
 }

@@ -1,6 +1,6 @@
 // Tangent planes of the illumination function: Eq 3.5 to 3.7 and the rules for borders.
 
-#include "renderer/radiosity/show/twists.hpp"
+#include "renderer/radiosity/show/slopes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,7 @@
 namespace radiosity {
 namespace {
 
-using grids::make_grid;
-using grids::make_lines;
-using grids::Random;
+using namespace grids;
 
 Vec red(const Slopes<Rgb>& slopes) { return {slopes.x.r, slopes.y.r, slopes.z.r}; }
 
@@ -38,8 +36,8 @@ Vertex place_on_cylinder(double u, double v) {
 
 TEST(Slopes, OfAnEvenGridAreCentralDifferences) {
   Random random{1};
-  const Mesh mesh = make_grid(make_lines(4), make_lines(3), grids::make_plane(random));
-  const std::vector<Rgb> values = grids::make_colours(random, mesh.vertices.size());
+  const Mesh mesh = make_grid(make_lines(4), make_lines(3), make_plane(random));
+  const std::vector<Rgb> values = make_colours(random, mesh.vertices.size());
   const auto slopes = find(mesh, values);
   for (const std::uint32_t v : {6u, 7u, 8u, 11u, 12u, 13u}) {
     const Vec u = mesh.vertices[v + 1].at - mesh.vertices[v].at;
@@ -54,8 +52,8 @@ TEST(Slopes, OfAnEvenGridAreCentralDifferences) {
 // N_i; their mean.
 TEST(Slopes, AreTheMeanOfTheNormalsOfFigure34) {
   Random random{2};
-  const Mesh mesh = make_grid(make_lines(2), make_lines(2), grids::make_plane(random));
-  const std::vector<Rgb> values = grids::make_colours(random, 9);
+  const Mesh mesh = make_grid(make_lines(2), make_lines(2), make_plane(random));
+  const std::vector<Rgb> values = make_colours(random, 9);
   const Vec ng = mesh.vertices[4].normal;
   const auto lift = [&](std::uint32_t v) { return mesh.vertices[v].at + values[v].g * ng; };
   Vec sum;
@@ -72,9 +70,9 @@ TEST(Slopes, AlongAnEdgeAreEq37TimesItsLengthOnFlatAndCurvedSurfaces) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
-    const auto surface = seed % 2 ? grids::make_plane(random) : place_on_cylinder;
+    const auto surface = seed % 2 ? make_plane(random) : place_on_cylinder;
     const Mesh mesh = make_grid(make_lines(4, &random), make_lines(3, &random), surface);
-    const auto slopes = find(mesh, grids::make_colours(random, mesh.vertices.size()));
+    const auto slopes = find(mesh, make_colours(random, mesh.vertices.size()));
     for (std::uint32_t p = 0; p < mesh.patches.size(); ++p)
       for (std::uint32_t c = 0; c < 4; ++c) {
         const std::uint32_t v = mesh.patches[p].corners[c];
@@ -117,8 +115,8 @@ TEST(Slopes, RiseInOneHalfSpaceAndFallInTheOther) {
 // Figure 3.5: V_1 and V_4 take the slope of the parabola, V_2 and V_3 that of their neighbours.
 TEST(Slopes, AtBordersAreTheParabolas) {
   Random random{3};
-  const Mesh mesh = make_grid(make_lines(3), make_lines(1), grids::make_plane(random));
-  const std::vector<Rgb> values = grids::make_colours(random, 8);
+  const Mesh mesh = make_grid(make_lines(3), make_lines(1), make_plane(random));
+  const std::vector<Rgb> values = make_colours(random, 8);
   const auto slopes = find(mesh, values);
   for (const std::uint32_t row : {0u, 4u}) {
     const auto b = [&](std::uint32_t i) { return values[row + i].r; };
@@ -138,7 +136,7 @@ TEST(Slopes, AtBordersAreTheParabolas) {
 // So that the other side of a crease, with other patches, has the same.
 TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
   Random random{5};
-  const auto plane = grids::make_plane(random, true);
+  const auto plane = make_plane(random, true);
   Mesh mesh;  // a half disc of three uneven quads around the first vertex
   for (const auto& [u, v] : {std::pair{0.0, 0.0},
                              {1.0, 0.0},
@@ -149,9 +147,8 @@ TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
                              {-1.0, 0.8},
                              {-1.5, 0.0}})
     mesh.vertices.push_back(plane(u, v));
-  for (const std::uint32_t first : {1u, 3u, 5u})
-    grids::add_patch(mesh, {0, first, first + 1, first + 2});
-  const std::vector<Rgb> values = grids::make_colours(random, 8);
+  for (const std::uint32_t first : {1u, 3u, 5u}) add_patch(mesh, {0, first, first + 1, first + 2});
+  const std::vector<Rgb> values = make_colours(random, 8);
   const auto slopes = find(mesh, values)[0];
   const double to_a = values[1].r - values[0].r, to_b = (values[7].r - values[0].r) / 1.5;
   EXPECT_NEAR(along(slopes, mesh.vertices[1].at - mesh.vertices[0].at).r, (1.5 * to_a - to_b) / 2.5,
@@ -177,7 +174,7 @@ TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
 
 TEST(Fans, TellVerticesInsideFromBordersAndCorners) {
   Random random{4};
-  Mesh mesh = make_grid(make_lines(3), make_lines(2), grids::make_plane(random), &random);
+  Mesh mesh = make_grid(make_lines(3), make_lines(2), make_plane(random), &random);
   mesh.vertices.emplace_back();  // without patches
   const Fans fans = make_fans(mesh);
   for (std::uint32_t v = 0; v < 12; ++v) {

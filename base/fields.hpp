@@ -1,0 +1,339 @@
+#pragma once
+// Parameters and measurements that are declared once. A struct with defaults holds the parameters,
+// and a list of fields beside it says what each is called, what it may hold and what it means. The
+// experiment file, the command line, the help, the manual and the table of results all read that
+// list. Columns do the same for what a run measures.
+#include <algorithm>
+#include <any>
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/errors.hpp"
+
+namespace base {
+
+/// A file, or a generator such as "tree:7", as the user spells it, and where the file is ("" for
+/// none).
+struct Source {
+  std::string text, path;
+  bool operator==(const Source&) const = default;
+};
+
+/// A value as a file or a command line gives it. Empty: nothing was given.
+using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string,
+                            std::vector<double>, Source>;
+
+/// For people: "none" for what was not given.
+std::string to_text(const Scalar& value);
+
+/// A cell of a table. Empty: there is no value.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// What a field may hold.
+struct Domain {
+  enum class Kind {
+    flag,    ///< true or false, or 1 or 0
+    whole,   ///< a whole number from low to high
+    number,  ///< a number from low to high
+    choice,  ///< one of `choices`
+    text,
+    list,   ///< numbers
+    file,   ///< the name of a file
+    source  ///< the name of a file, which has an extension, or of something else
+  };
+  Kind kind = Kind::number;
+  double low = 0, high = 0;
+  std::vector<std::string> choices = {};
+  bool is_required = false;   ///< a file must be named
+  std::string expected = {};  ///< a sentence in place of the usual one
+
+  /// "a whole number from 0 to 16", "one of red, green".
+  std::string describe() const;
+  /// Whether a value is of the kind and in range.
+  bool allows(const Scalar& value) const;
+};
+
+/// One member of P, or of something inside it.
+template <class P>
+struct Field {
+  std::string name;  ///< of the key, the option and the column
+  std::string unit;  ///< "bytes"; "" where there is none
+  std::string help;
+  Domain domain;
+  std::function<bool(P&, const Scalar&)> set;  ///< false: what the domain allows is refused here
+  std::function<Scalar(const P&)> get;
+
+  /// Sets the member, and returns "" ; or changes nothing and returns what was expected.
+  std::string assign(P& params, const Scalar& value) const {
+    return domain.allows(value) && set(params, value) ? "" : domain.describe();
+  }
+};
+template <class P>
+using Fields = std::vector<Field<P>>;
+
+/// Names of the values of an enum, in the order of a help text.
+template <class E>
+using Names = std::vector<std::pair<std::string, E>>;
+
+namespace detail {
+
+template <class T>
+constexpr bool is_quantity = requires(T t) {
+  t.value;
+}
+&&!requires(T t) { t.has_value(); };
+template <class T>
+constexpr bool is_optional = requires(T t) {
+  t.has_value();
+};
+
+/// The number in a value of any numeric kind.
+double number_of(const Scalar& value);
+
+template <class T>
+void store(T& member, const Scalar& value) {
+  if constexpr (is_optional<T>)
+    store(member.emplace(), value);
+  else if constexpr (is_quantity<T>)
+    store(member.value, value);
+  else if constexpr (std::same_as<T, bool>)
+    member = number_of(value) != 0;
+  else if constexpr (std::is_arithmetic_v<T>)
+    member = std::holds_alternative<std::int64_t>(value)
+                 ? static_cast<T>(std::get<std::int64_t>(value))
+                 : static_cast<T>(number_of(value));
+  else
+    member = std::get<T>(value);
+}
+
+template <class T>
+Scalar load(const T& member) {
+  if constexpr (is_optional<T>)
+    return member ? load(*member) : Scalar();
+  else if constexpr (is_quantity<T>)
+    return load(member.value);
+  else if constexpr (std::same_as<T, bool> || std::integral<T>)
+    return static_cast<std::int64_t>(member);
+  else if constexpr (std::floating_point<T>)
+    return static_cast<double>(member);
+  else
+    return member;
+}
+
+template <class P, class Access>
+Field<P> make_field(const std::string& name, Access access, Domain domain, const std::string& unit,
+                    const std::string& help) {
+  return {name,
+          unit,
+          help,
+          std::move(domain),
+          [access](P& p, const Scalar& value) {
+            store(std::invoke(access, p), value);
+            return true;
+          },
+          [access](const P& p) {
+            P copy = p;  // an access may be a function that needs more than a const P
+            return load(std::invoke(access, copy));
+          }};
+}
+
+}  // namespace detail
+
+/// A place where fields of P are declared: `Declare<Params> d; d.whole("bytes", &Params::bytes, 1,
+/// 1e9, "bytes", "length of a message")`. `access` is a member, or a function from P& to a
+/// reference; numbers may be quantities, and optional ones, which are empty unless given.
+template <class P>
+struct Declare {
+  template <class Access>
+  static Field<P> whole(const std::string& name, Access access, double low, double high,
+                        const std::string& unit, const std::string& help) {
+    return detail::make_field<P>(name, access, {Domain::Kind::whole, low, high}, unit, help);
+  }
+  template <class Access>
+  static Field<P> number(const std::string& name, Access access, double low, double high,
+                         const std::string& unit, const std::string& help) {
+    return detail::make_field<P>(name, access, {Domain::Kind::number, low, high}, unit, help);
+  }
+  template <class Access>
+  static Field<P> flag(const std::string& name, Access access, const std::string& help) {
+    return detail::make_field<P>(name, access, {Domain::Kind::flag, 0, 1}, "", help);
+  }
+  template <class Access>
+  static Field<P> text(const std::string& name, Access access, const std::string& help) {
+    return detail::make_field<P>(name, access, {Domain::Kind::text}, "", help);
+  }
+  template <class Access>
+  static Field<P> file(const std::string& name, Access access, const std::string& help,
+                       bool is_required = false) {
+    return detail::make_field<P>(name, access, {Domain::Kind::file, 0, 0, {}, is_required}, "",
+                                 help);
+  }
+  template <class Access>
+  static Field<P> source(const std::string& name, Access access, const std::string& help) {
+    return detail::make_field<P>(name, access, {Domain::Kind::source}, "", help);
+  }
+  /// An enum, by the names of its values.
+  template <class Access, class E>
+  static Field<P> choice(const std::string& name, Access access, const Names<E>& names,
+                         const std::string& help) {
+    Domain domain{Domain::Kind::choice};
+    for (const auto& [key, value] : names) domain.choices.push_back(key);
+    return {name,
+            "",
+            help,
+            domain,
+            [access, names](P& p, const Scalar& value) {
+              for (const auto& [key, meaning] : names)
+                if (key == std::get<std::string>(value)) std::invoke(access, p) = meaning;
+              return true;
+            },
+            [access, names](const P& p) {
+              P copy = p;
+              for (const auto& [key, meaning] : names)
+                if (meaning == std::invoke(access, copy)) return Scalar(key);
+              throw InvariantBroken("a choice without a name");
+            }};
+  }
+};
+
+/// The same fields of an Inner that `access` finds in a P.
+template <class P, class Inner, class Access>
+Field<P> lift(const Field<Inner>& field, Access access) {
+  return {field.name,
+          field.unit,
+          field.help,
+          field.domain,
+          [field, access](P& p, const Scalar& v) { return field.set(std::invoke(access, p), v); },
+          [field, access](const P& p) {
+            P copy = p;
+            return field.get(std::invoke(access, copy));
+          }};
+}
+/// `prefix` goes before their names.
+template <class P, class Inner, class Access>
+Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string& prefix = "") {
+  Fields<P> all;
+  for (const auto& field : fields) {
+    all.push_back(lift<P>(field, access));
+    all.back().name = prefix + field.name;
+  }
+  return all;
+}
+
+/// The fields of these names, in this order. Throws InvariantBroken for a name without a field.
+template <class P>
+Fields<P> select(const Fields<P>& fields, std::initializer_list<std::string_view> names) {
+  Fields<P> chosen;
+  for (const auto name : names) {
+    const auto found =
+        std::ranges::find_if(fields, [&](const auto& field) { return field.name == name; });
+    if (found == fields.end()) throw InvariantBroken("no field " + std::string(name));
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+/// Lists one after the other.
+template <class T>
+std::vector<T> join(std::vector<T> first, const std::vector<std::vector<T>>& others) {
+  for (const auto& more : others) first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
+/// One measurement of a result R, or a family of them: "stage{}_s" is stage1_s, stage2_s, ...; a
+/// family without {} has one cell, or none where the result has no such column.
+template <class R>
+struct Column {
+  std::string name;  ///< ends with its unit: "time_s"
+  std::string help;
+  std::function<std::vector<Cell>(const R&)> get;  ///< one cell; of a family any number
+  bool is_family = false;
+};
+template <class R>
+using Columns = std::vector<Column<R>>;
+
+/// A number or text as a cell; nothing for an empty optional and for what is no finite number.
+template <class T>
+Cell to_cell(const T& value) {
+  if constexpr (detail::is_optional<T>)
+    return value ? to_cell(*value) : Cell();
+  else if constexpr (detail::is_quantity<T>)
+    return to_cell(value.value);
+  else if constexpr (std::integral<T>)
+    return static_cast<std::int64_t>(value);
+  else if constexpr (std::floating_point<T>)
+    return value - value == 0 ? Cell(static_cast<double>(value)) : Cell();
+  else if constexpr (std::same_as<T, Cell>)
+    return value;
+  else
+    return std::string(value);
+}
+
+/// `access` is a member of R, or a function from const R& to a number, a text or an optional one.
+template <class R, class Access>
+Column<R> column(const std::string& name, Access access, const std::string& help) {
+  return {name, help,
+          [access](const R& r) { return std::vector<Cell>{to_cell(std::invoke(access, r))}; }};
+}
+template <class R, class T>
+requires std::is_member_object_pointer_v<T R::*> Column<R> column(const std::string& name,
+                                                                  T R::*member,
+                                                                  const std::string& help) {
+  return column<R, T R::*>(name, member, help);
+}
+/// A column that others fill.
+template <class R>
+Column<R> empty_column(const std::string& name, const std::string& help) {
+  return {name, help, [](const R&) { return std::vector<Cell>(1); }};
+}
+template <class R, class Inner, class Access>
+Columns<R> lift_columns(const Columns<Inner>& columns, Access access) {
+  Columns<R> all;
+  for (const auto& c : columns)
+    all.push_back({c.name, c.help,
+                   [get = c.get, access](const R& r) { return get(std::invoke(access, r)); },
+                   c.is_family});
+  return all;
+}
+
+/// Columns that only some results have, those that `has` is true of.
+template <class R, class Has>
+Columns<R> only_if(Has has, Columns<R> columns) {
+  for (auto& c : columns) {
+    c.get = [get = c.get, has](const R& r) {
+      return std::invoke(has, r) ? get(r) : std::vector<Cell>();
+    };
+    c.is_family = true;
+  }
+  return columns;
+}
+
+/// What a program measured, as one row: names and cells in the order of its columns.
+using Row = std::vector<std::pair<std::string, Cell>>;
+template <class R>
+Row make_row(const Columns<R>& columns, const R& result) {
+  Row row;
+  for (const auto& c : columns) {
+    const auto cells = c.get(result);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      std::string name = c.name;
+      if (const auto at = name.find("{}"); c.is_family && at != std::string::npos)
+        name.replace(at, 2, std::to_string(i + 1));
+      row.emplace_back(std::move(name), cells[i]);
+    }
+  }
+  return row;
+}
+
+}  // namespace base

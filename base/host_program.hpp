@@ -1,0 +1,21 @@
+#pragma once
+// Programs of the host that tlab starts: Graphviz, gnuplot. The only door to Boost.Process.
+#include <string>
+#include <vector>
+
+namespace base {
+
+struct HostProgram {
+  std::string name;                    ///< found along PATH
+  std::vector<std::string> arguments;  ///< as they are: no shell reads them
+  std::string input = {};              ///< what it reads on standard input
+  std::string purpose;                 ///< begins what is said of failures: "topology ring:4"
+  std::string remedy;                  ///< where it is not installed: "install graphviz"
+};
+
+/// Runs the program to its end and returns what it prints on standard output. Throws
+/// std::runtime_error: with the remedy where it is not installed, with what it prints on standard
+/// error where it fails.
+std::string run_program(const HostProgram& program);
+
+}  // namespace base

@@ -1,0 +1,78 @@
+// A program of one's own: a barrier over a tree. Everybody tells its parent when all below it have
+// come; the root then lets everybody go.
+#include "simulator/declare/support.hpp"
+#include "topologies/route/routes.hpp"
+
+namespace programs {
+
+namespace {
+
+struct Params {
+  int rounds = 10;
+};
+
+struct Measured {
+  double barrier_s = 0;
+  int depth = 0;
+};
+
+using occam::Signal;
+
+// The link between a processor and its parent, with a channel each way.
+struct Way {
+  Way(machine::Machine& machine, machine::Processor& parent, machine::Processor& child)
+      : up(child.name() + ".up", machine.link(child, parent)),
+        down(child.name() + ".down", machine.link(parent, child)) {}
+  Channel<Signal> up, down;
+};
+
+// A processor's part: its children have come, it has come, all may go.
+void pass_barrier(Way* parent, const std::vector<Way*>& children) {
+  for (Way* child : children) in(child->up);
+  if (parent) {
+    out(parent->up, Signal{});
+    in(parent->down);
+  }
+  for (Way* child : children) out(child->down, Signal{});
+}
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto tree = topologies::make_spanning_tree(setup.topology, setup.topology.root);
+  machine::Machine machine(setup.model);
+  add_processors(machine, setup.topology.processors);
+  const auto& cpus = machine.processors();
+  std::deque<Way> ways;
+  std::vector<Way*> parent(cpus.size());
+  std::vector<std::vector<Way*>> children(cpus.size());
+  for (int id = 0; id < setup.topology.processors; ++id)
+    for (const int child : tree.children[id]) {
+      machine.connect(*cpus[id], *cpus[child], switches_between(setup.topology, id, child));
+      parent[child] = &ways.emplace_back(machine, *cpus[id], *cpus[child]);
+      children[id].push_back(parent[child]);
+    }
+  Seconds last;
+  for (int id = 0; id < setup.topology.processors; ++id)
+    cpus[id]->start("node", Priority::high, [&, id] {
+      wait_for_start();
+      for (int round = 0; round < params.rounds; ++round) pass_barrier(parent[id], children[id]);
+      last = std::max(last, now());
+    });
+  run_machine(setup, machine);
+  return Measured{(last - START).value / params.rounds, std::ranges::max(tree.depth)};
+}
+
+}  // namespace
+
+Program make_barrier() {
+  using D = base::Declare<Params>;
+  return make_program<Params, Measured>(
+      {.name = "barrier",
+       .help = "a barrier of all processors along the spanning tree",
+       .uses = {.network = true},
+       .fields = {D::whole("rounds", &Params::rounds, 1, 1e6, "", "barriers, one after the other")},
+       .columns = {base::column("barrier_s", &Measured::barrier_s, "time of a round"),
+                   base::column("depth", &Measured::depth, "links from the root to a leaf")},
+       .run = &run});
+}
+
+}  // namespace programs

@@ -1,0 +1,75 @@
+#pragma once
+// What commands share to declare and read their options.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "base/fields.hpp"
+
+namespace laboratory {
+
+/// Names of options, without "--", in place of those of their fields.
+using Aliases = std::map<std::string, std::string>;
+
+/// Adds the option `--name`. `assign` is given its value, and returns what was expected, or "" if
+/// that is what it was given; `standard` is what the help calls the default.
+void add_field_option(CLI::App& app, const std::string& name, const std::string& help,
+                      const base::Domain& domain, const base::Scalar& standard,
+                      const std::function<std::string(const base::Scalar&)>& assign);
+
+/// Adds an option for each of the fields, by its name with - for _, that sets it in `params`, which
+/// must outlive `app`. Its default is what `params` holds now. Numbers, choices and texts only.
+template <class P>
+void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
+                  const Aliases& aliases = {}) {
+  for (const auto& field : fields) {
+    const auto alias = aliases.find(field.name);
+    const auto help = field.unit.empty() ? field.help : field.help + "; " + field.unit;
+    add_field_option(app, alias != aliases.end() ? alias->second : field.name, help, field.domain,
+                     field.get(params), [field, &params](const base::Scalar& value) {
+                       return field.assign(params, value);
+                     });
+  }
+}
+
+/// Throws CLI::ValidationError for an image whose name ends otherwise (".png"; no ending is one,
+/// too), for a folder that is not there and where both are one file.
+void check_output(const std::string& output, const std::vector<std::string>& endings,
+                  const std::string& stats);
+
+/// "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
+template <std::size_t N>
+std::array<int, N> parse_numbers(const std::string& option, const std::string& text,
+                                 const char* form) {
+  std::array<int, N> values{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    const char separator = i + 2 == N ? 'x' : ',';
+    const bool more = i + 1 < N;
+    if (error != std::errc{} || (more ? next == end || *next != separator : next != end))
+      throw CLI::ValidationError(option, fmt::format("found \"{}\", expected {}", text, form));
+    at = next + 1;
+  }
+  return values;
+}
+
+/// Sets width and height of `--size`, unless it is empty.
+template <class Params>
+void parse_size(const std::string& text, Params& params) {
+  if (text.empty()) return;
+  const auto v = parse_numbers<2>("--size", text, "WxH, such as 512x512");
+  if (v[0] < 1 || v[1] < 1)
+    throw CLI::ValidationError(
+        "--size", fmt::format("found {} x {}, expected 1 to 65536 pixels a side", v[0], v[1]));
+  params.width = v[0];
+  params.height = v[1];
+}
+
+}  // namespace laboratory

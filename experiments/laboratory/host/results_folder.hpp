@@ -1,0 +1,40 @@
+#pragma once
+// A folder of results that appears at once.
+#include <filesystem>
+#include <vector>
+
+namespace laboratory {
+
+/// Throws BadInput where results would destroy something that is not ours: `path` is no folder,
+/// holds files but neither run.json nor points/, or holds the current folder.
+void check_results_folder(const std::filesystem::path& path);
+
+/// Collects results in a hidden folder beside `path` (".NAME.partial-HOST-PID"); `commit` puts them
+/// in its place. Until then, or without it, an older `path` stays as it was. There is one at a time
+/// for each process and `path`. Folders in points/ that both have get the records of the older one:
+/// no record is lost that another process writes meanwhile.
+class ResultsFolder {
+ public:
+  /// Makes missing parents, and removes what dead processes left for the same `path`, except for
+  /// records of points, which go to `path`. Throws as check_results_folder does, and
+  /// std::system_error where nothing can be written.
+  explicit ResultsFolder(const std::filesystem::path& path);
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+  /// The folder to write into; it is gone after `commit`.
+  const std::filesystem::path& working() const { return working_; }
+
+  /// Replaces `path` as a whole, in one step where the file system can; called once. Checks `path`
+  /// again as the constructor did some time ago and throws as it does; then the older results are
+  /// still there.
+  void commit();
+
+ private:
+  std::filesystem::path path_, working_;
+  std::vector<std::filesystem::path> made_;  // parents that were missing, innermost first
+  bool is_committed_ = false;
+};
+
+}  // namespace laboratory

@@ -1,0 +1,151 @@
+#include "experiments/laboratory/points/images.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/points/results.hpp"
+
+namespace laboratory {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string save_by_content(const std::function<void(const std::string& path)>& save,
+                            const fs::path& folder, const std::string& extension) {
+  std::string name;
+  try_twice([&] {
+    fs::create_directories(folder);
+    const auto partial = folder / fmt::format(".image-{}{}", getpid(), extension);
+    save(partial.string());
+    name = hash_of(base::read_text(partial)) + extension;
+    fs::rename(partial, folder / name);
+  });
+  return name;
+}
+
+// An image, and who has it: two points whose images are equal share one.
+struct Shared {
+  std::vector<std::size_t> points;
+  bool is_named = false;
+  std::string stem, caption;
+};
+using Key = std::array<std::string, 3>;  // name, content, content of all its range
+
+Key key_of(const SavedImage& image) { return {image.name, image.file, image.exr}; }
+
+// The axes that all of these points agree on, and not all points of the file.
+std::vector<Coordinate> find_distinction(const ExperimentFile& file,
+                                         const std::vector<std::size_t>& points) {
+  std::vector<Coordinate> found;
+  const auto& first = file.points[points[0]].at;
+  for (std::size_t axis = 0; axis < first.size(); ++axis) {
+    const auto has_it = [&](const Point& point) { return point.at[axis].toml == first[axis].toml; };
+    const bool is_theirs =
+        std::ranges::all_of(points, [&](std::size_t i) { return has_it(file.points[i]); });
+    if (is_theirs && !std::ranges::all_of(file.points, has_it)) found.push_back(first[axis]);
+  }
+  return found;
+}
+
+// Letters, digits and single dashes.
+std::string make_stem(const std::string& text) {
+  std::string stem;
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '.')
+      stem += c;
+    else if (!stem.ends_with('-'))
+      stem += '-';
+  return stem;
+}
+
+void name_image(const ExperimentFile& file, const std::string& name, Shared& image,
+                std::set<std::string>& known) {
+  std::string stem = "image-" + name;
+  image.caption = name;
+  const auto distinction =
+      image.is_named ? std::vector<Coordinate>() : find_distinction(file, image.points);
+  for (const auto& at : distinction) {
+    const auto cell = to_value(at);
+    const auto value = to_string(cell);
+    stem += "-" + (as_number(cell) ? value : fs::path(value).stem().string());
+    image.caption += fmt::format(", {} = {}", at.axis, value);
+  }
+  stem = make_stem(stem);
+  auto unique = stem;
+  for (int n = 2; !known.insert(unique).second; ++n) unique = fmt::format("{}-{}", stem, n);
+  image.stem = unique;
+}
+
+std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& results) {
+  std::vector<Key> order;
+  std::map<Key, Shared> shared;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (const auto& image : results[i].images) {
+      auto& entry = shared[key_of(image)];
+      if (entry.points.empty()) order.push_back(key_of(image));
+      entry.points.push_back(i);
+      entry.is_named = image.is_named;
+    }
+  }
+  std::set<std::string> known;
+  for (const auto& key : order) name_image(file, key[0], shared[key], known);
+  return shared;
+}
+
+// Points of one picture key show the same.
+void check_images(const ExperimentFile& file, const Results& results) {
+  std::map<std::string, std::string> known;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Experiment& e = file.points[i].experiment;
+    if (!e.program->picture_key || !results[i].is_complete()) continue;
+    for (const auto& image : results[i].images) {
+      if (image.at_s) continue;
+      const auto [entry, is_new] = known.emplace(e.program->picture_key(e.params), image.file);
+      base::check_equal("image of one scene from another machine", image.file, entry->second);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SavedImage> save_images(const std::vector<programs::Image>& images,
+                                    const fs::path& folder) {
+  std::vector<SavedImage> saved;
+  for (const auto& image : images) {
+    auto& entry = saved.emplace_back(SavedImage{
+        image.name, image.at_s, save_by_content(image.save, folder, ".png"), "", image.is_named});
+    if (image.save_exr) entry.exr = save_by_content(image.save_exr, folder, ".exr");
+  }
+  return saved;
+}
+
+void place_images(const ExperimentFile& file, Results& results, const fs::path& records,
+                  const fs::path& folder) {
+  check_images(file, results);
+  const auto shared = find_shared(file, results);
+  for (auto& result : results)
+    for (auto& image : result.images) {
+      const Shared& placed = shared.at(key_of(image));
+      const auto place = [&](const std::string& source, const char* extension) {
+        const auto name = placed.stem + extension;
+        if (!fs::exists(folder / name)) carry_file(records / source, folder / name);
+        return name;
+      };
+      image.path = place(image.file, ".png");
+      if (!image.exr.empty()) image.exr = place(image.exr, ".exr");
+      image.caption = image.at_s ? fmt::format("{}, after {:.2f} s", placed.caption, *image.at_s)
+                                 : placed.caption;
+    }
+}
+
+}  // namespace laboratory

@@ -1,0 +1,134 @@
+#include "experiments/laboratory/points/run_point.hpp"
+
+#include <fmt/ranges.h>
+
+#include <ctime>
+#include <set>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/file/schema.hpp"
+#include "experiments/laboratory/points/images.hpp"
+#include "experiments/laboratory/points/machine_model.hpp"
+#include "experiments/laboratory/points/network_setup.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace laboratory {
+
+namespace {
+
+using nlohmann::ordered_json;
+using programs::Setup;
+
+// CPU time of this process: other programs on the host do not count.
+double process_cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Setup make_setup_without_network(const Experiment& experiment, const machine::Model& model) {
+  Setup setup{model, topologies::make_line(1)};
+  setup.cycles_per_host_s = experiment.cycles_per_host_s;
+  if (experiment.is_timed && !setup.cycles_per_host_s) setup.cycles_per_host_s = 1;
+  return setup;
+}
+
+Setup make_setup(const Experiment& experiment, const machine::Model& model, bool profile,
+                 observe::Watch& watch) {
+  auto setup = make_setup_without_network(experiment, model);
+  setup.watch = &watch;
+  setup.profile = profile;
+  const auto& uses = experiment.program->uses;
+  if (uses.network) setup.topology = make_workers(experiment);
+  if (uses.routes) {
+    setup.routes = find_routes(experiment, setup.topology);
+    setup.tree = find_tree(experiment, setup.topology);
+  }
+  setup.faults = find_faults(experiment, setup.topology);
+  return setup;
+}
+
+// One row without parts; with them any number, no two of which have the same parts.
+void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
+  if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
+  std::set<std::vector<base::Cell>> known;
+  for (const auto& row : rows) {
+    std::vector<base::Cell> key;
+    for (const auto& part : program.parts)
+      for (const auto& [name, cell] : row)
+        if (name == part && cell != base::Cell()) key.push_back(cell);
+    if (key.size() != program.parts.size() || !known.insert(key).second)
+      throw base::InvariantBroken(
+          fmt::format("the program {} has two rows with the same {}, or "
+                      "one without",
+                      program.name, fmt::join(program.parts, ", ")));
+  }
+  if (rows.empty())
+    throw base::InvariantBroken(fmt::format("the program {} has no row", program.name));
+}
+
+ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
+  if (!outcome.use) return {};
+  const auto& use = *outcome.use;
+  ordered_json cpus, links, loads = ordered_json::array();
+  for (const auto& cpu : use.cpus)
+    cpus[cpu.name] = {{"busy", cpu.busy_s / use.time_s},
+                      {"busy_high", cpu.busy_high_s / use.time_s},
+                      {"preemptions", cpu.preemptions},
+                      {"memory_peak_bytes", cpu.memory_peak_bytes}};
+  for (const auto& link : use.links)
+    links[link.from + ">" + link.to] = {
+        {"busy", link.busy_s / use.time_s}, {"messages", link.messages}, {"bytes", link.bytes}};
+  for (const auto& load : outcome.loads)
+    loads.push_back({{"resource", load.resource}, {"busy", load.busy}, {"doing", load.doing}});
+  return {{"loads", loads}, {"cpus", cpus}, {"links", links}};
+}
+
+}  // namespace
+
+void check_point(const Experiment& experiment) {
+  check_files(experiment);
+  const auto model = make_model(experiment);
+  if (experiment.program->check)
+    experiment.program->check(make_setup_without_network(experiment, model), experiment.params);
+}
+
+PointResult describe_point(const Experiment& experiment) {
+  const auto& program = *experiment.program;
+  PointResult result;
+  if (program.uses.network) {
+    const auto topology = make_workers(experiment);
+    result.topology = topology.name;
+    result.processors = topology.processors;
+  }
+  if (program.describe) result.described = program.describe(experiment.params);
+  return result;
+}
+
+PointResult run_point(const Experiment& experiment, const std::filesystem::path& images,
+                      bool profile, observe::Watch& watch) {
+  const double start_s = process_cpu_s();
+  const auto model = make_model(experiment);
+  const auto setup = make_setup(experiment, model, profile, watch);
+  auto result = describe_point(experiment);
+  const double run_start_s = process_cpu_s();
+  try {
+    auto outcome = experiment.program->run(setup, experiment.params);
+    result.host.run_s = process_cpu_s() - run_start_s;
+    check_rows(*experiment.program, outcome.rows);
+    const bool is_done = outcome.end == machine::End::done;
+    result.ended = is_done && outcome.is_saturated ? "saturated" : machine::to_string(outcome.end);
+    result.images = save_images(outcome.images, images);
+    result.use = make_use(outcome);
+    result.host.kernel_s = outcome.kernel_host_s;
+    result.host.events = outcome.events;
+    result.rows = std::move(outcome.rows);
+    result.notes = std::move(outcome.notes);
+  } catch (const programs::Unfinished&) {
+    result.ended = machine::to_string(watch.end);
+  }
+  result.host.total_s = process_cpu_s() - start_s;
+  return result;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,76 @@
+#include "experiments/laboratory/report/embed.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/algorithm/string/replace.hpp>
+#include <stdexcept>
+
+namespace laboratory {
+namespace {
+
+// Removes every element <name ...>...</name> that holds no other of its name.
+void remove_elements(std::string& text, const std::string& name) {
+  const std::string opening = "<" + name + ">", closing = "</" + name + ">";
+  for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    const auto end = text.find(closing, at);
+    if (end == std::string::npos) return;
+    text.erase(at, end + closing.size() - at);
+  }
+}
+
+unsigned read_big_endian(std::string_view bytes) {
+  unsigned value = 0;
+  for (const char c : bytes) value = value << 8 | static_cast<unsigned char>(c);
+  return value;
+}
+
+}  // namespace
+
+std::string to_base64(std::string_view bytes) {
+  static constexpr char DIGITS[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    unsigned group = 0;
+    for (std::size_t i = at; i < at + 3; ++i)
+      group = group << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u);
+    for (std::size_t i = 0; i < 4; ++i)
+      text += at + i <= bytes.size() ? DIGITS[group >> (18 - 6 * i) & 63] : '=';
+  }
+  return text;
+}
+
+std::string to_data_uri(std::string_view type, std::string_view bytes) {
+  return fmt::format("data:{};base64,{}", type, to_base64(bytes));
+}
+
+PngSize read_png_size(std::string_view bytes, const std::string& name) {
+  using namespace std::string_view_literals;
+  if (bytes.size() < 24 || !bytes.starts_with("\x89PNG\r\n\x1a\n"sv) ||
+      bytes.substr(12, 4) != "IHDR")
+    throw std::invalid_argument(
+        fmt::format("{}: {} bytes that are no PNG image, expected one", name, bytes.size()));
+  return {read_big_endian(bytes.substr(16, 4)), read_big_endian(bytes.substr(20, 4))};
+}
+
+std::string inline_svg(std::string_view svg, const std::string& prefix,
+                       const std::string& caption) {
+  constexpr std::string_view OPENING = "<svg", CLOSING = "</svg>";
+  const auto start = svg.find(OPENING), end = svg.rfind(CLOSING);
+  if (start == std::string_view::npos || end == std::string_view::npos || end < start)
+    throw std::invalid_argument(
+        fmt::format("the drawing \"{}\": no <svg> element in its file", caption));
+  const auto inner = start + OPENING.size();
+  std::string text(svg.substr(inner, end + CLOSING.size() - inner));
+  remove_elements(text, "title");  // a browser would show them as tool tips
+  remove_elements(text, "desc");
+  for (const std::string quote : {"'", "\""}) {
+    boost::replace_all(text, " id=" + quote, " id=" + quote + prefix);
+    boost::replace_all(text, "href=" + quote + "#", "href=" + quote + "#" + prefix);
+  }
+  boost::replace_all(text, "url(#", "url(#" + prefix);
+  return text;
+}
+
+}  // namespace laboratory

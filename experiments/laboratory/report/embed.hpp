@@ -1,0 +1,31 @@
+// Files inside a page that holds everything it shows.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace laboratory {
+
+/// RFC 4648.
+std::string to_base64(std::string_view bytes);
+
+/// "data:image/png;base64,..." for the type "image/png".
+std::string to_data_uri(std::string_view type, std::string_view bytes);
+
+/// In pixels.
+struct PngSize {
+  unsigned width = 0, height = 0;
+};
+
+/// Reads the size from the file's header. Throws std::invalid_argument, naming `name`, for bytes
+/// that are no PNG.
+PngSize read_png_size(std::string_view bytes, const std::string& name);
+
+/// The <svg> element of a file for use inside a page: without prolog, titles and descriptions of
+/// its program, with `prefix` before every identifier and every reference to one, so that several
+/// drawings share a page, and without its first four characters, "<svg", so that the page can add
+/// attributes. Throws std::invalid_argument, naming the drawing's `caption`, for a text without an
+/// <svg> element.
+std::string inline_svg(std::string_view svg, const std::string& prefix, const std::string& caption);
+
+}  // namespace laboratory

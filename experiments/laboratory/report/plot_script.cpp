@@ -1,0 +1,383 @@
+#include "experiments/laboratory/report/plot_script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace laboratory {
+namespace {
+
+struct Point {
+  double x, y;
+};
+
+// The points of a series that can be drawn where y is logarithmic or linear.
+std::vector<Point> drawn_points(const Plot& plot, const Series& s, bool log_y) {
+  if (s.x.size() != s.y.size())
+    throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
+                                            plot.name, s.name, s.x.size(), s.y.size()));
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < s.x.size(); ++i)
+    if (std::isfinite(s.x[i]) && std::isfinite(s.y[i]) && (!plot.log_x || s.x[i] > 0) &&
+        (!log_y || s.y[i] > 0))
+      points.push_back({s.x[i], s.y[i]});
+  return points;
+}
+
+std::vector<Point> upper_points(const Plot& plot, const Series& series) {
+  return drawn_points(plot, series, plot.log_y);
+}
+
+// The scale of differences is always linear.
+std::vector<Point> lower_points(const Plot& plot, const Series& series) {
+  return drawn_points(plot, series, false);
+}
+
+std::string make_data_block(const std::string& name, const std::vector<Point>& points) {
+  auto text = fmt::format("${} << END\n", name);
+  for (const auto& point : points) text += fmt::format("{} {}\n", point.x, point.y);
+  return text + "END\n";
+}
+
+// The series as $data0, $data1, ..., the differences as $difference0, ...
+std::string make_data(const Plot& plot) {
+  std::string text;
+  for (std::size_t i = 0; i < plot.series.size(); ++i)
+    text += make_data_block(fmt::format("data{}", i), upper_points(plot, plot.series[i]));
+  for (std::size_t i = 0; i < plot.differences.size(); ++i)
+    text +=
+        make_data_block(fmt::format("difference{}", i), lower_points(plot, plot.differences[i]));
+  return text;
+}
+
+struct Extent {
+  double low = INFINITY, high = -INFINITY;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+// What the points say about the axes.
+struct Axes {
+  Extent x, y, difference;
+  std::set<double> marks;    // x of every point of the upper panel that does not belong to a law
+  bool is_doubling = false;  // x is logarithmic and its marks are powers of two
+};
+
+bool is_power_of_two(double value) {
+  return value > 0 && std::exp2(std::round(std::log2(value))) == value;
+}
+
+Axes measure_axes(const Plot& plot) {
+  Axes axes;
+  for (const auto& series : plot.series)
+    for (const auto& point : upper_points(plot, series)) {
+      axes.x.add(point.x);
+      axes.y.add(point.y);
+      if (series.kind != SeriesKind::law) axes.marks.insert(point.x);
+    }
+  for (const auto& series : plot.differences)
+    for (const auto& point : lower_points(plot, series)) {
+      axes.x.add(point.x);
+      axes.difference.add(point.y);
+    }
+  axes.is_doubling = plot.log_x && std::ranges::all_of(axes.marks, is_power_of_two);
+  return axes;
+}
+
+// A doubling x has the base 2, and so has y where there is an ideal line.
+std::string make_scales(const Plot& plot, const Axes& axes) {
+  const int x_base = axes.is_doubling ? 2 : 10;
+  std::string text;
+  if (plot.log_x) text += fmt::format("set logscale x {}\n", x_base);
+  if (plot.log_y) text += fmt::format("set logscale y {}\n", plot.ideal_line ? x_base : 10);
+  return text;
+}
+
+std::string make_x_range(const Plot& plot, const Extent& x) {
+  const double ratio = x.high > x.low && plot.log_x ? std::pow(x.high / x.low, 0.04) : 1.5;
+  const double margin = x.high > x.low ? 0.04 * (x.high - x.low) : 0.5;
+  return fmt::format("set xrange [{}:{}]\n", plot.log_x ? x.low / ratio : x.low - margin,
+                     plot.log_x ? x.high * ratio : x.high + margin);
+}
+
+// Integers get integer ticks; a logarithmic scale with few points gets a tick at each of them.
+// `labelled` is false for a panel that shares its numbers with the one below.
+std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
+  if (plot.log_x && axes.marks.size() <= 12) {
+    std::vector<std::string> ticks;
+    for (const double mark : axes.marks)
+      ticks.push_back(fmt::format("'{}' {}", labelled ? fmt::format("{:g}", mark) : "", mark));
+    return fmt::format("set xtics ({})\n", join_texts(ticks, ", "));
+  }
+  const bool are_integers =
+      std::ranges::all_of(axes.marks, [](double mark) { return mark == std::floor(mark); });
+  if (are_integers && !plot.log_x && axes.x.high - axes.x.low <= 20) return "set xtics 1\n";
+  return "";
+}
+
+// An ideal line far above the points may leave the picture, since it would press them together.
+std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
+  const Extent &x = axes.x, &y = axes.y;
+  std::string low = "*", high = "*";
+  if (plot.y_min) low = fmt::format("{}", *plot.y_min);
+  if (plot.y_max) high = fmt::format("{}", *plot.y_max);
+  if (plot.ideal_line && !plot.y_max && x.high > 2.5 * y.high && y.high > 0)
+    high = fmt::format("{}", 1.5 * y.high);
+  return fmt::format("set yrange [{}:{}]\n", low, high);
+}
+
+// Ticks at 1, 2 and 5 times the powers of ten where at most two and a half decades are shown:
+// powers of ten alone would say little there.
+std::string make_log_ticks(double low, double high) {
+  if (high > 300 * low) return {};
+  std::vector<std::string> ticks;
+  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10)
+    for (const double factor : {1, 2, 5})
+      if (const double tick = factor * power; tick >= low && tick <= high)
+        ticks.push_back(fmt::format("'{0:.6g}' {0:.6g}", tick));
+  if (ticks.empty()) return {};
+  return fmt::format("set ytics ({})\n", join_texts(ticks, ", "));
+}
+
+std::string make_y_range(const Plot& plot, const Axes& axes) {
+  if (!plot.log_y) return make_linear_y_range(plot, axes);
+  const Extent &x = axes.x, &y = axes.y;
+  const double margin = std::max(1.1, std::pow(y.high / y.low, 0.06));
+  const double low = plot.y_min && *plot.y_min > 0 ? *plot.y_min : y.low / margin;
+  double high = plot.y_max.value_or(y.high * margin);
+  if (plot.ideal_line && !plot.y_max) high = std::max(high, std::min(x.high, 2 * y.high));
+  return fmt::format("set yrange [{}:{}]\n", low, high) +
+         (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
+}
+
+// 1, 2 or 5 times a power of ten: the least of these steps of which at most `most` fit a length.
+double choose_step(double length, double most) {
+  const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1, 2, 5})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
+// The range of the lower panel holds 0, with half a percent of room where all differences are 0.
+std::string make_difference_range(const Extent& difference) {
+  const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
+  const double low = std::min(0.0, difference.low) - margin;
+  const double high = std::max(0.0, difference.high) + margin;
+  return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
+}
+
+// Okabe and Ito's colours, which colour-blind readers tell apart, darkest first and without the
+// yellow, which vanishes on white paper. 9 symbols and 5 dashes make 45 different lines without any
+// colour.
+constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                   "#E69F00", "#56B4E9", "#000000"};
+// disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star
+constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
+constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
+constexpr const char* DASHES[] = {"solid", "(12,6)", "(3,5)", "(12,5,3,5)", "(12,4,3,4,3,4)"};
+
+bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.'; }
+
+// "3200 objects, thesis" contains the words "3200 objects" but not "200 objects".
+bool contains_words(const std::string& text, const std::string& words) {
+  if (words.empty()) return false;
+  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+    const auto end = at + words.size();
+    const bool begins = at == 0 || !is_word_character(text[at - 1]);
+    if (begins && (end == text.size() || !is_word_character(text[end]))) return true;
+  }
+  return false;
+}
+
+// The look of the curve with the longest name that `name` contains, else `fallback`.
+std::size_t find_look(const std::vector<std::string>& curves, const std::string& name,
+                      std::size_t fallback) {
+  std::size_t look = fallback, longest = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (curves[i].size() > longest && contains_words(name, curves[i]))
+      look = i, longest = curves[i].size();
+  return look;
+}
+
+// The number of each series' look: that of a curve is its place among the curves.
+std::vector<std::size_t> choose_looks(const Plot& plot) {
+  std::vector<std::string> curves;
+  for (const auto& series : plot.series)
+    if (series.kind == SeriesKind::curve) curves.push_back(series.name);
+  std::vector<std::size_t> looks;
+  std::size_t curve = 0, other = 0;
+  for (const auto& series : plot.series)
+    if (series.kind == SeriesKind::curve)
+      looks.push_back(curve++);
+    else
+      looks.push_back(series.of ? *series.of : find_look(curves, series.name, other++));
+  return looks;
+}
+
+std::string make_style(SeriesKind kind, std::size_t look) {
+  const auto colour = fmt::format("linecolor rgb '{}'", COLOURS[look % std::size(COLOURS)]);
+  const auto shape = look % std::size(FILLED);
+  switch (kind) {
+    case SeriesKind::curve:
+      return fmt::format("with linespoints {} linewidth 2 dashtype {} pointtype {} pointsize 1",
+                         colour, DASHES[look % std::size(DASHES)], FILLED[shape]);
+    case SeriesKind::reference:
+      return fmt::format("with points {} linewidth 2 pointtype {} pointsize 1.5", colour,
+                         OPEN[shape]);
+    case SeriesKind::law:
+      return fmt::format("with lines {} linewidth 1 dashtype solid", colour);
+    case SeriesKind::mark:
+      break;
+  }
+  return "with points linecolor rgb '#000000' linewidth 1.5 pointtype 6 pointsize 2.4";
+}
+
+// What the command `plot` draws in the upper panel.
+std::string make_curves(const Plot& plot) {
+  std::vector<std::string> curves;
+  if (plot.ideal_line)
+    curves.push_back(
+        "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
+  const auto looks = choose_looks(plot);
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& s = plot.series[i];
+    if (upper_points(plot, s).empty()) continue;
+    const auto title = s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.name);
+    curves.push_back(fmt::format("$data{} {} {}", i, make_style(s.kind, looks[i]), title));
+  }
+  return join_texts(curves, ", \\\n     ");
+}
+
+// What it draws in the lower panel.
+std::string make_difference_curves(const Plot& plot) {
+  std::vector<std::string> curves{
+      "0 with lines linecolor rgb '#707070' linewidth 1 dashtype solid notitle"};
+  for (std::size_t i = 0; i < plot.differences.size(); ++i)
+    curves.push_back(
+        fmt::format("$difference{} {} notitle", i,
+                    make_style(SeriesKind::curve, plot.differences[i].of.value_or(i))));
+  return join_texts(curves, ", \\\n     ");
+}
+
+// Heights in pixels of a drawing 800 wide, from the bottom: key, x label and numbers, lower panel
+// with the gap above it, upper panel, title.
+constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
+              ABOVE = 50;
+
+std::size_t count_characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](unsigned char c) { return (c & 0xc0) != 0x80; }));
+}
+
+// Columns are at most those that gnuplot makes by itself, so that lines can be counted.
+struct Key {
+  int lines = 0, columns = 1;
+};
+
+Key arrange_key(const Plot& plot) {
+  std::size_t entries = plot.ideal_line ? 1 : 0, longest = 5;
+  for (const auto& series : plot.series) {
+    entries += !series.name.empty();
+    longest = std::max(longest, count_characters(series.name));
+  }
+  const auto columns = std::max<std::size_t>(1, 700 / (90 + 10 * longest));
+  const auto lines = (entries + columns - 1) / columns;
+  return {static_cast<int>(lines), static_cast<int>(columns)};
+}
+
+std::string make_key(const Plot& plot) {
+  const Key key = arrange_key(plot);
+  const double top = KEY_MARGIN + KEY_LINE * key.lines;
+  return fmt::format(
+      "set key at screen 0.535,{:.4f} center top horizontal Left reverse samplen 4 maxcols {} "
+      "noenhanced\n",
+      top / choose_height(plot), key.columns);
+}
+
+// The title in a smaller font the longer it is, so that it is not cut off.
+std::string make_title(const std::string& title) {
+  constexpr double LARGEST = 17, FITS = 58;  // points, and the characters that fit at that size
+  const double size = std::min(LARGEST, LARGEST * FITS / static_cast<double>(title.size() + 1));
+  return fmt::format("set title {} font ',{:.3g}' offset 0,-0.3\n", quote_for_gnuplot(title), size);
+}
+
+std::string make_x_label(const Plot& plot) {
+  return fmt::format("set xlabel {} offset 0,0.6\n", quote_for_gnuplot(plot.x_label));
+}
+
+std::string make_y_label(const std::string& label) {
+  return fmt::format("set ylabel {}\n", quote_for_gnuplot(label));
+}
+
+// Lower and upper edge of a panel in pixels above the drawing's lower edge.
+std::string make_margins(const Plot& plot, int bottom, int top) {
+  const double height = choose_height(plot);
+  return fmt::format("set bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
+                     bottom / height, top / height);
+}
+
+std::string make_look(const Plot& plot, const Axes& axes) {
+  return "set border 3 linecolor rgb '#404040'\nset tics nomirror out scale 0.6\n"
+         "set format '%h'\nset xtics offset 0,0.2\nset grid linetype 1 linecolor rgb '#d8d8d8' "
+         "linewidth 0.8\nset rmargin at screen 0.975\n" +
+         make_scales(plot, axes) + make_x_range(plot, axes.x) + make_x_ticks(plot, axes, true);
+}
+
+}  // namespace
+
+// In double quotes, since gnuplot misreads single quotes at the beginning of a text in single ones.
+std::string quote_for_gnuplot(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      quoted += fmt::format("\\{}", c);
+    else if (c == '`' || c == '@')  // a command, a macro
+      quoted += fmt::format("\\{:o}", code);
+    else
+      quoted += code < 0x20 || code == 0x7f ? ' ' : c;
+  }
+  return quoted + "\"";
+}
+
+bool has_points(const Plot& plot) {
+  return std::ranges::any_of(
+      plot.series, [&](const Series& series) { return !upper_points(plot, series).empty(); });
+}
+
+int choose_height(const Plot& plot) {
+  const int key = KEY_MARGIN + KEY_LINE * arrange_key(plot).lines;
+  return key + BELOW + (plot.differences.empty() ? 0 : LOWER + GAP) + UPPER + ABOVE;
+}
+
+std::string make_gnuplot_script(const Plot& plot) {
+  if (!has_points(plot))
+    throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
+  const Axes axes = measure_axes(plot);
+  const int bottom = choose_height(plot) - ABOVE - UPPER;  // of the upper panel
+  const bool has_lower = !plot.differences.empty();
+
+  std::string text = "reset\nset encoding utf8\nset samples 400\n" + make_data(plot) +
+                     make_look(plot, axes) + make_title(plot.title) + make_key(plot) +
+                     make_y_label(plot.y_label) + make_y_range(plot, axes);
+  if (has_lower)
+    text += "set multiplot\nset lmargin at screen 0.13\nset format x ''\n" +
+            make_x_ticks(plot, axes, false);
+  else
+    text += make_x_label(plot);
+  text += make_margins(plot, bottom, bottom + UPPER) + "plot " + make_curves(plot) + "\n";
+  if (!has_lower) return text;
+  return text + "unset title\nunset key\nset format x '%h'\nunset logscale y\n" +
+         make_x_label(plot) + make_x_ticks(plot, axes, true) + make_y_label(plot.difference_label) +
+         make_difference_range(axes.difference) +
+         make_margins(plot, bottom - GAP - LOWER, bottom - GAP) + "plot " +
+         make_difference_curves(plot) + "\nunset multiplot\n";
+}
+
+}  // namespace laboratory

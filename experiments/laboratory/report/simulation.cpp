@@ -1,0 +1,136 @@
+#include "experiments/laboratory/report/simulation.hpp"
+
+#include <map>
+#include <ostream>
+#include <set>
+
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/points/machine_model.hpp"
+#include "experiments/laboratory/points/origin.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/points/results.hpp"
+#include "simulator/machine/engine.hpp"
+
+namespace laboratory {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+ordered_json model_json(const machine::Model& model) {
+  ordered_json entries;
+  for (const auto& e : model.entries)
+    entries[e.key] = {{"value", e.value},
+                      {"unit", e.unit},
+                      {"provenance", machine::to_string(e.provenance)},
+                      {"source", e.source}};
+  ordered_json calibrated = ordered_json::array();
+  for (const auto& e : model.entries)
+    if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
+  return {{"name", model.name}, {"calibrated", calibrated}, {"entries", entries}};
+}
+
+ordered_json models_json(const ExperimentFile& file) {
+  ordered_json models = ordered_json::array();
+  for (const auto& model : models_of(file)) models.push_back(model_json(model));
+  return models;
+}
+
+// A hash of each scene, network, table of routes or other input that is a file.
+ordered_json inputs_json(const ExperimentFile& file) {
+  std::set<std::string> paths;
+  for (const auto& point : file.points)
+    for (const auto& path : files_of(point.experiment))
+      if (fs::is_regular_file(path)) paths.insert(path);
+  ordered_json inputs = ordered_json::object();
+  for (const auto& path : paths) inputs[path] = hash_of(base::read_text(path));
+  return inputs;
+}
+
+ordered_json speeds_json(const HostSpeeds& speeds) {
+  ordered_json all = ordered_json::object();
+  for (const auto& [model, speed] : speeds)
+    all[model] = {{"cycles_per_host_s", speed.cycles_per_host_s},
+                  {"spread", speed.spread},
+                  {"repeats", speed.repeats}};
+  return all;
+}
+
+ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t i) {
+  ordered_json at = ordered_json::object();
+  const auto& row = s.table.rows[s.table.row_of(i)];
+  const auto axes = axis_columns(s.file);
+  for (std::size_t c = 0; c < axes.size(); ++c) at[axes[c]] = to_string(row[c]);
+  ordered_json point = {{"at", at}, {"record", s.records[i].string()}};
+  auto record = to_json(load_record(folder / s.records[i]));
+  for (const char* key : {"topology", "host", "ended", "message", "notes", "use"})
+    if (record.contains(key) && !record[key].empty()) point[key] = std::move(record[key]);
+  for (const auto& image : s.results[i].images) {
+    ordered_json placed = {{"path", image.path}, {"caption", image.caption}};
+    if (image.at_s) placed["at_s"] = *image.at_s;
+    if (!image.exr.empty()) placed["exr"] = image.exr;
+    point["images"].push_back(placed);
+  }
+  return point;
+}
+
+// The images of a point, as run.json has placed them.
+std::vector<SavedImage> read_images(const ordered_json& point) {
+  std::vector<SavedImage> images;
+  for (const auto& json : point.value("images", ordered_json::array())) {
+    auto& image = images.emplace_back();
+    image.path = json.at("path").get<std::string>();
+    image.caption = json.at("caption").get<std::string>();
+    image.exr = json.value("exr", "");
+    if (json.contains("at_s")) image.at_s = json["at_s"].get<double>();
+  }
+  return images;
+}
+
+}  // namespace
+
+Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
+  const auto run = ordered_json::parse(base::read_text(folder / "run.json"));
+  Simulation s;
+  s.file = file;
+  s.file.points.clear();
+  std::map<std::string, const Point*> points;
+  for (const auto& point : file.points) points[name_of(point)] = &point;
+  for (const auto& json : run.at("points")) {
+    s.records.push_back(json.at("record").get<std::string>());
+    auto result = load_record(folder / s.records.back());
+    result.use = nullptr;
+    result.images = read_images(json);
+    s.file.points.push_back(*points.at(result.at));
+    s.results.push_back(std::move(result));
+  }
+  s.table = make_table(s.file, s.results);
+  s.checks = eval_checks(plan_checks(s.file), s.file, s.table);
+  s.ended = run.at("ended").get<std::string>();
+  s.complete = run.at("complete").get<bool>();
+  return s;
+}
+
+void save_run_json(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+  ordered_json run = make_origin(options, s.file, results_folder(options));
+  run["simgrid"] = machine::simgrid_version();
+  run["command"] = command_line(options);
+  run["models"] = models_json(s.file);
+  run["inputs"] = inputs_json(s.file);
+  run["ended"] = s.ended;
+  run["complete"] = s.complete;
+  run["host_wall_s"] = s.wall_s;
+  run["jobs"] = options.jobs;
+  if (!s.host_speeds.empty()) run["host_speed"] = speeds_json(s.host_speeds);
+  auto text = run.dump(2);
+  text.resize(text.size() - 2);  // without its end, "\n}"
+  base::save_whole(folder / "run.json", [&](std::ostream& out) {
+    out << text << ",\n  \"points\": [";
+    for (std::size_t i = 0; i < s.results.size() && out; ++i)  // errno tells of the first failure
+      out << (i > 0 ? ",\n    " : "\n    ") << point_json(folder, s, i).dump();
+    out << "\n  ]\n}\n";
+  });
+}
+
+}  // namespace laboratory

@@ -1,0 +1,77 @@
+#include "renderer/radiosity/show/compare_pictures.hpp"
+
+#include <cmath>
+
+namespace radiosity {
+
+namespace {
+
+// Sums of squares, of the difference and of the reference.
+struct Squares {
+  double difference = 0, reference = 0;
+  void add(double found, double expected) {
+    difference += (found - expected) * (found - expected);
+    reference += expected * expected;
+  }
+  double eval() const { return reference > 0 ? std::sqrt(difference / reference) : 0; }
+};
+
+struct LineError {
+  double error = 0, peak = 0;
+  int shift = 0;
+};
+
+// Compares value(x, false), of the picture, with value(x, true), of the reference.
+template <class Value>
+LineError compare_lines(int width, const Compared& where, const Value& value) {
+  Squares squares;
+  double peak = 0, reference_peak = 0;
+  int at = 0, reference_at = 0;
+  for (int x = 0; x < width; ++x) {
+    if (where.left_out[static_cast<std::size_t>(where.line) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(x)])
+      continue;
+    const double found = value(x, false), expected = value(x, true);
+    squares.add(found, expected);
+    if ((x + 0.5) / width < where.peak_from || (x + 0.5) / width > where.peak_to) continue;
+    if (found > peak) peak = found, at = x;
+    if (expected > reference_peak) reference_peak = expected, reference_at = x;
+  }
+  const double off = reference_peak > 0 ? std::abs(peak - reference_peak) / reference_peak : 0;
+  return {squares.eval(), off, at - reference_at};
+}
+
+}  // namespace
+
+PictureError compare_pictures(const Picture& picture, const Picture& reference,
+                              const Display& display, const Compared& where) {
+  Squares squares;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    if (where.left_out[i]) continue;
+    const Rgb &p = picture.pixels[i], &q = reference.pixels[i];
+    squares.add(p.r, q.r), squares.add(p.g, q.g), squares.add(p.b, q.b);
+  }
+  const auto shown = make_rgb8(picture, display), expected = make_rgb8(reference, display);
+  const auto pixel = [&](int x) {
+    return static_cast<std::size_t>(where.line) * static_cast<std::size_t>(picture.width) +
+           static_cast<std::size_t>(x);
+  };
+  const auto linear = compare_lines(picture.width, where, [&](int x, bool of_reference) {
+    return (of_reference ? reference : picture).pixels[pixel(x)].r;
+  });
+  const auto displayed = compare_lines(picture.width, where, [&](int x, bool of_reference) {
+    return double((of_reference ? expected : shown)[3 * pixel(x)]);
+  });
+  return {squares.eval(), displayed.error, displayed.peak, linear.error, linear.peak, linear.shift};
+}
+
+Picture make_displayed(const Picture& picture, const Display& display) {
+  const auto bytes = make_rgb8(picture, display);
+  Picture shown{picture.width, picture.height, {}};
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    shown.pixels.push_back(
+        {bytes[3 * i] / 255.0, bytes[3 * i + 1] / 255.0, bytes[3 * i + 2] / 255.0});
+  return shown;
+}
+
+}  // namespace radiosity

@@ -1,0 +1,204 @@
+#include "simulator/farm/measured.hpp"
+
+#include <algorithm>
+
+#include "simulator/observe/columns.hpp"
+#include "simulator/shared_memory/columns.hpp"
+#include "topologies/graph/metrics.hpp"
+
+namespace farm {
+
+using base::Cell;
+using base::column;
+using base::Columns;
+
+namespace {
+
+void add_workers(Busy& busy, const observe::Use& use) {
+  std::size_t n = 0;
+  for (const auto& cpu : use.cpus)
+    if (cpu.role == Role::worker) {
+      busy.worker_mean += cpu.busy_s / use.time_s;
+      busy.worker_max = std::max(busy.worker_max, cpu.busy_s / use.time_s);
+      busy.worker_memory = std::max(busy.worker_memory, cpu.memory_peak_bytes);
+      ++n;
+    }
+  busy.worker_mean /= static_cast<double>(n);
+}
+
+Busy make_busy(const observe::Use& use) {
+  const auto share_of = [&](const char* role) {
+    const auto* cpu = observe::find_role(use, role);
+    return cpu ? std::optional(cpu->busy_s / use.time_s) : std::nullopt;
+  };
+  const auto& cpu = *std::ranges::max_element(use.cpus, {}, &observe::CpuRow::busy_s);
+  const auto& link = *std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
+  Busy busy;
+  add_workers(busy, use);
+  busy.coordinator = share_of(Role::coordinator);
+  busy.database = share_of(Role::database);
+  busy.display = share_of(Role::display);
+  busy.cpu_busiest = cpu.name;
+  busy.cpu_max = cpu.busy_s / use.time_s;
+  busy.cpu_high = cpu.busy_high_s / use.time_s;
+  busy.link_busiest = link.from + ">" + link.to;
+  busy.link_max = link.busy_s / use.time_s;
+  busy.link_messages = link.messages;
+  busy.link_bytes = link.bytes;
+  return busy;
+}
+
+Columns<Result> speed_columns() {
+  const auto time_per_ray_ms = [](const Result& r) {
+    return r.time_s / static_cast<double>(r.rays.total()) * 1e3;
+  };
+  using base::empty_column;
+  return {
+      column("time_s", &Result::time_s, "from the first task to the last ray shown to be complete"),
+      column<Result>("time_per_ray_ms", time_per_ray_ms, "time_s over rays"),
+      empty_column<Result>("speedup", "time_s with one worker over time_s"),
+      empty_column<Result>("efficiency", "speedup over workers"),
+      empty_column<Result>("serial_karp_flatt", "serial fraction by Karp and Flatt"),
+      empty_column<Result>("serial_gustafson", "serial fraction by Gustafson's law")};
+}
+
+Columns<Result> ray_columns() {
+  using R = renderer::RayCounts;
+  return base::lift_columns<Result>(
+      Columns<R>{column<R>("rays", &R::total, "rays intersected, of all kinds"),
+                 column("rays_primary", &R::primary, "rays from the eye"),
+                 column("rays_reflected", &R::reflected, "rays reflected by a surface"),
+                 column("rays_transmitted", &R::transmitted, "rays transmitted by a surface"),
+                 column("rays_shadow", &R::shadow, "feelers to the lights")},
+      &Result::rays);
+}
+
+// The time when a stage ended, of each but the last: its key image is complete.
+std::vector<Cell> stage_cells(const Result& r) {
+  std::vector<Cell> cells;
+  for (const auto& image : r.key_images) cells.emplace_back(image.at.value - r.setup_s);
+  return cells;
+}
+
+Columns<Result> time_columns() {
+  using R = Result;
+  return {column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
+          column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
+          column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+          column("setup_s", &R::setup_s, "time before time_s: scene sent, first rays deposited"),
+          column<R>(
+              "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s"),
+          column("drain_s", &R::drain_s, "part of time_s after the last task was handed out"),
+          {"stage{}_s", "time when the limits of a stage were reached", &stage_cells, true}};
+}
+
+Columns<Result> message_columns() {
+  using R = Result;
+  const auto distance = [](const R& r) {
+    return topologies::eval_metrics(r.topology).mean_distance;
+  };
+  return base::join(
+      Columns<R>{column<R>("mean_distance", distance, "links between two workers, on average"),
+                 column("mean_depth", &R::mean_depth,
+                        "links from the coordinator to a worker, on average")},
+      {base::lift_columns<R>(observe::message_columns(), &R::use)});
+}
+
+Columns<Busy> busy_columns() {
+  using B = Busy;
+  return {column("cpu_busy_worker_mean", &B::worker_mean, "share of time_s, mean of the workers"),
+          column("cpu_busy_worker_max", &B::worker_max, "share of time_s of the busiest worker"),
+          column("cpu_busy_coordinator", &B::coordinator, "share of time_s of the coordinator"),
+          column("cpu_busy_database", &B::database, "share of time_s of the ray database"),
+          column("cpu_busy_display", &B::display, "share of time_s of the display"),
+          column("cpu_busiest", &B::cpu_busiest, "processor that was busy for longest"),
+          column("cpu_busy_max", &B::cpu_max, "share of time_s of the busiest processor"),
+          column("cpu_busiest_high", &B::cpu_high, "its processes of high priority, as a share"),
+          column("link_busy_max", &B::link_max, "share of time_s of the busiest link direction"),
+          column("link_busiest", &B::link_busiest, "link direction that was busy for longest"),
+          column("link_busiest_messages", &B::link_messages, "messages that it carried"),
+          column("link_busiest_bytes", &B::link_bytes, "bytes that it carried"),
+          column("worker_memory_bytes", &B::worker_memory, "the most memory that a worker used")};
+}
+
+Columns<Measured> bottleneck_columns() {
+  using M = Measured;
+  const auto load = [](const std::string& name, std::size_t place, auto member,
+                       const std::string& help) {
+    const auto get = [=](const M& m) {
+      return (place < m.loads.size() ? m.loads[place] : Load{"none", 0, ""}).*member;
+    };
+    return column<M>(name, get, help);
+  };
+  const auto bottleneck = [](const M& m) {
+    return m.loads.empty() || m.loads[0].busy < SATURATED ? "none" : m.loads[0].resource;
+  };
+  return {
+      column<M>("bottleneck", bottleneck, "what limits the farm: `busiest`, if it is saturated"),
+      load("busiest", 0, &Load::resource, "resource of the farm that was busy for longest"),
+      load("busiest_busy", 0, &Load::busy, "its share of time_s"),
+      load("next_busiest", 1, &Load::resource, "resource that was busy for longest but one"),
+      load("next_busy", 1, &Load::busy, "its share of time_s")};
+}
+
+Columns<Result> peak_columns() {
+  using Peaks = RayStores::Peaks;
+  return base::join(
+      Columns<Result>{column("tasks_in_farm_max", &Result::peak_tasks_in_farm,
+                             "tasks with the workers at one time, at most")},
+      {base::lift_columns<Result>(
+          Columns<Peaks>{
+              column("database_feelers_max", &Peaks::feelers, "feelers stored, at most"),
+              column("database_heap_max", &Peaks::heap, "rays in the priority queue, at most"),
+              column("database_later_max", &Peaks::later, "rays beyond the limits, at most")},
+          &Result::peaks)});
+}
+
+// Data managers and their routers.
+Columns<SharedResult> shared_columns() {
+  using R = SharedResult;
+  const auto wait_share = [](const R& r) {
+    const double workers_s = r.farm.topology.processors * r.farm.time_s;
+    return workers_s > 0 ? r.data.waited.value / workers_s : 0;
+  };
+  return base::join(
+      Columns<R>{column("cache_bytes", &R::cache_bytes, "cache of a worker")},
+      {base::lift_columns<R>(shared_memory::data_columns(), &R::data),
+       {column<R>("data_wait_share", wait_share, "share of the workers' time spent waiting"),
+        column<R>(
+            "most_held", [](const R& r) { return r.routers.most_held; },
+            "most messages that one router held at once")}});
+}
+
+Columns<Measured> data_columns() {
+  Columns<Measured> all;
+  for (const auto& c : shared_columns()) {
+    const auto get = [get = c.get](const Measured& m) {
+      return m.is_shared ? get(m.run) : std::vector<Cell>(1);
+    };
+    all.push_back({c.name, c.help, get});
+  }
+  return base::only_if(&Measured::has_data, all);
+}
+
+}  // namespace
+
+Measured::Measured(SharedResult result, bool data_is_given, bool data_is_shared)
+    : run(std::move(result)),
+      has_data(data_is_given),
+      is_shared(data_is_shared),
+      busy(make_busy(run.farm.use)),
+      loads(find_loads(run.farm)) {}
+
+Columns<Measured> make_columns() {
+  const auto of_farm = [](const Columns<Result>& columns) {
+    return base::lift_columns<Measured>(
+        columns, [](const Measured& m) -> auto& { return m.run.farm; });
+  };
+  return base::join(of_farm(speed_columns()),
+                    {of_farm(ray_columns()), of_farm(time_columns()), of_farm(message_columns()),
+                     base::lift_columns<Measured>(busy_columns(), &Measured::busy),
+                     bottleneck_columns(), of_farm(peak_columns()), data_columns()});
+}
+
+}  // namespace farm

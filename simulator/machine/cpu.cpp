@@ -1,0 +1,309 @@
+#include "simulator/machine/cpu.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "simulator/machine/processor.hpp"
+
+namespace machine {
+
+namespace {
+constexpr double HAIR = 1e-9;  // of a time slice: a date that is a tick may be rounded off it
+}
+
+std::uint32_t CpuDiary::number_of(const std::string& name) {
+  if (!observer_) return 0;
+  const auto next = static_cast<std::uint32_t>(numbers_.size());
+  const auto [place, added] = numbers_.emplace(name, next);
+  if (added) observer_->name_process(processor_, next, name);
+  return place->second;
+}
+
+void CpuDiary::note(const Process& process, Observer::Doing doing, Seconds from, Seconds to) {
+  if (!observer_ || to <= from) return;
+  for (; !spans_.empty() && spans_.front().to <= from; spans_.pop_front()) {
+    const Span& over = spans_.front();
+    observer_->ran(processor_, over.process, over.doing, over.from, over.to);
+  }
+  spans_.push_back({process.trace_id(), doing, from, to});
+}
+
+void CpuDiary::end_last_at(Seconds date) {
+  if (!spans_.empty()) spans_.back().to = date;
+}
+
+void CpuDiary::flush(Seconds now) {
+  for (const Span& span : spans_)
+    if (now > span.from)
+      observer_->ran(processor_, span.process, span.doing, span.from, std::min(span.to, now));
+  spans_.clear();
+}
+
+void Cpu::make_ready(Process& process, Seconds at) {
+  if (process.state_ != Process::State::blocked)
+    throw base::InvariantBroken(
+        fmt::format("{} was made ready but is not waiting", process.name()));
+  if (stopped()) return;
+  process.state_ = Process::State::ready;
+  process.ready_at_ = at;
+  if (process.wait_)
+    process.blocked_[static_cast<std::size_t>(process.waits_for_)] +=
+        std::max(Seconds{}, at - process.blocked_since_);
+  const bool high = process.priority_ == Priority::high;
+  if (high && running_ && running_->priority_ == Priority::low) return preempt(process);
+  // First come, first served by simulated time: a process's own time may be ahead of the clock.
+  auto& queue = high ? high_queue_ : low_queue_;
+  auto place = queue.end();
+  while (place != queue.begin() && (*std::prev(place))->ready_at_ > at) --place;
+  queue.insert(place, &process);
+  if (!running_) return dispatch_at(free_at_);
+  if (!high && low_.computing && !interrupted_) arm_low_timer();
+}
+
+void Cpu::dispatch_at(Seconds date) {
+  if (std::exchange(dispatching_, true)) return;
+  if (date > now())
+    engine_.at(date, [this] { dispatch(); });
+  else
+    engine_.soon([this] { dispatch(); });
+}
+
+void Cpu::dispatch() {
+  dispatching_ = false;
+  if (stopped()) return engine_.ignore_event();
+  if (!high_queue_.empty()) {
+    Process& next = *high_queue_.front();
+    high_queue_.pop_front();
+    execute(next);
+  } else if (!low_queue_.empty()) {
+    Process& next = *low_queue_.front();
+    low_queue_.pop_front();
+    begin_slice(next);
+  }
+}
+
+void Cpu::execute(Process& process) {
+  if (stopped()) return engine_.ignore_event();
+  running_ = &process;
+  if (process.state_ == Process::State::ready) ++use_.dispatches;
+  process.state_ = Process::State::running;
+  process.resume();
+  if (processor_.failure()) return;
+  const Seconds time = duration(process.debt_);
+  const bool done = process.state_ != Process::State::running;
+  process.debt_ = {};
+  if (process.priority_ == Priority::high) {
+    account_high(process, time);
+    if (done) return release(process, high_.until);
+    high_.computing = true;
+    end_high_at(high_.until);
+  } else {
+    if (!done) return compute(process, {time.value * speed_});
+    if (time.value > 0)
+      throw base::InvariantBroken(process.name() +
+                                  " left the CPU at low priority with unpaid cycles");
+    release(process, now());
+  }
+}
+
+void Cpu::account_high(const Process& process, Seconds time) {
+  use_.busy_high += time;
+  high_.until = now() + time;
+  if (diary_.has_observer()) {
+    const Seconds switched =
+        high_.preempting ? now() + duration(model_.scheduler.preemption) : now();
+    diary_.note(process, Observer::Doing::switching, now(), switched);
+    diary_.note(process, Observer::Doing::high, switched, high_.until);
+  }
+  high_.preempting = false;
+}
+
+// The high-priority process that runs has computed until then.
+void Cpu::end_high_at(Seconds date) {
+  engine_.at(date, [this, id = ++high_.id] {
+    if (id != high_.id) return engine_.ignore_event();
+    high_.computing = false;
+    execute(*running_);
+  });
+}
+
+void Cpu::release(Process& process, Seconds free_at) {
+  if (interrupted_ == &process) {  // by its last instruction: it gave way, nothing is to be saved
+    interrupted_ = nullptr;
+    high_.preempting = false;
+    --use_.preemptions;
+    running_->charge({-model_.scheduler.preemption.value});
+    return;
+  }
+  running_ = nullptr;
+  free_at_ = free_at;
+  if (!high_queue_.empty()) return dispatch_at(free_at);
+  if (interrupted_) return resume_interrupted();
+  if (!low_queue_.empty()) dispatch_at(free_at);
+}
+
+// A high-priority process became ready while a low one runs.
+void Cpu::preempt(Process& high) {
+  interrupted_ = running_;
+  running_ = &high;
+  if (low_.computing) stop_low();
+  if (free_at_ > now()) {  // the last high-priority process is still there: no pre-emption
+    engine_.at(free_at_, [this, &high] { execute(high); });
+    return;
+  }
+  ++use_.preemptions;
+  high_.preempting = true;
+  high.charge(model_.scheduler.preemption);
+  engine_.soon([this, &high] { execute(high); });
+}
+
+// The low process stops computing. If it was only on its way back, from free_at_ to low_.since, it
+// has not computed yet.
+void Cpu::stop_low() {
+  low_.left = speed_ * (low_.end - std::max(now(), low_.since));
+  if (low_.since <= now()) return account_low();
+  const Seconds left = std::max(now(), free_at_);
+  use_.busy_high -= low_.since - left;  // it is no more on its way back
+  high_.until = left;
+  diary_.note(*interrupted_, Observer::Doing::switching, low_.way_back_from, left);
+  low_.way_back_from = NEVER;
+}
+
+// From free_at_ on the CPU goes back to the low-priority process.
+void Cpu::resume_interrupted() {
+  running_ = std::exchange(interrupted_, nullptr);
+  const Seconds back = duration(model_.scheduler.return_to_low);
+  low_.way_back_from = free_at_;
+  use_.busy_high += back;
+  low_.since = high_.until = free_at_ + back;
+  low_.end = low_.since + Seconds{low_.left.value / speed_};
+  arm_low_timer();
+}
+
+// The clock in time slice periods, and the date of one of its ticks.
+double Cpu::slices(Seconds date) const {
+  return date / (model_.scheduler.slice / model_.cpu.clock);
+}
+Seconds Cpu::tick_of_slices(double tick) const {
+  return tick * (model_.scheduler.slice / model_.cpu.clock);
+}
+
+void Cpu::begin_slice(Process& low) {
+  low_.slice_end = tick_of_slices(std::floor(slices(now()) + HAIR) + 2);
+  low_.gives_way_at = NEVER;
+  if (low.remaining_.value <= 0) return execute(low);
+  ++use_.dispatches;
+  low.state_ = Process::State::running;
+  running_ = &low;
+  compute(low, std::exchange(low.remaining_, {}));
+}
+
+void Cpu::compute(Process& low, Seconds time) {
+  low_.computing = true;
+  low_.since = now();
+  low_.end = now() + Seconds{time.value / speed_};
+  low_.left = time;
+  if (interrupted_ != &low) arm_low_timer();  // else a high process came during its operation
+}
+
+void Cpu::arm_low_timer() {
+  if (!low_queue_.empty() && low_.gives_way_at == NEVER)
+    low_.gives_way_at = std::max(
+        low_.slice_end, tick_of_slices(std::ceil(slices(low_queue_.front()->ready_at_) - HAIR)));
+  const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
+  const Seconds at = std::min(low_.end, gives_way);
+  // A pre-empted computation only ends later: a timer that fires early is armed again then.
+  if (low_timer_.armed && low_timer_.at <= at) return;
+  low_timer_ = {true, at, low_timer_.id + 1};
+  engine_.at(at, [this, id = low_timer_.id] {
+    if (id != low_timer_.id) return engine_.ignore_event();
+    low_timer_.armed = false;
+    low_timer();
+  });
+}
+
+void Cpu::low_timer() {
+  if (interrupted_ || !low_.computing) return;  // armed again when the CPU comes back
+  Process& low = *running_;
+  const Seconds left = low_.end - now();
+  const bool gives_way = now() >= low_.gives_way_at && now() >= low_.since;
+  if (left.value > 0 && !gives_way) return arm_low_timer();
+  account_low();
+  low_.computing = false;
+  if (left.value <= 0) return execute(low);
+  low.remaining_ = speed_ * left;
+  low.state_ = Process::State::ready;
+  low.ready_at_ = now();
+  low_queue_.push_back(&low);
+  running_ = nullptr;
+  dispatch();
+}
+
+void Cpu::account_low() {
+  use_.busy_low += now() - low_.since;
+  if (!diary_.has_observer()) return;
+  const Process& low = interrupted_ ? *interrupted_ : *running_;
+  if (low_.way_back_from < NEVER)
+    diary_.note(low, Observer::Doing::switching, low_.way_back_from, low_.since);
+  low_.way_back_from = NEVER;
+  diary_.note(low, Observer::Doing::low, low_.since, now());
+}
+
+void Cpu::set_stolen(std::size_t port, double share) {
+  stolen_.at(port) = share;
+  double stolen = 0;
+  for (double s : stolen_) stolen += s;
+  const double speed = std::max(1 - stolen, model_.memory.least_share);
+  if (speed == speed_) return;
+  const double before = std::exchange(speed_, speed);
+  if (high_.computing && high_.until > now()) {
+    const Seconds until = now() + before / speed * (high_.until - now());
+    use_.busy_high += until - high_.until;
+    diary_.end_last_at(until);
+    end_high_at(high_.until = until);
+    return;
+  }
+  if (!low_.computing || interrupted_) return;
+  const Seconds since = std::max(now(), low_.since);
+  low_.end = since + before / speed * (low_.end - since);
+  if (speed > before) arm_low_timer();
+}
+
+CpuUse Cpu::use() const {
+  CpuUse use = use_;
+  if (high_.until > now()) use.busy_high -= high_.until - now();
+  if (low_.computing && !interrupted_ && now() > low_.since) use.busy_low += now() - low_.since;
+  return use;
+}
+
+void Cpu::stop() {
+  const bool on_way_back = low_.computing && !interrupted_ && low_.since > now();
+  if (on_way_back) diary_.note(*running_, Observer::Doing::switching, low_.way_back_from, now());
+  flush_observer();  // accounts for what a low process has computed, too
+  if (is_ahead()) {
+    use_.busy_high -= high_.until - now();
+    high_.until = now();
+  }
+  stopped_at_ = now();
+  running_ = interrupted_ = nullptr;
+  high_queue_.clear();
+  low_queue_.clear();
+  high_.computing = low_.computing = false;
+  ++high_.id;  // what they wait for is of no use any more
+  ++low_timer_.id;
+}
+
+void Cpu::name_for_observer(Process& process) {
+  process.trace_id_ = diary_.number_of(process.name());
+}
+
+void Cpu::flush_observer() {
+  if (low_.computing && !interrupted_ && now() > low_.since) {
+    account_low();
+    low_.since = now();
+  }
+  diary_.flush(now());
+}
+
+}  // namespace machine

@@ -1,0 +1,147 @@
+#pragma once
+// A transputer's CPU: the microcoded two-priority scheduler.
+//
+// High-priority processes run until they block. Low-priority ones run when no high one can, are
+// pre-empted by them, and share the CPU in time slices: a low process gives way after one to two
+// slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "simulator/machine/engine.hpp"
+#include "simulator/machine/model.hpp"
+#include "simulator/machine/observer.hpp"
+#include "simulator/machine/process.hpp"
+
+namespace machine {
+
+struct CpuUse {
+  Seconds busy_high{}, busy_low{};  ///< executing, by priority; switches count as high
+  std::uint64_t preemptions = 0, dispatches = 0;
+  Seconds busy() const { return busy_high + busy_low; }
+};
+
+/// What a CPU tells its observer. Spans that are ahead of the clock may still change: each is told
+/// with the next one, or by flush().
+class CpuDiary {
+ public:
+  explicit CpuDiary(const Processor& processor) : processor_(processor) {}
+
+  void set_observer(Observer* observer) { observer_ = observer; }
+  bool has_observer() const { return observer_; }
+  /// The number of a process's name, see Observer; 0 without an observer.
+  std::uint32_t number_of(const std::string& name);
+  void note(const Process& process, Observer::Doing doing, Seconds from, Seconds to);
+  /// The span noted last ends then.
+  void end_last_at(Seconds date);
+  void flush(Seconds now);
+
+ private:
+  struct Span {
+    std::uint32_t process;
+    Observer::Doing doing;
+    Seconds from, to;
+  };
+
+  const Processor& processor_;
+  Observer* observer_ = nullptr;
+  std::deque<Span> spans_;  // not told yet
+  std::map<std::string, std::uint32_t, std::less<>> numbers_;
+};
+
+class Cpu {
+ public:
+  Cpu(Engine& engine, const Model& model, Processor& processor)
+      : engine_(engine), model_(model), processor_(processor), diary_(processor) {}
+
+  /// Puts a blocked process on its ready queue at time `at`: now or, from a running process of this
+  /// CPU, that process's own time.
+  void make_ready(Process& process, Seconds at);
+  /// From now on no process runs: they stay where they are, and what was charged ahead is not
+  /// executed.
+  void stop();
+  bool stopped() const { return stopped_at_ < NEVER; }
+  Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
+  /// Whether the CPU is taken up to a date to come: a process's own time may be ahead.
+  bool is_ahead() const { return high_.until > engine_.now(); }
+  /// Whether a high-priority process has become ready while this low one executes an operation.
+  bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
+
+  /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
+  Seconds duration(Cycles cycles) const { return {(cycles / model_.cpu.clock).value / speed_}; }
+  /// From now on the DMA of link `port` (0 to 3) takes this share of the CPU's cycles: whatever is
+  /// being computed ends later. (What a high-priority process charged just before it blocked is
+  /// certain already: see Process::sync_if_long.)
+  void set_stolen(std::size_t port, double share);
+  CpuUse use() const;  ///< up to now
+
+  void set_observer(Observer* observer) { diary_.set_observer(observer); }
+  void name_for_observer(Process& process);
+  void flush_observer();
+
+ private:
+  static constexpr Seconds NEVER{std::numeric_limits<double>::infinity()};
+
+  // The high-priority process that has the CPU.
+  struct High {
+    bool computing = false;   // it has synced: its end moves with the speed
+    std::uint64_t id = 0;     // ends with another id are stale
+    Seconds until{};          // up to when use_ already counts high-priority time
+    bool preempting = false;  // its next charge begins with a switch
+  };
+  // The low-priority process that is computing or interrupted.
+  struct Low {
+    bool computing = false;  // else it executes an operation
+    Seconds since{};         // it has had the CPU since then; ahead of the clock on a way back
+    Seconds end{};           // its computation ends then if nobody interferes any more
+    Seconds left{};          // of its computation while it is interrupted, at full speed
+    Seconds way_back_from = NEVER;  // the switch back to it is not noted yet
+    Seconds slice_end{};            // from then on it gives way to another low process,
+    Seconds gives_way_at = NEVER;   // at this tick, once there is one
+  };
+  struct Timer {
+    bool armed = false;
+    Seconds at{};
+    std::uint64_t id = 0;  // timers with another id are stale
+  };
+
+  Seconds now() const { return engine_.now(); }
+  void dispatch_at(Seconds date);  // the CPU is free from then on: see who runs next
+  void dispatch();
+  void execute(Process& process);  // let it run until it needs time, blocks or ends
+  void account_high(const Process& process, Seconds time);
+  void release(Process& process, Seconds free_at);  // it blocked or ended
+  void end_high_at(Seconds date);
+  void preempt(Process& high);
+  void stop_low();
+  void resume_interrupted();
+  double slices(Seconds date) const;
+  Seconds tick_of_slices(double tick) const;
+  void begin_slice(Process& low);
+  void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
+  void arm_low_timer();
+  void low_timer();
+  void account_low();  // what the low process has computed since low_.since
+
+  Engine& engine_;
+  const Model& model_;
+  Processor& processor_;
+  std::deque<Process*> high_queue_, low_queue_;  // ready
+  Process* running_ = nullptr;                   // has the CPU; null when idle
+  Process* interrupted_ = nullptr;               // the low process that lost it to a high one
+  Seconds free_at_{};                            // when the last high-priority process gave it up
+  bool dispatching_ = false;                     // dispatch() is due
+  High high_;
+  Low low_;
+  Timer low_timer_;
+  double speed_ = 1;  // share of the cycles that the links' DMA leaves
+  std::array<double, 4> stolen_{};
+  CpuUse use_;
+  CpuDiary diary_;
+  Seconds stopped_at_ = NEVER;
+};
+
+}  // namespace machine

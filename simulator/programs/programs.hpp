@@ -1,0 +1,12 @@
+#pragma once
+// The list of all programs.
+#include "simulator/declare/program.hpp"
+
+namespace programs {
+
+/// In the order of a help text.
+const std::vector<Program>& all_programs();
+/// Null for an unknown name.
+const Program* find_program(std::string_view name);
+
+}  // namespace programs

@@ -1,0 +1,76 @@
+#include "simulator/radiosity/pictures.hpp"
+
+#include <fmt/format.h>
+
+namespace amp {
+
+using programs::Image;
+using radiosity::Display;
+using radiosity::LitRoom;
+using radiosity::Picture;
+
+namespace {
+
+Image make_image(const std::string& name, Picture picture, const Display& display,
+                 std::optional<double> at_s = {}) {
+  const auto kept = std::make_shared<const Picture>(std::move(picture));
+  return {name, at_s, [kept, display](const std::string& path) { save_png(path, *kept, display); }};
+}
+
+// With a file of all its range.
+Image make_last_image(const std::string& name, const Picture& picture, const Display& display) {
+  auto image = make_image(name, picture, display);
+  image.save_exr = [picture](const std::string& path) { save_exr(path, picture); };
+  return image;
+}
+
+std::vector<radiosity::Rgb> light_of(const ProgramParams& params, const radiosity::Mesh& mesh,
+                                     const Frame& frame) {
+  auto vertices = frame.vertices;
+  if (params.room.light.ambient) add_ambient(mesh, frame.ambient, vertices);
+  return vertices;
+}
+
+std::vector<Image> make_previews(const ProgramParams& params, const renderer::View& view,
+                                 const radiosity::Mesh& mesh, const std::vector<Frame>& frames,
+                                 const Display& display) {
+  std::vector<Image> images;
+  for (const auto& frame : frames) {
+    if (&frame == &frames.back()) break;
+    const auto light = reconstruct(mesh, light_of(params, mesh, frame), params.room.reconstruction);
+    images.push_back(make_image(fmt::format("{}-shots", frame.shots),
+                                preview_picture(mesh, light, view, params.room.picture), display,
+                                frame.at_s));
+  }
+  return images;
+}
+
+}  // namespace
+
+std::pair<PictureSummary, std::vector<Image>> show(const ProgramParams& params,
+                                                   const renderer::View& view,
+                                                   const radiosity::Mesh& mesh,
+                                                   const std::vector<Frame>& frames) {
+  const auto& room = params.room;
+  const LitRoom lit{mesh, light_of(params, mesh, frames.back())};
+  const auto picture = trace_picture(lit, room.reconstruction, view, room.picture);
+  const auto known = solve_reference(room);
+  const LitRoom& other = known ? *known : lit;
+  const auto reference = known ? trace_reference(room, *known, view) : picture;
+  const auto emitters = find_emitters(room, view, mesh, other.mesh);
+  const auto display = fit(room.display, reference, emitters);
+  PictureSummary shown{eval_mean_radiosity(lit, other.mesh), display.exposure, 0, {}};
+  auto images = make_previews(params, view, mesh, frames, display);
+  images.push_back(make_last_image("picture", picture, display));
+  if (!known) return {shown, std::move(images)};
+  images.push_back(make_last_image("reference", reference, display));
+  auto difference = make_difference(make_displayed(picture, display),
+                                    make_displayed(reference, display), params.amplify);
+  images.push_back(make_image("difference", std::move(difference), {1, 1}));
+  shown.reference_mean = eval_mean_radiosity(*known, mesh);
+  shown.error = compare_pictures(picture, reference, display,
+                                 {emitters, picture.height / 2, params.peak_from, params.peak_to});
+  return {shown, std::move(images)};
+}
+
+}  // namespace amp

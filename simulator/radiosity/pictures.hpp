@@ -1,0 +1,23 @@
+#pragma once
+// The pictures of a run of radiosity, and how they compare with a reference.
+#include "renderer/radiosity/show/compare_pictures.hpp"
+#include "simulator/radiosity/program.hpp"
+
+namespace amp {
+
+/// What the last picture tells.
+struct PictureSummary {
+  double radiosity_mean = 0;  ///< of patches of materials that the reference has too
+  double exposure = 0;        ///< > 0
+  double reference_mean = 0;  ///< where there is a reference
+  std::optional<radiosity::PictureError> error;  ///< the same
+};
+
+/// Pictures "N-shots" of all frames but the last, "picture", and with a reference "reference" and
+/// "difference": figures 3.16 (c) and 3.18 (c) show the difference of what is displayed.
+std::pair<PictureSummary, std::vector<programs::Image>> show(const ProgramParams& params,
+                                                             const renderer::View& view,
+                                                             const radiosity::Mesh& mesh,
+                                                             const std::vector<Frame>& frames);
+
+}  // namespace amp

@@ -1,0 +1,45 @@
+#include "base/host_program.hpp"
+
+#include "tests/laboratory/support/support.hpp"
+
+namespace base {
+namespace {
+
+HostProgram shell(const std::string& script, const std::string& input = "") {
+  return {.name = "sh",
+          .arguments = {"-c", script, "sh", "two words", "$HOME'"},
+          .input = input,
+          .purpose = "plot p",
+          .remedy = "install it"};
+}
+
+std::string failure_of(const HostProgram& program) {
+  return laboratory::message_of<std::runtime_error>([&] { run_program(program); });
+}
+
+TEST(HostProgram, ReadsItsInputAndArgumentsAsTheyAre) {
+  EXPECT_EQ(run_program(shell("cat; echo \"$1|$2\"; echo quiet >&2", "in\n")),
+            "in\ntwo words|$HOME'\n");
+}
+
+// More than a pipe holds, in both directions, and an input that nobody reads.
+TEST(HostProgram, TakesMuchInputAndOutput) {
+  const std::string much(3 << 20, 'x');
+  EXPECT_EQ(run_program(shell("cat", much)), much);
+  EXPECT_EQ(run_program(shell("exit 0", much)), "");
+}
+
+TEST(HostProgram, FailuresCarryTheCodeAndWhatTheProgramSays) {
+  EXPECT_EQ(failure_of(shell("echo why >&2; exit 3")), "plot p: sh failed (exit code 3): why");
+  EXPECT_NE(failure_of(shell("kill -9 $$")), "");
+}
+
+TEST(HostProgram, MissingProgramsComeWithTheRemedy) {
+  auto missing = shell("");
+  missing.name = "no-such-program";
+  EXPECT_EQ(failure_of(missing),
+            "plot p: drawing needs the program no-such-program, which was not found: install it");
+}
+
+}  // namespace
+}  // namespace base

@@ -1,0 +1,148 @@
+#include "base/whole_file.hpp"
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+#include <ostream>
+#include <system_error>
+#include <thread>
+
+#include "base/errors.hpp"
+#include "tests/laboratory/support/support.hpp"
+
+namespace base {
+namespace {
+
+namespace fs = std::filesystem;
+using laboratory::message_of;
+using laboratory::TemporaryFolder;
+using Names = std::vector<std::string>;
+
+// What a child process that runs `action` returns.
+int run_in_child(const std::function<int()>& action) {
+  const pid_t child = fork();
+  if (child == 0) _exit(action());
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string write_error(const fs::path& path) {
+  return message_of<std::system_error>([&] { save_whole(path, "bytes"); });
+}
+
+TEST(WholeFile, WritesAndReadsAnyBytes) {
+  const TemporaryFolder folder;
+  std::string bytes;
+  for (unsigned i = 0; i < 300000; ++i) bytes += static_cast<char>(i * i >> 3);
+  save_whole(folder.path / "a", "old");
+  for (const auto& content : {bytes, std::string()}) {
+    save_whole(folder.path / "a", content);
+    EXPECT_EQ(read_text(folder.path / "a"), content);
+  }
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+TEST(WholeFile, ErrorsNameThePath) {
+  const TemporaryFolder folder;
+  const auto missing = folder.path / "none" / "a";
+  EXPECT_EQ(write_error(missing),
+            missing.string() + ": cannot be written: No such file or directory");
+  EXPECT_EQ(write_error(folder.path), folder.path.string() + ": cannot be written: Is a directory");
+  const auto read_error = [](const fs::path& path, std::size_t most) {
+    return message_of<BadInput>([&] { read_text(path, most); });
+  };
+  EXPECT_EQ(read_error(missing, 9),
+            missing.string() + ": cannot be read: No such file or directory");
+  EXPECT_EQ(read_error(folder.path, 9), folder.path.string() + ": cannot be read: Is a directory");
+  EXPECT_TRUE(folder.names().empty());
+  save_whole(folder.path / "a", "0123456789");
+  EXPECT_EQ(read_error(folder.path / "a", 10), "");
+  EXPECT_EQ(read_error(folder.path / "a", 9),
+            (folder.path / "a").string() + ": longer than the limit of 9 bytes");
+}
+
+TEST(WholeFile, WhatCannotBeSavedIsKnownBefore) {
+  const TemporaryFolder folder;
+  const auto told = [](const fs::path& path) {
+    return message_of<std::system_error>([&] { check_can_save(path); });
+  };
+  EXPECT_EQ(told(folder.path / "a"), "");
+  EXPECT_EQ(told("/dev/null"), "");
+  EXPECT_TRUE(told(folder.path).ends_with("cannot be written: Is a directory"));
+  EXPECT_TRUE(told(folder.path / "none/a").ends_with(": No such file or directory"));
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(WholeFile, ReadOnlyFolder) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const TemporaryFolder folder;
+  fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_NE(write_error(folder.path / "a").find("Permission denied"), std::string::npos);
+  fs::permissions(folder.path, fs::perms::owner_all);
+}
+
+TEST(WholeFile, FullDiskLeavesTheOldFileAndNothingElse) {
+  const TemporaryFolder folder;
+  save_whole(folder.path / "a", "old");
+  const int result = run_in_child([&] {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{100000, 100000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    for (const auto* name : {"a", "b"}) try {
+        save_whole(folder.path / name, std::string(200000, 'x'));
+        return 1;
+      } catch (const std::system_error& error) {
+        if (error.code() != std::errc::file_too_large) return 2;
+      }
+    return 0;
+  });
+  EXPECT_EQ(result, 0);
+  EXPECT_EQ(folder.names(), Names{"a"});
+  EXPECT_EQ(read_text(folder.path / "a"), "old");
+}
+
+TEST(WholeFile, WhatFailsHalfWayLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  save_whole(folder.path / "a", [](std::ostream& out) { out << "one " << 2; });
+  EXPECT_EQ(read_text(folder.path / "a"), "one 2");
+  const auto stop = [](std::ostream& out) {
+    out << "three";
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(save_whole(folder.path / "a", stop), std::runtime_error);
+  EXPECT_EQ(read_text(folder.path / "a"), "one 2");
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+TEST(WholeFile, DevicesAreWrittenToAndNotReplaced) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_EQ(write_error("/dev/full"), "/dev/full: cannot be written: No space left on device");
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(WholeFile, LinksAreFollowed) {
+  const TemporaryFolder folder;
+  save_whole(folder.path / "a", "old");
+  fs::create_symlink("a", folder.path / "link");
+  save_whole(folder.path / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path / "link"));
+  EXPECT_EQ(read_text(folder.path / "a"), "new");
+}
+
+TEST(WholeFile, PipesAreWrittenToAndRead) {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { save_whole(pipe, "through"); });
+  EXPECT_EQ(read_text(pipe), "through");
+  writer.join();
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+}  // namespace
+}  // namespace base

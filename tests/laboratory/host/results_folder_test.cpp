@@ -1,0 +1,206 @@
+#include "experiments/laboratory/host/results_folder.hpp"
+#include "base/whole_file.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <system_error>
+
+#include "base/errors.hpp"
+#include "tests/laboratory/support/support.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+pid_t dead_process() {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  return child;
+}
+
+// How the folders of a process begin: ".out.partial-HOST-".
+std::string hidden(const std::string& what) {
+  char host[256] = {};
+  gethostname(host, sizeof host - 1);
+  return "." + what + "-" + host + "-";
+}
+
+TEST(ExperimentsResultsFolder, ReadOnlyFolder) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const TemporaryFolder folder;
+  fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(ResultsFolder(folder.path / "out"), std::system_error);
+  fs::permissions(folder.path, fs::perms::owner_all);
+}
+
+TEST(ExperimentsResultsFolder, CommitPutsItInPlace) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "deep" / "out";
+  ResultsFolder results(out);
+  write_file(results.working() / "run.json", "{}");
+  EXPECT_FALSE(fs::exists(out));
+  results.commit();
+  EXPECT_EQ(read_file(out / "run.json"), "{}");
+  EXPECT_FALSE(fs::exists(results.working()));
+  EXPECT_THROW(results.commit(), std::logic_error);
+}
+
+TEST(ExperimentsResultsFolder, CommitReplacesEarlierResultsAsAWhole) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  fs::create_directories(out / "plots");
+  write_file(out / "run.json", "old");
+  write_file(out / "plots" / "old.svg", "old");
+  ResultsFolder results(out / "");
+  write_file(results.working() / "run.json", "new");
+  EXPECT_EQ(read_file(out / "run.json"), "old");
+  results.commit();
+  EXPECT_EQ(read_file(out / "run.json"), "new");
+  EXPECT_FALSE(fs::exists(out / "plots"));
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+TEST(ExperimentsResultsFolder, WithoutCommitNothingChanges) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  { write_file(ResultsFolder(out).working() / "run.json", "{}"); }
+  EXPECT_TRUE(folder.names().empty());
+  fs::create_directory(out);
+  write_file(out / "run.json", "old");
+  try {
+    ResultsFolder results(out);
+    write_file(results.working() / "run.json", "new");
+    throw std::runtime_error("the simulation deadlocked");
+  } catch (const std::runtime_error&) {
+  }
+  EXPECT_EQ(folder.names(), Names{"out"});
+  EXPECT_EQ(read_file(out / "run.json"), "old");
+}
+
+TEST(ExperimentsResultsFolder, RefusesToDestroyWhatIsNotOurs) {
+  const TemporaryFolder folder;
+  const auto refusal = [](const fs::path& path) {
+    return message_of<base::BadInput>([&] { ResultsFolder{path}; });
+  };
+  const auto out = folder.path / "out";
+  write_file(out, "a file");
+  EXPECT_TRUE(refusal(out).starts_with(out.string() + ": is not a folder")) << refusal(out);
+  fs::remove(out);
+  fs::create_directory(out);
+  EXPECT_EQ(refusal(out), "") << "an empty folder may be used";
+  write_file(out / "thesis.tex", "years of work");
+  EXPECT_TRUE(refusal(out).starts_with(out.string() + ": holds files that are not results"));
+  EXPECT_NE(refusal(".").find("holds the current folder"), std::string::npos) << refusal(".");
+  EXPECT_NE(refusal("/").find("holds the current folder"), std::string::npos) << refusal("/");
+  EXPECT_NE(refusal(""), "");
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  {
+    ResultsFolder results(out);
+    fs::create_directory(out);
+    write_file(out / "thesis.tex", "years of work");
+    EXPECT_THROW(results.commit(), base::BadInput);
+  }
+  EXPECT_EQ(read_file(out / "thesis.tex"), "years of work");
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+TEST(ExperimentsResultsFolder, FollowsALinkToEarlierResults) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path / "out");
+  write_file(folder.path / "out" / "run.json", "old");
+  fs::create_directory_symlink("out", folder.path / "latest");
+  ResultsFolder results(folder.path / "latest");
+  write_file(results.working() / "run.json", "new");
+  results.commit();
+  EXPECT_TRUE(fs::is_symlink(folder.path / "latest"));
+  EXPECT_EQ(read_file(folder.path / "out" / "run.json"), "new");
+  EXPECT_EQ(folder.names(), (Names{"latest", "out"}));
+}
+
+TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
+  const TemporaryFolder folder;
+  const auto dead = std::to_string(dead_process()), alive = std::to_string(getppid());
+  const auto partial = hidden("out.partial");
+  const Names kept{partial + alive, partial + dead + "x", hidden("other.partial") + dead,
+                   ".out.partial-of-another-host-" + dead};
+  fs::create_directories(folder.path / (partial + dead) / "plots");
+  for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
+  { ResultsFolder results(folder.path / "out"); }
+  Names expected = kept;
+  std::ranges::sort(expected);
+  EXPECT_EQ(folder.names(), expected);
+}
+
+// Records of points outlive whatever was done to the folder around them.
+TEST(ExperimentsResultsFolder, RecordsAreKept) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out", working = folder.path / hidden("out.partial");
+  const auto dead = std::to_string(dead_process());
+  const auto put = [](const fs::path& root, const char* record) {
+    fs::create_directories(root / "points/0123");
+    write_file(root / "points/0123" / record, record);
+  };
+  const auto has = [&](const char* record) {
+    return fs::exists(out / "points/0123" / record) &&
+           read_file(out / "points/0123" / record) == record;
+  };
+  // Killed after it had put its results in place, and before.
+  put(working.string() + dead, "a.json");
+  fs::create_directories(working.string() + dead + "/points/lone");
+  write_file(working.string() + dead + "/points/lone/x.json", "x");
+  put(out, "b.json");
+  {
+    ResultsFolder results(out);
+    EXPECT_TRUE(has("a.json") && has("b.json"));
+    EXPECT_FALSE(fs::exists(out / "points/lone"));
+    write_file(results.working() / "run.json", "{}");
+    put(results.working(), "b.json");
+    put(out, "late.json");  // by another process
+    results.commit();
+  }
+  EXPECT_TRUE(has("b.json") && has("late.json"));
+  EXPECT_EQ(folder.names(), Names{"out"});
+  // A folder of points that nobody carries over goes with the older results.
+  put(out, "old.json");
+  ResultsFolder(out).commit();
+  EXPECT_FALSE(fs::exists(out / "points"));
+}
+
+// Where folders cannot be exchanged in one step, a crash may leave the old results aside.
+TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
+  const TemporaryFolder folder;
+  const auto aside = folder.path / (hidden("out.old") + std::to_string(dead_process()));
+  fs::create_directory(aside);
+  write_file(aside / "run.json", "old");
+  { ResultsFolder results(folder.path / "out"); }
+  EXPECT_EQ(read_file(folder.path / "out/run.json"), "old");
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+TEST(ExperimentsResultsFolder, SurvivesAKilledRun) {
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    ResultsFolder results(folder.path / "out");
+    base::save_whole(results.working() / "run.json", "{}");
+    _exit(9);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 9);
+  EXPECT_EQ(folder.names().size(), 1u);
+  ResultsFolder(folder.path / "out").commit();
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+}  // namespace
+}  // namespace laboratory

@@ -1,0 +1,61 @@
+// Images of programs: saved by content, placed once, shown; and what sets them apart in their
+// names.
+#include "experiments/laboratory/points/images.hpp"
+
+#include "tests/laboratory/support/load.hpp"
+#include "tests/laboratory/support/sweep.hpp"
+
+namespace laboratory {
+namespace {
+
+programs::Image make_image(const std::string& name, const std::string& bytes) {
+  programs::Image image;
+  image.name = name;
+  image.save = [bytes](const std::string& path) { write_file(path, bytes); };
+  return image;
+}
+
+TEST(ExperimentsImages, AreFilesNamedByContent) {
+  const TemporaryFolder folder;
+  auto last = make_image("picture", "a");
+  last.save_exr = [](const std::string& path) { write_file(path, "wide"); };
+  auto early = make_image("5-shots", "b");
+  early.at_s = 1.5;
+  const auto saved = save_images({early, last, make_image("reference", "a")}, folder.path);
+  ASSERT_EQ(saved.size(), 3u);
+  EXPECT_EQ(saved[0].at_s, 1.5);
+  EXPECT_EQ(saved[0].exr, "");
+  EXPECT_EQ(saved[1].file, saved[2].file);
+  EXPECT_EQ(read_file(folder.path / saved[0].file), "b");
+  EXPECT_EQ(read_file(folder.path / saved[1].exr), "wide");
+  EXPECT_EQ(folder.names().size(), 3u) << "and nothing else is left behind";
+}
+
+// Points of four, whose images depend on x alone but for the third's: names say so.
+TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
+  const TemporaryFolder folder;
+  const auto records = folder.path / "records", placed = folder.path / "placed";
+  std::filesystem::create_directory(placed);
+  const auto file =
+      load("[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2.0e0]\nswitches = [0, 3]\n");
+  Results results;
+  for (const char* bytes : {"one", "one", "odd", "two"})
+    results.emplace_back().images =
+        save_images({make_image("picture", bytes), make_image("all", "same")}, records);
+  results.emplace_back();
+  auto points = file;
+  points.points.push_back(points.points[0]);
+  place_images(points, results, records, placed);
+  const auto path = [&](int i) { return results[std::size_t(i)].images[0].path; };
+  EXPECT_EQ(path(0), "image-picture-1.png");
+  EXPECT_EQ(path(1), path(0));
+  EXPECT_EQ(path(2), "image-picture-2-0.png");
+  EXPECT_EQ(path(3), "image-picture-2-3.png");
+  EXPECT_EQ(results[3].images[0].caption, "picture, bytes = 2, switches = 3");
+  EXPECT_EQ(results[3].images[1].path, "image-all.png");
+  EXPECT_EQ(read_file(placed / "image-picture-1.png"), "one");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
+}
+
+}  // namespace
+}  // namespace laboratory

@@ -1,0 +1,139 @@
+// Creases where they are known.
+
+#include <gtest/gtest.h>
+
+#include "renderer/radiosity/files/load_room.hpp"
+#include "tests/renderer/radiosity/creases/creases.hpp"
+
+namespace radiosity::test::shadows {
+namespace {
+
+// Whether all of one is part of the other.
+void expect_covered(std::span<const Crease> creases, std::span<const Crease> by, double tolerance) {
+  for (const Crease& crease : creases)
+    for (int i = 0; i <= 20; ++i) {
+      const Vec p = crease.a + i / 20.0 * (crease.b - crease.a);
+      ASSERT_LE(distance_to(p, by), tolerance) << p.x << ' ' << p.y << ' ' << p.z;
+    }
+}
+
+// A square of side 2 a at height h, one of side 2 b at height g < h, both centred above the floor.
+TEST(Discontinuities, ParallelSquares) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const double a = random.range(0.2, 1), b = random.range(0.2, 1), h = random.range(2, 4),
+                 g = random.range(0.5, 1);
+    Room room = make_room();
+    add_face(room, turn(make_rectangle(-a, -a, a, a, h)), LIGHT);
+    add_face(room, make_rectangle(-b, -b, b, b, g), seed % 2 == 0 ? GREY : MIRROR);
+    add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
+    // Similar triangles: from the light's edge at x past the blocker's at y to the floor.
+    const auto floor = [&](double x, double y) { return x + (y - x) * h / (h - g); };
+    const double outer = floor(-a, b), inner = std::abs(floor(a, b));
+    std::vector<Crease> expected;
+    for (const double at : {-outer, -inner, inner, outer}) {
+      expected.push_back({{at, -outer, 0}, {at, outer, 0}});
+      expected.push_back({{-outer, at, 0}, {outer, at, 0}});
+    }
+    const std::vector<Crease> found = find_creases(room);
+    ASSERT_EQ(found.size(), 8u);
+    expect_covered(found, expected, 1e-9);
+    // The penumbra's border whole, and the sides of the square where the blocker hides all it can.
+    expected.resize(0);
+    for (const double at : {-outer, outer}) {
+      expected.push_back({{at, -outer, 0}, {at, outer, 0}});
+      expected.push_back({{-outer, at, 0}, {outer, at, 0}});
+    }
+    for (const double at : {-inner, inner}) {
+      expected.push_back({{at, -inner, 0}, {at, inner, 0}});
+      expected.push_back({{-inner, at, 0}, {inner, at, 0}});
+    }
+    expect_covered(expected, found, 1e-9);
+  }
+}
+
+// Figure 3.8's: a window in the left wall, of its size or as a hole, and nothing else.
+TEST(Discontinuities, WallsOfARoomMakeNone) {
+  Room room = make_room();
+  add_box(room, {0, 0, 0}, {4, 3, 3}, false);
+  add_face(room, {{0, 1, 1}, {0, 2, 1}, {0, 2, 2}, {0, 1, 2}}, LIGHT);
+  EXPECT_EQ(find_creases(room).size(), 0u);
+  add_face(room, {{2, 1.2, 1.2}, {2, 1.2, 1.8}, {2, 1.8, 1.8}, {2, 1.8, 1.2}}, GREY, true);
+  const auto creases = find_creases(room);
+  EXPECT_EQ(creases.size(), 8u);
+  for (const Crease& crease : creases) EXPECT_EQ(std::min(crease.a.x, crease.b.x), 4);
+}
+
+// A floor and a light far above it.
+Room make_floor() {
+  Room room = make_room();
+  add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
+  add_face(room, turn(make_rectangle(-1, 1, 1, 2, 4)), LIGHT);
+  return room;
+}
+
+// Whether all of a segment is crease.
+bool is_crease(const Vec& a, const Vec& b, std::span<const Crease> creases) {
+  for (int i = 0; i <= 20; ++i)
+    if (distance_to(a + i / 20.0 * (b - a), creases) > 1e-3) return false;
+  return true;
+}
+
+TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
+  Room room = make_floor();
+  add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
+  EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
+  // Through the floor, the same.
+  room.faces.back().corners = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
+  EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
+}
+
+TEST(Discontinuities, WhereAPanelsLightBegins) {
+  Room room = make_floor();
+  add_face(room, {{-5, 5, 0}, {5, 5, 0}, {5, 5, 6}, {-5, 5, 6}}, GREY);
+  const auto creases = find_creases(room);
+  EXPECT_EQ(creases.size(), 1u);
+  EXPECT_TRUE(is_crease({-5, 5, 4}, {5, 5, 4}, creases));
+}
+
+TEST(Discontinuities, WhereAShelfIsSeenFromItsEdge) {
+  Room room = make_room();
+  add_face(room, {{0, -1, 1}, {0, 1, 1}, {0, 1, 2}, {0, -1, 2}}, LIGHT);
+  add_face(room, {{6, -9, -9}, {6, -9, 9}, {6, 9, 9}, {6, 9, -9}}, GREY);
+  add_face(room, make_rectangle(2, -1, 3, 1, 1.5), GREY);
+  // Above it the wall sees less of the light, and below it, too.
+  EXPECT_TRUE(is_crease({6, -5, 1.5}, {6, 5, 1.5}, find_creases(room)));
+  EXPECT_FALSE(is_crease({6, -5.1, 1.5}, {6, 5.1, 1.5}, find_creases(room)));
+}
+
+TEST(Discontinuities, WhatIsHiddenOrTakesNoLightHasNone) {
+  Room room = make_floor();
+  add_face(room, make_rectangle(-2, 0, 2, 3, 3.5), GREY);
+  const auto screen = find_creases(room);
+  EXPECT_EQ(screen.size(), 0u);  // nothing reaches the floor's border
+  add_face(room, make_rectangle(-0.5, 1, 0.5, 2, 1), GREY);
+  EXPECT_EQ(find_creases(room).size(), 0u);
+  room.faces.erase(room.faces.begin() + 2);
+  EXPECT_EQ(find_creases(room).size(), 8u);
+  for (const std::uint32_t dark : {LIGHT, MIRROR}) {
+    room.faces[0].material = dark;
+    for (const Crease& crease : find_creases(room)) EXPECT_NE(crease.a.z, 0);
+  }
+}
+
+// By hand in the files, by formulas that are written there.
+TEST(Discontinuities, OfTheThesisFigures) {
+  for (const char* name : {"window", "spot-diffuse", "spot-mirror"}) {
+    SCOPED_TRACE(name);
+    const Room room =
+        load_room(std::string(TLAB_SOURCE_DIR "/experiments/scenes/") + name + ".room");
+    const auto found = find_creases(room);
+    EXPECT_EQ(found.size(), 8u);
+    expect_covered(found, room.creases, 1e-9);
+    expect_covered(room.creases, found, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace radiosity::test::shadows

@@ -1,0 +1,81 @@
+#pragma once
+// The oracle of progressive refinement: the same equations solved by gathering.
+
+#include "renderer/radiosity/mesh/split.hpp"
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity::test {
+
+// The radiosity of a vertex that gets light of all patches (Eq 1.8).
+inline Rgb collect(const Eye& eye, const Vertex& vertex, const std::vector<Rgb>& patches,
+                   Work& work) {
+  const Mesh& mesh = eye.mesh;
+  const Material& material = mesh.materials[vertex.material];
+  Rgb incident;
+  for (std::size_t j = 0; j < patches.size(); ++j)
+    if (renderer::max_component(patches[j]) > 0)
+      incident += eval_factors(eye, vertex, mesh.patches[j], work) * patches[j];
+  return material.emission + material.reflectance * incident;
+}
+
+// The radiosity of every patch, kept up to date as its corners and its centre change.
+class PatchLight {
+ public:
+  PatchLight(const Mesh& mesh, Mean mean)
+      : around_(find_surroundings(mesh)), of_corner_(mean == Mean::corners ? 0.25 : 1.0 / 12) {
+    for (const Patch& patch : mesh.patches) {
+      values.push_back(mesh.materials[patch.material].emission);
+      centres.push_back(values.back());
+    }
+  }
+  void change_corner(std::uint32_t vertex, const Rgb& more) {
+    for (const auto patch : around_.of(vertex)) values[patch] += of_corner_ * more;
+  }
+  void change_centre(std::uint32_t patch, const Rgb& more) { values[patch] += (2.0 / 3) * more; }
+
+  std::vector<Rgb> values, centres;
+
+ private:
+  Surroundings around_;
+  double of_corner_;
+};
+
+// The largest change in a sweep, and the brightest point.
+struct Sweep {
+  double change = 0, brightest = 0;
+
+  // Sets `value`, and returns by how much it changed.
+  Rgb set(Rgb& value, const Rgb& now) {
+    const Rgb more{now.r - value.r, now.g - value.g, now.b - value.b};
+    value = now;
+    change = std::max({change, std::abs(more.r), std::abs(more.g), std::abs(more.b)});
+    brightest = std::max(brightest, renderer::max_component(now));
+    return more;
+  }
+};
+
+/// The equations of solve() by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the order
+/// of vertices, until none changes by more than `tolerance` of the brightest. Every factor is
+/// found again in every sweep, `shots` of them; for small rooms.
+inline Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6) {
+  check(params.factor);
+  const Eye eye{mesh, params.factor};
+  PatchLight light(mesh, params.mean);
+  Solution solution;
+  solution.vertices = make_state(mesh).radiosity;
+  for (bool going = true; going; ++solution.shots) {
+    Sweep sweep;
+    const auto collect_at = [&](const Vertex& vertex, Rgb& value) {
+      return sweep.set(value, collect(eye, vertex, light.values, solution.work));
+    };
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
+      light.change_corner(v, collect_at(mesh.vertices[v], solution.vertices[v]));
+    if (params.mean == Mean::simpson)
+      for (std::uint32_t p = 0; p < mesh.patches.size(); ++p)
+        light.change_centre(p, collect_at(make_centre(mesh.patches[p]), light.centres[p]));
+    going = sweep.change > tolerance * sweep.brightest;
+  }
+  return solution;
+}
+
+}  // namespace radiosity::test

@@ -1,0 +1,130 @@
+// A replicated guard takes the time, and makes the choice, of guards written out.
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+#include "tests/support/lab.hpp"
+
+namespace occam {
+namespace {
+
+constexpr std::size_t INPUTS = 4;
+constexpr int MESSAGES = 6;  // of each writer
+
+// What a reader has seen: the input of each message, its content, and the cycle after it.
+using Reader = std::function<void(std::span<Channel<Words>* const>, Numbers&)>;
+
+void note(Numbers& seen, std::size_t input, const Words& message) {
+  seen.insert(seen.end(),
+              {static_cast<double>(input), static_cast<double>(message.content), own_cycles()});
+}
+
+// Writers on the reader's processor and on neighbours, with random work between their messages.
+Numbers run(std::uint64_t seed, Priority priority, const Reader& reader) {
+  std::mt19937_64 random(seed);
+  return isolated_numbers([&] {
+    Lab lab(machine::load_model("t805-25"));
+    Processor& cpu = lab.cpu();
+    std::vector<Channel<Words>*> channels;
+    for (std::size_t i = 0; i < INPUTS; ++i) {
+      Processor& from = random() % 2 == 0 ? lab.neighbour(cpu) : cpu;
+      channels.push_back(&from == &cpu ? &lab.soft() : &lab.hard(from, cpu));
+      const auto computes = static_cast<std::int64_t>(random() % 2000);
+      from.start("writer", BOTH_PRIORITIES[random() % 2], [channels, i, computes] {
+        for (std::uint64_t m = 0; m < MESSAGES; ++m) {
+          compute(computes);
+          out(*channels[i], {4 + 4 * (m % 7), 100 * i + m});
+        }
+      });
+    }
+    Numbers seen;
+    cpu.start("reader", priority, [&] { reader(channels, seen); });
+    lab.machine.run();
+    return seen;
+  });
+}
+
+// PRI ALT: the first input before all others, which take turns.
+void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
+  const auto rest = inputs.subspan(1);
+  std::size_t favourite = 0;
+  Words message;
+  for (std::size_t left = INPUTS * MESSAGES; left > 0; --left)
+    pri_alt(when(*inputs[0], message, [&] { note(seen, 0, message); }),
+            each(rest, favourite,
+                 [&](std::size_t i, const Words& input) {
+                   note(seen, i + 1, input);
+                   favourite = (i + 1) % rest.size();
+                 }),
+            otherwise(false, [] {}));
+}
+
+void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
+  const std::size_t n = INPUTS - 1;
+  std::size_t favourite = 0;
+  for (std::size_t left = INPUTS * MESSAGES; left > 0; --left) {
+    std::vector<Guard> guards{Guard(inputs[0])};
+    for (std::size_t i = 0; i < n; ++i) guards.emplace_back(inputs[1 + (favourite + i) % n]);
+    guards.emplace_back(nullptr, false);
+    const std::size_t chosen = select(guards);
+    const std::size_t input = chosen == 0 ? 0 : 1 + (favourite + chosen - 1) % n;
+    note(seen, input, inputs[input]->in());
+    if (chosen > 0) favourite = input % n;
+  }
+}
+
+TEST(Each, ChoosesAndCostsWhatGuardsWrittenOutDo) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed)
+    for (const auto priority : BOTH_PRIORITIES) {
+      const auto found = run(seed, priority, read_by_each);
+      EXPECT_EQ(found.size(), 3 * INPUTS * MESSAGES);
+      EXPECT_EQ(found, run(seed, priority, read_by_guards)) << seed;
+    }
+}
+
+TEST(Each, OfNoInputsLeavesTheOtherGuards) {
+  const auto taken = isolated_numbers([] {
+    Lab lab;
+    double skipped = 0;
+    lab.cpu().start("reader", Priority::low, [&] {
+      const std::vector<Channel<Words>*> none;
+      pri_alt(each(none, 0, [&](std::size_t, Words) { skipped = -1; }),
+              otherwise(true, [&] { skipped = 1; }));
+    });
+    lab.machine.run();
+    return Numbers{skipped};
+  });
+  EXPECT_EQ(taken, Numbers{1});
+}
+
+// An input of another kind: it adds its number to the content.
+struct Numbered {
+  Channel<Words>* channel;
+  double number;
+};
+ChannelBase& channel_of(const Numbered& input) { return *input.channel; }
+double input_from(const Numbered& input) {
+  return static_cast<double>(input.channel->in().content) + input.number;
+}
+
+TEST(Each, TakesInputsOfOtherKindsByTheirOwnFunctions) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    Processor& cpu = lab.cpu();
+    const std::vector<Numbered> inputs{{&lab.soft(), 1000}, {&lab.soft(), 2000}};
+    Numbers got;
+    for (std::size_t i = 0; i < 2; ++i)
+      cpu.start("writer", Priority::low, [&, i] { out(*inputs[i].channel, {4, 7 + i}); });
+    cpu.start("reader", Priority::low, [&] {
+      for (int left = 2; left > 0; --left)
+        pri_alt(each(inputs, 1, [&](std::size_t, double value) { got.push_back(value); }));
+    });
+    lab.machine.run();
+    return got;
+  });
+  EXPECT_EQ(found, (Numbers{2008, 1007}));
+}
+
+}  // namespace
+}  // namespace occam

@@ -1,0 +1,94 @@
+// Every program at its defaults, on a small network; what each measures is checked by experiments.
+#include "simulator/programs/programs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/simulator/programs/run_program.hpp"
+#include "tests/support/lab.hpp"
+
+namespace programs {
+namespace {
+
+bool needs_a_file(const Program& program) {
+  return std::ranges::any_of(program.parameters,
+                             [](const auto& p) { return p.domain.is_required; });
+}
+
+TEST(Programs, HaveUniqueNamesAndDefaultsInRange) {
+  std::set<std::string> names;
+  for (const auto& program : all_programs()) {
+    EXPECT_TRUE(names.insert(program.name).second) << program.name;
+    std::set<std::string> columns{"topology", "workers", "processors"};
+    for (const auto& p : program.parameters) {
+      EXPECT_TRUE(columns.insert(p.name).second) << program.name << "." << p.name;
+      const auto value = p.get(program.defaults);
+      const bool is_unset = std::holds_alternative<std::monostate>(value);
+      EXPECT_TRUE(is_unset || p.domain.is_required || p.domain.allows(value))
+          << program.name << "." << p.name << ": " << p.domain.describe();
+    }
+  }
+}
+
+TEST(Programs, MeasureTheColumnsThatTheyDeclare) {
+  const auto model = machine::load_model("t805-25");
+  for (const auto& program : all_programs()) {
+    if (program.name == "deadlock" || program.name == "farm") continue;  // in tests of their own
+    if (needs_a_file(program)) continue;                                 // see Radiosity
+    std::string declared;
+    for (const auto& column : program.columns) declared += column.name + " ";
+    const auto measured = occam::isolated([&] {
+      std::string names;
+      const auto outcome = run_program(program, make_small_setup(model, program));
+      for (const auto& [name, cell] : outcome.rows.at(0)) names += name + " ";
+      return names;
+    });
+    EXPECT_EQ(measured, declared) << program.name;
+    for (const auto& part : program.parts)
+      EXPECT_NE((" " + declared).find(" " + part + " "), std::string::npos) << program.name;
+  }
+}
+
+// The sender starts its link; then the bytes, one after the other.
+TEST(Programs, AMessageTakesItsStartAndItsBytes) {
+  const auto model = occam::make_exact_model();
+  const auto& message = get_program("message");
+  for (const std::int64_t bytes : {1, 80, 3000}) {
+    const auto found = occam::isolated_numbers([&] {
+      const auto outcome =
+          run_program(message, make_small_setup(model, message), {{"bytes", bytes}});
+      return occam::Numbers{get_number(outcome.rows.at(0), "latency_s")};
+    });
+    EXPECT_NEAR(found.at(0) * model.cpu.clock.value,
+                static_cast<double>(model.channel.blocked.value + 16 * bytes), 1e-3);
+  }
+}
+
+// One processor has no link, and its only queue is its own client's.
+TEST(Programs, ANetworkDeliversToItsSender) {
+  const auto model = machine::load_model("t805-25");
+  const auto found = occam::isolated_numbers([&] {
+    const programs::Setup setup{model, topologies::make_topology("line:1")};
+    const Row row = run_program("unicast", setup, {{"hops", 0}}).rows.at(0);
+    return occam::Numbers{get_number(row, "latency_s"), get_number(row, "guards")};
+  });
+  EXPECT_GT(found.at(0), 0);
+  EXPECT_EQ(found.at(1), 2);  // its queue's: the entry, and the sender that is free again
+}
+
+TEST(Programs, ParametersKnowWhatTheyAllow) {
+  const auto& program = get_program("global");
+  std::any params = program.defaults;
+  const auto* method = program.find("method");
+  EXPECT_EQ(method->get(params), base::Scalar("green"));
+  EXPECT_EQ(method->assign(params, "chalmers"), "");
+  EXPECT_EQ(method->get(params), base::Scalar("chalmers"));
+  EXPECT_EQ(method->assign(params, "classes"), "one of green, chalmers, acyclic, naive");
+  EXPECT_EQ(program.find("window")->assign(params, 0), "a whole number from 1 to 1000000");
+  EXPECT_EQ(program.find("missing"), nullptr);
+}
+
+}  // namespace
+}  // namespace programs

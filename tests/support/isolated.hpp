@@ -1,0 +1,28 @@
+#pragma once
+// Runs a part of a test in a child process, since SimGrid's engine is a singleton.
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test {
+
+/// The exception that ended a child: its message, and its type, such as "base::BadInput".
+struct ChildThrew : std::runtime_error {
+  ChildThrew(std::string type, const std::string& what)
+      : std::runtime_error(what), type(std::move(type)) {}
+  std::string type;
+};
+
+/// The text that `body` returns in a child process. Assertions that fail in the child fail the test
+/// here, with their files and lines. Throws ChildThrew for an exception of `body`, and
+/// std::runtime_error for a child that dies or that has not ended after `limit_s` seconds.
+std::string isolated(const std::function<std::string()>& body, unsigned limit_s = 120);
+
+/// Runs `body` in a child process for its assertions alone.
+void run_isolated(const std::function<void()>& body);
+
+/// The numbers that `body` returns in a child process, with all their bits.
+std::vector<double> isolated_numbers(const std::function<std::vector<double>()>& body);
+
+}  // namespace test

@@ -1,0 +1,70 @@
+#include "topologies/files/formats.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
+#include "topologies/graph/metrics.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace topologies {
+namespace {
+
+std::string format_busiest(const BusiestLink& link) {
+  if (link.from < 0) return "none";
+  return fmt::format("{} messages, {} to {}", link.messages, link.from, link.to);
+}
+
+}  // namespace
+
+Topology load_topology(const std::string& path) {
+  const auto text = base::read_text(path, MAX_FILE_BYTES);
+  return path.ends_with(".graphml") ? read_graphml(text, path) : read_dot(text, path);
+}
+
+Topology make_topology(std::string_view spec) {
+  const auto extension = std::filesystem::path(spec).extension();
+  if (extension == ".dot" || extension == ".gv" || extension == ".graphml")
+    return load_topology(std::string(spec));
+  std::error_code ignored;
+  base::require(spec.find(':') != spec.npos || !std::filesystem::exists(spec, ignored),
+                fmt::format("topology \"{}\"", spec.substr(0, 200)),
+                "unknown kind of file, expected .dot, .gv or .graphml");
+  auto topology = make_generated(spec);
+  check(topology);
+  return topology;
+}
+
+std::string to_csv(const Topology& topology) {
+  std::string text = "processor_a,port_a,processor_b,port_b\n";
+  for (const auto& [a, b] : topology.links)
+    text += fmt::format("{},{},{},{}\n", a.processor, a.port, b.processor, b.port);
+  return text;
+}
+
+std::string to_metrics(const Topology& topology) {
+  const auto m = eval_metrics(topology);
+  const auto bisection = m.bisection_width ? fmt::format("{}", *m.bisection_width) : "unknown";
+  const auto degree = m.degree_min == m.degree_max
+                          ? fmt::format("{}", m.degree_min)
+                          : fmt::format("{} to {}", m.degree_min, m.degree_max);
+  std::string text;
+  const auto row = [&](std::string_view name, const auto& value) {
+    text += fmt::format("{:<24}{}\n", name, value);
+  };
+  row("topology", topology.name);
+  row("processors", m.processors);
+  row("root", describe_processor(topology, topology.root));
+  row("links", m.links);
+  row("links per processor", degree);
+  row("diameter", m.diameter);
+  row("mean distance", fmt::format("{:.4f}", m.mean_distance));
+  row("bisection width", bisection);
+  row("busiest, farm", format_busiest(m.farm));
+  row("busiest, all to all", format_busiest(m.all_to_all));
+  return text;
+}
+
+}  // namespace topologies
