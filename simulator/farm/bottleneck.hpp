@@ -3,19 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "simulator/declare/program.hpp"
 #include "simulator/farm/farm.hpp"
 
 namespace farm {
 
-/// A resource and the share of the run's time that it was busy, 0 to 1.
-struct Load {
-  /// "coordination", "workers", "worker1 (routing)", "link coordinator>worker1"
-  std::string resource;
-  double busy = 0;
-  std::string doing;  ///< what it did with that time
-};
+using programs::Load;
 
-/// The resources that can limit the farm, the busiest first:
+/// The resources that can limit the farm, such as "worker1 (routing)", the busiest first:
 /// - "workers": their CPUs on average, with how much of it was routing;
 /// - "workerN (routing)": the routers of the one that routes most, at high priority;
 /// - "coordination": the process, whenever it was not waiting for its workers: it takes turns with

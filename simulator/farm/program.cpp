@@ -258,8 +258,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   outcome.images = take_images(picture_name(params), result);
   outcome.end = result.end;
   outcome.use = result.use;
-  for (const auto& load : measured.loads)
-    outcome.loads.push_back({load.resource, load.busy, load.doing});
+  outcome.loads = measured.loads;
   outcome.events = result.events;
   if (setup.profile && !measured.is_shared) outcome.kernel_host_s = result.kernel_host_s;
   outcome.rows.push_back(std::move(measured));

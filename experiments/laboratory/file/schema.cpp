@@ -48,7 +48,7 @@ std::vector<Binding<Experiment>> make_bindings() {
        }},
       {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
        [](E& e, const P& at) { e.faults = read_faults(at); }},
-      // Of the file, not of a point: read_checks, read_plots and others read them.
+      // These belong to the file and not to a point: read_checks, read_plots and others read them.
       {"let", "[let]: names for expressions, to be used in checks",
        [](E&, const P& at) { at.refuse("no axis of this name"); }},
       {"check", "[[check]]: what the results are compared with",

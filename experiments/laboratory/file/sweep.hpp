@@ -20,7 +20,7 @@ std::string join_names(std::string_view name);
 // there with or without quotes. (TOML tables are sorted by name.)
 void add_names(std::vector<std::string>& order, toml::table& file, const std::string& origin);
 
-// Of a file whose names are in `order`. Throws base::BadInput for unknown axes, those that
+// The axes of a file; `order` has their names. Throws base::BadInput for unknown axes, those that
 // are there twice, and values that are no list of one for each.
 std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
                                const Programs& in_play, const std::string& origin);

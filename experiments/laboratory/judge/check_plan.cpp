@@ -10,8 +10,8 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
 
 namespace laboratory {
 namespace {

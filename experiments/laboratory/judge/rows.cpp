@@ -11,8 +11,8 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
 
 namespace laboratory {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/host/version.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "simulator/machine/engine.hpp"
 

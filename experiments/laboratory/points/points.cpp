@@ -8,13 +8,13 @@
 #include "base/errors.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
-#include "experiments/laboratory/points/network_setup.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_key.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
 #include "experiments/laboratory/points/trace_files.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/network_setup.hpp"
 #include "simulator/machine/faults.hpp"
 
 namespace laboratory {
@@ -116,12 +116,11 @@ void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& fai
 void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
   check_trace_files(options, chosen, results_folder(options));
   check_axes(file);
-  std::set<std::string> models, networks;
+  std::set<std::string> networks;
   for (const auto& point : file.points)
     check_in(file, [&] {
       const Experiment& e = point.experiment;
       check_point(e);
-      if (models.insert(model_key(e)).second) make_model(e);
       if (networks.insert(network_key(e)).second) check_network(e);
     });
 }

@@ -29,7 +29,7 @@ struct PointsPlan {
   nlohmann::ordered_json origin;  // see make_origin
 };
 
-// Of these points the results whose records are there; the others are not there. With --profile,
+// The results of these points, as far as their records are there. With --profile,
 // --trace or --timeline there are none.
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers);
 

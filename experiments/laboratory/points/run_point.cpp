@@ -8,8 +8,8 @@
 #include "base/errors.hpp"
 #include "experiments/laboratory/file/schema.hpp"
 #include "experiments/laboratory/points/images.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
-#include "experiments/laboratory/points/network_setup.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/network_setup.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace laboratory {
@@ -46,6 +46,18 @@ Setup make_setup(const Experiment& experiment, const machine::Model& model, bool
   }
   setup.faults = find_faults(experiment, setup.topology);
   return setup;
+}
+
+// Making some networks takes seconds: this one is there.
+PointResult describe(const Experiment& experiment, const topologies::Topology& topology) {
+  const auto& program = *experiment.program;
+  PointResult result;
+  if (program.uses.network) {
+    result.topology = topology.name;
+    result.processors = topology.processors;
+  }
+  if (program.describe) result.described = program.describe(experiment.params);
+  return result;
 }
 
 // One row without parts; with them any number, no two of which have the same parts.
@@ -94,15 +106,8 @@ void check_point(const Experiment& experiment) {
 }
 
 PointResult describe_point(const Experiment& experiment) {
-  const auto& program = *experiment.program;
-  PointResult result;
-  if (program.uses.network) {
-    const auto topology = make_workers(experiment);
-    result.topology = topology.name;
-    result.processors = topology.processors;
-  }
-  if (program.describe) result.described = program.describe(experiment.params);
-  return result;
+  const bool has_network = experiment.program->uses.network;
+  return describe(experiment, has_network ? make_workers(experiment) : topologies::make_line(1));
 }
 
 PointResult run_point(const Experiment& experiment, const std::filesystem::path& images,
@@ -110,7 +115,7 @@ PointResult run_point(const Experiment& experiment, const std::filesystem::path&
   const double start_s = process_cpu_s();
   const auto model = make_model(experiment);
   const auto setup = make_setup(experiment, model, profile, watch);
-  auto result = describe_point(experiment);
+  auto result = describe(experiment, setup.topology);
   const double run_start_s = process_cpu_s();
   try {
     auto outcome = experiment.program->run(setup, experiment.params);

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/points/network_setup.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/setup/network_setup.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
 namespace laboratory {

@@ -11,8 +11,6 @@
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/judge/best.hpp"
 #include "experiments/laboratory/judge/check_plan.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
-#include "experiments/laboratory/points/network_setup.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -22,6 +20,8 @@
 #include "experiments/laboratory/report/plot.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/network_setup.hpp"
 
 namespace laboratory {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
 #include "simulator/machine/engine.hpp"
 
 namespace laboratory {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "experiments/laboratory/judge/check_results.hpp"
-#include "experiments/laboratory/points/host_speed.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
 #include "experiments/laboratory/points/run_options.hpp"
+#include "experiments/laboratory/setup/host_speed.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
 namespace laboratory {

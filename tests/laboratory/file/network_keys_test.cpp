@@ -3,8 +3,8 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/file/network_schema.hpp"
-#include "experiments/laboratory/points/network_setup.hpp"
 #include "experiments/laboratory/points/point_key.hpp"
+#include "experiments/laboratory/setup/network_setup.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/laboratory/support/load.hpp"

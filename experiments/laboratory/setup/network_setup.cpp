@@ -1,4 +1,4 @@
-#include "experiments/laboratory/points/network_setup.hpp"
+#include "experiments/laboratory/setup/network_setup.hpp"
 
 #include <fmt/format.h>
 

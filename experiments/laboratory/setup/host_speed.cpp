@@ -1,4 +1,4 @@
-#include "experiments/laboratory/points/host_speed.hpp"
+#include "experiments/laboratory/setup/host_speed.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/points/machine_model.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
 #include "renderer/files/load.hpp"
 #include "simulator/farm/farm.hpp"
 

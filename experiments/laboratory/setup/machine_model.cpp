@@ -1,4 +1,4 @@
-#include "experiments/laboratory/points/machine_model.hpp"
+#include "experiments/laboratory/setup/machine_model.hpp"
 
 #include <fmt/format.h>
 
