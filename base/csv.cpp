@@ -1,10 +1,8 @@
 #include "base/csv.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"

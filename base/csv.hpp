@@ -38,7 +38,7 @@ class CsvReader {
 
   std::string_view text_, name_;
   std::size_t at_ = 0;
-  int line_ = 1;  // of text_[at_]
+  int line_ = 1;  // the line of text_[at_]
   int record_line_ = 1;
 };
 

@@ -21,12 +21,18 @@ struct InvariantBroken : std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Throws BadInput "place: message" unless `holds`; `place` is a file, a line or a key.
+/// Throws BadInput "place: message"; `place` is a file, a line or a key.
+template <class... Args>
+[[noreturn]] void refuse(std::string_view place, fmt::format_string<Args...> message,
+                         Args&&... args) {
+  throw BadInput(fmt::format("{}: {}", place, fmt::format(message, std::forward<Args>(args)...)));
+}
+
+/// Does so unless `holds`.
 template <class... Args>
 void require(bool holds, std::string_view place, fmt::format_string<Args...> message,
              Args&&... args) {
-  if (!holds)
-    throw BadInput(fmt::format("{}: {}", place, fmt::format(message, std::forward<Args>(args)...)));
+  if (!holds) refuse(place, message, std::forward<Args>(args)...);
 }
 
 /// Throws InvariantBroken, with both values, unless they are equal.

@@ -67,7 +67,7 @@ struct Domain {
 /// One member of P, or of something inside it.
 template <class P>
 struct Field {
-  std::string name;  ///< of the key, the option and the column
+  std::string name;  ///< key, option and column
   std::string unit;  ///< "bytes"; "" where there is none
   std::string help;
   Domain domain;

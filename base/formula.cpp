@@ -1,11 +1,9 @@
 #include "base/formula.hpp"
 
-#include <fmt/format.h>
 #include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
@@ -26,8 +24,8 @@ void check_functions(const mu::Parser& parser, const std::string& text, const st
     name.erase(name.find_last_not_of(" \t") + 1);
     name.erase(0, name.find_last_not_of(NAME_CHARACTERS) + 1);
     if (!Formula::is_name(name) || std::ranges::find(known, name) != known.end()) continue;
-    throw BadInput(fmt::format("{}: unknown function \"{}\", the nearest is \"{}\"", place, name,
-                               nearest_name(name, known)));
+    refuse(place, "unknown function \"{}\", the nearest is \"{}\"", name,
+           nearest_name(name, known));
   }
 }
 
@@ -52,7 +50,7 @@ struct Formula::Parser {
 Formula::Formula(const std::string& text, std::string place)
     : place_(std::move(place)), parser_(std::make_unique<Parser>()) {
   auto refuse = [&](const std::string& what) {
-    throw BadInput(fmt::format("{}: found \"{}\", expected an expression: {}", place_, text, what));
+    base::refuse(place_, "found \"{}\", expected an expression: {}", text, what);
   };
   if (has_assignment(text)) refuse("= sets nothing here, == compares");
   mu::Parser& parser = parser_->parser;

@@ -1,14 +1,12 @@
 #include "base/whole_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
-#include <utility>
 
 #include "base/errors.hpp"
 

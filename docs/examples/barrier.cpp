@@ -38,21 +38,19 @@ void pass_barrier(Way* parent, const std::vector<Way*>& children) {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto tree = topologies::make_spanning_tree(setup.topology, setup.topology.root);
-  machine::Machine machine(setup.model);
-  add_processors(machine, setup.topology.processors);
-  const auto& cpus = machine.processors();
+  Machine machine(setup, setup.topology.processors);
   std::deque<Way> ways;
-  std::vector<Way*> parent(cpus.size());
-  std::vector<std::vector<Way*>> children(cpus.size());
+  std::vector<Way*> parent(tree.parent.size());
+  std::vector<std::vector<Way*>> children(tree.parent.size());
   for (int id = 0; id < setup.topology.processors; ++id)
     for (const int child : tree.children[id]) {
-      machine.connect(*cpus[id], *cpus[child], switches_between(setup.topology, id, child));
-      parent[child] = &ways.emplace_back(machine, *cpus[id], *cpus[child]);
+      machine.connect(machine[id], machine[child], switches_between(setup.topology, id, child));
+      parent[child] = &ways.emplace_back(machine, machine[id], machine[child]);
       children[id].push_back(parent[child]);
     }
   Seconds last;
   for (int id = 0; id < setup.topology.processors; ++id)
-    cpus[id]->start("node", Priority::high, [&, id] {
+    machine[id].start("node", Priority::high, [&, id] {
       wait_for_start();
       for (int round = 0; round < params.rounds; ++round) pass_barrier(parent[id], children[id]);
       last = std::max(last, now());
@@ -70,8 +68,8 @@ Program make_barrier() {
        .help = "a barrier of all processors along the spanning tree",
        .uses = {.network = true},
        .fields = {D::whole("rounds", &Params::rounds, 1, 1e6, "", "barriers, one after the other")},
-       .columns = {base::column("barrier_s", &Measured::barrier_s, "time of a round"),
-                   base::column("depth", &Measured::depth, "links from the root to a leaf")},
+       .columns = {column("barrier_s", &Measured::barrier_s, "time of a round"),
+                   column("depth", &Measured::depth, "links from the root to a leaf")},
        .run = &run});
 }
 

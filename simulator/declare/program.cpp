@@ -1,7 +1,5 @@
 #include "simulator/declare/program.hpp"
 
-#include <algorithm>
-
 namespace programs {
 
 namespace {

@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "base/fields.hpp"
-#include "simulator/machine/faults.hpp"
-#include "simulator/machine/model.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
@@ -19,6 +17,7 @@
 
 namespace programs {
 
+using base::column;
 using base::Row;
 
 /// A link or a processor that breaks while the program runs.
@@ -36,10 +35,11 @@ struct Setup {
   topologies::Topology topology;         ///< one processor where the program uses no network
   observe::Watch* watch = nullptr;       ///< its limit and trace, if there is one
   topologies::RoutingTable routes = {};  ///< where the program uses routes
-  std::optional<topologies::TreeLinks> tree = {};  ///< of messages to all; none: one each sender
-  std::vector<PlannedFault> faults = {};           ///< where the program uses faults
-  std::optional<double> cycles_per_host_s = {};    ///< where costs are timed: charge host time
-  bool profile = false;                            ///< measure the host time of kernels
+  std::optional<topologies::TreeLinks> tree =
+      {};                                 ///< way of messages to all; none: each sender has one
+  std::vector<PlannedFault> faults = {};  ///< where the program uses faults
+  std::optional<double> cycles_per_host_s = {};  ///< where costs are timed: charge host time
+  bool profile = false;                          ///< measure the host time of kernels
 };
 
 /// A picture of what was computed: equal runs give equal bytes.
@@ -58,23 +58,27 @@ struct Load {
   std::string doing;  ///< a sentence
 };
 
-/// What a run gives: a row, or several that differ in the columns of Program::parts.
-template <class R>
-struct Outcome {
-  std::vector<R> rows;
+/// What a run gives beside its rows.
+struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
   machine::End end = machine::End::done;  ///< else the row is what was measured until then
   bool is_saturated = false;              ///< queues grow without bound
-  std::optional<observe::Use> use = {};   ///< of processors and links, for run.json
+  std::optional<observe::Use> use = {};   ///< what was busy, for run.json
   std::vector<Load> loads = {};
   std::uint64_t events = 0;                  ///< simulated, where they are counted
   std::optional<double> kernel_host_s = {};  ///< with Setup::profile
+};
+
+/// What a run gives: a row, or several that differ in the columns of Program::parts.
+template <class R>
+struct Outcome : Extras {
+  std::vector<R> rows;
 
   Outcome() = default;
   Outcome(R row) { rows.push_back(std::move(row)); }
   explicit Outcome(std::vector<R> all, std::vector<std::string> sentences = {})
-      : rows(std::move(all)), notes(std::move(sentences)) {}
+      : Extras{std::move(sentences)}, rows(std::move(all)) {}
 };
 
 using Parameter = base::Field<std::any>;
@@ -82,7 +86,7 @@ using Parameter = base::Field<std::any>;
 /// A list of tables of the experiment file, [[stage]]: each is a record of its own.
 struct RecordList {
   std::string key, help;
-  std::vector<Parameter> fields;  ///< of a record
+  std::vector<Parameter> fields;  ///< a record's fields
   std::function<std::any()> make_record;
   std::function<void(std::any& params)> clear;
   /// Throws BadInput for a record that says too much or too little.
@@ -160,14 +164,7 @@ Program make_program(const Declaration<P, R>& d) {
     auto found = run(setup, const_params(any));
     Outcome<Row> outcome;
     for (const auto& row : found.rows) outcome.rows.push_back(base::make_row(columns, row));
-    outcome.notes = std::move(found.notes);
-    outcome.images = std::move(found.images);
-    outcome.end = found.end;
-    outcome.is_saturated = found.is_saturated;
-    outcome.use = std::move(found.use);
-    outcome.loads = std::move(found.loads);
-    outcome.events = found.events;
-    outcome.kernel_host_s = found.kernel_host_s;
+    static_cast<Extras&>(outcome) = std::move(found);
     return outcome;
   };
   if (d.check)

@@ -1,9 +1,7 @@
 #pragma once
 // What the programs over routers share: their parameters, their network, an application's costs.
-#include <cmath>
 #include <optional>
 
-#include "base/errors.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/network/network.hpp"
 
@@ -15,7 +13,7 @@ inline const base::Names<network::Method> METHODS = {{"green", network::Method::
                                                      {"acyclic", network::Method::acyclic},
                                                      {"naive", network::Method::naive}};
 
-// Parameters of every program over routers.
+// Parameters of every program over routers, its member `routers`.
 struct RouterParams {
   network::Method method = network::Method::green;
   bool pointers = true;  // a message is passed within a processor by pointer; else it is copied
@@ -34,6 +32,12 @@ inline base::Fields<RouterParams> router_fields() {
                    "messages that a router has room for")};
 }
 
+// Those, and then `others`.
+template <class P>
+base::Fields<P> with_routers(const base::Fields<P>& others) {
+  return base::join(base::lift_all<P>(router_fields(), &P::routers), {others});
+}
+
 // The field "message_bytes": contents of a message.
 template <class P, class Access>
 base::Field<P> message_bytes_field(Access access) {
@@ -48,8 +52,8 @@ base::Column<R> most_held_column(std::size_t R::*most_held) {
 }
 
 inline void check_two_processors(const Setup& setup) {
-  if (setup.topology.processors < 2)
-    throw base::BadInput("network.topology: found one processor, expected at least two");
+  base::require(setup.topology.processors >= 2, "network.topology",
+                "found one processor, expected at least two");
 }
 
 // `longest`: contents of the longest message, in bytes.
@@ -67,38 +71,33 @@ inline network::Routing routing_of(const Setup& setup, network::Method method) {
 }
 
 // A machine of the topology's processors, with the model's memory, and its faults.
-struct RouterMachine {
-  RouterMachine(const Setup& setup, const network::Params& params) : machine(setup.model) {
-    if (params.method == network::Method::acyclic && setup.tree)
-      throw base::BadInput(
-          "network.tree: found a tree for all senders, expected none with program.method = "
-          "\"acyclic\", which has its own");
-    for (int id = 0; id < setup.topology.processors; ++id)
-      machine.add_processor(fmt::format("p{}", id), get_bytes(setup.model, "worker_memory"));
-    network.emplace(machine, routing_of(setup, params.method), params);
-    for (const PlannedFault& fault : setup.faults) {
-      auto& a = *machine.processors()[fault.a];
+struct RouterMachine : Machine {
+  RouterMachine(const Setup& setup, const network::Params& params)
+      : Machine(setup, setup.topology.processors, get_bytes(setup.model, "worker_memory")) {
+    base::require(params.method != network::Method::acyclic || !setup.tree, "network.tree",
+                  "found a tree for all senders, expected none with program.method = "
+                  "\"acyclic\", which has its own");
+    network.emplace(*this, routing_of(setup, params.method), params);
+    for (const PlannedFault& fault : setup.faults)
       if (fault.b < 0)
-        machine.stop_processor(a, {fault.at_s});
+        stop_processor((*this)[fault.a], {fault.at_s});
       else
-        machine.cut_link(a, *machine.processors()[fault.b], {fault.at_s});
-    }
+        cut_link((*this)[fault.a], (*this)[fault.b], {fault.at_s});
   }
-  machine::Machine machine;
+  // Starts `application` on every processor, with its client.
+  template <class Application>
+  void start_all(Application application) {
+    for (int id = 0; id < static_cast<int>(processors().size()); ++id)
+      (*this)[id].start(fmt::format("p{}.application", id), Priority::low,
+                        [this, id, application] { application(network->client(id)); });
+  }
+
   std::optional<network::Network> network;
 };
 
-// The instructions of a compiled application, by operations of the model.
-class ApplicationCost {
- public:
-  explicit ApplicationCost(const machine::Model& model) : model_(model) {}
-  void operator()(const char* operation) const {
-    const auto cycles = static_cast<double>(get_operation(model_, operation).value);
-    compute({std::llround(cycles * model_.software.occam_factor)});
-  }
-
- private:
-  const machine::Model& model_;
-};
+// Spends what an operation of a compiled application does.
+inline void compute(const char* operation) {
+  compute(get_compiled(this_process().processor().model(), operation));
+}
 
 }  // namespace programs

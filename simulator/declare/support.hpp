@@ -6,9 +6,7 @@
 #include <deque>
 
 #include "simulator/declare/program.hpp"
-#include "simulator/machine/machine.hpp"
 #include "simulator/occam/alt.hpp"
-#include "simulator/occam/channel.hpp"
 #include "simulator/occam/process.hpp"
 
 namespace programs {
@@ -32,19 +30,22 @@ inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-// p0, p1, ...: the topology's processors, not yet joined.
-inline void add_processors(machine::Machine& machine, int count) {
-  for (int id = 0; id < count; ++id) machine.add_processor(fmt::format("p{}", id), MEMORY);
-}
+// A machine of the processors p0, p1, ..., not yet joined.
+struct Machine : machine::Machine {
+  Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY)
+      : machine::Machine(setup.model) {
+    for (int id = 0; id < count; ++id) add_processor(fmt::format("p{}", id), memory);
+  }
+  machine::Processor& operator[](int id) const { return *processors()[id]; }
+};
 
 // A line p0 - p1 - ... and a channel from each to the next.
-struct Line {
-  Line(machine::Machine& machine, int count) {
-    add_processors(machine, count);
+struct Line : Machine {
+  Line(const Setup& setup, int count) : Machine(setup, count) {
     for (int id = 0; id + 1 < count; ++id) {
-      auto &here = *machine.processors()[id], &next = *machine.processors()[id + 1];
-      machine.connect(here, next);
-      channels.emplace_back(next.name() + ".in", machine.link(here, next));
+      auto &here = (*this)[id], &next = (*this)[id + 1];
+      connect(here, next);
+      channels.emplace_back(next.name() + ".in", link(here, next));
     }
   }
   std::deque<Channel<Message>> channels;
@@ -65,7 +66,7 @@ base::Field<P> seed_field(Access access, const std::string& help) {
 // A processor in a column: its label, where the topology has labels, else its number.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
   if (topology.labels.empty()) return static_cast<std::int64_t>(id);
-  return topology.labels.at(static_cast<std::size_t>(id));
+  return topology.labels.at(id);
 }
 
 }  // namespace programs

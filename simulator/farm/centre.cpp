@@ -1,5 +1,6 @@
 #include "simulator/farm/centre.hpp"
 
+#include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -69,6 +70,234 @@ void Visualisation::run(Channel<Answer>& inp) {
         [](SceneReceived) {}, [&](Stop) { active = false; });
     this_process().charge(cost(work.counts));
   }
+}
+
+namespace {
+
+machine::Seconds sync_now() {
+  this_process().sync();
+  return this_process().now();
+}
+
+template <class Content>
+void wait_for(Channel<Command>& from_interaction) {
+  Command command;
+  do in(from_interaction, command);
+  while (!std::holds_alternative<Content>(command.content));
+}
+
+// Sends the scene to all workers, and waits until they have it. No task is under way, and the
+// sender's signal has not been taken.
+void send_scene(CoordinationChannels to, SceneMessages load) {
+  if (load.bytes == 0) return;
+  for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
+    in(to.from_sender);
+    const auto left = load.bytes - sent;
+    const auto size = static_cast<std::uint32_t>(std::min<std::uint64_t>(load.message, left));
+    out(to.into_sender, Task{SceneData{left <= load.message}, size});
+  }
+  Answer acknowledgement;
+  for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
+}
+
+// Stops every process of the farm, in the order of the wires, once nothing is in it.
+void stop_all(CoordinationChannels to, bool sender_is_ready) {
+  if (!sender_is_ready) in(to.from_sender);
+  out(to.into_sender, Task{});
+  Answer last;
+  in(to.from_workers, last);
+  out(to.into_visualisation, Answer{});
+  out(to.into_database, DatabaseRequest{});
+}
+
+enum class Mode { null, interactive, non_interactive };
+
+// The process's variables, named as in figure 4.15, and the handling of its guards.
+class Coordinator {
+ public:
+  Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
+      : setup_(setup), to_(channels), progress_(progress) {}
+
+  void run() {
+    wait_for<Begin>(to_.from_interaction);
+    send_scene(to_, setup_.load);
+    for (const auto& ray :
+         make_initial_rays(setup_.scene, setup_.params, setup_.cells, setup_.seed))
+      deposit(ray);
+    progress_.begin();
+    serve(Mode::interactive);
+    progress_.end_interactive();
+    serve(Mode::non_interactive);
+    progress_.end();
+    if (!quitting_) wait_for<Quit>(to_.from_interaction);
+    stop_all(to_, sender_is_ready_);
+  }
+
+ private:
+  // Figure 4.15.
+  void serve(Mode phase) {
+    mode_ = phase;
+    rays_db_is_empty_ = false;
+    Command user_message;
+    Signal dummy;
+    Answer intersection;
+    if (!sender_is_ready_) {
+      in(to_.from_sender, dummy);
+      sender_is_ready_ = true;
+    }
+    while (mode_ == phase) {
+      pri_alt(when(to_.from_interaction, user_message, [&] { obey(user_message); }),
+              when(!sender_is_ready_, to_.from_sender, dummy, [&] { sender_is_ready_ = true; }),
+              otherwise(!rays_db_is_empty_ && sender_is_ready_, [&] { feed_sender(); }),
+              when(to_.from_workers, intersection, [&] { take(intersection); }));
+      if (rays_db_is_empty_ && rays_in_farm_ == 0) next_stage();
+    }
+  }
+
+  void obey(const Command& command) {
+    case_of(
+        command, [](Begin) {},
+        [&](NonInteractive) {
+          if (mode_ == Mode::interactive) mode_ = Mode::null;
+        },
+        [&](const Limits& limits) {
+          if (mode_ == Mode::interactive) set_limits(limits);
+        },
+        [&](Quit) { quitting_ = true; });
+  }
+
+  void feed_sender() {
+    DatabaseRequest ask{AskAny{}};
+    if (mode_ == Mode::interactive) ask.content = AskInteractive{};
+    out(to_.into_database, ask);
+    DatabaseReply reply;
+    in(to_.from_database, reply);
+    rays_db_is_empty_ = !reply.ray;
+    if (!reply.ray) return;
+    out(to_.into_sender, Task{*reply.ray, setup_.bytes.ray});
+    sender_is_ready_ = false;
+    progress_.note_task(++rays_in_farm_);
+  }
+
+  void take(const Answer& answer) {
+    const auto& [ray, hit] = std::get<Intersection>(answer.content);
+    --rays_in_farm_;
+    progress_.rays.add(ray.kind, hit.has_value());
+    out(to_.into_visualisation, answer);
+    if (!hit) return;
+    renderer::Work work;
+    new_rays_.clear();
+    make_children(setup_.scene, setup_.params, ray, *hit, new_rays_, work);
+    this_process().charge(setup_.cost(work.counts));
+    for (const auto& child : new_rays_) deposit(child);
+  }
+
+  void deposit(const renderer::Ray& ray) {
+    out(to_.into_database, DatabaseRequest{ray, setup_.bytes.ray});
+    rays_db_is_empty_ = false;
+  }
+
+  void set_limits(const Limits& limits) {
+    out(to_.into_database, DatabaseRequest{limits, LIMITS_BYTES});
+    rays_db_is_empty_ = false;
+  }
+
+  // No ray within the limits is left anywhere: the next limits are set, or the phase ends.
+  void next_stage() {
+    if (mode_ != Mode::interactive || stage_ + 1 >= setup_.stages.size()) {
+      mode_ = Mode::null;
+      return;
+    }
+    out(to_.into_visualisation, Answer{KeepImage{}});
+    set_limits(setup_.stages[++stage_]);
+  }
+
+  const CoordinationSetup& setup_;
+  CoordinationChannels to_;
+  Mode mode_ = Mode::null;
+  bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
+  std::size_t rays_in_farm_ = 0, stage_ = 0;
+  renderer::Children new_rays_;
+  Progress& progress_;
+};
+
+}  // namespace
+
+void coordination(const CoordinationSetup& setup, CoordinationChannels channels,
+                  Progress& progress) {
+  Coordinator(setup, channels, progress).run();
+}
+
+std::vector<renderer::Area> make_blocks(const renderer::Params& params, Block size) {
+  const renderer::Area area = renderer::get_area(params);
+  std::vector<renderer::Area> blocks;
+  for (int y = area.y; y < area.y + area.height; y += size.height)
+    for (int x = area.x; x < area.x + area.width; x += size.width)
+      blocks.push_back({x, y, std::min(size.width, area.x + area.width - x),
+                        std::min(size.height, area.y + area.height - y)});
+  return blocks;
+}
+
+void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages load,
+                        CoordinationChannels to, Progress& progress) {
+  wait_for<Begin>(to.from_interaction);
+  send_scene(to, load);
+  progress.begin();
+  std::size_t next = 0, in_farm = 0;
+  bool sender_is_ready = false;
+  Signal dummy;
+  Answer found;
+  while (next < blocks.size() || in_farm > 0)
+    pri_alt(when(!sender_is_ready, to.from_sender, dummy, [&] { sender_is_ready = true; }),
+            otherwise(sender_is_ready && next < blocks.size(),
+                      [&] {
+                        out(to.into_sender, Task{blocks[next++], BLOCK_BYTES});
+                        sender_is_ready = false;
+                        progress.note_task(++in_farm);
+                      }),
+            when(to.from_workers, found, [&] {
+              --in_farm;
+              progress.rays += std::get<RenderedBlock>(found.content)->rays;
+              out(to.into_visualisation, found);
+            }));
+  progress.end();
+  wait_for<Quit>(to.from_interaction);
+  stop_all(to, sender_is_ready);
+}
+
+void Progress::begin() {
+  begun = interactive_ended = last_task = sync_now();
+  before = observe::collect(observed);
+  phase = Phase::interactive;
+}
+
+void Progress::note_task(std::size_t in_farm) {
+  ++tasks;
+  last_task = this_process().now();
+  peak_tasks_in_farm = std::max(peak_tasks_in_farm, in_farm);
+}
+
+void Progress::end_interactive() {
+  interactive_ended = sync_now();
+  phase = Phase::non_interactive;
+}
+
+void Progress::end() {
+  ended = sync_now();
+  phase = Phase::ended;
+  after = observe::collect(observed);
+}
+
+void Progress::cut() {
+  if (phase == Phase::ended) return;
+  after = observe::collect(observed);
+  const machine::Seconds now = observed.now();
+  if (phase == Phase::setup) {
+    before = after;
+    begun = last_task = now;
+  }
+  if (phase <= Phase::interactive) interactive_ended = now;
+  ended = now;
 }
 
 }  // namespace farm

@@ -4,7 +4,7 @@
 // first worker's; the workers form any topology, of which a spanning tree is used (figure 4.10).
 #include <optional>
 
-#include "simulator/farm/coordination.hpp"
+#include "simulator/farm/centre.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
 
@@ -17,8 +17,9 @@ struct Role {
 };
 
 struct Params {
-  renderer::Params image;                               ///< size, shading and its limits
-  std::vector<Limits> stages = std::vector<Limits>(1);  ///< of the interactive phase
+  renderer::Params image;  ///< size, shading and its limits
+  std::vector<Limits> stages =
+      std::vector<Limits>(1);  ///< the interactive phase's limits, one set after the other
   std::vector<Order> script;   ///< the user's orders; Begin and Quit are added
   int max_cell = 16;           ///< pixels, the largest image cell; a power of two
   std::optional<Block> block;  ///< a task; without it a task is a ray
@@ -40,13 +41,13 @@ struct Result {
   double time_s = 0;         ///< from the first task to the last ray shown to be complete
   double interactive_s = 0;  ///< the interactive phase's part of it
   double setup_s = 0;        ///< before: scene sent, initial rays deposited
-  RayStores::Peaks peaks;    ///< of the database's stores
+  RayStores::Peaks peaks;    ///< the most rays in the database's stores
   std::uint64_t tasks = 0;   ///< rays, or blocks
   std::size_t peak_tasks_in_farm = 0;
   double drain_s = 0;                     ///< part of time_s after the last task was handed out
-  topologies::Topology topology;          ///< of the workers, as wired
+  topologies::Topology topology;          ///< the workers' topology, as wired
   double mean_depth = 0;                  ///< links from the coordinator to a worker, on average
-  observe::Use use;                       ///< of processors and links, over time_s
+  observe::Use use;                       ///< what was busy over time_s
   machine::End end = machine::End::done;  ///< else all this is what was measured until then
   std::uint64_t events = 0;               ///< simulated
   machine::Cycles kernel_cycles{};        ///< charged for the workers' tasks

@@ -5,9 +5,8 @@
 #include <variant>
 
 #include "renderer/trace/render.hpp"
-#include "renderer/trace/shade.hpp"
-#include "simulator/farm/priority.hpp"
-#include "simulator/kernels/records.hpp"
+#include "simulator/farm/ray_stores.hpp"
+#include "simulator/kernels/kernels.hpp"
 #include "simulator/occam/channel.hpp"
 
 namespace farm {

@@ -1,7 +1,6 @@
 #include "simulator/farm/program.hpp"
 
 #include <filesystem>
-#include <map>
 
 #include "renderer/files/load.hpp"
 #include "renderer/trace/fields.hpp"
@@ -181,6 +180,17 @@ std::vector<programs::RecordList> make_lists() {
                     &Params::script, &make_order)};
 }
 
+// Whether the scene says its size itself, so that `objects` is void.
+bool has_own_objects(const ProgramParams& params) { return params.scene.text != "spheres"; }
+
+// What the image of a run depends on: runs of equal keys have equal images.
+std::string image_key(const ProgramParams& params) {
+  const auto& p = params.farm.image;
+  return fmt::format("{} {}x{} {} {} {} {} {} {},{},{},{}", scene_source(params), p.width, p.height,
+                     p.limits.depth, p.limits.min_influence, int(p.feelers), int(p.sample),
+                     p.ambient, p.area.x, p.area.y, p.area.width, p.area.height);
+}
+
 // Kept for each source: the points of a sweep share a few scenes.
 SceneSize size_of_scene(const std::string& source) {
   static std::map<std::string, SceneSize> sizes;
@@ -292,18 +302,9 @@ programs::Program make_farm() {
   return program;
 }
 
-bool has_own_objects(const ProgramParams& params) { return params.scene.text != "spheres"; }
-
 std::string scene_source(const ProgramParams& params) {
   if (!has_own_objects(params)) return fmt::format("spheres:{}", params.objects);
   return params.scene.path.empty() ? params.scene.text : params.scene.path;
-}
-
-std::string image_key(const ProgramParams& params) {
-  const auto& p = params.farm.image;
-  return fmt::format("{} {}x{} {} {} {} {} {} {},{},{},{}", scene_source(params), p.width, p.height,
-                     p.limits.depth, p.limits.min_influence, int(p.feelers), int(p.sample),
-                     p.ambient, p.area.x, p.area.y, p.area.width, p.area.height);
 }
 
 }  // namespace farm

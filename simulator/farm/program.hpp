@@ -17,10 +17,5 @@ programs::Program make_farm();
 
 /// What renderer::load_scene takes: "spheres" and 200 objects are spheres:200.
 std::string scene_source(const ProgramParams& params);
-/// Whether the scene says its size itself, so that `objects` is void.
-bool has_own_objects(const ProgramParams& params);
-
-/// What the image of a run depends on: runs of equal keys have equal images.
-std::string image_key(const ProgramParams& params);
 
 }  // namespace farm

@@ -2,19 +2,49 @@
 
 #include <cmath>
 
-#include "base/errors.hpp"
-#include "simulator/farm/centre_wiring.hpp"
-#include "simulator/farm/shared_processes.hpp"
-#include "simulator/kernels/kernel_cost.hpp"
-#include "simulator/kernels/placement.hpp"
+#include "simulator/farm/wiring.hpp"
+#include "simulator/occam/case_of.hpp"
+#include "simulator/shared_memory/scene_items.hpp"
 
 namespace farm {
 
-using base::BadInput;
+using network::Address;
+using network::Message;
+using occam::case_of;
+using occam::this_process;
+using shared_memory::DataManager;
 
 SceneSize size_of(const renderer::Scene& scene) { return {box_count(scene), object_count(scene)}; }
 
 namespace {
+
+// The second level of the address of the coordinator and of the workers, and what they say.
+constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
+struct FarmMessage : network::Contents {
+  explicit FarmMessage(std::variant<Stop, renderer::Area, renderer::Block> content)
+      : content(std::move(content)) {}
+  std::variant<Stop, renderer::Area, renderer::Block> content;
+};
+
+// Blocks that a worker has: one in hand, one ahead.
+constexpr int BLOCKS_OF_WORKER = 2;
+
+void send(DataManager& manager, Address to, FarmMessage contents, std::uint64_t bytes) {
+  manager.client().send({.to = to,
+                         .from = {.process = FARM_PROCESS},
+                         .length = bytes,
+                         .contents = std::make_shared<const FarmMessage>(std::move(contents))});
+}
+
+const FarmMessage& read(const Message& message) {
+  return static_cast<const FarmMessage&>(*message.contents);
+}
+
+// Bytes of a block that comes back.
+std::uint64_t block_bytes(std::uint32_t pixel_bytes, const renderer::Area& area) {
+  return BLOCK_BYTES + std::uint64_t{pixel_bytes} * static_cast<std::uint64_t>(area.width) *
+                           static_cast<std::uint64_t>(area.height);
+}
 
 struct SceneBytes {
   SceneBytes(const machine::Model& model, const SceneSize& scene)
@@ -30,36 +60,32 @@ struct SceneBytes {
 void check_percent(const char* key, double percent, const SceneBytes& scene,
                    std::uint64_t largest) {
   if (!(percent > 0 && percent <= 100))
-    throw BadInput(fmt::format("{}: found {}, expected more than 0, 100 at most", key, percent));
+    base::refuse(key, "found {}, expected more than 0, 100 at most", percent);
   if (const auto bytes = scene.percent(percent); bytes < largest)
-    throw BadInput(
-        fmt::format("{}: found {} % of a scene of {} bytes, a cache of {}, expected at least the "
-                    "{} bytes of its largest record",
-                    key, percent, scene.all, bytes, largest));
+    base::refuse(key,
+                 "found {} % of a scene of {} bytes, a cache of {}, expected at least the {} bytes "
+                 "of its largest record",
+                 percent, scene.all, bytes, largest);
 }
 
 void check_farm(const Params& params) {
   check(params);
   check_task(params);
   if (params.cycles_per_host_s)
-    throw BadInput(
-        "run.cost: found timed, expected counted: a kernel that waits for data ([data]) cannot be "
-        "timed, other processes run meanwhile");
+    base::refuse("run.cost",
+                 "found timed, expected counted: a kernel that waits for data ([data]) cannot be "
+                 "timed, other processes run meanwhile");
   if (params.scene_message > 0)
-    throw BadInput(
-        fmt::format("farm.scene_message_bytes: found {}, expected 0: workers that read the scene "
-                    "through data managers ([data]) are not sent it",
-                    params.scene_message));
+    base::refuse("farm.scene_message_bytes",
+                 "found {}, expected 0: workers that read the scene through data managers ([data]) "
+                 "are not sent it",
+                 params.scene_message);
 }
 
 shared_memory::DataParams make_data_params(const SharedParams& data, const SceneBytes& scene) {
-  shared_memory::DataParams params;
-  params.scheme = data.scheme;
+  shared_memory::DataParams params = data;
   params.cache_bytes = scene.percent(data.cache_percent);
   params.server_cache_bytes = scene.percent(data.server_cache_percent);
-  params.in_path = data.in_path;
-  params.waiting_queue = data.waiting_queue;
-  params.page_items = data.page_items;
   return params;
 }
 
@@ -114,6 +140,10 @@ class SharedFarm {
         items_(model, scene),
         data_params_(make_data_params(data, {model, size_of(scene)})),
         machine_(model, model.software.occam_factor),
+        pixel_bytes_(kernels::record_bytes(model).pixel),
+        central_cost_(model, "central", renderer::op_names()),
+        block_cost_(kernels::tree_costs(model)),
+        samples_(params.image.width, params.image.height),
         progress_(machine_) {
     add_processors(machine_, params, workers_.processors);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
@@ -122,11 +152,97 @@ class SharedFarm {
     memory_.emplace(machine_, *network_, items_.catalogue(), data_params_);
   }
 
-  SharedResult run();
+  SharedResult run() {
+    start();
+    SharedResult result;
+    result.farm = take_result(observe::run(machine_, params_.watch));
+    result.data = memory_->use();
+    result.routers = network_->use();
+    result.cache_bytes = data_params_.cache_bytes;
+    return result;
+  }
 
  private:
-  void start();
-  Result take_result(machine::End end);
+  void start() {
+    for (int id = 0; id <= workers_.processors; ++id) {
+      auto& processor = *machine_.processors()[id];
+      auto& manager = memory_->manager(id);
+      if (id == 0)
+        kernels::start(processor, "coordination", machine::Priority::low,
+                       [this, &manager] { coordinate(manager); });
+      else
+        kernels::start(processor, "application", machine::Priority::low,
+                       [this, &manager] { work(manager); });
+    }
+  }
+
+  // Hands out the blocks, adds what comes back to the image, and serves data at any time between.
+  // (A process without work waits for messages here; it does not look every idle_period.)
+  void coordinate(DataManager& manager) {
+    progress_.begin();
+    const auto blocks = make_blocks(params_.image, *params_.block);
+    std::size_t next = 0, in_farm = 0;
+    const auto feed = [&](int worker) {
+      if (next == blocks.size()) return;
+      send(manager, {worker, FARM_PROCESS}, FarmMessage(blocks[next++]), BLOCK_BYTES);
+      progress_.note_task(++in_farm);
+    };
+    for (int block = 0; block < BLOCKS_OF_WORKER; ++block)
+      for (int worker = 1; worker <= workers_.processors; ++worker) {
+        manager.look();
+        feed(worker);
+      }
+    while (in_farm > 0) {
+      const Message message = manager.serve_at_once();
+      const auto& block = std::get<renderer::Block>(read(message).content);
+      --in_farm;
+      feed(message.from.processor);
+      progress_.rays += block.rays;
+      renderer::Work work;
+      samples_.add(block.area.x, block.area.y, block.samples);
+      work[renderer::Op::sample_updated] = block.samples.sums.size();
+      this_process().charge(central_cost_(work.counts));
+    }
+    progress_.end();
+    send(manager, network::make_global(FARM_PROCESS), FarmMessage(Stop{}), TAG_BYTES);
+  }
+
+  // Renders the blocks that come, until it is told to stop.
+  void work(DataManager& manager) {
+    for (bool active = true; active;) {
+      const Message message = manager.serve_at_once();
+      case_of(
+          read(message),
+          [&](const renderer::Area& area) {
+            send(manager, {message.from.processor, FARM_PROCESS},
+                 FarmMessage(render(manager, area)), block_bytes(pixel_bytes_, area));
+          },
+          [&](const auto&) { active = false; });
+    }
+  }
+
+  // The block's sums have their place in the worker's memory as long as it needs them.
+  renderer::Block render(DataManager& manager, const renderer::Area& area) {
+    return kernels::with_memory(block_bytes(pixel_bytes_, area), "a block of pixels", [&] {
+      shared_memory::SceneReader reader(items_, manager, block_cost_);
+      auto block = render_block(scene_, params_.image, area, reader);
+      reader.charge(block.work);
+      charged_ += reader.charged();
+      return block;
+    });
+  }
+
+  Result take_result(machine::End end) {
+    Result result = make_result(progress_, end);
+    result.samples = std::move(samples_);
+    result.topology = workers_;
+    for (int id = 1; id <= workers_.processors; ++id)
+      result.mean_depth += network_->routing().distance(0, id);
+    result.mean_depth /= workers_.processors;
+    result.kernel_cycles = charged_;
+    result.events = machine_.events();
+    return result;
+  }
 
   const Params& params_;
   const topologies::Topology workers_, joined_;
@@ -136,68 +252,27 @@ class SharedFarm {
   machine::Machine machine_;
   std::optional<network::Network> network_;
   std::optional<shared_memory::VirtualMemory> memory_;
-  std::optional<WorkerSetup> worker_;
+  const std::uint32_t pixel_bytes_;
+  const machine::OperationCosts central_cost_, block_cost_;
+  machine::Cycles charged_{};  // for all blocks of all workers
   renderer::Samples samples_;
   Progress progress_;
 };
-
-void SharedFarm::start() {
-  const auto& model = machine_.model();
-  samples_ = renderer::Samples(params_.image.width, params_.image.height);
-  worker_.emplace(WorkerSetup{scene_, params_.image, items_, kernels::tree_costs(model),
-                              kernels::record_bytes(model).pixel});
-  for (int id = 0; id <= workers_.processors; ++id) {
-    auto& processor = *machine_.processors()[static_cast<std::size_t>(id)];
-    auto& manager = memory_->manager(id);
-    if (id == 0)
-      kernels::start(processor, "coordination", machine::Priority::low, [this, &manager] {
-        coordinate({.blocks = make_blocks(params_.image, *params_.block),
-                    .workers = workers_.processors,
-                    .cost = {machine_.model(), "central", renderer::op_names()}},
-                   manager, samples_, progress_);
-      });
-    else
-      kernels::start(processor, "application", machine::Priority::low,
-                     [this, &manager] { work(*worker_, manager); });
-  }
-}
-
-Result SharedFarm::take_result(machine::End end) {
-  Result result = make_result(progress_, end);
-  result.samples = std::move(samples_);
-  result.topology = workers_;
-  for (int id = 1; id <= workers_.processors; ++id)
-    result.mean_depth += network_->routing().distance(0, id);
-  result.mean_depth /= workers_.processors;
-  result.kernel_cycles = worker_->charged;
-  result.events = machine_.events();
-  return result;
-}
-
-SharedResult SharedFarm::run() {
-  start();
-  SharedResult result;
-  result.farm = take_result(observe::run(machine_, params_.watch));
-  result.data = memory_->use();
-  result.routers = network_->use();
-  result.cache_bytes = data_params_.cache_bytes;
-  return result;
-}
 
 }  // namespace
 
 void check_task(const Params& params) {
   if (!params.block)
-    throw BadInput(
-        "farm.task: found ray, expected a block of pixels, block:8x8: workers that read the scene "
-        "through data managers ([data]) are given no rays");
+    base::refuse("farm.task",
+                 "found ray, expected a block of pixels, block:8x8: workers that read the scene "
+                 "through data managers ([data]) are given no rays");
 }
 
 void check(const machine::Model& model, const SceneSize& size, const Params& farm,
            const SharedParams& data) {
   check_farm(farm);
   const SceneBytes scene(model, size);
-  if (scene.all == 0) throw BadInput("scene.source: found no objects, expected some ([data])");
+  if (scene.all == 0) base::refuse("scene.source", "found no objects, expected some ([data])");
   std::uint64_t largest = size.boxes > 0 ? std::max(scene.box, scene.object) : scene.object;
   if (data.scheme == shared_memory::Scheme::pages)
     largest *= static_cast<std::uint64_t>(data.page_items);

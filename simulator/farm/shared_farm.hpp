@@ -7,15 +7,12 @@
 
 namespace farm {
 
-struct SharedParams {
+/// What the data managers do; their caches follow from the percentages.
+struct SharedParams : shared_memory::DataParams {
   /// Each worker's cache in percent of the scene's bytes, up to 100; 0: every worker holds the
   /// scene, which is run_farm. With pages, the resident block is added to it.
   double cache_percent = 0;
   double server_cache_percent = 100;  ///< the coordinator's cache, with items
-  shared_memory::Scheme scheme = shared_memory::Scheme::items;
-  bool in_path = true;        ///< requests are offered to all on the way
-  bool waiting_queue = true;  ///< WRQu
-  int page_items = 8;         ///< in a page
   network::Method method = network::Method::green;
 };
 
@@ -27,9 +24,9 @@ SceneSize size_of(const renderer::Scene& scene);
 
 struct SharedResult {
   Result farm;
-  shared_memory::DataUse data;  ///< of all managers
+  shared_memory::DataUse data;  ///< sum over all managers
   network::RouterUse routers;
-  std::uint64_t cache_bytes = 0;  ///< of a worker
+  std::uint64_t cache_bytes = 0;  ///< size of a worker's cache
 };
 
 /// Throws base::BadInput naming the field, what was found and what was expected: also for

@@ -1,12 +1,9 @@
 #include "simulator/farm/wiring.hpp"
 
-#include <algorithm>
 #include <numeric>
 
-#include "base/errors.hpp"
 #include "simulator/farm/farm.hpp"
 #include "simulator/farm/worker.hpp"
-#include "simulator/kernels/placement.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace farm {

@@ -1,6 +1,5 @@
 #include "simulator/farm/worker.hpp"
 
-#include "simulator/kernels/placement.hpp"
 #include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "simulator/farm/messages.hpp"
-#include "simulator/kernels/kernel_cost.hpp"
 
 namespace farm {
 

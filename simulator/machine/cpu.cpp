@@ -1,15 +1,13 @@
 #include "simulator/machine/cpu.hpp"
 
 #include <cmath>
-#include <utility>
 
-#include "base/errors.hpp"
 #include "simulator/machine/processor.hpp"
 
 namespace machine {
 
 namespace {
-constexpr double HAIR = 1e-9;  // of a time slice: a date that is a tick may be rounded off it
+constexpr double HAIR = 1e-9;  // time slices: a date that is a tick may be rounded off it
 }
 
 std::uint32_t CpuDiary::number_of(const std::string& name) {

@@ -13,10 +13,24 @@
 
 #include "simulator/machine/engine.hpp"
 #include "simulator/machine/model.hpp"
-#include "simulator/machine/observer.hpp"
 #include "simulator/machine/process.hpp"
 
 namespace machine {
+
+class LinkDirection;
+
+/// An observer of a machine that runs: it is told what processors and links did, once that is over.
+struct Observer {
+  enum class Doing : std::uint8_t { high, low, switching };
+
+  virtual ~Observer() = default;
+  /// Names a process; processes of one name on one processor share an id, dense from 0.
+  virtual void name_process(const Processor& on, std::uint32_t id, const std::string& name) = 0;
+  virtual void ran(const Processor& on, std::uint32_t id, Doing doing, Seconds from,
+                   Seconds to) = 0;
+  virtual void moved(const LinkDirection& link, const std::string& channel, std::uint64_t bytes,
+                     Seconds from, Seconds to) = 0;
+};
 
 struct CpuUse {
   Seconds busy_high{}, busy_low{};  ///< executing, by priority; switches count as high
@@ -97,7 +111,7 @@ class Cpu {
     bool computing = false;  // else it executes an operation
     Seconds since{};         // it has had the CPU since then; ahead of the clock on a way back
     Seconds end{};           // its computation ends then if nobody interferes any more
-    Seconds left{};          // of its computation while it is interrupted, at full speed
+    Seconds left{};          // computation left while it is interrupted, at full speed
     Seconds way_back_from = NEVER;  // the switch back to it is not noted yet
     Seconds slice_end{};            // from then on it gives way to another low process,
     Seconds gives_way_at = NEVER;   // at this tick, once there is one

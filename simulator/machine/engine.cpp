@@ -11,8 +11,6 @@
 #include <deque>
 #include <exception>
 #include <limits>
-#include <utility>
-#include <vector>
 
 #include "simulator/machine/faults.hpp"
 #include "simulator/machine/forecast.hpp"

@@ -1,7 +1,5 @@
 #include "simulator/machine/link.hpp"
 
-#include "base/errors.hpp"
-
 namespace machine {
 
 void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
@@ -21,7 +19,7 @@ void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
 
 void LinkDirection::move() {
   if (cut_) return engine_.ignore_event();
-  cable_->begin_transfer();
+  cable_->set_busy(cable_->busy() + 1);
   if (bytes_ == 0)
     engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
   else
@@ -34,14 +32,14 @@ void LinkDirection::end() {
   ++use_.messages;
   use_.bytes += bytes_;
   busy_ = false;
-  cable_->end_transfer();
+  cable_->set_busy(cable_->busy() - 1);
   if (observer_) observer_->moved(*this, *channel_, bytes_, since_, engine_.now());
   arrived_();
 }
 
 bool LinkDirection::cut() {
   cut_ = true;
-  cable_->end_all();
+  cable_->set_busy(0);
   if (!busy_) return false;
   flush_observer();
   busy_ = false;

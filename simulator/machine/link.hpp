@@ -11,7 +11,7 @@ struct LinkUse {
   Seconds busy{};
   std::uint64_t messages = 0, bytes = 0;  ///< arrived
   std::uint64_t bytes_sent = 0;           ///< put on the link
-  std::uint64_t bytes_cut = 0;            ///< of a message under way when the link was cut
+  std::uint64_t bytes_cut = 0;            ///< length of a message under way when the link was cut
 };
 
 /// What the two directions share: while messages move, the DMA at both ends takes memory cycles
@@ -24,16 +24,14 @@ class Cable {
   };
   /// `shares` of the CPU's cycles: while one direction is busy, and while both are.
   Cable(End a, End b, std::array<double, 2> shares) : ends_{a, b}, shares_(shares) {}
-  void begin_transfer() { set(busy_ + 1); }
-  void end_transfer() { set(busy_ - 1); }
-  void end_all() { set(0); }
-
- private:
-  void set(int busy) {
+  int busy() const { return busy_; }  ///< directions
+  void set_busy(int busy) {
     busy_ = busy;
     for (const End& end : ends_)
       end.processor->cpu().set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
   }
+
+ private:
   std::array<End, 2> ends_;
   std::array<double, 2> shares_;
   int busy_ = 0;
@@ -74,7 +72,7 @@ class LinkDirection {
   Seconds delay_;
   LinkUse use_;
   bool busy_ = false, cut_ = false;
-  // Of the transfer under way.
+  // The transfer under way:
   Seconds since_{};
   std::uint64_t bytes_ = 0;
   const std::string* channel_ = nullptr;

@@ -1,10 +1,6 @@
 #include "simulator/machine/machine.hpp"
 
-#include <algorithm>
-#include <array>
-
-#include "base/errors.hpp"
-#include "simulator/machine/deadlock.hpp"
+#include <set>
 
 namespace machine {
 
@@ -18,6 +14,100 @@ Engine::LinkRates rates_through(const Model::Link& link, int switches) {
   const double period = link.byte_bits + switches * link.switch_byte_bits;
   const double rate = switches > 0 ? link.bit_rate / period : link.one_way_rate;
   return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
+}
+
+// The processes that have not ended, on processors that run.
+using Blocked = std::map<ProcessId, const Process*>;
+// The processes that each of them waits for.
+using Waits = std::map<ProcessId, std::vector<ProcessId>>;
+
+bool waits_for_input(const Process& process) {
+  if (process.state() != Process::State::blocked || !process.wait()) return false;
+  const auto kind = process.wait()->kind();
+  return kind == Wait::Kind::input || kind == Wait::Kind::alternative;
+}
+
+bool has_ended(const Process& process) {
+  return process.state() == Process::State::ended ||
+         (process.is_server() && waits_for_input(process));
+}
+
+Blocked find_blocked(const Machine& machine) {
+  Blocked blocked;
+  for (const auto& processor : machine.processors())
+    for (const auto& process : processor->processes())
+      if (!processor->stopped() && !has_ended(*process)) blocked[process->id()] = process.get();
+  return blocked;
+}
+
+// Follows the waits from `process`; `path` ends with the first process that comes again.
+bool find_cycle(ProcessId process, const Waits& waits, std::set<ProcessId>& seen,
+                std::vector<ProcessId>& path) {
+  const auto on_path = std::ranges::find(path, process);
+  if (on_path != path.end()) {
+    path.erase(path.begin(), on_path);
+    path.push_back(process);
+    return true;
+  }
+  if (!seen.insert(process).second) return false;
+  path.push_back(process);
+  for (ProcessId next : waits.at(process))
+    if (waits.contains(next) && find_cycle(next, waits, seen, path)) return true;
+  path.pop_back();
+  return false;
+}
+
+std::string describe_wait(const Process& process, const std::vector<ProcessId>& partners,
+                          const Blocked& blocked) {
+  std::string text =
+      fmt::format("\n  {} on {} waits for {}", process.name(), process.processor().name(),
+                  process.wait() ? process.wait()->describe() : "its start");
+  std::string names;
+  for (ProcessId partner : partners)
+    names +=
+        fmt::format("{}{}", names.empty() ? "" : ", ",
+                    blocked.contains(partner) ? blocked.at(partner)->name() : "one that has ended");
+  return names.empty() ? text : fmt::format("{} (from {})", text, names);
+}
+
+std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
+  std::set<ProcessId> seen;
+  for (const auto& [process, ignored] : waits) {
+    std::vector<ProcessId> path;
+    if (!find_cycle(process, waits, seen, path)) continue;
+    std::string text;
+    for (ProcessId p : path) text += (text.empty() ? " " : " -> ") + blocked.at(p)->name();
+    return "\n  the cycle:" + text;
+  }
+  return "";
+}
+
+// Whether a process of the processor has not ended, and is no server that waits for input.
+bool has_unfinished(const Processor& processor) {
+  return !std::ranges::all_of(processor.processes(), [](const auto& p) { return has_ended(*p); });
+}
+
+// Whether there is no such process on any processor that runs.
+bool all_have_ended(const Machine& machine) {
+  return std::ranges::all_of(machine.processors(),
+                             [](const auto& p) { return p->stopped() || !has_unfinished(*p); });
+}
+
+// Throws Deadlock if some processes have not ended. The text names each of them, its processor,
+// what it waits for and from which processes, and the cycle of waits if there is one.
+void throw_if_deadlocked(const Machine& machine) {
+  const Blocked blocked = find_blocked(machine);
+  if (blocked.empty()) return;
+  Waits waits;
+  for (const auto& [id, process] : blocked)
+    waits[id] = process->wait() ? process->wait()->waits_for() : std::vector<ProcessId>{};
+  std::string text =
+      fmt::format("deadlock at {:.6f} s, nothing can happen any more:", machine.now().value);
+  for (const auto& processor : machine.processors())
+    for (const auto& process : processor->processes())
+      if (blocked.contains(process->id()))
+        text += describe_wait(*process, waits.at(process->id()), blocked);
+  throw Deadlock("machine", machine.now(), text + describe_cycle(waits, blocked));
 }
 
 }  // namespace
@@ -39,13 +129,12 @@ void Machine::connect(Processor& a, Processor& b, int switches) {
   if (link_of_.contains({a.id(), b.id()}))
     throw base::InvariantBroken(fmt::format("{} and {} are joined already", a.name(), b.name()));
   for (const Processor* p : {&a, &b})
-    if (ports_.at(static_cast<std::size_t>(p->id())) >= MAX_LINKS)
+    if (ports_.at(p->id()) >= MAX_LINKS)
       throw base::InvariantBroken(p->name() + " would have more than four links");
   const auto rates = rates_through(model_.link, switches);
   const double steal = model_.memory.steal_word / WORD_BYTES / model_.cpu.clock.value;
   const auto cable = std::make_shared<Cable>(
-      Cable::End{&a, ports_[static_cast<std::size_t>(a.id())]++},
-      Cable::End{&b, ports_[static_cast<std::size_t>(b.id())]++},
+      Cable::End{&a, ports_[a.id()]++}, Cable::End{&b, ports_[b.id()]++},
       std::array{steal * rates.one_way, steal * std::min(rates.both_ways, 2 * rates.one_way)});
   const Seconds delay{switches * model_.link.switch_bits / model_.link.bit_rate};
   engine_.add_link(a.id(), b.id(), rates);

@@ -38,7 +38,7 @@ struct Model {
   } cpu;
   struct Memory {
     double steal_word;   // cycles that a link's DMA takes from the CPU, for each 4-byte word
-    double least_share;  // of the memory's cycles, that the CPU keeps however much moves
+    double least_share;  // share of the memory's cycles that the CPU keeps however much moves
   } memory;
   struct Link {
     double bit_rate, byte_bits;           // bits/s; bits of a byte's packet on the wire

@@ -1,8 +1,8 @@
-// Reading model files: TOML, inheritance, formulas.
+// Model files: where their entries go, and how they are read: TOML, inheritance, formulas.
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 #include <set>
 
 #include "base/errors.hpp"
@@ -10,19 +10,172 @@
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "simulator/machine/builtin_models.hpp"
-#include "simulator/machine/model_fields.hpp"
+#include "simulator/machine/model.hpp"
 
 namespace machine {
 
 namespace {
 
+constexpr double LARGEST = 1e12;  // no entry is larger, in any unit
+
+// What is known of an entry: its unit, its range, and where its value goes.
+struct Field {
+  const char* key;
+  const char* unit;
+  double low, high;
+  std::function<void(Model&, double)> set;
+};
+
+template <class Section, class Value>
+Field field(const char* key, const char* unit, Section Model::*section, Value Section::*member,
+            double low = 0, double high = LARGEST) {
+  return {key, unit, low, high, [=](Model& model, double v) {
+            Value& target = model.*section.*member;
+            if constexpr (std::is_same_v<Value, Cycles>)
+              target = {std::llround(v)};
+            else
+              target = Value{v};
+          }};
+}
+
+// Entries that only other entries' formulas use.
+Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
+  return {key, unit, low, high, [](Model&, double) {}};
+}
+
+const std::vector<Field>& fields() {
+  using M = Model;
+  using S = M::Scheduler;
+  using C = M::Channel;
+  using A = M::Alternative;
+  static const std::vector<Field> all = {
+      field("cpu.clock", "Hz", &M::cpu, &M::Cpu::clock, 1e3),
+      shared("memory.on_chip_word", "cycles", 1, 1e6),
+      shared("memory.external_cycles", "cycles"),
+      shared("memory.wait_states", "cycles"),
+      shared("memory.external_word", "cycles", 1, 1e6),
+      shared("memory.workspace_word", "cycles", 1, 1e6),
+      shared("memory.data_word", "cycles", 1, 1e6),
+      field("memory.steal_word", "cycles", &M::memory, &M::Memory::steal_word),
+      field("memory.least_share", "1", &M::memory, &M::Memory::least_share, 0.001, 1),
+      field("link.bit_rate", "bit/s", &M::link, &M::Link::bit_rate, 1e3),
+      field("link.byte_bits", "bits", &M::link, &M::Link::byte_bits, 1, 1000),
+      shared("link.one_way_20", "bytes/s"),
+      shared("link.one_way_10", "bytes/s"),
+      shared("link.one_way_5", "bytes/s"),
+      shared("link.both_ways_20", "bytes/s"),
+      shared("link.both_ways_10", "bytes/s"),
+      shared("link.both_ways_5", "bytes/s"),
+      field("link.one_way_rate", "bytes/s", &M::link, &M::Link::one_way_rate, 1),
+      field("link.both_ways_rate", "bytes/s", &M::link, &M::Link::both_ways_rate, 1),
+      field("link.switch_bits", "bits", &M::link, &M::Link::switch_bits),
+      field("link.switch_byte_bits", "bits", &M::link, &M::Link::switch_byte_bits),
+      field("scheduler.slice", "cycles", &M::scheduler, &S::slice, 1),
+      field("scheduler.preemption", "cycles", &M::scheduler, &S::preemption),
+      field("scheduler.return_to_low", "cycles", &M::scheduler, &S::return_to_low),
+      shared("scheduler.workspace_words", "1"),
+      shared("scheduler.off_chip", "cycles"),
+      field("scheduler.start_process", "cycles", &M::scheduler, &S::start_process),
+      field("scheduler.end_process", "cycles", &M::scheduler, &S::end_process),
+      field("scheduler.run_process", "cycles", &M::scheduler, &S::run_process),
+      field("scheduler.par_setup", "cycles", &M::scheduler, &S::par_setup),
+      field("scheduler.par_branch", "cycles", &M::scheduler, &S::par_branch),
+      field("channel.operands", "cycles", &M::channel, &C::operands),
+      field("channel.blocked", "cycles", &M::channel, &C::blocked),
+      field("channel.soft_setup", "cycles", &M::channel, &C::soft_setup),
+      field("channel.copy_word", "cycles", &M::channel, &C::copy_word),
+      field("channel.out_word", "cycles", &M::channel, &C::out_word),
+      field("alternative.setup", "cycles", &M::alternative, &A::setup),
+      field("alternative.timer_setup", "cycles", &M::alternative, &A::timer_setup),
+      field("alternative.end", "cycles", &M::alternative, &A::end),
+      shared("alternative.workspace_words", "1"),
+      shared("alternative.off_chip", "cycles"),
+      shared("alternative.guard_operands", "cycles"),
+      field("alternative.enable_ready", "cycles", &M::alternative, &A::enable_ready),
+      field("alternative.enable_not", "cycles", &M::alternative, &A::enable_not),
+      field("alternative.enable_skip", "cycles", &M::alternative, &A::enable_skip),
+      field("alternative.enable_timer", "cycles", &M::alternative, &A::enable_timer),
+      field("alternative.wait_ready", "cycles", &M::alternative, &A::wait_ready),
+      field("alternative.wait_not", "cycles", &M::alternative, &A::wait_not),
+      field("alternative.timer_wait_ready", "cycles", &M::alternative, &A::timer_wait_ready),
+      field("alternative.timer_wait_not", "cycles", &M::alternative, &A::timer_wait_not),
+      field("alternative.disable", "cycles", &M::alternative, &A::disable),
+      field("alternative.disable_skip", "cycles", &M::alternative, &A::disable_skip),
+      field("alternative.disable_timer", "cycles", &M::alternative, &A::disable_timer),
+      field("timer.read", "cycles", &M::timer, &M::Timer::read),
+      field("timer.wait_past", "cycles", &M::timer, &M::Timer::wait_past),
+      field("timer.wait_future", "cycles", &M::timer, &M::Timer::wait_future),
+      field("timer.high_tick", "s", &M::timer, &M::Timer::high_tick, 1e-12, 1e3),
+      field("timer.low_tick", "s", &M::timer, &M::Timer::low_tick, 1e-12, 1e3),
+      field("software.occam_factor", "1", &M::software, &M::Software::occam_factor),
+      field("software.idle_period", "s", &M::software, &M::Software::idle_period),
+      field("disk.seek", "s", &M::disk, &M::Disk::seek),
+      field("disk.rate", "bytes/s", &M::disk, &M::Disk::rate, 1),
+  };
+  return all;
+}
+
+struct OpenSection {
+  std::string_view prefix;
+  const char* unit;
+  NamedNumbers Model::*numbers;
+};
+constexpr OpenSection OPEN_SECTIONS[] = {{"instruction.", "cycles", &Model::instruction},
+                                         {"operation.", "cycles", &Model::operation},
+                                         {"scale.", "1", &Model::scale},
+                                         {"bytes.", "bytes", &Model::bytes}};
+
+const OpenSection* find_open(std::string_view key) {
+  for (const auto& open : OPEN_SECTIONS)
+    if (key.starts_with(open.prefix)) return &open;
+  return nullptr;
+}
+
+void check_value(const Entry& entry, double low, double high) {
+  base::require(entry.value >= low && entry.value <= high, entry.where,
+                "found {}, expected a number from {} to {}", entry.value, low, high);
+}
+
+// A pin of the chip chooses one of three.
+void check_bit_rate(const Model& model, std::string_view origin) {
+  const double rate = model.link.bit_rate;
+  base::require(rate == 5e6 || rate == 10e6 || rate == 20e6, origin,
+                "link.bit_rate: found {}, expected 5e6, 10e6 or 20e6 (other links: set "
+                "link.one_way_rate and link.both_ways_rate)",
+                rate);
+}
+
+// The unit that an entry must carry; empty for a key that no model has. Programs bring names of
+// their own: any key is valid in the sections instruction, operation, scale and bytes.
+std::string unit_of(std::string_view key) {
+  if (const auto* open = find_open(key)) return open->unit;
+  const auto known = std::ranges::find(fields(), key, &Field::key);
+  return known == fields().end() ? "" : known->unit;
+}
+
+// Sets the model's fields and maps from its entries.
+void bind_entries(Model& model, std::string_view origin) {
+  for (const auto& known : fields()) {
+    const auto entry = std::ranges::find(model.entries, known.key, &Entry::key);
+    base::require(entry != model.entries.end(), origin, "{} is missing (unit {})", known.key,
+                  known.unit);
+    check_value(*entry, known.low, known.high);
+    known.set(model, entry->value);
+  }
+  check_bit_rate(model, origin);
+  for (const Entry& entry : model.entries)
+    if (const auto* open = find_open(entry.key)) {
+      check_value(entry, 0, LARGEST);
+      (model.*open->numbers)[entry.key.substr(open->prefix.size())] = entry.value;
+    }
+}
+
 Provenance parse_provenance(const std::string& text, const std::string& where) {
   for (auto p :
        {Provenance::datasheet, Provenance::thesis, Provenance::calibrated, Provenance::assumed})
     if (text == to_string(p)) return p;
-  throw base::BadInput(
-      fmt::format("{}: provenance: found \"{}\", expected datasheet, thesis, calibrated or assumed",
-                  where, text));
+  base::refuse(where, "provenance: found \"{}\", expected datasheet, thesis, calibrated or assumed",
+               text);
 }
 
 // A number, or a formula in quotes.
@@ -32,24 +185,22 @@ void read_value(Entry& entry, const toml::node* node) {
   else if (const auto text = node ? node->value_exact<std::string>() : std::nullopt)
     base::Formula(entry.formula = *text, entry.where);
   else
-    throw base::BadInput(fmt::format(
-        "{}: \"value\" must be a number, or a formula in quotes over other entries", entry.where));
+    base::refuse(entry.where,
+                 "\"value\" must be a number, or a formula in quotes over other entries");
 }
 
 Entry read_entry(const std::string& key, const toml::node& node, const std::string& where) {
   const auto* table = node.as_table();
-  if (!table)
-    throw base::BadInput(where +
-                         ": expected { value = ..., unit = ..., provenance = ..., source = ... }");
+  base::require(table, where,
+                "expected {{ value = ..., unit = ..., provenance = ..., source = ... }}");
   auto text = [&](const char* part) {
     auto value = (*table)[part].value<std::string>();
-    if (!value)
-      throw base::BadInput(fmt::format("{}: \"{}\" is missing or not a text", where, part));
+    base::require(value.has_value(), where, "\"{}\" is missing or not a text", part);
     return *value;
   };
   for (auto&& [part, ignored] : *table)
-    if (part != "value" && part != "unit" && part != "provenance" && part != "source")
-      throw base::BadInput(fmt::format("{}: unknown part \"{}\"", where, part.str()));
+    base::require(part == "value" || part == "unit" || part == "provenance" || part == "source",
+                  where, "unknown part \"{}\"", part.str());
   Entry entry{
       key, 0, {}, text("unit"), parse_provenance(text("provenance"), where), text("source"), where};
   read_value(entry, table->get("value"));
@@ -61,15 +212,15 @@ void check_key(const Model& model, const Entry& entry, bool has_base) {
   const bool known =
       std::ranges::find(model.entries, entry.key, &Entry::key) != model.entries.end();
   const std::string unit = unit_of(entry.key);
-  if (unit.empty() || (is_open_section(entry.key) && has_base && !known)) {
-    std::vector<std::string> keys = field_keys();
+  if (unit.empty() || (find_open(entry.key) && has_base && !known)) {
+    std::vector<std::string> keys;
+    for (const auto& field : fields()) keys.push_back(field.key);
     for (const auto& e : model.entries) keys.push_back(e.key);
-    throw base::BadInput(fmt::format("{}: unknown key, the nearest valid one is \"{}\"",
-                                     entry.where, base::nearest_name(entry.key, keys)));
+    base::refuse(entry.where, "unknown key, the nearest valid one is \"{}\"",
+                 base::nearest_name(entry.key, keys));
   }
-  if (entry.unit != unit)
-    throw base::BadInput(
-        fmt::format("{}: unit: found \"{}\", expected \"{}\"", entry.where, entry.unit, unit));
+  base::require(entry.unit == unit, entry.where, "unit: found \"{}\", expected \"{}\"", entry.unit,
+                unit);
 }
 
 void add(Model& model, Entry entry) {
@@ -91,9 +242,8 @@ class Evaluation {
  private:
   double value_of(Entry& entry) {
     if (entry.formula.empty() || done_.contains(entry.key)) return entry.value;
-    if (!under_way_.insert(entry.key).second)
-      throw base::BadInput(
-          fmt::format("{}: formula \"{}\" depends on itself", entry.where, entry.formula));
+    base::require(under_way_.insert(entry.key).second, entry.where,
+                  "formula \"{}\" depends on itself", entry.formula);
     const base::Formula formula(entry.formula, entry.where);
     std::vector<double> values;
     for (const auto& name : formula.variables()) values.push_back(value_of(find(entry, name)));
@@ -106,31 +256,34 @@ class Evaluation {
     if (found != model_.entries.end()) return *found;
     std::vector<std::string> keys;
     for (const auto& e : model_.entries) keys.push_back(e.key);
-    throw base::BadInput(fmt::format("{}: formula \"{}\": unknown name {}, the nearest is {}",
-                                     user.where, user.formula, name,
-                                     base::nearest_name(name, keys)));
+    base::refuse(user.where, "formula \"{}\": unknown name {}, the nearest is {}", user.formula,
+                 name, base::nearest_name(name, keys));
   }
 
   Model& model_;
   std::set<std::string> under_way_, done_;
 };
 
+// "my.toml:4".
+std::string place_of(std::string_view origin, const toml::source_region& source) {
+  return fmt::format("{}:{}", origin, source.begin.line);
+}
+
 toml::table parse_toml(std::string_view text, std::string_view origin) {
   try {
     return toml::parse(text, origin);
   } catch (const toml::parse_error& error) {
-    throw base::BadInput(
-        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
+    base::refuse(place_of(origin, error.source()), "{}", error.description());
   }
 }
 
 std::optional<std::string> read_text(const toml::table& file, const char* key,
                                      std::string_view origin) {
   const auto* node = file.get(key);
-  if (node && !node->is_string())
-    throw base::BadInput(fmt::format("{}:{}: {}: expected a text in quotes", origin,
-                                     node->source().begin.line, key));
-  return node ? node->value<std::string>() : std::nullopt;
+  if (!node) return {};
+  base::require(node->is_string(), place_of(origin, node->source()),
+                "{}: expected a text in quotes", key);
+  return node->value<std::string>();
 }
 
 // `inside`: how many files of this chain of bases are being read.
@@ -141,23 +294,20 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
             int inside) {
   const toml::table file = parse_toml(text, origin);
   Model model;
-  const auto base = read_text(file, "base", origin);
-  if (base && inside > 8)
-    throw base::BadInput(fmt::format("{}: base: a chain without end", origin));
-  if (base) model = load(*base, folder, inside + 1);
+  const auto base_name = read_text(file, "base", origin);
+  base::require(!base_name || inside <= 8, origin, "base: a chain without end");
+  if (base_name) model = load(*base_name, folder, inside + 1);
   model.name = read_text(file, "name", origin).value_or("");
-  if (model.name.empty()) throw base::BadInput(fmt::format("{}: name is missing", origin));
+  base::require(!model.name.empty(), origin, "name is missing");
   std::vector<std::pair<toml::source_position, Entry>> entries;
   for (auto&& [section, content] : file) {
     if (section == "name" || section == "base") continue;
-    if (!content.is_table())
-      throw base::BadInput(fmt::format("{}:{}: {}: expected a section", origin,
-                                       content.source().begin.line, section.str()));
+    base::require(content.is_table(), place_of(origin, content.source()), "{}: expected a section",
+                  section.str());
     for (auto&& [name, node] : *content.as_table()) {
       const auto key = fmt::format("{}.{}", section.str(), name.str());
-      Entry entry =
-          read_entry(key, node, fmt::format("{}:{}: {}", origin, node.source().begin.line, key));
-      check_key(model, entry, base.has_value());
+      Entry entry = read_entry(key, node, place_of(origin, node.source()) + ": " + key);
+      check_key(model, entry, base_name.has_value());
       entries.emplace_back(node.source().begin, std::move(entry));
     }
   }
@@ -197,13 +347,11 @@ Model override_model(std::string_view name,
   Model model = load(name, "", 0);
   for (const auto& [key, toml] : entries) {
     model.name += fmt::format("{}{} = {}", &key == &entries[0].first ? " with " : ", ", key, toml);
-    Entry entry{key,
-                0,
-                {},
-                unit_of(key),
-                Provenance::assumed,
-                fmt::format("set by {}", origin),
-                fmt::format("{}: model.{}", origin, key)};
+    Entry entry;
+    entry.key = key;
+    entry.unit = unit_of(key);
+    entry.source = fmt::format("set by {}", origin);
+    entry.where = fmt::format("{}: model.{}", origin, key);
     check_key(model, entry, true);
     const auto value = parse_toml("value = " + toml, entry.where);
     read_value(entry, value.get("value"));

@@ -1,10 +1,5 @@
 #include "simulator/machine/process.hpp"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
-#include "base/errors.hpp"
 #include "simulator/machine/processor.hpp"
 
 // The address sanitizer must be told when the stack changes; no effect on any result.

@@ -79,7 +79,9 @@ class Process {
   bool is_server() const { return is_server_; }
   /// The number of times it has blocked, which tells one wait from the next.
   std::uint64_t waits() const { return waits_; }
-  const Wait* wait() const { return wait_; }  ///< of a blocked process; null before its start
+  const Wait* wait() const {
+    return wait_;
+  }  ///< what a blocked process waits for; null before its start
   /// Tells a blocked process that a link has been cut.
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);

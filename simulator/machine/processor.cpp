@@ -1,10 +1,5 @@
 #include "simulator/machine/processor.hpp"
 
-#include <algorithm>
-#include <utility>
-
-#include "base/errors.hpp"
-
 namespace machine {
 
 Processor::Processor(Engine& engine, const Model& model, int id, std::string name,

@@ -68,7 +68,7 @@ class Router {
   void route(Message message, int came_by) {
     node_.charge_shared_buffer();
     for (const int way : node_.find_ways_out(message, came_by)) {
-      Sender* sender = sender_of_.at(static_cast<std::size_t>(way));
+      Sender* sender = sender_of_.at(way);
       if (!sender) {
         if (!node_.pass(way, message))
           for (auto& again : node_.send_around(message, way)) route(again, NO_WAY);

@@ -1,8 +1,5 @@
 #include "simulator/network/network.hpp"
 
-#include <algorithm>
-
-#include "base/errors.hpp"
 #include "simulator/network/routers.hpp"
 
 namespace network {
@@ -27,11 +24,11 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   const std::uint64_t bytes = params.buffers * (params.longest + Message::IDENTIFICATION);
   auto& memory = processor.memory();
   if (const auto left = memory.left(); bytes > left || params.longest > left)
-    throw base::BadInput(fmt::format(
-        "{}: its router's buffers (program.buffers), {} messages of {} bytes and their "
-        "identification, take {} bytes: found a memory with {} bytes left, expected fewer buffers, "
-        "shorter messages or more memory",
-        processor.name(), params.buffers, params.longest, bytes, left));
+    base::refuse(processor.name(),
+                 "its router's buffers (program.buffers), {} messages of {} bytes and their "
+                 "identification, take {} bytes: found a memory with {} bytes left, expected fewer "
+                 "buffers, shorter messages or more memory",
+                 params.buffers, params.longest, bytes, left);
   memory.allocate(bytes, "the router's buffers", {});
   Node& node = nodes_.emplace_back();
   node.id = id;

@@ -4,7 +4,6 @@
 #include <deque>
 #include <memory>
 
-#include "simulator/machine/machine.hpp"
 #include "simulator/network/node.hpp"
 
 namespace network {

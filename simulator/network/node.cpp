@@ -1,7 +1,5 @@
 #include "simulator/network/node.hpp"
 
-#include <algorithm>
-
 namespace network {
 
 std::string_view to_string(Returned reason) {

@@ -67,7 +67,7 @@ const std::vector<int>& Routing::tree_ports(std::size_t epoch, int sender, int a
   const Epoch& then = epochs_.at(epoch);
   auto tree = then.trees.find(sender);
   if (tree == then.trees.end()) tree = then.trees.emplace(sender, make_tree(then, sender)).first;
-  return tree->second[static_cast<std::size_t>(at)];
+  return tree->second[at];
 }
 
 std::vector<int> Routing::below(std::size_t epoch, int sender, int at) const {

@@ -36,7 +36,7 @@ class Routing {
   /// The processors that get such a message through `at`, itself first.
   std::vector<int> below(std::size_t epoch, int sender, int at) const;
   /// The processor across the link on a port, cut or not; -1 if there was no link.
-  int neighbour(int at, int port) const { return neighbour_[static_cast<std::size_t>(at)][port]; }
+  int neighbour(int at, int port) const { return neighbour_[at][port]; }
 
   /// From now on routes and trees are those of the links that are left.
   void cut(int a, int b);

@@ -1,10 +1,5 @@
 #include "simulator/network/store_and_forward.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-
 #include "simulator/occam/alt.hpp"
 
 namespace network {
@@ -39,7 +34,7 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
                                  int first)
     : topology_(topology), routes_(make_routes(topology)) {
   const auto& processors = machine.processors();
-  const auto at = [&](int id) { return processors.at(static_cast<std::size_t>(first + id)).get(); };
+  const auto at = [&](int id) { return processors.at(first + id).get(); };
   for (const auto& link : topology.links)
     machine.connect(*at(link.a.processor), *at(link.b.processor),
                     switches_between(topology, link.a.processor, link.b.processor));

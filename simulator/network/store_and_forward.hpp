@@ -25,7 +25,6 @@ struct Packet {
   int from = 0, to = 0;      ///< processors, as the topology numbers them
   std::uint64_t length = 0;  ///< bytes on a link
   std::uint64_t id = 0;      ///< free for the sender's use
-  machine::Seconds sent{};   ///< when its sender had it
   std::uint64_t bytes() const { return length; }
 };
 

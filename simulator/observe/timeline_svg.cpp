@@ -1,11 +1,7 @@
 // A page 1600 pixels wide: names on the left, shares of time on the right, a column a pixel.
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <ostream>
-#include <string_view>
 
 #include "base/text.hpp"
 #include "simulator/observe/timeline.hpp"
@@ -242,7 +238,7 @@ class Chart {
   Heights heights_;
   Timeline timeline_;
   std::vector<std::vector<std::uint32_t>> links_;  // drawn, by processor
-  int bottom_ = 0;                                 // of the rows
+  int bottom_ = 0;                                 // lower edge of the rows, pixels
   std::string text_;
 };
 

@@ -10,81 +10,28 @@ namespace observe {
 
 namespace {
 
-// The fields' names are those that ViTE and PajeNG have in common. What CPUs and links do is
-// PajeSetState with fields more (5, 6), and without where there is nothing to say (4).
-constexpr auto& HEADER = R"(%EventDef PajeDefineContainerType 0
-% Alias string
-% Type string
-% Name string
-%EndEventDef
-%EventDef PajeDefineStateType 1
-% Alias string
-% Type string
-% Name string
-%EndEventDef
-%EventDef PajeDefineLinkType 2
-% Alias string
-% Type string
-% StartContainerType string
-% EndContainerType string
-% Name string
-%EndEventDef
-%EventDef PajeDefineEntityValue 3
-% Alias string
-% Type string
-% Name string
-% Color color
-%EndEventDef
-%EventDef PajeSetState 4
-% Time date
-% Type string
-% Container string
-% Value string
-%EndEventDef
-%EventDef PajeSetState 5
-% Time date
-% Type string
-% Container string
-% Value string
-% Process string
-%EndEventDef
-%EventDef PajeSetState 6
-% Time date
-% Type string
-% Container string
-% Value string
-% Channel string
-% Bytes string
-%EndEventDef
-%EventDef PajeStartLink 7
-% Time date
-% Type string
-% Container string
-% StartContainer string
-% Value string
-% Key string
-%EndEventDef
-%EventDef PajeEndLink 8
-% Time date
-% Type string
-% Container string
-% EndContainer string
-% Value string
-% Key string
-%EndEventDef
-%EventDef PajeCreateContainer 9
-% Time date
-% Alias string
-% Type string
-% Container string
-% Name string
-%EndEventDef
-%EventDef PajeDestroyContainer 10
-% Time date
-% Type string
-% Name string
-%EndEventDef
-0 Machine 0 "machine"
+// Events by their numbers. The fields' names are those that ViTE and PajeNG have in common. What
+// CPUs and links do is PajeSetState with fields more (5, 6), and without where there is nothing to
+// say (4).
+struct EventDef {
+  const char* name;
+  std::vector<std::string_view> fields;
+};
+const EventDef EVENTS[] = {
+    {"DefineContainerType", {"Alias", "Type", "Name"}},
+    {"DefineStateType", {"Alias", "Type", "Name"}},
+    {"DefineLinkType", {"Alias", "Type", "StartContainerType", "EndContainerType", "Name"}},
+    {"DefineEntityValue", {"Alias", "Type", "Name", "Color"}},
+    {"SetState", {"Time", "Type", "Container", "Value"}},
+    {"SetState", {"Time", "Type", "Container", "Value", "Process"}},
+    {"SetState", {"Time", "Type", "Container", "Value", "Channel", "Bytes"}},
+    {"StartLink", {"Time", "Type", "Container", "StartContainer", "Value", "Key"}},
+    {"EndLink", {"Time", "Type", "Container", "EndContainer", "Value", "Key"}},
+    {"CreateContainer", {"Time", "Alias", "Type", "Container", "Name"}},
+    {"DestroyContainer", {"Time", "Type", "Name"}},
+};
+
+constexpr std::string_view TYPES = R"(0 Machine 0 "machine"
 0 Processor Machine "processor"
 0 Cpu Processor "cpu"
 0 Link Processor "link direction"
@@ -98,6 +45,20 @@ constexpr auto& HEADER = R"(%EventDef PajeDefineContainerType 0
 3 busy Carrying "message" "0.25 0.67 0.36"
 3 quiet Carrying "quiet" "0.80 0.80 0.80"
 )";
+
+std::string make_header() {
+  std::string text;
+  for (const EventDef& event : EVENTS) {
+    text += fmt::format("%EventDef Paje{} {}\n", event.name, &event - EVENTS);
+    for (const auto field : event.fields)
+      text += fmt::format("% {} {}\n", field,
+                          field == "Time"    ? "date"
+                          : field == "Color" ? "color"
+                                             : "string");
+    text += "%EndEventDef\n";
+  }
+  return text.append(TYPES);
+}
 
 std::string quote(std::string_view text) {
   std::string quoted = "\"";
@@ -122,7 +83,7 @@ class PajeFile {
   }
 
   void write() {
-    out_.print(FMT_COMPILE("{}"), std::string_view(HEADER));
+    out_.print(FMT_COMPILE("{}"), make_header());
     pass_to(to_nanoseconds(trace_.begin_s));
     create_containers();
     write_events();
@@ -260,7 +221,7 @@ class PajeFile {
   std::vector<std::string> channels_, processes_;  // quoted
   TraceOutput out_;
   std::vector<Lane> lanes_;
-  std::int64_t now_ = 0;  // of the latest line
+  std::int64_t now_ = 0;  // time of the latest line, ns
 };
 
 }  // namespace

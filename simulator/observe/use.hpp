@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/fields.hpp"
 #include "simulator/machine/machine.hpp"
 
 namespace observe {
@@ -46,5 +47,10 @@ const CpuRow* find_role(const Use& use, std::string_view role);
 const ProcessRow& find_process(const Use& use, const std::string& name);
 std::uint64_t total_messages(const Use& use);
 std::uint64_t total_bytes(const Use& use);
+
+/// The columns messages_sent and bytes_sent.
+base::Columns<Use> message_columns();
+/// The column link_busy_max.
+base::Column<Use> link_busy_column();
 
 }  // namespace observe

@@ -1,9 +1,5 @@
 #include "simulator/observe/watch.hpp"
 
-#include <algorithm>
-#include <map>
-#include <optional>
-
 namespace observe {
 
 namespace {

@@ -1,8 +1,5 @@
 #include "simulator/occam/alt.hpp"
 
-#include <algorithm>
-
-#include "base/errors.hpp"
 #include "simulator/occam/process.hpp"
 
 namespace occam {

@@ -47,26 +47,18 @@ std::size_t select(std::span<const Guard> guards);
 /// The guards of an ALT; more than 16 of them cost the host an allocation.
 using Guards = boost::container::small_vector<Guard, 16>;
 
-/// `channel ? message`, if the condition holds.
-template <class Message, class Then>
+/// `channel ? message`, if the condition holds. Into an optional message nothing is input if the
+/// link is cut before all of it has come.
+template <class Message, class Into, class Then>
 struct InputGuard : Guard {
   Channel<Message>& from;
-  Message& into;
+  Into& into;
   Then then;
-  void take() {
-    into = from.in();
-    then();
-  }
-};
-
-/// The same; no message is there if the link is cut before all of it has come.
-template <class Message, class Then>
-struct FallibleInputGuard : Guard {
-  Channel<Message>& from;
-  std::optional<Message>& into;
-  Then then;
-  void take() {
-    into = from.in_or_fail();
+  void take(std::size_t /*only*/) {
+    if constexpr (std::is_same_v<Into, Message>)
+      into = from.in();
+    else
+      into = from.in_or_fail();
     then();
   }
 };
@@ -75,23 +67,15 @@ struct FallibleInputGuard : Guard {
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
-  void take() { then(); }
+  void take(std::size_t /*only*/) { then(); }
 };
 
-template <class Message, class Then>
-auto when(bool condition, Channel<Message>& from, Message& into, Then then) {
-  return InputGuard<Message, Then>{Guard(&from, condition), from, into, std::move(then)};
+template <class Message, class Into, class Then>
+auto when(bool condition, Channel<Message>& from, Into& into, Then then) {
+  return InputGuard<Message, Into, Then>{Guard(&from, condition), from, into, std::move(then)};
 }
-template <class Message, class Then>
-auto when(Channel<Message>& from, Message& into, Then then) {
-  return when(true, from, into, std::move(then));
-}
-template <class Message, class Then>
-auto when(bool condition, Channel<Message>& from, std::optional<Message>& into, Then then) {
-  return FallibleInputGuard<Message, Then>{Guard(&from, condition), from, into, std::move(then)};
-}
-template <class Message, class Then>
-auto when(Channel<Message>& from, std::optional<Message>& into, Then then) {
+template <class Message, class Into, class Then>
+auto when(Channel<Message>& from, Into& into, Then then) {
   return when(true, from, into, std::move(then));
 }
 /// condition & SKIP
@@ -152,15 +136,6 @@ std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guard
   return replicated.size();
 }
 
-/// Takes guard number `i` of those that `guard` has added.
-template <class G>
-void take_guard(G& guard, std::size_t i) {
-  if constexpr (std::is_base_of_v<Guard, G>)
-    guard.take();
-  else
-    guard.take(i);
-}
-
 /// Waits until one of the guards is ready, inputs its message and does what it says.
 template <class... Written>
 void pri_alt(Written&&... written) {
@@ -169,9 +144,10 @@ void pri_alt(Written&&... written) {
   std::size_t chosen = select({guards.data(), guards.size()}), place = 0;
   const auto take = [&](auto& guard) {
     const std::size_t count = counts[place++];
-    if (chosen < count) return take_guard(guard, chosen), true;
+    const bool is_here = chosen < count;
+    if (is_here) guard.take(chosen);
     chosen -= count;
-    return false;
+    return is_here;
   };
   static_cast<void>((take(written) || ...));
 }

@@ -1,9 +1,6 @@
 #include "simulator/occam/channel.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "base/errors.hpp"
 
 namespace occam {
 
@@ -51,32 +48,25 @@ void ChannelBase::wait(Process& self, Side side, const char* doing) {
 std::string ChannelBase::describe() const { return fmt::format("{} on {}", doing_, name_); }
 
 std::vector<machine::ProcessId> ChannelBase::waits_for() const {
-  const machine::ProcessId partner = ends_[waiting_ == writer ? reader : writer].user;
+  const machine::ProcessId partner = ends_[1 - waiting_].user;
   return partner ? std::vector{partner} : std::vector<machine::ProcessId>{};
 }
 
-void ChannelBase::output(std::uint64_t bytes) {
+// An output, or an input of as many `bytes` as the partner has said by then.
+void ChannelBase::communicate(Side side, const std::uint64_t& bytes) {
   Process& self = this_process();
-  Party &own = ends_[writer].waiting, &partner = ends_[reader].waiting;
-  arrive(writer, bytes, partner);
-  if (cut()) return refuse(self, writer);
-  if (own.process) throw base::InvariantBroken("two processes output on channel " + name_);
+  Party &own = ends_[side].waiting, &partner = ends_[1 - side].waiting;
+  arrive(side, bytes, partner);
+  if (cut()) return refuse(self, side);
+  if (own.process)
+    throw base::InvariantBroken(
+        fmt::format("two processes {} on channel {}", side == writer ? "output" : "input", name_));
   if (partner.process) return meet(std::exchange(partner, {}), bytes);
   own = {&self, self.now()};
+  if (side == reader) return wait(self, reader, "in");
   bytes_ = bytes;
   if (alternative_.process) wake_alternative(own.since);
   wait(self, writer, "out");
-}
-
-void ChannelBase::input() {
-  Process& self = this_process();
-  Party &own = ends_[reader].waiting, &partner = ends_[writer].waiting;
-  arrive(reader, bytes_, partner);
-  if (cut()) return refuse(self, reader);
-  if (own.process) throw base::InvariantBroken("two processes input on channel " + name_);
-  if (partner.process) return meet(std::exchange(partner, {}), bytes_);
-  own = {&self, self.now()};
-  wait(self, reader, "in");
 }
 
 // Both ends are here; this process came second.
@@ -151,22 +141,13 @@ machine::Wait& ChannelBase::wait_for_ever(Side side) {
   return *wait;
 }
 
-template <class Operation>
-bool ChannelBase::try_to(Side side, Operation operation) {
+bool ChannelBase::try_to(Side side, const std::uint64_t& bytes) {
   End& end = ends_[side];
   end.may_fail = true;
   end.failed = false;
-  operation();
+  communicate(side, bytes);
   end.may_fail = false;
   return !end.failed;
-}
-
-bool ChannelBase::output_or_fail(std::uint64_t bytes) {
-  return try_to(writer, [&] { output(bytes); });
-}
-
-bool ChannelBase::input_or_fail() {
-  return try_to(reader, [&] { input(); });
 }
 
 // The link was cut before the process came.

@@ -59,12 +59,12 @@ class ChannelBase : machine::Wait {
 
  protected:
   /// Each returns when the message has been moved; `move_message` has run in one of the two ends.
-  void output(std::uint64_t bytes);
-  void input();
+  void output(std::uint64_t bytes) { communicate(writer, bytes); }
+  void input() { communicate(reader, bytes_); }
   /// The same, but they return false if the link is cut before the message has been moved: at that
   /// instant, or at once. That costs what an operation that has to wait does.
-  bool output_or_fail(std::uint64_t bytes);
-  bool input_or_fail();
+  bool output_or_fail(std::uint64_t bytes) { return try_to(writer, bytes); }
+  bool input_or_fail() { return try_to(reader, bytes_); }
   virtual void move_message() = 0;
   virtual ~ChannelBase() = default;
 
@@ -82,6 +82,7 @@ class ChannelBase : machine::Wait {
   };
   struct WaitForEver;
 
+  void communicate(Side side, const std::uint64_t& bytes);
   void pay(Cycles cost);
   void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
   void wait(Process& self, Side side, const char* doing);
@@ -91,8 +92,7 @@ class ChannelBase : machine::Wait {
   void on_cut(Process& process) override;
   void refuse(Process& self, Side side);
   machine::Wait& wait_for_ever(Side side);
-  template <class Operation>
-  bool try_to(Side side, Operation operation);
+  bool try_to(Side side, const std::uint64_t& bytes);
   void meet(const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();
@@ -103,7 +103,7 @@ class ChannelBase : machine::Wait {
   End ends_[2];                         // by side
   Party alternative_;                   // waits in an ALT with a guard on this channel
   std::uint64_t alternative_wait_ = 0;  // the number of that wait among the process's waits
-  std::uint64_t bytes_ = 0;             // of the output that waits or is under way
+  std::uint64_t bytes_ = 0;             // length of the output that waits or is under way
   Process* transfer_[2] = {};           // processes of the transfer under way, first come first
   Side waiting_ = writer;               // the end that has blocked last
   const char* doing_ = "";              // what its process does: "in", "out" or "transfer"

@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 
-#include "simulator/machine/process.hpp"
 #include "simulator/machine/processor.hpp"
 
 namespace occam {

@@ -1,7 +1,5 @@
 #include "simulator/programs/programs.hpp"
 
-#include <algorithm>
-
 #include "simulator/farm/program.hpp"
 #include "simulator/radiosity/program.hpp"
 

@@ -1,8 +1,5 @@
 #include "simulator/radiosity/application.hpp"
 
-#include <algorithm>
-
-#include "simulator/machine/process.hpp"
 #include "simulator/occam/case_of.hpp"
 
 namespace amp {
@@ -12,9 +9,13 @@ using occam::case_of;
 using radiosity::Shot;
 using renderer::Work;
 
+namespace {
+
 const AmpMessage::Content& read(const Message& message) {
   return static_cast<const AmpMessage&>(*message.contents).content;
 }
+
+}  // namespace
 
 Application::Application(const Common& common, const Node& node)
     : common_(common),
@@ -159,13 +160,64 @@ Message Application::wait_message() {
 }
 
 void Application::send(network::Address to, AmpMessage::Content content) {
-  Message message;
-  message.to = to;
-  message.from.process = AMP_PROCESS;
-  message.length = common_.bytes.of(content);
   charge_message(common_.message_made, content);
-  message.contents = std::make_shared<const AmpMessage>(std::move(content));
-  node_.client->send(std::move(message));
+  const auto length = common_.bytes.of(content);
+  node_.client->send({.to = to,
+                      .from = {.process = AMP_PROCESS},
+                      .length = length,
+                      .contents = std::make_shared<const AmpMessage>(std::move(content))});
+}
+
+void Root::run() {
+  Candidate best = reduce();
+  for (; !is_over(best); best = reduce()) {
+    if (is_time_to_show()) take_frame(best);
+    send(network::make_global(AMP_PROCESS), *best.shot);
+    shoot(*best.shot);
+    ++shots_;
+  }
+  machine::this_process().sync();
+  on_solved_();
+  take_frame(best);
+  send(network::make_global(AMP_PROCESS), Stop{});
+}
+
+// The shots end as in radiosity::solve.
+bool Root::is_over(const Candidate& best) const {
+  const auto& solve = common_.params.solve;
+  return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;
+}
+
+bool Root::is_time_to_show() const {
+  const int every = common_.params.show_every;
+  return every > 0 && shots_ > 0 && shots_ % every == 0;
+}
+
+// Polls the processors one after the other, a message at a time (thesis, 5.3): no more can be on
+// its way than routers have room for.
+void Root::take_frame(const Candidate& best) {
+  Frame frame;
+  frame.shots = shots_;
+  frame.unshot = eval_share(best.unshot);
+  frame.ambient = eval_ambient(common_.mesh, best.unshot);
+  frame.vertices.resize(common_.mesh.vertices.size());
+  for (const Node& node : nodes_) take_vertices(node, frame.vertices);
+  frame.at_s = machine::this_process().now().value;
+  frames_.push_back(std::move(frame));
+}
+
+void Root::take_vertices(const Node& node, std::vector<radiosity::Rgb>& vertices) {
+  const auto& theirs = node.share.vertices;
+  if (node.id == node_.id) {
+    for (const auto v : theirs) vertices[v] = state_.radiosity[v];
+    return;
+  }
+  for (std::size_t first = 0; first < theirs.size();) {
+    send({node.id, AMP_PROCESS}, Show{first});
+    const Message message = wait_message();
+    for (const auto& value : std::get<Shown>(read(message)).values)
+      vertices[theirs[first++]] = value;
+  }
 }
 
 }  // namespace amp

@@ -37,7 +37,7 @@ bool is_facing(const Patch& a, const Patch& b) {
 // senders are some patches, evenly chosen.
 std::vector<double> estimate_work(const Mesh& mesh) {
   constexpr std::size_t SENDERS = 64;
-  constexpr double TEST = 0.1;  // of a ray's work
+  constexpr double TEST = 0.1;  // share of a ray's work
   const std::size_t step = std::max<std::size_t>(1, mesh.patches.size() / SENDERS);
   std::vector<double> work;
   for (const Patch& patch : mesh.patches) {
@@ -89,6 +89,14 @@ std::vector<List> tile(const Mesh& mesh, int processors) {
   return lists;
 }
 
+void add(std::vector<Border>& borders, int other, std::uint32_t vertex) {
+  const auto at = std::ranges::lower_bound(borders, other, {}, &Border::other);
+  if (at != borders.end() && at->other == other)
+    at->vertices.push_back(vertex);
+  else
+    borders.insert(at, {other, {vertex}});
+}
+
 }  // namespace
 
 std::vector<Share> distribute(const Mesh& mesh, int processors, Distribution how) {
@@ -110,18 +118,6 @@ std::vector<Share> distribute(const Mesh& mesh, int processors, Distribution how
   return shares;
 }
 
-namespace {
-
-void add(std::vector<Border>& borders, int other, std::uint32_t vertex) {
-  const auto at = std::ranges::lower_bound(borders, other, {}, &Border::other);
-  if (at != borders.end() && at->other == other)
-    at->vertices.push_back(vertex);
-  else
-    borders.insert(at, {other, {vertex}});
-}
-
-}  // namespace
-
 void exchange_borders(std::vector<Share>& shares, std::size_t vertices) {
   std::vector<std::vector<int>> users(vertices);
   for (std::size_t id = 0; id < shares.size(); ++id)
@@ -129,12 +125,12 @@ void exchange_borders(std::vector<Share>& shares, std::size_t vertices) {
       users[v].push_back(static_cast<int>(id));
   for (std::uint32_t v = 0; v < vertices; ++v) {
     const int owner = users[v][v % users[v].size()];
-    Share& mine = shares[static_cast<std::size_t>(owner)];
+    Share& mine = shares[owner];
     mine.vertices.push_back(v);
     for (const int user : users[v]) {
       if (user == owner) continue;
       add(mine.out, user, v);
-      add(shares[static_cast<std::size_t>(user)].in, owner, v);
+      add(shares[user].in, owner, v);
     }
   }
 }

@@ -1,7 +1,5 @@
 #include "simulator/radiosity/messages.hpp"
 
-#include <algorithm>
-
 #include "simulator/occam/case_of.hpp"
 
 namespace amp {

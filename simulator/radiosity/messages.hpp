@@ -3,8 +3,7 @@
 #include <variant>
 
 #include "renderer/radiosity/light/solve.hpp"
-#include "simulator/machine/model.hpp"
-#include "simulator/shared_memory/data_messages.hpp"
+#include "simulator/shared_memory/data_manager.hpp"
 
 namespace amp {
 

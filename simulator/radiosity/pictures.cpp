@@ -1,7 +1,5 @@
 #include "simulator/radiosity/pictures.hpp"
 
-#include <fmt/format.h>
-
 namespace amp {
 
 using programs::Image;

@@ -7,7 +7,7 @@ namespace amp {
 
 /// What the last picture tells.
 struct PictureSummary {
-  double radiosity_mean = 0;  ///< of patches of materials that the reference has too
+  double radiosity_mean = 0;  ///< over the patches of materials that the reference has too
   double exposure = 0;        ///< > 0
   double reference_mean = 0;  ///< where there is a reference
   std::optional<radiosity::PictureError> error;  ///< the same

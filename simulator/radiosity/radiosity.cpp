@@ -2,15 +2,10 @@
 
 #include <cmath>
 
-#include "base/errors.hpp"
-#include "simulator/kernels/placement.hpp"
-#include "simulator/kernels/records.hpp"
-#include "simulator/radiosity/root.hpp"
-#include "topologies/route/routes.hpp"
+#include "simulator/radiosity/application.hpp"
 
 namespace amp {
 
-using base::BadInput;
 using radiosity::Mesh;
 
 namespace {
@@ -130,13 +125,83 @@ class Amp {
     make_nodes(std::move(shares));
   }
 
-  Result run();
+  Result run() {
+    start();
+    return take_result(observe::run(machine_, params_.watch));
+  }
 
  private:
-  void make_nodes(std::vector<Share> shares);
-  void allocate(const Node& node);
-  void start();
-  Result take_result(machine::End end);
+  void make_nodes(std::vector<Share> shares) {
+    const auto& routing = network_->routing();
+    for (int id = 0; id < routing.processors(); ++id) {
+      Node node;
+      node.id = node.parent = id;
+      if (id != common_.root)
+        node.parent = routing.neighbour(id, routing.port_to(id, common_.root));
+      node.share = std::move(shares[id]);
+      node.client = &network_->client(id);
+      if (memory_) node.manager = &memory_->manager(id);
+      allocate(node);
+      nodes_.push_back(std::move(node));
+    }
+    for (const Node& node : nodes_)
+      if (node.id != common_.root) ++nodes_[node.parent].children;
+  }
+
+  void allocate(const Node& node) {
+    auto& memory = machine_.processors()[node.id]->memory();
+    const auto room = [&](std::uint64_t count, const char* record, const char* what) {
+      memory.allocate(count * get_bytes(model_, record), what, {});
+    };
+    room(node.share.patches.size(), "radiosity_patch", "its patches");
+    room(node.share.vertices.size(), "radiosity_vertex", "its vertices");
+    std::size_t told = 0;
+    for (const Border& border : node.share.in) told += border.vertices.size();
+    room(told, "colour", "what others tell it of theirs");
+    if (!memory_)
+      memory.allocate(geometry_bytes(model_, mesh_), "the faces and their hierarchy", {});
+    if (node.id == common_.root) room(mesh_.vertices.size(), "colour", "the display's vertices");
+  }
+
+  void start() {
+    before_ = observe::collect(machine_);
+    for (const Node& node : nodes_) {
+      auto& processor = *machine_.processors()[node.id];
+      if (node.id == common_.root) {
+        const auto on_solved = [this] { after_ = observe::collect(machine_); };
+        auto root = std::make_unique<Root>(common_, node, nodes_, on_solved);
+        root_ = root.get();
+        applications_.push_back(std::move(root));
+      } else {
+        applications_.push_back(std::make_unique<Application>(common_, node));
+      }
+      kernels::start(processor, "application", machine::Priority::low,
+                     [application = applications_.back().get()] { application->run(); });
+    }
+  }
+
+  Result take_result(machine::End end) {
+    Result result;
+    result.end = end;
+    if (!after_) after_ = observe::collect(machine_);
+    result.use = between(before_, *after_);
+    result.time_s = result.use.time_s;
+    result.shots = root_->shots();
+    result.frames = root_->frames();
+    result.total_s = result.frames.empty() ? machine_.now().value : result.frames.back().at_s;
+    result.loss = eval_loss(model_, mesh_, params_, applications_, result.time_s);
+    for (const auto& application : applications_) {
+      result.work += application->work();
+      result.kernel_host_s += application->host_s();
+      for (const auto cycles : application->charged()) result.kernel_cycles += cycles;
+      result.vertices_done_max = std::max<std::uint64_t>(result.vertices_done_max,
+                                                         application->node().share.vertices.size());
+    }
+    if (memory_) result.data = memory_->use();
+    result.routers = network_->use();
+    result.events = machine_.events();
+    return result;
+  }
 
   const machine::Model& model_;
   const Mesh& mesh_;
@@ -152,105 +217,26 @@ class Amp {
   std::optional<observe::Use> after_;
 };
 
-void Amp::make_nodes(std::vector<Share> shares) {
-  const auto& routing = network_->routing();
-  for (int id = 0; id < routing.processors(); ++id) {
-    Node node;
-    node.id = node.parent = id;
-    if (id != common_.root) node.parent = routing.neighbour(id, routing.port_to(id, common_.root));
-    node.share = std::move(shares[static_cast<std::size_t>(id)]);
-    node.client = &network_->client(id);
-    if (memory_) node.manager = &memory_->manager(id);
-    allocate(node);
-    nodes_.push_back(std::move(node));
-  }
-  for (const Node& node : nodes_)
-    if (node.id != common_.root) ++nodes_[static_cast<std::size_t>(node.parent)].children;
-}
-
-void Amp::allocate(const Node& node) {
-  auto& memory = machine_.processors()[static_cast<std::size_t>(node.id)]->memory();
-  const auto room = [&](std::uint64_t count, const char* record, const char* what) {
-    memory.allocate(count * get_bytes(model_, record), what, {});
-  };
-  room(node.share.patches.size(), "radiosity_patch", "its patches");
-  room(node.share.vertices.size(), "radiosity_vertex", "its vertices");
-  std::size_t told = 0;
-  for (const Border& border : node.share.in) told += border.vertices.size();
-  room(told, "colour", "what others tell it of theirs");
-  if (!memory_) memory.allocate(geometry_bytes(model_, mesh_), "the faces and their hierarchy", {});
-  if (node.id == common_.root) room(mesh_.vertices.size(), "colour", "the display's vertices");
-}
-
-void Amp::start() {
-  before_ = observe::collect(machine_);
-  for (const Node& node : nodes_) {
-    auto& processor = *machine_.processors()[static_cast<std::size_t>(node.id)];
-    if (node.id == common_.root) {
-      const auto on_solved = [this] { after_ = observe::collect(machine_); };
-      auto root = std::make_unique<Root>(common_, node, nodes_, on_solved);
-      root_ = root.get();
-      applications_.push_back(std::move(root));
-    } else {
-      applications_.push_back(std::make_unique<Application>(common_, node));
-    }
-    kernels::start(processor, "application", machine::Priority::low,
-                   [application = applications_.back().get()] { application->run(); });
-  }
-}
-
-Result Amp::take_result(machine::End end) {
-  Result result;
-  result.end = end;
-  if (!after_) after_ = observe::collect(machine_);
-  result.use = between(before_, *after_);
-  result.time_s = result.use.time_s;
-  result.shots = root_->shots();
-  result.frames = root_->frames();
-  result.total_s = result.frames.empty() ? machine_.now().value : result.frames.back().at_s;
-  result.loss = eval_loss(model_, mesh_, params_, applications_, result.time_s);
-  for (const auto& application : applications_) {
-    result.work += application->work();
-    result.kernel_host_s += application->host_s();
-    for (const auto cycles : application->charged()) result.kernel_cycles += cycles;
-    result.vertices_done_max = std::max<std::uint64_t>(result.vertices_done_max,
-                                                       application->node().share.vertices.size());
-  }
-  if (memory_) result.data = memory_->use();
-  result.routers = network_->use();
-  result.events = machine_.events();
-  return result;
-}
-
-Result Amp::run() {
-  start();
-  return take_result(observe::run(machine_, params_.watch));
-}
-
 }  // namespace
 
 void check(const machine::Model& model, const Mesh& mesh, int processors, const Params& params) {
   check(params.solve.factor);
-  const auto refuse = [](const std::string& text) { throw BadInput(text); };
-  if (mesh.patches.size() < static_cast<std::size_t>(processors))
-    refuse(
-        fmt::format("network: found {} processors, expected at most as many as the room has "
-                    "patches, {}",
-                    processors, mesh.patches.size()));
+  base::require(mesh.patches.size() >= static_cast<std::size_t>(processors), "network",
+                "found {} processors, expected at most as many as the room has patches, {}",
+                processors, mesh.patches.size());
   if (params.cache_percent == 0) return;
-  if (!(params.cache_percent > 0 && params.cache_percent <= 100))
-    refuse(fmt::format("program.cache_percent: found {}, expected 0 to 100", params.cache_percent));
-  if (params.cycles_per_host_s)
-    refuse(
-        "run.cost: found timed, expected counted: a kernel that waits for data "
-        "(program.cache_percent) cannot be timed, other processes run meanwhile");
-  const auto whole = geometry_bytes(model, mesh);
+  constexpr auto key = "program.cache_percent";
+  base::require(params.cache_percent > 0 && params.cache_percent <= 100, key,
+                "found {}, expected 0 to 100", params.cache_percent);
+  base::require(!params.cycles_per_host_s, "run.cost",
+                "found timed, expected counted: a kernel that waits for data "
+                "(program.cache_percent) cannot be timed, other processes run meanwhile");
   const auto largest = std::max(get_bytes(model, "object"), get_bytes(model, "box"));
-  if (const auto bytes = data_params(model, mesh, params, 0).cache_bytes; bytes < largest)
-    refuse(
-        fmt::format("program.cache_percent: found {} % of a geometry of {} bytes, a cache of "
-                    "{}, expected at least the {} bytes of its largest record",
-                    params.cache_percent, whole, bytes, largest));
+  const auto bytes = data_params(model, mesh, params, 0).cache_bytes;
+  base::require(bytes >= largest, key,
+                "found {} % of a geometry of {} bytes, a cache of {}, expected at least the {} "
+                "bytes of its largest record",
+                params.cache_percent, geometry_bytes(model, mesh), bytes, largest);
 }
 
 Result run_radiosity(const machine::Model& model, const topologies::Topology& topology,

@@ -55,8 +55,8 @@ struct Result {
   int shots = 0;
   std::vector<Frame> frames;  ///< the last one is the solution
   Loss loss;
-  renderer::Work work;                  ///< of all processors
-  std::uint64_t vertices_done_max = 0;  ///< of a processor, in each shot
+  renderer::Work work;                  ///< all processors' work
+  std::uint64_t vertices_done_max = 0;  ///< most vertices that a processor finds in a shot
   machine::Cycles kernel_cycles{};      ///< charged, to all
   double kernel_host_s = 0;             ///< taken on the host, where cycles_per_host_s is given
   observe::Use use;                     ///< over time_s

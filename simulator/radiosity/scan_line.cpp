@@ -1,7 +1,4 @@
 // A line of a room's picture, interpolated in two ways, beside a reference: figure 3.9.
-#include <fmt/format.h>
-
-#include <array>
 
 #include "simulator/radiosity/program.hpp"
 
@@ -34,9 +31,9 @@ struct Pixel {
 // The line's number, from the top.
 int find_line(const LineParams& params, const Picture& picture) {
   if (params.line >= picture.height)
-    throw base::BadInput(fmt::format(
-        "program.line: found {}, expected a line of the picture, 0 to {}, or -1 for the middle",
-        params.line, picture.height - 1));
+    base::refuse("program.line",
+                 "found {}, expected a line of the picture, 0 to {}, or -1 for the middle",
+                 params.line, picture.height - 1);
   return params.line < 0 ? picture.height / 2 : params.line;
 }
 
@@ -82,8 +79,8 @@ Outcome<Pixel> run(const Setup&, const LineParams& params) {
 void check_program(const Setup&, const LineParams& params) {
   check(params.room);
   if (params.room.reference.path.empty() && params.room.reference_refine == 0)
-    throw base::BadInput(
-        "program.reference_refine: found 0 and no program.reference, expected one of them");
+    base::refuse("program.reference_refine",
+                 "found 0 and no program.reference, expected one of them");
 }
 
 base::Fields<LineParams> make_fields() {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -28,6 +27,19 @@ void change(DataUse& use, const DataUse& by, Change apply) {
   apply(use.waited, by.waited);
 }
 
+double share(double part, std::uint64_t all) {
+  return all > 0 ? part / static_cast<double>(all) : 0;
+}
+
+base::Column<DataUse> level_column(const std::string& name, Level level, const std::string& where) {
+  return base::column<DataUse>(
+      name,
+      [level](const DataUse& use) {
+        return share(static_cast<double>(use.found_at(level)), use.accesses());
+      },
+      "share of the accesses that found their item " + where);
+}
+
 }  // namespace
 
 DataUse& DataUse::operator+=(const DataUse& other) {
@@ -38,6 +50,35 @@ DataUse& DataUse::operator+=(const DataUse& other) {
 DataUse& DataUse::operator-=(const DataUse& earlier) {
   change(*this, earlier, [](auto& a, const auto& b) { a -= b; });
   return *this;
+}
+
+base::Columns<DataUse> data_columns() {
+  return {
+      base::column<DataUse>("accesses_made", &DataUse::accesses, "accesses to items"),
+      level_column("local", Level::local, "in the processor's own memory"),
+      level_column("on_path", Level::path,
+                   "in the cache of a processor on the way to the coordinator; with pages, with "
+                   "the keeper of the page"),
+      level_column("by_queue", Level::queue,
+                   "with the reply to a processor that had asked before (WRQu)"),
+      level_column("at_coordinator", Level::coordinator, "in the coordinator's cache"),
+      level_column("on_disk", Level::disk, "on the disk"),
+      base::column("requests", &DataUse::requests, "requests sent to other processors"),
+      base::column<DataUse>(
+          "links_per_request",
+          [](const DataUse& use) {
+            return share(static_cast<double>(use.request_links), use.requests);
+          },
+          "links that a request passes up to the processor that answers, on average"),
+      base::column("spared_by_path", &DataUse::spared_by_path,
+                   "links that requests were spared by caches on their way"),
+      base::column("spared_by_queue", &DataUse::spared_by_queue,
+                   "links that requests were spared by queues on their way (WRQu)"),
+      base::column<DataUse>(
+          "wait_per_request_s",
+          [](const DataUse& use) { return share(use.waited.value, use.requests); },
+          "mean time from a request to its reply"),
+  };
 }
 
 DataCosts::DataCosts(const machine::Model& model)
@@ -99,12 +140,10 @@ void DataManager::serve_for_ever() {
 }
 
 void DataManager::send(network::Address to, std::uint64_t bytes, const DataMessage& contents) {
-  Message message;
-  message.to = to;
-  message.from.process = DATA_PROCESS;
-  message.length = bytes;
-  message.contents = std::make_shared<const DataMessage>(contents);
-  client_.send(std::move(message));
+  client_.send({.to = to,
+                .from = {.process = DATA_PROCESS},
+                .length = bytes,
+                .contents = std::make_shared<const DataMessage>(contents)});
 }
 
 void DataManager::fetch(std::size_t record, network::Address to) {
@@ -121,7 +160,15 @@ void DataManager::reply(network::Address to, std::size_t record, std::uint64_t b
   send(to, costs_.reply_bytes + bytes, DataMessage(DataReply{record, level, links}));
 }
 
-void DataManager::charge_insertion(int dropped) {
+bool DataManager::touch(std::size_t record) {
+  if (!cache_.holds(record)) return false;
+  this_process().charge(costs_.touch);
+  cache_.touch(record);
+  return true;
+}
+
+void DataManager::insert(std::size_t record) {
+  const int dropped = cache_.insert(record);
   this_process().charge(costs_.insert + dropped * costs_.drop);
 }
 

@@ -4,15 +4,46 @@
 // it, and whenever it does the manager looks at the channel from the router.
 #include <array>
 #include <deque>
+#include <variant>
 
+#include "base/fields.hpp"
 #include "simulator/network/network.hpp"
-#include "simulator/shared_memory/data_messages.hpp"
 #include "simulator/shared_memory/items.hpp"
+#include "simulator/shared_memory/lru_cache.hpp"
 
 namespace shared_memory {
 
 using machine::Cycles;
 using machine::Seconds;
+
+/// The second level of an address. An application's own kinds of process follow.
+constexpr int DATA_PROCESS = 0;
+constexpr int FIRST_FREE_PROCESS = 1;
+
+/// Where a record was found, nearest first.
+enum class Level : std::uint8_t {
+  local,        ///< the processor's own memory
+  path,         ///< another one's cache: on the way to the coordinator, or that of the page's owner
+  queue,        ///< with the reply to another one that had asked before (WRQu)
+  coordinator,  ///< its cache
+  disk,
+};
+constexpr std::size_t LEVELS = 5;
+
+/// Asks for a record: an item, or a page of items.
+struct DataRequest {
+  std::size_t record = 0;
+};
+struct DataReply {
+  std::size_t record = 0;
+  Level level = Level::local;
+  int links = 0;  ///< that the request had passed
+};
+/// What data managers say to each other.
+struct DataMessage : network::Contents {
+  explicit DataMessage(std::variant<DataRequest, DataReply> content) : content(content) {}
+  std::variant<DataRequest, DataReply> content;
+};
 
 struct DataUse {
   std::array<std::uint64_t, LEVELS> found{};  ///< accesses, by Level of the item
@@ -30,18 +61,33 @@ struct DataUse {
   DataUse& operator-=(const DataUse& earlier);
 };
 
+/// The columns accesses_made, where items were found, requests, and what these took or were spared.
+/// Shares of nothing are 0.
+base::Columns<DataUse> data_columns();
+
 /// Cycles of a manager's work: the model's [operation] data_*.
 struct DataCosts {
   explicit DataCosts(const machine::Model& model);
   Cycles look_up, touch, insert, drop;
-  std::uint64_t request_bytes, reply_bytes;  ///< of a reply without the record
+  std::uint64_t request_bytes, reply_bytes;  ///< a reply has the record too
   Seconds idle_period;
+};
+
+/// What a manager works with.
+struct DataManagerMeans {
+  network::Client& client;
+  const network::Routing& routing;
+  DataCosts costs;
+  LruCache cache;
 };
 
 class DataManager {
  public:
-  DataManager(network::Client& client, const network::Routing& routing, const DataCosts& costs)
-      : costs_(costs), routing_(routing), client_(client) {}
+  explicit DataManager(DataManagerMeans means)
+      : costs_(means.costs),
+        routing_(means.routing),
+        cache_(std::move(means.cache)),
+        client_(means.client) {}
   virtual ~DataManager() = default;
   DataManager(const DataManager&) = delete;
   DataManager& operator=(const DataManager&) = delete;
@@ -70,11 +116,14 @@ class DataManager {
   void fetch(std::size_t record, network::Address to);
   /// Sends a record to the processor that asked for it, by a request that had passed `links`.
   void reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level, int links);
-  /// Charges a record that goes into a cache, and `dropped` others that leave it.
-  void charge_insertion(int dropped);
+  /// Whether the cache holds a record, which is charged and becomes the most recent.
+  bool touch(std::size_t record);
+  /// Puts a record into the cache; it is charged, and each that leaves it.
+  void insert(std::size_t record);
 
   const DataCosts costs_;
   const network::Routing& routing_;
+  LruCache cache_;
   DataUse use_;
 
  private:

@@ -1,6 +1,5 @@
 #pragma once
 // Items of data that any processor may need: objects, surfaces, light sources (5.1.2.3).
-#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +9,6 @@ namespace shared_memory {
 struct Item {
   int of_class = 0;
   int number = 0;
-  auto operator<=>(const Item&) const = default;
 };
 
 /// The items that there are, and their sizes. Places count through all items: class after class.
@@ -19,16 +17,14 @@ class Catalogue {
   /// `bytes`: the size of each item, by class and number. Throws base::BadInput if there are none.
   explicit Catalogue(std::vector<std::vector<std::uint64_t>> bytes);
 
-  std::size_t size() const { return items_.size(); }
-  Item item(std::size_t place) const { return items_.at(place); }
   std::size_t place(Item item) const;  ///< throws base::InvariantBroken if there is no such item
-  std::uint64_t bytes(Item item) const { return bytes_.at(place(item)); }
+  const std::vector<std::uint64_t>& bytes() const {
+    return bytes_;
+  }                               ///< each item's size, by place
   std::uint64_t largest() const;  ///< bytes of the largest item
-  std::uint64_t total() const;    ///< bytes of all together
 
  private:
   std::vector<std::size_t> first_;  // place of each class's first item, and the end
-  std::vector<Item> items_;
   std::vector<std::uint64_t> bytes_;
 };
 

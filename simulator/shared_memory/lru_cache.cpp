@@ -14,10 +14,9 @@ LruCache::LruCache(std::vector<std::uint64_t> bytes, std::uint64_t capacity, con
   next_.back() = previous_.back() = bytes_.size();
   const auto largest = bytes_.empty() ? 0 : *std::ranges::max_element(bytes_);
   if (largest > capacity)
-    throw base::BadInput(
-        fmt::format("{}: found a cache of {} bytes, expected at least the {} bytes of its largest "
-                    "record",
-                    key, capacity, largest));
+    base::refuse(key,
+                 "found a cache of {} bytes, expected at least the {} bytes of its largest record",
+                 capacity, largest);
 }
 
 void LruCache::unlink(std::size_t record) {

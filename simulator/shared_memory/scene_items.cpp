@@ -1,7 +1,5 @@
 #include "simulator/shared_memory/scene_items.hpp"
 
-#include "simulator/machine/process.hpp"
-
 namespace shared_memory {
 
 namespace {

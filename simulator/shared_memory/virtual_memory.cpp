@@ -1,33 +1,194 @@
 #include "simulator/shared_memory/virtual_memory.hpp"
 
-#include <algorithm>
-
-#include "base/errors.hpp"
-#include "simulator/shared_memory/item_manager.hpp"
+#include "simulator/occam/process.hpp"
 
 namespace shared_memory {
 
+using network::Message;
+using network::Mode;
+using occam::this_process;
+
 namespace {
+
+// DM: its cache serves the local application; others may read it, and that changes nothing in it.
+class ItemManager : public DataManager {
+ public:
+  ItemManager(DataManagerMeans means, const Catalogue& catalogue, const DataParams& params)
+      : DataManager(std::move(means)), catalogue_(catalogue), params_(params) {}
+
+  // Figure 5.21.
+  void access(Item item) override {
+    look();
+    const std::size_t record = catalogue_.place(item);
+    this_process().charge(costs_.look_up);
+    if (touch(record)) return count(Level::local);
+    asked_ = record;
+    fetch(record,
+          {params_.coordinator, DATA_PROCESS, params_.in_path ? Mode::in_path_to : Mode::unicast});
+  }
+
+ private:
+  struct Waiting {
+    network::Address who;
+    int links;
+  };
+
+  void handle_request(const Message& message, const DataRequest& request) override {
+    this_process().charge(costs_.look_up);
+    if (cache_.holds(request.record)) {
+      ++use_.answered;
+      reply(message.from, request.record, catalogue_.bytes().at(request.record), Level::path,
+            message.links);
+    } else if (params_.waiting_queue && asked_ == request.record) {
+      ++use_.queued;
+      waiting_.push_back({message.from, message.links});
+    } else {
+      ++use_.passed_on;
+      client().give_back(message);
+    }
+  }
+
+  void handle_reply(const DataReply& reply) override {
+    base::check_equal("the record that came", asked_ == reply.record, true);
+    const auto bytes = catalogue_.bytes().at(reply.record);
+    for (const Waiting& waiting : std::exchange(waiting_, {}))
+      this->reply(waiting.who, reply.record, bytes, Level::queue, waiting.links);
+    insert(reply.record);
+    asked_.reset();
+    const int far = routing_.distance(client().processor(), params_.coordinator);
+    use_.request_links += static_cast<std::uint64_t>(reply.links);
+    const auto spared = static_cast<std::uint64_t>(far - reply.links);
+    if (reply.level == Level::path) use_.spared_by_path += spared;
+    if (reply.level == Level::queue) use_.spared_by_queue += spared;
+    count(reply.level);
+  }
+
+  const Catalogue& catalogue_;
+  const DataParams params_;
+  std::optional<std::size_t> asked_;
+  std::vector<Waiting> waiting_;  // WRQu of the record that is asked for
+};
+
+struct DiskWait : machine::Wait {
+  std::string describe() const override { return "the disk"; }
+};
+
+// The coordinator asks the host's disk for a record over the host link, and waits for it.
+void read_disk(std::uint64_t bytes) {
+  auto& self = this_process();
+  self.sync();
+  const auto& disk = self.processor().model().disk;
+  const Seconds time{disk.seek + static_cast<double>(bytes) / disk.rate};
+  self.processor().wake_at(self.now() + time, self, self.waits() + 1);
+  DiskWait wait;
+  self.block(wait);
+}
+
+// DMS, on the coordinator: its cache serves the others; the local application may read it. What is
+// not there it reads from the disk, and serves nobody else meanwhile.
+class ItemServer : public DataManager {
+ public:
+  ItemServer(DataManagerMeans means, const Catalogue& catalogue)
+      : DataManager(std::move(means)), catalogue_(catalogue) {}
+
+  // Items that others do not ask for do not push out those that they do.
+  void access(Item item) override {
+    look();
+    this_process().charge(costs_.look_up);
+    const std::size_t record = catalogue_.place(item);
+    if (cache_.holds(record)) return count(Level::local);
+    read_disk(catalogue_.bytes().at(record));
+    count(Level::disk);
+  }
+
+ private:
+  void handle_request(const Message& message, const DataRequest& request) override {
+    const auto bytes = catalogue_.bytes().at(request.record);
+    this_process().charge(costs_.look_up);
+    const bool held = touch(request.record);
+    if (!held) {
+      read_disk(bytes);
+      insert(request.record);
+    }
+    ++use_.answered;
+    reply(message.from, request.record, bytes, held ? Level::coordinator : Level::disk,
+          message.links);
+  }
+
+  void handle_reply(const DataReply& /*reply*/) override {
+    throw base::InvariantBroken("a reply for the coordinator, which asks nobody");
+  }
+
+  const Catalogue& catalogue_;
+};
+
+// Where the pages are.
+struct Pages {
+  Pages(const Catalogue& catalogue, int items_of_page, int processors)
+      : catalogue(catalogue),
+        items_of_page(static_cast<std::size_t>(items_of_page)),
+        count((catalogue.bytes().size() + this->items_of_page - 1) / this->items_of_page),
+        bytes(this->items_of_page * catalogue.largest()),
+        processors(static_cast<std::size_t>(processors)) {}
+
+  std::size_t page_of(Item item) const { return catalogue.place(item) / items_of_page; }
+  int owner(std::size_t page) const { return static_cast<int>(page * processors / count); }
+  std::uint64_t resident_bytes(int processor) const {
+    std::uint64_t sum = 0;
+    for (std::size_t page = 0; page < count; ++page)
+      if (owner(page) == processor) sum += bytes;
+    return sum;
+  }
+
+  const Catalogue& catalogue;
+  std::size_t items_of_page, count;  // items in a page; pages
+  std::uint64_t bytes;               // size of a page: as many of the largest items
+  std::size_t processors;
+};
+
+// Its cache holds pages of others.
+class PageManager : public DataManager {
+ public:
+  PageManager(DataManagerMeans means, const Pages& pages)
+      : DataManager(std::move(means)), pages_(pages) {}
+
+  // Figure 5.21, with pages.
+  void access(Item item) override {
+    look();
+    const std::size_t page = pages_.page_of(item);
+    this_process().charge(costs_.look_up);
+    const int owner = pages_.owner(page);
+    if (owner == client().processor() || touch(page)) return count(Level::local);
+    fetch(page, {owner, DATA_PROCESS, Mode::unicast});
+  }
+
+ private:
+  void handle_request(const Message& message, const DataRequest& request) override {
+    this_process().charge(costs_.look_up);
+    ++use_.answered;
+    reply(message.from, request.record, pages_.bytes, Level::path, message.links);
+  }
+
+  void handle_reply(const DataReply& reply) override {
+    insert(reply.record);
+    use_.request_links += static_cast<std::uint64_t>(reply.links);
+    count(Level::path);
+  }
+
+  const Pages pages_;
+};
 
 void check_range(const char* key, int found, int low, int high) {
   if (found < low || found > high)
-    throw base::BadInput(fmt::format("{}: found {}, expected {} to {}", key, found, low, high));
+    base::refuse(key, "found {}, expected {} to {}", found, low, high);
 }
 
 void allocate(machine::Processor& processor, const std::string& key, std::uint64_t bytes) {
   auto& memory = processor.memory();
   if (const auto left = memory.left(); bytes > left)
-    throw base::BadInput(
-        fmt::format("{}: found {} bytes, expected at most the {} that are left of the memory of {}",
-                    key, bytes, left, processor.name()));
+    base::refuse(key, "found {} bytes, expected at most the {} that are left of the memory of {}",
+                 bytes, left, processor.name());
   memory.allocate(bytes, key, {});
-}
-
-std::vector<std::uint64_t> sizes(const Catalogue& catalogue) {
-  std::vector<std::uint64_t> bytes;
-  for (std::size_t place = 0; place < catalogue.size(); ++place)
-    bytes.push_back(catalogue.bytes(catalogue.item(place)));
-  return bytes;
 }
 
 }  // namespace
@@ -48,29 +209,25 @@ VirtualMemory::VirtualMemory(machine::Machine& machine, network::Network& networ
   check_range("data.coordinator", params.coordinator, 0, n - 1);
   check_range("data.page_items", params.page_items, 1, 1'000'000);
   for (int id = 0; id < n; ++id) {
-    auto& processor = *machine.processors().at(static_cast<std::size_t>(first + id));
-    auto& client = network.client(id);
+    auto& processor = *machine.processors().at(first + id);
     const bool serves = params.scheme == Scheme::items && id == params.coordinator;
     const std::string key = serves ? "server_cache_percent" : "cache_percent";
     const auto bytes = serves ? params.server_cache_bytes : params.cache_bytes;
+    const auto means = [&](std::vector<std::uint64_t> records) {
+      LruCache cache(std::move(records), bytes, key);
+      allocate(processor, key, bytes);
+      return DataManagerMeans{network.client(id), routing, costs, std::move(cache)};
+    };
+    auto& manager = managers_.emplace_back();
     if (params.scheme == Scheme::pages) {
       const Pages pages(catalogue, params.page_items, n);
-      LruCache cache(std::vector(pages.count, pages.bytes), bytes, key);
-      allocate(processor, key, bytes);
+      manager = std::make_unique<PageManager>(means(std::vector(pages.count, pages.bytes)), pages);
       allocate(processor, "data.resident", pages.resident_bytes(id));
-      managers_.push_back(
-          std::make_unique<PageManager>(client, routing, costs, pages, std::move(cache)));
-      continue;
+    } else if (serves) {
+      manager = std::make_unique<ItemServer>(means(catalogue.bytes()), catalogue);
+    } else {
+      manager = std::make_unique<ItemManager>(means(catalogue.bytes()), catalogue, params);
     }
-    LruCache cache(sizes(catalogue), bytes, key);
-    allocate(processor, key, bytes);
-    if (serves)
-      managers_.push_back(std::make_unique<ItemServer>(client, routing, costs, catalogue,
-                                                       std::move(cache), machine.model()));
-    else
-      managers_.push_back(std::make_unique<ItemManager>(
-          client, routing, costs, catalogue, std::move(cache),
-          ItemManager::Choices{params.coordinator, params.in_path, params.waiting_queue}));
   }
 }
 

@@ -1,9 +1,13 @@
 #pragma once
-// The data managers of a network's processors, one each.
+// The data managers of a network's processors, one each, in two schemes:
+// - items are fetched one by one from the caches of those on the way to the coordinator, and at
+// last
+//   from its disk (5.1.2.3);
+// - pages of a fixed size, which hold all items, are spread over the processors' resident blocks,
+//   one address space, and fetched from the processor that holds them (Badouel, 5.1.2.1).
 #include <memory>
 
 #include "simulator/shared_memory/data_manager.hpp"
-#include "simulator/shared_memory/page_manager.hpp"
 
 namespace shared_memory {
 
@@ -11,10 +15,10 @@ enum class Scheme : std::uint8_t { items, pages };
 
 struct DataParams {
   Scheme scheme = Scheme::items;
-  std::uint64_t cache_bytes = 0;  ///< of each processor; with pages, beside its resident block
+  std::uint64_t cache_bytes = 0;  ///< each processor's cache; pages: beside its resident block
   // With items:
   int coordinator = 0;
-  std::uint64_t server_cache_bytes = 0;  ///< of the coordinator
+  std::uint64_t server_cache_bytes = 0;  ///< the coordinator's cache
   bool in_path = true;                   ///< requests are offered to all on the way
   bool waiting_queue = true;             ///< WRQu
   // With pages:
@@ -34,7 +38,7 @@ class VirtualMemory {
   VirtualMemory(machine::Machine& machine, network::Network& network, const Catalogue& catalogue,
                 const DataParams& params, int first = 0);
 
-  DataManager& manager(int processor) { return *managers_.at(static_cast<std::size_t>(processor)); }
+  DataManager& manager(int processor) { return *managers_.at(processor); }
   DataUse use() const;  ///< the sum of all
 
  private:

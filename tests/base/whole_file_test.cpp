@@ -3,16 +3,15 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <functional>
 #include <ostream>
 #include <system_error>
 #include <thread>
 
 #include "base/errors.hpp"
 #include "tests/laboratory/support/support.hpp"
+#include "tests/support/isolated.hpp"
 
 namespace base {
 namespace {
@@ -21,15 +20,6 @@ namespace fs = std::filesystem;
 using laboratory::message_of;
 using laboratory::TemporaryFolder;
 using Names = std::vector<std::string>;
-
-// What a child process that runs `action` returns.
-int run_in_child(const std::function<int()>& action) {
-  const pid_t child = fork();
-  if (child == 0) _exit(action());
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 std::string write_error(const fs::path& path) {
   return message_of<std::system_error>([&] { save_whole(path, "bytes"); });
@@ -89,19 +79,20 @@ TEST(WholeFile, ReadOnlyFolder) {
 TEST(WholeFile, FullDiskLeavesTheOldFileAndNothingElse) {
   const TemporaryFolder folder;
   save_whole(folder.path / "a", "old");
-  const int result = run_in_child([&] {
+  const auto found = test::isolated([&] {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{100000, 100000};
     setrlimit(RLIMIT_FSIZE, &limit);
-    for (const auto* name : {"a", "b"}) try {
-        save_whole(folder.path / name, std::string(200000, 'x'));
-        return 1;
-      } catch (const std::system_error& error) {
-        if (error.code() != std::errc::file_too_large) return 2;
-      }
-    return 0;
+    const auto error_of = [&](const char* name) {
+      return message_of<std::system_error>(
+          [&] { save_whole(folder.path / name, std::string(200000, 'x')); });
+    };
+    return error_of("a") + error_of("b");
   });
-  EXPECT_EQ(result, 0);
+  const auto error = [&](const char* name) {
+    return (folder.path / name).string() + ": cannot be written: File too large";
+  };
+  EXPECT_EQ(found, error("a") + error("b"));
   EXPECT_EQ(folder.names(), Names{"a"});
   EXPECT_EQ(read_text(folder.path / "a"), "old");
 }

@@ -15,9 +15,8 @@ struct Measured {
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  machine::Machine machine(setup.model);
-  add_processors(machine, 1);
-  auto& processor = *machine.processors()[0];
+  Machine machine(setup, 1);
+  auto& processor = machine[0];
   std::deque<Channel<Message>> channels;
   std::vector<occam::Guard> guards;
   for (int i = 0; i < params.guards; ++i)
@@ -48,9 +47,9 @@ Program make_alternative() {
                            "channels that the ALT waits on"),
                   D::whole("writer", &Params::writer, 0, 999, "",
                            "the guard that becomes ready, from 0; the last where it has no such")},
-       .columns = {base::column("latency_s", &Measured::latency,
-                                "from the start of out to the end of in"),
-                   base::column("busy_s", &Measured::busy, "time that the CPU worked")},
+       .columns = {column("latency_s", &Measured::latency,
+                          "from the start of out to the end of in"),
+                   column("busy_s", &Measured::busy, "time that the CPU worked")},
        .run = &run});
 }
 

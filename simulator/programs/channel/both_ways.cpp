@@ -20,13 +20,12 @@ struct Measured {
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  machine::Machine machine(setup.model);
-  add_processors(machine, 2);
+  Machine machine(setup, 2);
   std::deque<Channel<Message>> channels;
-  machine.connect(*machine.processors()[0], *machine.processors()[1]);
+  machine.connect(machine[0], machine[1]);
   for (int from : {0, 1}) {
     if (from == 1 && !params.both) break;
-    auto &here = *machine.processors()[from], &there = *machine.processors()[1 - from];
+    auto &here = machine[from], &there = machine[1 - from];
     auto& channel = channels.emplace_back(there.name() + ".in", machine.link(here, there));
     here.start("sender", Priority::high, [&] {
       for (std::int64_t i = 0; i < params.messages; ++i) out(channel, Message{params.bytes});
@@ -51,9 +50,9 @@ Program make_both_ways() {
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("messages", &Params::messages, 1, 1e7, "", "messages in each direction"),
                   D::flag("both", &Params::both, "whether messages go in both directions")},
-       .columns = {base::column("time_s", &Measured::time, "time until all have been received"),
-                   base::column("rate_Bps", &Measured::rate_Bps,
-                                "bytes a second of both directions together")},
+       .columns = {column("time_s", &Measured::time, "time until all have been received"),
+                   column("rate_Bps", &Measured::rate_Bps,
+                          "bytes a second of both directions together")},
        .run = &run});
 }
 

@@ -72,9 +72,8 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto loops = params.loops;
-  machine::Machine machine(setup.model);
-  add_processors(machine, 1);
-  auto& processor = *machine.processors()[0];
+  Machine machine(setup, 1);
+  auto& processor = machine[0];
   Wire a("a"), b("b"), c("c"), d("d");
   processor.start("prefix", Priority::low, [&] { prefix(a, b, loops); });
   processor.start("delta", Priority::low, [&] { delta(b, c, d, loops); });
@@ -93,8 +92,8 @@ Program make_commstime() {
        .help = "the Commstime benchmark on one processor",
        .fields = {base::Declare<Params>::whole("loops", &Params::loops, 1, 1e9, "",
                                                "turns of the cycle of processes")},
-       .columns = {base::column("loop_us", &Measured::loop_us, "time of a turn"),
-                   base::column("loop_cycles", &Measured::loop_cycles, "time of a turn")},
+       .columns = {column("loop_us", &Measured::loop_us, "time of a turn"),
+                   column("loop_cycles", &Measured::loop_cycles, "time of a turn")},
        .run = &run});
 }
 

@@ -17,17 +17,15 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = params.stations;
-  machine::Machine machine(setup.model);
-  add_processors(machine, n);
+  Machine machine(setup, n);
   std::deque<Channel<Message>> channels;
-  for (int id = 0; id < n; ++id)
-    machine.connect(*machine.processors()[id], *machine.processors()[(id + 1) % n]);
+  for (int id = 0; id < n; ++id) machine.connect(machine[id], machine[(id + 1) % n]);
   for (int id = 0; id < n; ++id) {
-    auto& next = *machine.processors()[(id + 1) % n];
-    channels.emplace_back(next.name() + ".in", machine.link(*machine.processors()[id], next));
+    auto& next = machine[(id + 1) % n];
+    channels.emplace_back(next.name() + ".in", machine.link(machine[id], next));
   }
   for (int id = 0; id < n; ++id)
-    machine.processors()[id]->start(fmt::format("p{}.station", id), Priority::high, [&, id] {
+    machine[id].start(fmt::format("p{}.station", id), Priority::high, [&, id] {
       auto &from = channels[(id + n - 1) % n], &to = channels[id];
       const bool inputs_first = id % 2 == 1;
       if (inputs_first) from.in();
@@ -49,7 +47,7 @@ Program make_deadlock() {
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::whole("stations", &Params::stations, 3, 1000, "",
                                                "processors in the ring")},
-       .columns = {base::column("time_s", &Measured::time, "never known, as the run has no end")},
+       .columns = {column("time_s", &Measured::time, "never known, as the run has no end")},
        .run = &run});
 }
 

@@ -14,9 +14,8 @@ struct Measured {
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  machine::Machine machine(setup.model);
-  add_processors(machine, 1);
-  machine.processors()[0]->start("additions", Priority::low, [&] {
+  Machine machine(setup, 1);
+  machine[0].start("additions", Priority::low, [&] {
     for (std::int64_t i = 0; i < params.operations; ++i)
       compute(get_instruction(setup.model, "add"));
     this_process().sync();
@@ -33,7 +32,7 @@ Program make_flops() {
        .help = "additions of 32-bit reals, operands in registers",
        .fields = {base::Declare<Params>::whole("operations", &Params::operations, 1, 1e9, "",
                                                "additions")},
-       .columns = {base::column("mflops", &Measured::mflops, "million additions a second")},
+       .columns = {column("mflops", &Measured::mflops, "million additions a second")},
        .run = &run});
 }
 

@@ -19,29 +19,28 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto messages = params.messages;
-  machine::Machine machine(setup.model);
-  Line line(machine, 3);
+  Line machine(setup, 3);
   Seconds sum, sent;
-  machine.processors()[0]->start("sender", Priority::high, [&] {
+  machine[0].start("sender", Priority::high, [&] {
     for (std::int64_t i = 0; i < messages; ++i) {
       // Far enough apart for the machine to be idle; odd, to meet the computation anywhere.
       occam::wait_until(occam::ticks(START + static_cast<double>(i) * Seconds{1.237e-3}));
       sent = now();
-      out(line.channels[0], Message{params.bytes});
+      out(machine.channels[0], Message{params.bytes});
     }
   });
-  machine.processors()[1]->start("router", Priority::high, [&] {
-    for (std::int64_t i = 0; i < messages; ++i) out(line.channels[1], line.channels[0].in());
+  machine[1].start("router", Priority::high, [&] {
+    for (std::int64_t i = 0; i < messages; ++i) out(machine.channels[1], machine.channels[0].in());
   });
   if (params.busy)
-    machine.processors()[1]->start("computation", Priority::low, [&] {
+    machine[1].start("computation", Priority::low, [&] {
       const Seconds enough = static_cast<double>(messages + 3) * Seconds{1.237e-3};
       compute({static_cast<std::int64_t>(enough.value * setup.model.cpu.clock.value)});
       this_process().sync();
     });
-  machine.processors()[2]->start("receiver", Priority::high, [&] {
+  machine[2].start("receiver", Priority::high, [&] {
     for (std::int64_t i = 0; i < messages; ++i) {
-      line.channels[1].in();
+      machine.channels[1].in();
       sum += now() - sent;
     }
   });
@@ -60,8 +59,8 @@ Program make_interrupt() {
                   D::whole("messages", &Params::messages, 1, 1e6, "",
                            "messages, one after the other"),
                   D::flag("busy", &Params::busy, "whether the router's processor computes")},
-       .columns = {base::column("latency_s", &Measured::latency_s,
-                                "mean time of a message over the two links")},
+       .columns = {column("latency_s", &Measured::latency_s,
+                          "mean time of a message over the two links")},
        .run = &run});
 }
 

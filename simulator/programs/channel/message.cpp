@@ -15,9 +15,8 @@ struct Measured {
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  machine::Machine machine(setup.model);
-  add_processors(machine, 2);
-  auto &left = *machine.processors()[0], &right = *machine.processors()[1];
+  Machine machine(setup, 2);
+  auto &left = machine[0], &right = machine[1];
   machine.connect(left, right, params.switches);
   Channel<Message> channel("right.in", machine.link(left, right));
   Seconds sent, received;
@@ -45,8 +44,8 @@ Program make_message() {
        .fields = {bytes_field<Params>(&Params::bytes, 0),
                   D::whole("switches", &Params::switches, 0, 16, "",
                            "C004 link switches between the two processors")},
-       .columns = {base::column("latency_s", &Measured::latency,
-                                "from the start of out to the end of in")},
+       .columns = {column("latency_s", &Measured::latency,
+                          "from the start of out to the end of in")},
        .run = &run});
 }
 

@@ -19,16 +19,15 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int stages = params.stages;
-  machine::Machine machine(setup.model);
-  Line line(machine, stages);
+  Line machine(setup, stages);
   std::vector<Seconds> arrivals;
   for (int id = 0; id < stages; ++id) {
-    machine.processors()[id]->start("stage", Priority::high, [&, id] {
+    machine[id].start("stage", Priority::high, [&, id] {
       for (std::int64_t i = 0; i < params.messages; ++i) {
-        if (id > 0) line.channels[id - 1].in();
+        if (id > 0) machine.channels[id - 1].in();
         if (id + 1 == stages) arrivals.push_back(now());
         compute(params.stage_cycles);
-        if (id + 1 < stages) out(line.channels[id], Message{params.bytes});
+        if (id + 1 < stages) out(machine.channels[id], Message{params.bytes});
       }
     });
   }
@@ -52,11 +51,11 @@ Program make_pipeline() {
                   D::whole("messages", &Params::messages, 4, 1e7, "", "messages that pass"),
                   D::whole("stage_cycles", &Params::stage_cycles, 0, 1e9, "cycles",
                            "computation of each stage for each message")},
-       .columns = {base::column("period_s", &Measured::period_s, "mean time between two messages"),
-                   base::column<Measured>(
+       .columns = {column("period_s", &Measured::period_s, "mean time between two messages"),
+                   column<Measured>(
                        "throughput_per_s", [](const Measured& m) { return 1 / m.period_s; },
                        "messages a second"),
-                   base::column("time_s", &Measured::time, "time until all have passed")},
+                   column("time_s", &Measured::time, "time until all have passed")},
        .run = &run});
 }
 

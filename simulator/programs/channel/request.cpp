@@ -17,9 +17,8 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto rounds = params.rounds;
-  machine::Machine machine(setup.model);
-  add_processors(machine, 2);
-  auto &client = *machine.processors()[0], &server = *machine.processors()[1];
+  Machine machine(setup, 2);
+  auto &client = machine[0], &server = machine[1];
   machine.connect(client, server);
   Channel<Message> request("server.in", machine.link(client, server)),
       reply("client.in", machine.link(server, client));
@@ -57,8 +56,8 @@ Program make_request() {
                   D::whole("service_cycles", &Params::service_cycles, 0, 1e9, "cycles",
                            "computation of the server for each request"),
                   D::whole("rounds", &Params::rounds, 1, 1e7, "", "requests, one after the other")},
-       .columns = {base::column("round_trip_s", &Measured::round_trip_s,
-                                "mean time from a request to the end of its reply")},
+       .columns = {column("round_trip_s", &Measured::round_trip_s,
+                          "mean time from a request to the end of its reply")},
        .run = &run});
 }
 

@@ -15,9 +15,8 @@ struct Measured {
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  machine::Machine machine(setup.model);
-  add_processors(machine, 1);
-  auto& processor = *machine.processors()[0];
+  Machine machine(setup, 1);
+  auto& processor = machine[0];
   const Priority priority = params.high ? Priority::high : Priority::low;
   Channel<Message> channel("soft");
   Seconds second_came, over;
@@ -51,9 +50,9 @@ Program make_soft() {
                           "whether the reader comes first, or the writer"),
                   D::flag("high", &Params::high,
                           "whether both processes have high priority, or low")},
-       .columns = {base::column("latency_s", &Measured::latency,
-                                "time that the second process to come is in its in or out"),
-                   base::column("busy_s", &Measured::busy, "time that the CPU worked")},
+       .columns = {column("latency_s", &Measured::latency,
+                          "time that the second process to come is in its in or out"),
+                   column("busy_s", &Measured::busy, "time that the CPU worked")},
        .run = &run});
 }
 

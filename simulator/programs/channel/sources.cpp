@@ -31,9 +31,8 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto k = params.sources, all = k * params.messages;
-  machine::Machine machine(setup.model);
-  Line line(machine, 3);
-  auto& from = *machine.processors()[0];
+  Line machine(setup, 3);
+  auto& from = machine[0];
   std::deque<Channel<Message>> soft;
   std::vector<Channel<Message>*> inputs;
   for (std::int64_t i = 0; i < k; ++i) {
@@ -42,14 +41,14 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
       for (std::int64_t m = 0; m < params.messages; ++m) out(*channel, Message{params.bytes});
     });
   }
-  from.start("multiplexer", Priority::high, [&] { multiplexer(inputs, line.channels[0], all); });
-  machine.processors()[1]->start("relay", Priority::high, [&] {
-    for (std::int64_t m = 0; m < all; ++m) out(line.channels[1], line.channels[0].in());
+  from.start("multiplexer", Priority::high, [&] { multiplexer(inputs, machine.channels[0], all); });
+  machine[1].start("relay", Priority::high, [&] {
+    for (std::int64_t m = 0; m < all; ++m) out(machine.channels[1], machine.channels[0].in());
   });
   std::vector<Seconds> arrivals;
-  machine.processors()[2]->start("sink", Priority::high, [&] {
+  machine[2].start("sink", Priority::high, [&] {
     for (std::int64_t m = 0; m < all; ++m) {
-      line.channels[1].in();
+      machine.channels[1].in();
       arrivals.push_back(now());
     }
   });
@@ -70,11 +69,11 @@ Program make_sources() {
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("sources", &Params::sources, 1, 8, "", "processes that send"),
                   D::whole("messages", &Params::messages, 4, 1e7, "", "messages of each source")},
-       .columns = {base::column("period_s", &Measured::period_s,
-                                "mean time between two messages at the sink"),
-                   base::column("period_of_a_source_s", &Measured::period_of_a_source_s,
-                                "the same of messages of one source"),
-                   base::column("time_s", &Measured::time, "time until all have arrived")},
+       .columns = {column("period_s", &Measured::period_s,
+                          "mean time between two messages at the sink"),
+                   column("period_of_a_source_s", &Measured::period_of_a_source_s,
+                          "the same of messages of one source"),
+                   column("time_s", &Measured::time, "time until all have arrived")},
        .run = &run});
 }
 

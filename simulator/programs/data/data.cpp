@@ -1,13 +1,126 @@
-// Random accesses to common data from all over a network, by way of data managers.
-#include <algorithm>
-#include <cmath>
+#include "simulator/programs/data/data.hpp"
 
-#include "base/errors.hpp"
+#include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
-#include "simulator/programs/data/data_run.hpp"
-#include "simulator/shared_memory/columns.hpp"
 
 namespace programs {
+
+namespace {
+
+using shared_memory::DataManager;
+using shared_memory::DataUse;
+
+constexpr int FINISHED = shared_memory::FIRST_FREE_PROCESS, GO_ON = FINISHED + 1;
+
+// What a processor's manager had counted, and when, at the end of a pass.
+struct Mark {
+  Seconds start{}, end{};
+  DataUse use;
+};
+
+class Test {
+ public:
+  Test(const network::Routing& routing, const DataLoad& load, shared_memory::VirtualMemory& memory)
+      : load_(load),
+        routing_(routing),
+        memory_(memory),
+        marks_(static_cast<std::size_t>(load.passes),
+               std::vector<Mark>(static_cast<std::size_t>(routing.processors()))) {
+    double sum = 0;
+    for (int k = 0; k < load.items; ++k) wanted_.push_back(sum += std::pow(k + 1, -load.zipf));
+  }
+
+  // The process of one processor.
+  void live(int id) {
+    DataManager& data = memory_.manager(id);
+    const bool is_coordinator = id == load_.data.coordinator;
+    base::Random random(load_.seed, id);
+    for (auto& pass : marks_) {
+      Mark& mark = pass[id];
+      mark.start = now();
+      if (makes_accesses(id)) make_accesses(data, random);
+      this_process().sync();
+      mark.end = now();
+      if (load_.together && is_coordinator) wait_for_others(data);
+      mark.use = data.use();
+      if (load_.together && is_coordinator) go_on(data);
+      if (load_.together && !is_coordinator) report(data);
+    }
+    data.serve_for_ever();
+  }
+
+  std::vector<DataPass> finish() const {
+    std::vector<DataPass> passes;
+    int who = 0;
+    for (int id = 0; id < routing_.processors(); ++id) who += makes_accesses(id) ? 1 : 0;
+    for (std::size_t p = 0; p < marks_.size(); ++p) {
+      DataPass& pass = passes.emplace_back();
+      pass.number = static_cast<int>(p) + 1;
+      Seconds start{INFINITY}, end{};
+      for (int id = 0; id < routing_.processors(); ++id) {
+        const Mark& mark = marks_[p][id];
+        const DataUse earlier = p > 0 ? marks_[p - 1][id].use : DataUse{};
+        if (id == load_.data.coordinator && load_.together)
+          pass.server_seen = mark.use.seen - earlier.seen;
+        if (!makes_accesses(id)) continue;
+        start = std::min(start, mark.start);
+        end = std::max(end, mark.end);
+        pass.mean_s += (mark.end - mark.start).value / who;
+        pass.use += mark.use;
+        pass.use -= earlier;
+      }
+      pass.time_s = (end - start).value;
+    }
+    return passes;
+  }
+
+ private:
+  bool makes_accesses(int id) const {
+    return id != load_.data.coordinator || load_.coordinator_too ||
+           load_.data.scheme == shared_memory::Scheme::pages;
+  }
+
+  void make_accesses(DataManager& data, base::Random& random) const {
+    for (int i = 0; i < load_.accesses; ++i) {
+      const auto item = std::ranges::upper_bound(wanted_, random.uniform() * wanted_.back());
+      data.access({0, std::min(static_cast<int>(item - wanted_.begin()), load_.items - 1)});
+    }
+  }
+
+  void report(DataManager& data) const {
+    data.client().send({.to = {load_.data.coordinator, FINISHED}});
+    data.serve();
+  }
+  void wait_for_others(DataManager& data) const {
+    for (int others = routing_.processors() - 1; others > 0; --others) data.serve();
+  }
+  static void go_on(DataManager& data) { data.client().send({.to = network::make_global(GO_ON)}); }
+
+  const DataLoad& load_;
+  const network::Routing& routing_;
+  shared_memory::VirtualMemory& memory_;
+  std::vector<std::vector<Mark>> marks_;  // by pass and processor
+  std::vector<double> wanted_;            // how often an item up to this one is
+};
+
+}  // namespace
+
+std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routing,
+                               const DataLoad& load) {
+  const int n = routing.processors();
+  Machine machine(setup, n, get_bytes(setup.model, "worker_memory"));
+  const auto catalogue = shared_memory::make_catalogue(load.items, load.item_bytes);
+  auto params = load.network;
+  params.longest = longest_message(setup.model, catalogue, load.data);
+  network::Network network(machine, routing, params);
+  shared_memory::VirtualMemory memory(machine, network, catalogue, load.data);
+  Test test(network.routing(), load, memory);
+  for (int id = 0; id < n; ++id)
+    machine[id].start(fmt::format("p{}.application", id), Priority::low,
+                      [&, id] { test.live(id); });
+  run_machine(setup, machine);
+  return test.finish();
+}
 
 namespace {
 
@@ -39,15 +152,13 @@ std::uint64_t bytes_of_percent(const DataLoad& load, const char* name, double pe
 int find_coordinator(const Setup& setup, const Params& params) {
   const auto& topology = setup.topology;
   if (params.coordinator >= topology.processors)
-    throw base::BadInput(
-        fmt::format("program.coordinator: found {}, expected a processor of {}: 0 to {}, or -1 for "
-                    "its root",
-                    params.coordinator, topology.name, topology.processors - 1));
+    base::refuse("program.coordinator",
+                 "found {}, expected a processor of {}: 0 to {}, or -1 for its root",
+                 params.coordinator, topology.name, topology.processors - 1);
   if (topology.processors < 2)
-    throw base::BadInput(
-        fmt::format("network: found {}, expected at least two processors: the coordinator makes no "
-                    "accesses",
-                    topology.name));
+    base::refuse("network",
+                 "found {}, expected at least two processors: the coordinator makes no accesses",
+                 topology.name);
   return params.coordinator < 0 ? topology.root : params.coordinator;
 }
 
@@ -68,17 +179,9 @@ DataLoad make_load(const Setup& setup, const Params& params) {
   return load;
 }
 
-struct Measured : DataPass {
-  int number = 0;
-};
-
-Outcome<Measured> run(const Setup& setup, const Params& params) {
-  const auto passes =
-      run_data(setup, routing_of(setup, params.routers.method), make_load(setup, params));
-  Outcome<Measured> outcome;
-  for (const auto& pass : passes)
-    outcome.rows.push_back({pass, static_cast<int>(outcome.rows.size()) + 1});
-  return outcome;
+Outcome<DataPass> run(const Setup& setup, const Params& params) {
+  return Outcome<DataPass>(
+      run_data(setup, routing_of(setup, params.routers.method), make_load(setup, params)));
 }
 
 base::Fields<DataLoad> load_fields() {
@@ -121,27 +224,24 @@ base::Fields<Params> make_fields() {
 }
 
 // requests_at_coordinator stands behind the requests.
-base::Columns<Measured> make_columns() {
-  auto data = base::lift_columns<Measured>(shared_memory::data_columns(), &Measured::use);
-  data.insert(std::ranges::find(data, "requests", &base::Column<Measured>::name) + 1,
-              base::column<Measured>(
-                  "requests_at_coordinator", [](const Measured& m) { return m.server_seen; },
-                  "requests that came to the coordinator; empty where passes are not waited for"));
-  return base::join<base::Column<Measured>>(
-      {base::column("pass", &Measured::number, "number of the pass, from 1"),
-       base::column<Measured>(
-           "time_s", [](const Measured& m) { return m.time_s; },
-           "time from the end of the pass before until the last processor has finished"),
-       base::column<Measured>(
-           "time_mean_s", [](const Measured& m) { return m.mean_s; },
-           "time that a processor was at it, on average")},
+base::Columns<DataPass> make_columns() {
+  auto data = base::lift_columns<DataPass>(shared_memory::data_columns(), &DataPass::use);
+  data.insert(std::ranges::find(data, "requests", &base::Column<DataPass>::name) + 1,
+              column("requests_at_coordinator", &DataPass::server_seen,
+                     "requests that came to the coordinator; empty where passes are not waited "
+                     "for"));
+  return base::join<base::Column<DataPass>>(
+      {column("pass", &DataPass::number, "number of the pass, from 1"),
+       column("time_s", &DataPass::time_s,
+              "time from the end of the pass before until the last processor has finished"),
+       column("time_mean_s", &DataPass::mean_s, "time that a processor was at it, on average")},
       {std::move(data)});
 }
 
 }  // namespace
 
 Program make_data() {
-  return make_program<Params, Measured>(
+  return make_program<Params, DataPass>(
       {.name = "data",
        .help = "every processor but the coordinator makes random accesses to common items",
        .uses = {.network = true, .routes = true},

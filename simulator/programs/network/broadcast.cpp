@@ -1,7 +1,6 @@
 // A message from the root to all, along the spanning tree: each processor passes it on to its
 // children, all at once (PAR) or one after the other (SEQ).
 #include "simulator/declare/support.hpp"
-#include "topologies/route/routes.hpp"
 
 namespace programs {
 
@@ -34,15 +33,14 @@ struct Measured {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto tree = topologies::make_spanning_tree(setup.topology, setup.topology.root);
-  machine::Machine machine(setup.model);
-  add_processors(machine, setup.topology.processors);
+  Machine machine(setup, setup.topology.processors);
   std::deque<Channel<Message>> channels;
   std::vector<Channel<Message>*> from_parent(tree.parent.size());
   std::vector<Channels> to_children(tree.parent.size());
   std::size_t fan_out = 0;
   for (std::size_t id = 0; id < tree.parent.size(); ++id)
     for (int child : tree.children[id]) {
-      auto &here = *machine.processors()[id], &there = *machine.processors()[child];
+      auto &here = machine[id], &there = machine[child];
       machine.connect(here, there, switches_between(setup.topology, static_cast<int>(id), child));
       auto& channel = channels.emplace_back(there.name() + ".in", machine.link(here, there));
       from_parent[child] = &channel;
@@ -51,7 +49,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     }
   Seconds last;
   for (std::size_t id = 0; id < tree.parent.size(); ++id)
-    machine.processors()[id]->start("node", Priority::high, [&, id] {
+    machine[id].start("node", Priority::high, [&, id] {
       Message message = Message{params.bytes};
       if (from_parent[id])
         in(*from_parent[id], message);
@@ -75,11 +73,11 @@ Program make_broadcast() {
                   base::Declare<Params>::flag(
                       "in_parallel", &Params::in_parallel,
                       "whether a processor outputs to its children in PAR, or in SEQ")},
-       .columns = {base::column("latency_s", &Measured::latency,
-                                "time until the last processor has the message"),
-                   base::column("depth", &Measured::depth, "links from the root to the last leaf"),
-                   base::column("fan_out", &Measured::fan_out,
-                                "most children of a processor in the tree")},
+       .columns = {column("latency_s", &Measured::latency,
+                          "time until the last processor has the message"),
+                   column("depth", &Measured::depth, "links from the root to the last leaf"),
+                   column("fan_out", &Measured::fan_out,
+                          "most children of a processor in the tree")},
        .run = &run});
 }
 

@@ -1,9 +1,5 @@
 // No program at all: what each processor of a network has to do for others.
-#include <fmt/format.h>
 
-#include <algorithm>
-
-#include "base/errors.hpp"
 #include "simulator/declare/support.hpp"
 
 namespace programs {
@@ -83,11 +79,11 @@ Program make_census() {
        .fields = {base::Declare<Params>::choice(
            "pairs", &Params::pairs, PAIRS,
            "who speaks with whom: all with all, or the root with all")},
-       .columns = {base::column("processor", &Measured::processor, "number or label"),
-                   base::column("routes_through", &Measured::routes_through,
-                                "ordered pairs of others whose route passes through it"),
-                   base::column("lower_neighbours", &Measured::lower_neighbours,
-                                "neighbours with a lower number")},
+       .columns = {column("processor", &Measured::processor, "number or label"),
+                   column("routes_through", &Measured::routes_through,
+                          "ordered pairs of others whose route passes through it"),
+                   column("lower_neighbours", &Measured::lower_neighbours,
+                          "neighbours with a lower number")},
        .parts = {"processor"},
        .run = &run});
 }

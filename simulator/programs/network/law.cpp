@@ -12,11 +12,8 @@ constexpr std::uint64_t ORDER_BYTES = 16;  // what a share or its result takes o
 // Sends every other processor its share, does its own, and waits for theirs.
 void master(network::StoreAndForward& network, int processors, Cycles serial, Cycles share) {
   compute(serial);
-  network::Pointer order;
-  for (int id = 1; id < processors; ++id) {
-    order.to = {0, id, ORDER_BYTES, 0, {}};
-    out(network.into(0), order);
-  }
+  for (int id = 1; id < processors; ++id)
+    out(network.into(0), network::Pointer{{0, id, ORDER_BYTES}});
   compute(share);
   for (int id = 1; id < processors; ++id) network.delivered(0).in();
 }
@@ -24,9 +21,7 @@ void master(network::StoreAndForward& network, int processors, Cycles serial, Cy
 void worker(network::StoreAndForward& network, int id, Cycles share) {
   network.delivered(id).in();
   compute(share);
-  network::Pointer result;
-  result.to = {id, 0, ORDER_BYTES, 0, {}};
-  out(network.into(id), result);
+  out(network.into(id), network::Pointer{{id, 0, ORDER_BYTES}});
 }
 
 struct Params {
@@ -45,14 +40,12 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const double share = (1 - s) * work / (params.scaled ? 1 : n);  // parallel part of a processor
   const double total = s * work + n * share;                      // work of one processor alone
   const auto cycles = [](double c) { return Cycles{std::llround(c)}; };
-  machine::Machine machine(setup.model);
-  add_processors(machine, n);
+  Machine machine(setup, n);
   network::StoreAndForward network(machine, setup.topology);
-  machine.processors()[0]->start("master", Priority::low,
-                                 [&] { master(network, n, cycles(s * work), cycles(share)); });
+  machine[0].start("master", Priority::low,
+                   [&] { master(network, n, cycles(s * work), cycles(share)); });
   for (int id = 1; id < n; ++id)
-    machine.processors()[id]->start("worker", Priority::low,
-                                    [&, id] { worker(network, id, cycles(share)); });
+    machine[id].start("worker", Priority::low, [&, id] { worker(network, id, cycles(share)); });
   run_machine(setup, machine);
   const double speedup = total / setup.model.cpu.clock.value / machine.now().value;
   return Measured{machine.now(), speedup, speedup / n, n > 1 ? (n - speedup) / (n - 1) : s};
@@ -72,12 +65,12 @@ Program make_law() {
                             "the work; where scaled, that of one processor"),
                   D::flag("scaled", &Params::scaled,
                           "whether the parallel part grows with the machine")},
-       .columns = {base::column("time_s", &Measured::time, "time until all is done"),
-                   base::column("speedup", &Measured::speedup,
-                                "time of the same work on one processor, over time_s"),
-                   base::column("efficiency", &Measured::efficiency, "speedup over processors"),
-                   base::column("serial_measured", &Measured::serial_measured,
-                                "serial fraction that this speedup tells (thesis, Eq 4.29)")},
+       .columns = {column("time_s", &Measured::time, "time until all is done"),
+                   column("speedup", &Measured::speedup,
+                          "time of the same work on one processor, over time_s"),
+                   column("efficiency", &Measured::efficiency, "speedup over processors"),
+                   column("serial_measured", &Measured::serial_measured,
+                          "serial fraction that this speedup tells (thesis, Eq 4.29)")},
        .run = &run});
 }
 

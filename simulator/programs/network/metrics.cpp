@@ -25,29 +25,25 @@ Outcome<Measured> run(const Setup& setup, const Params&) {
   return Measured{topologies::eval_metrics(setup.topology), grid_of(setup.topology)};
 }
 
-template <class Member>
-base::Column<Measured> column(const std::string& name, Member member, const std::string& help) {
-  return base::column<Measured, Member>(name, member, help);
-}
-
 }  // namespace
 
 Program make_metrics() {
-  return make_program<Params, Measured>(
+  using M = Measured;
+  return make_program<Params, M>(
       {.name = "metrics",
        .help = "distances of a network, to be compared with what books say; nothing runs",
        .uses = {.network = true},
-       .columns = {column("processors", &Measured::processors, "processors"),
-                   column("rows", &Measured::rows, "rows of a mesh or torus; else 1"),
-                   column("columns", &Measured::columns,
-                          "columns of a mesh or torus; else the number of processors"),
-                   column("links", &Measured::links, "links"),
-                   column("degree_max", &Measured::degree_max, "most links of a processor"),
-                   column("diameter", &Measured::diameter, "links between the farthest two"),
-                   column("mean_distance", &Measured::mean_distance,
-                          "links between two processors, on average over all ordered pairs"),
-                   column("bisection", &Measured::bisection_width,
-                          "fewest links between two halves; empty where it is not known")},
+       .columns = {column<M>("processors", &M::processors, "processors"),
+                   column<M>("rows", &M::rows, "rows of a mesh or torus; else 1"),
+                   column<M>("columns", &M::columns,
+                             "columns of a mesh or torus; else the number of processors"),
+                   column<M>("links", &M::links, "links"),
+                   column<M>("degree_max", &M::degree_max, "most links of a processor"),
+                   column<M>("diameter", &M::diameter, "links between the farthest two"),
+                   column<M>("mean_distance", &M::mean_distance,
+                             "links between two processors, on average over all ordered pairs"),
+                   column<M>("bisection", &M::bisection_width,
+                             "fewest links between two halves; empty where it is not known")},
        .run = &run});
 }
 

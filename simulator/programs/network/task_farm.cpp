@@ -26,9 +26,7 @@ struct Farm {
   std::int64_t tasks;
 
   void send(int from, int to, std::uint64_t length) const {
-    network::Pointer packet;
-    packet.to = {from, to, length, 0, {}};
-    out(network.into(from), packet);
+    out(network.into(from), network::Pointer{{from, to, length}});
   }
 
   // Each result is answered with the next task; an empty one tells a worker to stop.
@@ -62,15 +60,14 @@ struct Farm {
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int workers = setup.topology.processors - 1;
-  machine::Machine machine(setup.model);
-  add_processors(machine, setup.topology.processors);
+  Machine machine(setup, setup.topology.processors);
   network::StoreAndForward network(machine, setup.topology);
   const Farm farm{network, params, params.tasks_per_worker * workers};
   std::vector<Seconds> results;
-  auto& centre = *machine.processors()[0];
+  auto& centre = machine[0];
   centre.start("centre", Priority::low, [&] { farm.coordinate(workers, results); });
   for (int id = 1; id <= workers; ++id)
-    machine.processors()[id]->start("worker", Priority::low, [&, id] { farm.work(id); });
+    machine[id].start("worker", Priority::low, [&, id] { farm.work(id); });
   run_machine(setup, machine);
   // In the middle, when every worker has tasks; in whole rounds, as results may come in bursts.
   const auto round = static_cast<std::size_t>(workers);
@@ -96,11 +93,11 @@ Program make_task_farm() {
                            "computation of a worker for a task"),
                   D::whole("centre_cycles", &Params::centre_cycles, 0, 1e10, "cycles",
                            "computation of the centre for a task")},
-       .columns = {base::column("time_s", &Measured::time, "time until all workers have stopped"),
-                   base::column("throughput_per_s", &Measured::throughput_per_s,
-                                "results a second, in the middle of the run"),
-                   base::column("cpu_busy_centre", &Measured::cpu_busy_centre,
-                                "share of the time that the centre's CPU worked")},
+       .columns = {column("time_s", &Measured::time, "time until all workers have stopped"),
+                   column("throughput_per_s", &Measured::throughput_per_s,
+                          "results a second, in the middle of the run"),
+                   column("cpu_busy_centre", &Measured::cpu_busy_centre,
+                          "share of the time that the centre's CPU worked")},
        .run = &run});
 }
 

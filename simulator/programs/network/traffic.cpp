@@ -1,8 +1,5 @@
 #include "simulator/programs/network/traffic.hpp"
 
-#include <cmath>
-
-#include "base/errors.hpp"
 #include "base/random.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
@@ -26,8 +23,7 @@ std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, 
 TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arrivals,
                           std::uint64_t bytes) {
   const int n = setup.topology.processors;
-  machine::Machine machine(setup.model);
-  add_processors(machine, n);
+  Machine machine(setup, n);
   network::StoreAndForward network(machine, setup.topology);
   TrafficResult result;
   result.deliveries.resize(arrivals.size());
@@ -40,16 +36,14 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
         static_cast<std::uint64_t>(network.routes().distance(arrivals[i].from, arrivals[i].to));
   }
   for (int id = 0; id < n; ++id) {
-    machine.processors()[id]->start("source", Priority::high, [&, id] {
-      network::Pointer packet;
+    machine[id].start("source", Priority::high, [&, id] {
       for (const auto i : to_send[id]) {
         occam::wait_until(arrivals[i].at_us);
         result.deliveries[i].sent_s = 1e-6 * static_cast<double>(arrivals[i].at_us);
-        packet.to = {id, arrivals[i].to, bytes, i, {}};
-        out(network.into(id), packet);
+        out(network.into(id), network::Pointer{{id, arrivals[i].to, bytes, i}});
       }
     });
-    machine.processors()[id]->start("sink", Priority::high, [&, id] {
+    machine[id].start("sink", Priority::high, [&, id] {
       for (std::size_t received = 0; received < to_receive[id]; ++received) {
         const auto packet = network.delivered(id).in();
         result.deliveries[packet.to.id].received_s = now().value;
@@ -94,12 +88,11 @@ std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
   const double rate = setup.model.link.one_way_rate, bytes = static_cast<double>(params.bytes);
   const double packets = n * params.load * rate / bytes * params.window_s;
   if (packets > MOST_PACKETS)
-    throw base::BadInput(fmt::format(
-        "program.load, window_s and bytes: found {:.3g} packets, expected at most {:.3g}", packets,
-        MOST_PACKETS));
+    base::refuse("program.load, window_s and bytes",
+                 "found {:.3g} packets, expected at most {:.3g}", packets, MOST_PACKETS);
   auto arrivals =
       make_uniform_traffic(n, params.load * rate / bytes, params.window_s * 1e6, params.seed);
-  if (arrivals.empty()) throw base::BadInput("program.window_s: so short that no packet is sent");
+  if (arrivals.empty()) base::refuse("program.window_s", "so short that no packet is sent");
   return arrivals;
 }
 
@@ -135,19 +128,19 @@ Program make_traffic() {
                   D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
                             "how long packets are offered"),
                   seed_field<Params>(&Params::seed, "seed of times and destinations")},
-       .columns = {base::column("latency_s", &Measured::latency_s,
-                                "mean time of a packet, of those sent in the second half"),
-                   base::column("packets", &Measured::packets, "packets sent"),
-                   base::column("links_mean", &Measured::links_mean,
-                                "links that a packet passes, on average"),
-                   base::column("inside_mean", &Measured::inside_mean,
-                                "packets in the network, on average over the last quarter"),
-                   base::column("longest_queue", &Measured::longest_queue,
-                                "most packets that waited for one link at once"),
-                   base::column("link_busy_max", &Measured::link_busy_max,
-                                "share of the time that the busiest direction of a link was busy"),
-                   base::column("saturated", &Measured::is_saturated,
-                                "1 where queues grow without bound, else 0")},
+       .columns = {column("latency_s", &Measured::latency_s,
+                          "mean time of a packet, of those sent in the second half"),
+                   column("packets", &Measured::packets, "packets sent"),
+                   column("links_mean", &Measured::links_mean,
+                          "links that a packet passes, on average"),
+                   column("inside_mean", &Measured::inside_mean,
+                          "packets in the network, on average over the last quarter"),
+                   column("longest_queue", &Measured::longest_queue,
+                          "most packets that waited for one link at once"),
+                   column("link_busy_max", &Measured::link_busy_max,
+                          "share of the time that the busiest direction of a link was busy"),
+                   column("saturated", &Measured::is_saturated,
+                          "1 where queues grow without bound, else 0")},
        .run = &run});
 }
 

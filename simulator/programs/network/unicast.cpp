@@ -1,5 +1,4 @@
 // One packet through an idle network of routers, to a processor `hops` links away.
-#include "base/errors.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
 
@@ -18,25 +17,20 @@ struct Measured {
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  machine::Machine machine(setup.model);
-  add_processors(machine, setup.topology.processors);
+  Machine machine(setup, setup.topology.processors);
   network::StoreAndForward network(machine, setup.topology);
   int to = 0;
   while (to < setup.topology.processors && network.routes().distance(0, to) != params.hops) ++to;
   if (to == setup.topology.processors)
-    throw base::BadInput(
-        fmt::format("program.hops: found {}, but no processor of {} is so "
-                    "far from the first",
-                    params.hops, setup.topology.name));
-  network::Pointer packet, arrived;
-  packet.to = {0, to, params.bytes, 0, START};
+    base::refuse("program.hops", "found {}, but no processor of {} is so far from the first",
+                 params.hops, setup.topology.name);
   Seconds received;
-  machine.processors()[0]->start("client", Priority::high, [&] {
+  machine[0].start("client", Priority::high, [&] {
     wait_for_start();
-    out(network.into(0), packet);
+    out(network.into(0), network::Pointer{{0, to, params.bytes}});
   });
-  machine.processors()[to]->start("client", Priority::high, [&] {
-    in(network.delivered(to), arrived);
+  machine[to].start("client", Priority::high, [&] {
+    network.delivered(to).in();
     received = now();
   });
   run_machine(setup, machine);
@@ -53,10 +47,10 @@ Program make_unicast() {
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::whole("hops", &Params::hops, 0, 1000, "",
                                                "links from the first processor to the receiver")},
-       .columns = {base::column("latency_s", &Measured::latency,
-                                "from the start of out to the end of in"),
-                   base::column("guards", &Measured::guards,
-                                "guards of all ALTs that the packet passes")},
+       .columns = {column("latency_s", &Measured::latency,
+                          "from the start of out to the end of in"),
+                   column("guards", &Measured::guards,
+                          "guards of all ALTs that the packet passes")},
        .run = &run});
 }
 

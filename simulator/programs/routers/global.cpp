@@ -1,5 +1,4 @@
 // GLOBAL messages from the root, each answered by every other processor (table 5.3).
-#include "base/errors.hpp"
 #include "simulator/declare/routers.hpp"
 
 namespace programs {
@@ -7,7 +6,6 @@ namespace programs {
 namespace {
 
 using network::Client;
-using network::Message;
 
 struct Params {
   RouterParams routers;
@@ -16,7 +14,6 @@ struct Params {
 };
 
 struct Global {
-  const ApplicationCost& cost;
   const Params& params;
   int others;
 
@@ -25,15 +22,12 @@ struct Global {
     std::int64_t sent = 0;
     for (std::int64_t answers = 0; answers < params.messages * others;) {
       if (sent < params.messages && sent - answers / others < params.window) {
-        Message message;
-        message.to = network::make_global(0);
-        message.length = params.bytes;
-        cost("message_made");
-        client.send(message);
+        compute("message_made");
+        client.send({.to = network::make_global(0), .length = params.bytes});
         ++sent;
       } else {
         client.receive();
-        cost("message_read");
+        compute("message_read");
         ++answers;
       }
     }
@@ -41,12 +35,10 @@ struct Global {
 
   void answer(Client& client) const {
     for (std::int64_t i = 0; i < params.messages; ++i) {
-      Message message;
-      message.to = client.receive().from;
-      message.length = 4;
-      cost("message_read");
-      cost("message_made");
-      client.send(message);
+      const auto asking = client.receive().from;
+      compute("message_read");
+      compute("message_made");
+      client.send({.to = asking, .length = 4});
     }
   }
 };
@@ -62,19 +54,17 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int others = setup.topology.processors - 1, root = setup.topology.root;
   check_two_processors(setup);
   RouterMachine on(setup, network_params(params.routers, std::max<std::uint64_t>(params.bytes, 4)));
-  const ApplicationCost cost(setup.model);
-  const Global global{cost, params, others};
-  for (int id = 0; id <= others; ++id)
-    on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low, [&, id] {
-      if (id == root)
-        global.ask(on.network->client(id));
-      else
-        global.answer(on.network->client(id));
-    });
-  run_machine(setup, on.machine);
-  const Seconds time = on.machine.now();
+  const Global global{params, others};
+  on.start_all([&](Client& client) {
+    if (client.processor() == root)
+      global.ask(client);
+    else
+      global.answer(client);
+  });
+  run_machine(setup, on);
+  const Seconds time = on.now();
   return Measured{time.value / static_cast<double>(params.messages) * 1e4, time,
-                  on.network->use().most_held, on.machine.processors()[root]->use().busy() / time};
+                  on.network->use().most_held, on[root].use().busy() / time};
 }
 
 }  // namespace
@@ -85,18 +75,17 @@ Program make_global() {
       {.name = "global",
        .help = "GLOBAL messages from the root, until every other processor has answered each",
        .uses = {.network = true, .routes = true},
-       .fields = base::join(
-           base::lift_all<Params>(router_fields(), &Params::routers),
-           {{message_bytes_field<Params>(&Params::bytes),
-             D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),
-             D::whole("window", &Params::window, 1, 1e6, "",
-                      "messages that may be unanswered before the next is sent")}}),
-       .columns = {base::column("time_s_per_10000", &Measured::time_s_per_10000,
-                                "time of ten thousand messages at this rate"),
-                   base::column("time_s", &Measured::time, "time until all have been answered"),
+       .fields = with_routers<Params>(
+           {message_bytes_field<Params>(&Params::bytes),
+            D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),
+            D::whole("window", &Params::window, 1, 1e6, "",
+                     "messages that may be unanswered before the next is sent")}),
+       .columns = {column("time_s_per_10000", &Measured::time_s_per_10000,
+                          "time of ten thousand messages at this rate"),
+                   column("time_s", &Measured::time, "time until all have been answered"),
                    most_held_column(&Measured::most_held),
-                   base::column("cpu_busy_root", &Measured::cpu_busy_root,
-                                "share of the time that the root's CPU worked")},
+                   column("cpu_busy_root", &Measured::cpu_busy_root,
+                          "share of the time that the root's CPU worked")},
        .run = &run});
 }
 

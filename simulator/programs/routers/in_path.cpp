@@ -1,5 +1,4 @@
 // InPathTo requests along a line, which those on the way answer now and then (5.1.1.3).
-#include <algorithm>
 
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
@@ -10,8 +9,6 @@ namespace programs {
 namespace {
 
 using network::Client;
-using network::Message;
-using network::Mode;
 
 constexpr int ASKED = 0, ASKING = 1;  // kinds of process
 
@@ -20,17 +17,14 @@ void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
   base::Random random(seed, client.processor());
   for (;;) {
-    Message message = client.receive();
+    network::Message message = client.receive();
     const double uniform = random.uniform();
     const bool passes_by = message.to.processor != client.processor();
     if (passes_by && uniform >= probability) {
       client.give_back(std::move(message));
       continue;
     }
-    Message reply;
-    reply.to = message.from;
-    reply.number = static_cast<std::uint64_t>(message.links);
-    client.send(std::move(reply));
+    client.send({.to = message.from, .number = static_cast<std::uint64_t>(message.links)});
   }
 }
 
@@ -52,25 +46,19 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   auto on_network = network_params(params.routers, 0);
   on_network.processes.assign(static_cast<std::size_t>(n) + 1, {1U << ASKED});
   on_network.processes.front() = {1U << ASKING};
-  machine::Machine machine(setup.model);
-  for (int id = 0; id <= n; ++id)
-    machine.add_processor(fmt::format("p{}", id), get_bytes(setup.model, "worker_memory"));
+  Machine machine(setup, n + 1, get_bytes(setup.model, "worker_memory"));
   network::Network network(
       machine, network::make_routing(on_network.method, line, topologies::make_routes(line)),
       on_network);
   double sum = 0, squares = 0;
   for (int id = 1; id <= n; ++id)
-    machine.processors()[id]->start("asked", Priority::low, [&, id] {
-      answer(network.client(id), params.probability, params.seed);
-    });
+    machine[id].start("asked", Priority::low,
+                      [&, id] { answer(network.client(id), params.probability, params.seed); });
   Seconds end;
-  machine.processors()[0]->start("asking", Priority::low, [&] {
+  machine[0].start("asking", Priority::low, [&] {
     Client& client = network.client(0);
     for (std::int64_t i = 0; i < params.requests; ++i) {
-      Message request;
-      request.to = {n, ASKED, Mode::in_path_to};
-      request.from.process = ASKING;
-      client.send(std::move(request));
+      client.send({.to = {n, ASKED, network::Mode::in_path_to}, .from = {0, ASKING}});
       const auto links = static_cast<double>(client.receive().number);
       sum += links;
       squares += links * links;
@@ -91,20 +79,19 @@ Program make_in_path() {
       {.name = "in_path",
        .help = "InPathTo requests from one end of a line to the other, which each processor on the "
                "way may answer",
-       .fields = base::join(
-           base::lift_all<Params>(router_fields(), &Params::routers),
-           {{D::whole("n", &Params::links, 1, 1000, "", "links from end to end"),
-             D::number("s_p", &Params::probability, 0, 1, "",
-                       "probability that a processor on the way answers"),
-             D::whole("requests", &Params::requests, 1, 1e8, "", "requests, one after the other"),
-             seed_field<Params>(&Params::seed, "seed of who answers")}}),
-       .columns = {base::column("distance_mean", &Measured::distance_mean,
-                                "links that a request passes, on average"),
-                   base::column("distance_error", &Measured::distance_error,
-                                "standard error of distance_mean"),
-                   base::column("saved", &Measured::saved, "share of all links that is spared"),
-                   base::column("round_trip_s", &Measured::round_trip_s,
-                                "mean time from a request to the end of its reply")},
+       .fields = with_routers<Params>(
+           {D::whole("n", &Params::links, 1, 1000, "", "links from end to end"),
+            D::number("s_p", &Params::probability, 0, 1, "",
+                      "probability that a processor on the way answers"),
+            D::whole("requests", &Params::requests, 1, 1e8, "", "requests, one after the other"),
+            seed_field<Params>(&Params::seed, "seed of who answers")}),
+       .columns = {column("distance_mean", &Measured::distance_mean,
+                          "links that a request passes, on average"),
+                   column("distance_error", &Measured::distance_error,
+                          "standard error of distance_mean"),
+                   column("saved", &Measured::saved, "share of all links that is spared"),
+                   column("round_trip_s", &Measured::round_trip_s,
+                          "mean time from a request to the end of its reply")},
        .run = &run});
 }
 

@@ -1,6 +1,5 @@
 // Every processor sends messages to all others at random: what the routers and the application
 // that does so take of the CPU (table 5.2).
-#include "base/errors.hpp"
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
@@ -9,7 +8,6 @@ namespace programs {
 namespace {
 
 using network::Client;
-using network::Message;
 
 struct Params {
   RouterParams routers;
@@ -18,7 +16,6 @@ struct Params {
 };
 
 struct Talk {
-  const ApplicationCost& cost;
   const Params& params;
   int processors;
 
@@ -29,15 +26,12 @@ struct Talk {
     for (;;) {
       const auto due = occam::ticks(now() + Seconds{params.pause_s * random.exponential()});
       for (bool is_due = false; !is_due;)
-        occam::pri_alt(occam::when(client.from_router(), handed, [&] { cost("message_read"); }),
+        occam::pri_alt(occam::when(client.from_router(), handed, [&] { compute("message_read"); }),
                        occam::after(due, [&] { is_due = true; }));
-      Message message;
-      message.to.processor = random.other_than(client.processor(), processors);
-      message.length = params.bytes;
-      cost("number_drawn");
-      cost("number_drawn");
-      cost("message_made");
-      client.send(message);
+      const int to = random.other_than(client.processor(), processors);
+      for (const char* operation : {"number_drawn", "number_drawn", "message_made"})
+        compute(operation);
+      client.send({.to = {to}, .length = params.bytes});
     }
   }
 };
@@ -52,17 +46,14 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
   check_two_processors(setup);
   RouterMachine on(setup, network_params(params.routers, params.bytes));
-  const ApplicationCost cost(setup.model);
-  const Talk talk{cost, params, n};
-  for (int id = 0; id < n; ++id)
-    on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
-                                       [&, id] { talk.run(on.network->client(id)); });
-  run_machine_until(setup, on.machine, {params.window_s});
-  const double time_s = on.machine.now().value;
+  const Talk talk{params, n};
+  on.start_all([&](Client& client) { talk.run(client); });
+  run_machine_until(setup, on, {params.window_s});
+  const double time_s = on.now().value;
   std::vector<Measured> rows;
   for (int id = 0; id < n; ++id) {
     const auto& use = on.network->use(id);
-    const double busy_s = on.machine.processors()[id]->use().busy().value;
+    const double busy_s = on[id].use().busy().value;
     rows.push_back({processor_cell(setup.topology, id), 100 * (busy_s / time_s),
                     static_cast<double>(use.taken) / time_s,
                     static_cast<double>(use.delivered) / time_s,
@@ -79,23 +70,22 @@ Program make_random_traffic() {
       {.name = "random_traffic",
        .help = "messages of all processors to all others, at random",
        .uses = {.network = true, .routes = true},
-       .fields = base::join(
-           base::lift_all<Params>(router_fields(), &Params::routers),
-           {{message_bytes_field<Params>(&Params::bytes),
-             D::number("pause_s", &Params::pause_s, 1e-6, 1e6, "s",
-                       "time from a message to the next of its sender, on average"),
-             D::number("window_s", &Params::window_s, 1e-3, 1e5, "s", "time that is simulated"),
-             seed_field<Params>(&Params::seed, "seed of pauses and destinations")}}),
-       .columns = {base::column("processor", &Measured::processor, "number or label"),
-                   base::column("cpu_percent", &Measured::cpu_percent,
-                                "percent of the time that its router and the application that "
-                                "makes messages took of its CPU"),
-                   base::column("sent_per_s", &Measured::sent_per_s,
-                                "messages a second that its application sent"),
-                   base::column("received_per_s", &Measured::received_per_s,
-                                "messages a second that its application received"),
-                   base::column("passed_per_s", &Measured::passed_per_s,
-                                "messages a second that passed from one of its links to another"),
+       .fields = with_routers<Params>(
+           {message_bytes_field<Params>(&Params::bytes),
+            D::number("pause_s", &Params::pause_s, 1e-6, 1e6, "s",
+                      "time from a message to the next of its sender, on average"),
+            D::number("window_s", &Params::window_s, 1e-3, 1e5, "s", "time that is simulated"),
+            seed_field<Params>(&Params::seed, "seed of pauses and destinations")}),
+       .columns = {column("processor", &Measured::processor, "number or label"),
+                   column("cpu_percent", &Measured::cpu_percent,
+                          "percent of the time that its router and the application that "
+                          "makes messages took of its CPU"),
+                   column("sent_per_s", &Measured::sent_per_s,
+                          "messages a second that its application sent"),
+                   column("received_per_s", &Measured::received_per_s,
+                          "messages a second that its application received"),
+                   column("passed_per_s", &Measured::passed_per_s,
+                          "messages a second that passed from one of its links to another"),
                    most_held_column(&Measured::most_held)},
        .parts = {"processor"},
        .run = &run});

@@ -1,7 +1,6 @@
 // The usual load-latency curve of routers: all processors offer messages to others at a rate, and
 // sinks take them at once; up to the load at which queues grow without bound, or out of their
 // buffers.
-#include "base/errors.hpp"
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
@@ -36,12 +35,10 @@ struct Offers {
     base::Random random(params.seed, client.processor());
     for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s();) {
       occam::wait_until(occam::ticks({at_s}));
-      Message message;
-      message.to.processor = random.other_than(client.processor(), processors);
-      message.length = params.bytes;
-      message.number = static_cast<std::uint64_t>(at_s * 1e9);
+      const int to = random.other_than(client.processor(), processors);
       if (at_s >= params.warm_up_s) ++seen.offered;
-      client.send(std::move(message));
+      client.send(
+          {.to = {to}, .length = params.bytes, .number = static_cast<std::uint64_t>(at_s * 1e9)});
     }
   }
 
@@ -66,20 +63,16 @@ constexpr double MOST_MESSAGES = 1e7;
 
 void check_messages(const Offers& offers) {
   const double messages = offers.rate_per_s * offers.end_s() * offers.processors;
-  if (messages > MOST_MESSAGES)
-    throw base::BadInput(
-        fmt::format("program.load, warm_up_s and window_s: found {:.3g} messages, expected at most "
-                    "{:.3g}",
-                    messages, MOST_MESSAGES));
+  base::require(messages <= MOST_MESSAGES, "program.load, warm_up_s and window_s",
+                "found {:.3g} messages, expected at most {:.3g}", messages, MOST_MESSAGES);
 }
 
 // The source has a channel of its own into the router, the sink one from it.
 void start_clients(const Offers& offers, RouterMachine& on, std::vector<Seen>& seen) {
   for (int id = 0; id < offers.processors; ++id) {
-    auto& processor = *on.machine.processors()[id];
-    processor.start(fmt::format("p{}.source", id), Priority::high,
-                    [&, id] { offers.offer(on.network->client(id, 1), seen[id]); });
-    processor
+    on[id].start(fmt::format("p{}.source", id), Priority::high,
+                 [&, id] { offers.offer(on.network->client(id, 1), seen[id]); });
+    on[id]
         .start(fmt::format("p{}.sink", id), Priority::high,
                [&, id] { offers.take(on.network->client(id), seen[id]); })
         .set_server();
@@ -109,7 +102,7 @@ struct Measured {
 Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
                  bool has_overflowed) {
   const auto& params = offers.params;
-  const double now_s = on.machine.now().value;
+  const double now_s = on.now().value;
   // The part of the window before the end or the overflow.
   const double window_s = has_overflowed ? now_s - params.warm_up_s : params.window_s;
   const double time_s = std::max(now_s, params.warm_up_s + window_s);
@@ -121,9 +114,9 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
     m.accepted_per_s = static_cast<double>(all.in_window) / window_s / offers.processors;
   if (!has_overflowed && all.count > 0) m.latency_s = all.sum_s / static_cast<double>(all.count);
   double cpu_s = 0, link_s = 0;
-  for (const auto& processor : on.machine.processors())
+  for (const auto& processor : on.processors())
     cpu_s = std::max(cpu_s, processor->use().busy().value);
-  for (const auto& link : on.machine.links()) link_s = std::max(link_s, link->use().busy.value);
+  for (const auto& link : on.links()) link_s = std::max(link_s, link->use().busy.value);
   m.cpu_busy_max = cpu_s / time_s;
   m.link_busy_max = link_s / time_s;
   const bool behind = static_cast<double>(all.in_window) < 0.9 * static_cast<double>(all.offered);
@@ -144,7 +137,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   Outcome<Measured> outcome;
   bool has_overflowed = false;
   try {
-    run_machine(setup, on.machine);
+    run_machine(setup, on);
   } catch (const network::Overflow& overflow) {
     has_overflowed = true;
     outcome.notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));
@@ -158,35 +151,33 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
 
 base::Fields<Params> make_fields() {
   using D = base::Declare<Params>;
-  return base::join(
-      base::lift_all<Params>(router_fields(), &Params::routers),
-      {{message_bytes_field<Params>(&Params::bytes),
-        D::number("load", &Params::load, 1e-6, 100, "",
-                  "bytes that each processor offers, over what a link direction carries"),
-        D::number("warm_up_s", &Params::warm_up_s, 0, 1e4, "s", "time before anything is measured"),
-        D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
-                  "how long messages are offered then"),
-        seed_field<Params>(&Params::seed, "seed of times and destinations")}});
+  return with_routers<Params>(
+      {message_bytes_field<Params>(&Params::bytes),
+       D::number("load", &Params::load, 1e-6, 100, "",
+                 "bytes that each processor offers, over what a link direction carries"),
+       D::number("warm_up_s", &Params::warm_up_s, 0, 1e4, "s", "time before anything is measured"),
+       D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
+                 "how long messages are offered then"),
+       seed_field<Params>(&Params::seed, "seed of times and destinations")});
 }
 
 base::Columns<Measured> make_columns() {
-  return {
-      base::column("offered_per_s", &Measured::offered_per_s,
-                   "messages a second that each processor offers"),
-      base::column("accepted_per_s", &Measured::accepted_per_s,
-                   "messages a second of the window that each processor received"),
-      base::column("latency_s", &Measured::latency_s,
-                   "mean time of a message; empty where a router overflowed"),
-      base::column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
-      most_held_column(&Measured::most_held),
-      base::column("cpu_busy_max", &Measured::cpu_busy_max,
-                   "share of the time that the busiest CPU worked"),
-      base::column("link_busy_max", &Measured::link_busy_max,
-                   "share of the time that the busiest direction of a link was busy"),
-      base::column("overflowed", &Measured::has_overflowed,
-                   "1 where a router ran out of buffers, else 0"),
-      base::column("saturated", &Measured::is_saturated,
-                   "1 where queues grow without bound or a router overflowed, else 0")};
+  return {column("offered_per_s", &Measured::offered_per_s,
+                 "messages a second that each processor offers"),
+          column("accepted_per_s", &Measured::accepted_per_s,
+                 "messages a second of the window that each processor received"),
+          column("latency_s", &Measured::latency_s,
+                 "mean time of a message; empty where a router overflowed"),
+          column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
+          most_held_column(&Measured::most_held),
+          column("cpu_busy_max", &Measured::cpu_busy_max,
+                 "share of the time that the busiest CPU worked"),
+          column("link_busy_max", &Measured::link_busy_max,
+                 "share of the time that the busiest direction of a link was busy"),
+          column("overflowed", &Measured::has_overflowed,
+                 "1 where a router ran out of buffers, else 0"),
+          column("saturated", &Measured::is_saturated,
+                 "1 where queues grow without bound or a router overflowed, else 0")};
 }
 
 }  // namespace

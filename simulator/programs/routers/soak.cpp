@@ -2,14 +2,8 @@
 // and an account is kept of each.
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "base/errors.hpp"
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
@@ -66,6 +60,10 @@ bool answers(const Message& message, int here) {
   return (message.number * 0x9e3779b97f4a7c15ULL >> 32) % 4 == static_cast<unsigned>(here) % 4;
 }
 
+bool contains(const std::vector<int>& processors, int processor) {
+  return std::ranges::find(processors, processor) != processors.end();
+}
+
 class Account {
  public:
   // `all_on_the_way`: routes change, and an InPathTo message may be answered anywhere.
@@ -89,8 +87,7 @@ class Account {
       auto& back = returns_.at(message.number);
       const auto& got = deliveries_.at(message.number);
       const int from = message.from.processor;
-      const bool again =
-          std::ranges::find(back, from) != back.end() || std::ranges::find(got, from) != got.end();
+      const bool again = contains(back, from) || contains(got, from);
       ++(again ? result.duplicated : result.returned);
       back.push_back(from);
       return;
@@ -100,8 +97,7 @@ class Account {
                                                     : on_the_way(sent, here);
     if (!right) ++result.misdelivered;
     auto& got = deliveries_.at(message.number);
-    const bool twice =
-        sent.mode == Mode::global ? std::ranges::find(got, here) != got.end() : !got.empty();
+    const bool twice = sent.mode == Mode::global ? contains(got, here) : !got.empty();
     if (twice) ++result.duplicated;
     if (right && !twice) ++result.delivered;
     got.push_back(here);
@@ -135,17 +131,14 @@ class Account {
     std::map<std::pair<int, int>, std::vector<std::size_t>> lost;
     for (const std::size_t number : was_sent_) {
       const Planned& p = plan_[number];
-      const auto gone = [&](int to) {
-        const auto &got = deliveries_[number], &back = returns_[number];
-        return std::ranges::find(got, to) == got.end() && std::ranges::find(back, to) == back.end();
-      };
+      const auto &got = deliveries_[number], &back = returns_[number];
       if (p.mode != Mode::global) {
-        if (deliveries_[number].empty() && returns_[number].empty())
-          lost[{p.from, p.to}].push_back(number);
+        if (got.empty() && back.empty()) lost[{p.from, p.to}].push_back(number);
         continue;
       }
       for (int to = 0; to < routing_.processors(); ++to)
-        if (to != p.from && gone(to)) lost[{p.from, to}].push_back(number);
+        if (to != p.from && !contains(got, to) && !contains(back, to))
+          lost[{p.from, to}].push_back(number);
     }
     for (const auto& [pair, numbers] : lost) {
       result.lost += numbers.size();
@@ -159,8 +152,8 @@ class Account {
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
-  std::vector<std::vector<int>> deliveries_;                 // of each message, where
-  std::vector<std::vector<int>> returns_;                    // of each, from whom it came back
+  std::vector<std::vector<int>> deliveries_;  // by message: processors that got it
+  std::vector<std::vector<int>> returns_;     // by message: processors that it came back from
   std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number + 1
 };
 
@@ -182,12 +175,8 @@ void live(Client& client, const std::vector<Planned>& plan, Account& account) {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (plan[i].from != here) continue;
     take_until(now() + Seconds{plan[i].pause_s});
-    Message message;
-    message.to = {plan[i].to, 0, plan[i].mode};
-    message.length = plan[i].length;
-    message.number = i;
     account.send(i);
-    client.send(std::move(message));
+    client.send({.to = {plan[i].to, 0, plan[i].mode}, .length = plan[i].length, .number = i});
   }
   this_process().set_server();
   for (;;) {
@@ -197,54 +186,49 @@ void live(Client& client, const std::vector<Planned>& plan, Account& account) {
 }
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  const int n = setup.topology.processors;
   check_two_processors(setup);
   RouterMachine on(setup, network_params(params.routers, params.longest));
-  const auto plan = make_plan(n, params);
+  const auto plan = make_plan(setup.topology.processors, params);
   // Links that are cut change the network's own routing.
   const network::Routing before = routing_of(setup, params.routers.method);
   Account account(before, plan, !setup.faults.empty());
-  for (int id = 0; id < n; ++id)
-    on.machine.processors()[id]->start(fmt::format("p{}.application", id), Priority::low,
-                                       [&, id] { live(on.network->client(id), plan, account); });
-  run_machine(setup, on.machine);
+  on.start_all([&](Client& client) { live(client, plan, account); });
+  run_machine(setup, on);
   account.finish();
-  account.result.time = on.machine.now();
+  account.result.time = on.now();
   account.result.most_held = on.network->use().most_held;
   return Outcome<Measured>({account.result}, account.notes);
 }
 
 base::Fields<Params> make_fields() {
   using D = base::Declare<Params>;
-  return base::join(
-      base::lift_all<Params>(router_fields(), &Params::routers),
-      {{D::whole("message_bytes", &Params::longest, 0, 1e9, "bytes",
-                 "contents of the longest message; others have any length up to it"),
-        D::whole("messages", &Params::messages, 1, 1e7, "",
-                 "messages that all processors send together"),
-        D::number("pause_s", &Params::pause_s, 1e-6, 1e3, "s",
-                  "time between two messages of one sender, on average"),
-        D::number("global_share", &Params::global, 0, 1, "", "share of messages to all"),
-        D::number("in_path_share", &Params::in_path, 0, 1, "",
-                  "share of messages that are offered to all on their way; the others are unicast"),
-        seed_field<Params>(&Params::seed, "seed of all that is random")}});
+  return with_routers<Params>(
+      {D::whole("message_bytes", &Params::longest, 0, 1e9, "bytes",
+                "contents of the longest message; others have any length up to it"),
+       D::whole("messages", &Params::messages, 1, 1e7, "",
+                "messages that all processors send together"),
+       D::number("pause_s", &Params::pause_s, 1e-6, 1e3, "s",
+                 "time between two messages of one sender, on average"),
+       D::number("global_share", &Params::global, 0, 1, "", "share of messages to all"),
+       D::number("in_path_share", &Params::in_path, 0, 1, "",
+                 "share of messages that are offered to all on their way; the others are unicast"),
+       seed_field<Params>(&Params::seed, "seed of all that is random")});
 }
 
 base::Columns<Measured> make_columns() {
-  return {
-      base::column("time_s", &Measured::time, "time until nothing moves any more"),
-      base::column("sent", &Measured::sent, "messages sent"),
-      base::column("expected", &Measured::expected, "deliveries that they ask for"),
-      base::column("delivered", &Measured::delivered, "the right deliveries, each once"),
-      base::column("returned", &Measured::returned,
-                   "messages that came back to their senders, with a reason"),
-      base::column("lost", &Measured::lost, "deliveries that neither happened nor came back"),
-      base::column("duplicated", &Measured::duplicated, "deliveries of what had come before"),
-      base::column("misdelivered", &Measured::misdelivered, "deliveries at a wrong processor"),
-      base::column("reordered", &Measured::reordered,
-                   "deliveries after a later message of the same sender, receiver and mode"),
-      base::column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
-      most_held_column(&Measured::most_held)};
+  return {column("time_s", &Measured::time, "time until nothing moves any more"),
+          column("sent", &Measured::sent, "messages sent"),
+          column("expected", &Measured::expected, "deliveries that they ask for"),
+          column("delivered", &Measured::delivered, "the right deliveries, each once"),
+          column("returned", &Measured::returned,
+                 "messages that came back to their senders, with a reason"),
+          column("lost", &Measured::lost, "deliveries that neither happened nor came back"),
+          column("duplicated", &Measured::duplicated, "deliveries of what had come before"),
+          column("misdelivered", &Measured::misdelivered, "deliveries at a wrong processor"),
+          column("reordered", &Measured::reordered,
+                 "deliveries after a later message of the same sender, receiver and mode"),
+          column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
+          most_held_column(&Measured::most_held)};
 }
 
 }  // namespace

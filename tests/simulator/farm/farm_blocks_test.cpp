@@ -4,8 +4,8 @@
 
 #include "base/errors.hpp"
 #include "renderer/scene/generators.hpp"
-#include "simulator/farm/bottleneck.hpp"
-#include "simulator/kernels/kernel_cost.hpp"
+#include "simulator/farm/measured.hpp"
+#include "simulator/kernels/kernels.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
 
 namespace farm {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/scene/generators.hpp"
-#include "simulator/farm/bottleneck.hpp"
-#include "simulator/kernels/kernel_cost.hpp"
+#include "simulator/farm/measured.hpp"
+#include "simulator/kernels/kernels.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
 

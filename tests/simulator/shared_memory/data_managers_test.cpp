@@ -4,7 +4,7 @@
 #include <random>
 
 #include "base/errors.hpp"
-#include "simulator/programs/data/data_run.hpp"
+#include "simulator/programs/data/data.hpp"
 #include "tests/support/lab.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/make/generators.hpp"

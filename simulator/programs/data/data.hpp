@@ -22,9 +22,10 @@ struct DataLoad {
 };
 
 struct DataPass {
+  int number = 0;     // the pass, from 1
   double time_s = 0;  // until the last processor has finished it, from the end of the one before
   double mean_s = 0;  // that a processor was at it, on average
-  shared_memory::DataUse use;                // of all who made accesses
+  shared_memory::DataUse use;                // sum over the processors that made accesses
   std::optional<std::uint64_t> server_seen;  // requests that came to the coordinator, if all wait
 };
 

@@ -1,12 +1,40 @@
 #pragma once
-// The cost of a kernel's call on its processor: its counted operations times their cycles, or the
-// host time it took, scaled.
+// What the programs that compute with the renderer's kernels share: the program's place on a
+// processor, the sizes of the records that are stored and sent, and the cost of a kernel's call:
+// its counted operations times their cycles, or the host time it took, scaled.
 #include <optional>
 
+#include "renderer/scene/scene.hpp"
 #include "renderer/scene/work.hpp"
-#include "simulator/machine/model.hpp"
+#include "simulator/machine/machine.hpp"
 
 namespace kernels {
+
+/// Takes the program's part of a processor's memory.
+void load_program(machine::Processor& processor);
+
+/// Starts a process called "processor.name".
+void start(machine::Processor& on, const char* name, machine::Priority priority,
+           machine::Process::Body body);
+
+/// Calls `body` with so many bytes of this process's processor's memory taken.
+template <class Body>
+auto with_memory(std::uint64_t bytes, const char* what, Body body) {
+  auto& self = machine::this_process();
+  self.processor().memory().allocate(bytes, what, self.now());
+  auto result = body();
+  self.processor().memory().release(bytes);
+  return result;
+}
+
+/// Sizes of a ray, of what it hits and of a pixel, in bytes.
+struct RecordBytes {
+  std::uint32_t ray = 0, hit = 0, pixel = 0;
+};
+RecordBytes record_bytes(const machine::Model& model);
+
+/// Bytes of a copy of the scene: its objects and their hierarchy.
+std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
 
 /// CPU time of this thread, s.
 double host_cpu_s();
@@ -29,7 +57,7 @@ class KernelCost {
     return result;
   }
 
-  double host_s() const { return host_s_; }             ///< of all calls, if it was measured
+  double host_s() const { return host_s_; }  ///< host time of all calls, if it was measured
   machine::Cycles charged() const { return charged_; }  ///< for all calls
 
  private:

@@ -1,11 +1,31 @@
-#include "simulator/kernels/kernel_cost.hpp"
+#include "simulator/kernels/kernels.hpp"
 
 #include <cmath>
 #include <ctime>
 
-#include "simulator/machine/process.hpp"
-
 namespace kernels {
+
+void load_program(machine::Processor& processor) {
+  processor.memory().allocate(get_bytes(processor.model(), "program"), "the program",
+                              processor.now());
+}
+
+void start(machine::Processor& on, const char* name, machine::Priority priority,
+           machine::Process::Body body) {
+  on.start(fmt::format("{}.{}", on.name(), name), priority, std::move(body));
+}
+
+RecordBytes record_bytes(const machine::Model& model) {
+  const auto get = [&](const char* name) {
+    return static_cast<std::uint32_t>(get_bytes(model, name));
+  };
+  return {get("ray"), get("hit"), get("pixel")};
+}
+
+std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene) {
+  return object_count(scene) * get_bytes(model, "object") +
+         box_count(scene) * get_bytes(model, "box");
+}
 
 double host_cpu_s() {
   timespec time{};
