@@ -7,16 +7,16 @@
 
 namespace programs {
 
-// How routers avoid deadlock, by name. The farm's [data] takes all but naive.
+/// How routers avoid deadlock, by name. The farm's [data] takes all but naive.
 inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
                                                      {"chalmers", network::Method::chalmers},
                                                      {"acyclic", network::Method::acyclic},
                                                      {"naive", network::Method::naive}};
 
-// Parameters of every program over routers, its member `routers`.
+/// Parameters of every program over routers, its member `routers`.
 struct RouterParams {
   network::Method method = network::Method::green;
-  bool pointers = true;  // a message is passed within a processor by pointer; else it is copied
+  bool pointers = true;  ///< a message is passed within a processor by pointer; else it is copied
   std::uint64_t buffers = 64;
 };
 
@@ -32,20 +32,20 @@ inline base::Fields<RouterParams> router_fields() {
                    "messages that a router has room for")};
 }
 
-// Those, and then `others`.
+/// The fields of the routers, and then `others`.
 template <class P>
 base::Fields<P> with_routers(const base::Fields<P>& others) {
   return base::join(base::lift_all<P>(router_fields(), &P::routers), {others});
 }
 
-// The field "message_bytes": contents of a message.
+/// The field "message_bytes": contents of a message.
 template <class P, class Access>
 base::Field<P> message_bytes_field(Access access) {
   return base::Declare<P>::whole("message_bytes", access, 0, 1e9, "bytes",
                                  "contents of a message; the identification is 20 more");
 }
 
-// The column "most_held" of a router.
+/// The column "most_held": the most messages that a router held at once.
 template <class R>
 base::Column<R> most_held_column(std::size_t R::*most_held) {
   return base::column("most_held", most_held, "most messages that one router held at once");
@@ -56,7 +56,7 @@ inline void check_two_processors(const Setup& setup) {
                 "found one processor, expected at least two");
 }
 
-// `longest`: contents of the longest message, in bytes.
+/// `longest`: contents of the longest message, in bytes.
 inline network::Params network_params(const RouterParams& routers, std::uint64_t longest) {
   network::Params params;
   params.method = routers.method;
@@ -70,7 +70,7 @@ inline network::Routing routing_of(const Setup& setup, network::Method method) {
   return network::make_routing(method, setup.topology, setup.routes, setup.tree);
 }
 
-// A machine of the topology's processors, with the model's memory, and its faults.
+/// A machine of the topology's processors, with the model's memory, and its faults.
 struct RouterMachine : Machine {
   RouterMachine(const Setup& setup, const network::Params& params)
       : Machine(setup, setup.topology.processors, get_bytes(setup.model, "worker_memory")) {
@@ -84,7 +84,7 @@ struct RouterMachine : Machine {
       else
         cut_link((*this)[fault.a], (*this)[fault.b], {fault.at_s});
   }
-  // Starts `application` on every processor, with its client.
+  /// Starts `application` on every processor, with its client.
   template <class Application>
   void start_all(Application application) {
     for (int id = 0; id < static_cast<int>(processors().size()); ++id)
@@ -95,7 +95,7 @@ struct RouterMachine : Machine {
   std::optional<network::Network> network;
 };
 
-// Spends what an operation of a compiled application does.
+/// Spends what an operation of a compiled application does.
 inline void compute(const char* operation) {
   compute(get_compiled(this_process().processor().model(), operation));
 }

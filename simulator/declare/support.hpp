@@ -17,20 +17,20 @@ using occam::Priority;
 using occam::Seconds;
 using occam::this_process;
 
-// A message of any length.
+/// A message of any length.
 struct Message {
   std::uint64_t length = 0;
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  // bytes of a processor: they store nothing
-constexpr Seconds START{1024e-6};          // by then every process waits for its input
+constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes of a processor: they store nothing
+constexpr Seconds START{1024e-6};          ///< by then every process waits for its input
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-// A machine of the processors p0, p1, ..., not yet joined.
+/// A machine of the processors p0, p1, ..., not yet joined.
 struct Machine : machine::Machine {
   Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY)
       : machine::Machine(setup.model) {
@@ -39,7 +39,7 @@ struct Machine : machine::Machine {
   machine::Processor& operator[](int id) const { return *processors()[id]; }
 };
 
-// A line p0 - p1 - ... and a channel from each to the next.
+/// A line p0 - p1 - ... and a channel from each to the next.
 struct Line : Machine {
   Line(const Setup& setup, int count) : Machine(setup, count) {
     for (int id = 0; id + 1 < count; ++id) {
@@ -51,19 +51,19 @@ struct Line : Machine {
   std::deque<Channel<Message>> channels;
 };
 
-// The field "bytes", the length of a message.
+/// The field "bytes", the length of a message.
 template <class P, class Access>
 base::Field<P> bytes_field(Access access, double low = 1) {
   return base::Declare<P>::whole("bytes", access, low, 1e9, "bytes", "length of a message");
 }
 
-// The field "seed" of a random stream; `help` says of what.
+/// The field "seed" of a random stream; `help` says of what.
 template <class P, class Access>
 base::Field<P> seed_field(Access access, const std::string& help) {
   return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
 }
 
-// A processor in a column: its label, where the topology has labels, else its number.
+/// A processor in a column: its label, where the topology has labels, else its number.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
   if (topology.labels.empty()) return static_cast<std::int64_t>(id);
   return topology.labels.at(id);
