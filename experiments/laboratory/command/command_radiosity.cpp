@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
-#include "experiments/laboratory/command/work_json.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
@@ -15,7 +14,6 @@
 #include "renderer/radiosity/show/fields.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using radiosity::Mesh;
@@ -47,25 +45,12 @@ void check_files(const Options& o) {
 // 0 stands for an exposure that is to be found.
 double parse_exposure(const std::string& text) {
   if (text == "auto") return 0;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0 && value < 1e300))
+  const auto value = base::parse_number<double>(text);
+  if (!value || !(*value > 0 && *value < 1e300))
     throw CLI::ValidationError(
         "--exposure", fmt::format("found \"{}\", expected auto, or a number above 0", text));
-  return value;
+  return *value;
 }
-
-// Seconds since the last lap.
-class Clock {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 struct Outcome {
   std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0;

@@ -1,20 +1,14 @@
 #include <fmt/format.h>
 
-#include <chrono>
-
-#include <nlohmann/json.hpp>
-
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
-#include "experiments/laboratory/command/work_json.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/load.hpp"
 #include "renderer/trace/fields.hpp"
 #include "renderer/trace/render.hpp"
 
 namespace laboratory {
-
 namespace {
 
 struct Options {
@@ -57,12 +51,11 @@ void render_scene(Options& o) {
   renderer::check(o.params);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
-  const auto start = std::chrono::steady_clock::now();
+  Clock clock;
   const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
     bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
   });
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = clock.lap();
   renderer::save_png(o.output, image.samples);
   if (!o.stats.empty()) save_stats(o, image, seconds);
 }

@@ -1,28 +1,24 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <thread>
 
+#include "base/text.hpp"
 #include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
 #include "simulator/programs/programs.hpp"
 
 namespace laboratory {
-
 namespace {
 
-// A time that can come.
-const CLI::Validator SECONDS(
-    [](std::string& text) {
-      char* end = nullptr;
-      const double seconds = std::strtod(text.c_str(), &end);
-      const bool is_time =
-          end == text.c_str() + text.size() && std::isfinite(seconds) && seconds > 0;
-      return is_time ? "" : fmt::format("found {}, expected a number of seconds above 0", text);
-    },
-    "SECONDS");
+std::string check_seconds(const std::string& text) {
+  const auto seconds = base::parse_number<double>(text);
+  const bool is_time = seconds && std::isfinite(*seconds) && *seconds > 0;
+  return is_time ? "" : fmt::format("found {}, expected a number of seconds above 0", text);
+}
+
+const CLI::Validator SECONDS([](std::string& text) { return check_seconds(text); }, "SECONDS");
 
 std::string describe_keys() {
   std::string text =
@@ -70,12 +66,9 @@ std::string describe_programs() {
 void add_run_command(CLI::App& app) {
   auto* command = app.add_subcommand("run", "run an experiment: one run, or a sweep");
   auto o = std::make_shared<RunOptions>();
-  o->jobs = std::max(1u, std::thread::hardware_concurrency());
   command->add_option("EXPERIMENT", o->file, "the experiment file (TOML)")->required();
-  auto* output =
-      command->add_option("-o,--output", o->output, "results folder [results/EXPERIMENT's name]");
-  command->add_option("--set", o->overrides, "key.path=value: replaces a key of the experiment")
-      ->allow_extra_args(false);
+  add_run_options(*command, *o, "results folder [results/EXPERIMENT's name]",
+                  "key.path=value: replaces a key of the experiment");
   auto* list = command->add_flag(
       "--list", o->list,
       "only print each point: number, key, axes, and whether its record is there");
@@ -85,9 +78,6 @@ void add_run_command(CLI::App& app) {
                    "tlab merge")
       ->allow_extra_args(false)
       ->excludes(list);
-  command->add_option("--jobs", o->jobs, "points run side by side")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
   command->add_option("--until", o->until_s, "simulated seconds after which a point is cut short")
@@ -99,9 +89,7 @@ void add_run_command(CLI::App& app) {
                       "Perfetto and chrome://tracing, .paje for ViTE");
   command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
   command->footer(describe_keys() + describe_programs());
-  command->callback([o, output] {
-    if (output->count() > 0 && o->output.empty())
-      throw CLI::ValidationError("--output", "expected the name of a folder");
+  command->callback([o] {
     if (o->list) return list_points(*o);
     if (!o->points.empty()) return run_chosen_points(*o);
     run_experiment(*o);

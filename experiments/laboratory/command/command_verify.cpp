@@ -1,30 +1,120 @@
-#include <thread>
+// tlab verify: experiments against their formulas and references.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/command/verify.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/file/values.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 
 namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_SHOWN = 20;
+
+struct Options {
+  std::vector<std::string> paths;  // experiment files, or folders of them
+  RunOptions run;                  // output: folder of results for one file, else of all of those
+  bool all = false;                // show every point of a check, and not only the worst of many
+};
+
+struct Candidate {
+  std::string file;
+  fs::path name;       // name of its folder in the folder of results
+  bool named = false;  // the user named the file itself, not a folder
+};
+
+std::vector<Candidate> find_candidates(const std::string& path) {
+  if (!fs::is_directory(path)) return {{path, fs::path(path).stem(), true}};
+  std::vector<Candidate> candidates;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file() && entry.path().extension() == ".toml")
+      candidates.push_back(
+          {entry.path().string(), entry.path().lexically_relative(path).replace_extension()});
+  if (candidates.empty())
+    throw base::BadInput(fmt::format("{}: no experiment file (*.toml) below it", path));
+  std::ranges::sort(candidates, {}, [](const Candidate& c) { return fs::path(c.file); });
+  return candidates;
+}
+
+struct Count {
+  std::size_t hold = 0, fail = 0;
+  std::size_t all() const { return hold + fail; }
+};
+
+void print_check(const CheckResult& check, const Table& table, bool all, Count& count) {
+  ++(check.verdict == Verdict::holds ? count.hold : count.fail);
+  fmt::print("{}\n", summarize(check, table));
+  const auto most = all ? check.points.size() : MOST_SHOWN;
+  if (!check.points.empty()) fmt::print("{}", to_text(make_check_table(check, table, most)));
+  if (check.points.size() > most)
+    fmt::print("the worst of {} points; --all shows every one\n", check.points.size());
+  for (const auto& note : check.notes) fmt::print("note: {}\n", note);
+  fmt::print("\n");
+}
+
+void verify_file(const Candidate& candidate, const Options& options, bool alone, Count& count) {
+  if (!candidate.named &&
+      !parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
+    return fmt::print("{}: no checks, skipped\n\n", candidate.file);
+  const ExperimentFile file = load_experiment(candidate.file, options.run.overrides);
+  if (file.checks.empty()) return fmt::print("{}: no checks, skipped\n\n", candidate.file);
+  const CheckPlan plan = plan_checks(file);
+  RunOptions run = options.run;
+  run.file = candidate.file;
+  if (!alone || run.output.empty())
+    run.output = (fs::path(run.output.empty() ? "results" : run.output) / candidate.name).string();
+  const Simulation s = simulate(run, file, plan);
+  if (was_interrupted()) throw Interrupted();
+  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
+             s.there == s.results.size() ? "were in" : "are now in", run.output);
+  for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
+  throw_failures(s.file, s.results, "the others are in " + run.output);
+}
+
+// Prints every check with its points. After all has been printed it throws Failure unless
+// every check holds and every path has one; a check that speaks of no point does not hold.
+void verify(const Options& options) {
+  std::vector<std::vector<Candidate>> candidates;
+  for (const auto& path : options.paths) candidates.push_back(find_candidates(path));
+  const bool alone = candidates.size() == 1 && candidates[0][0].named;
+  Count count;
+  std::vector<std::string> without;  // paths
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto before = count.all();
+    for (const auto& candidate : candidates[i]) verify_file(candidate, options, alone, count);
+    if (count.all() == before) without.push_back(options.paths[i]);
+  }
+  fmt::print("{} check(s) hold, {} do not\n", count.hold, count.fail);
+  if (count.fail > 0)
+    throw Failure(fmt::format("{} of {} check(s) do not hold", count.fail, count.all()),
+                  EXIT_DEFECT);
+  if (!without.empty())
+    throw Failure(
+        fmt::format("{}: found no [[check]], expected at least one", fmt::join(without, ", ")),
+        EXIT_DEFECT);
+}
+
+}  // namespace
 
 void add_verify_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("verify", "compare experiments with their formulas and references");
-  auto o = std::make_shared<VerifyOptions>();
-  o->jobs = std::max(1u, std::thread::hardware_concurrency());
+  auto o = std::make_shared<Options>();
   command->add_option("PATH", o->paths, "experiment files (TOML), or folders of them")->required();
-  auto* output =
-      command->add_option("-o,--output", o->output,
-                          "results folder of one file, else the folder of all results [results]");
-  command->add_option("--set", o->overrides, "key.path=value: replaces a key of each experiment")
-      ->allow_extra_args(false);
-  command->add_option("--jobs", o->jobs, "points run side by side")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_run_options(*command, o->run,
+                  "results folder of one file, else the folder of all results [results]",
+                  "key.path=value: replaces a key of each experiment");
   command->add_flag("--all", o->all, "show every point, and not only the worst of many");
-  command->callback([o, output] {
-    if (output->count() > 0 && o->output.empty())
-      throw CLI::ValidationError("--output", "expected the name of a folder");
-    verify(*o);
-  });
+  command->callback([o] { verify(*o); });
 }
 
 }  // namespace laboratory

@@ -1,22 +1,18 @@
 #pragma once
-// The subcommands of tlab: each declares its options once, and says what to do with them.
+// The subcommands of tlab: each declares its options once, and says what to do with them. The
+// small ones are in commands.cpp.
 #include <CLI/CLI.hpp>
 
 namespace laboratory {
 
-void add_topology_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_radiosity_command(CLI::App& app);
 void add_run_command(CLI::App& app);
-void add_merge_command(CLI::App& app);
-void add_report_command(CLI::App& app);
 void add_verify_command(CLI::App& app);
-void add_model_command(CLI::App& app);
-void add_columns_command(CLI::App& app);
 
-// Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a
-// check did not hold or a simulation broke down, 2 bad input or usage, 3 the simulated program
-// deadlocked or ran out of simulated memory, 130 interrupted.
+/// Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a
+/// check did not hold or a simulation broke down, 2 bad input or usage, 3 the simulated program
+/// deadlocked or ran out of simulated memory, 130 interrupted.
 int run_tlab(int argc, char** argv);
 
 }  // namespace laboratory

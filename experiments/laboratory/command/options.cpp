@@ -4,35 +4,22 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
+#include <thread>
+
+#include "base/text.hpp"
 
 namespace laboratory {
-
 namespace {
 
 namespace fs = std::filesystem;
 using Kind = base::Domain::Kind;
 
-template <class T>
-std::optional<T> parse(const std::string& text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return {};
-  return value;
-}
-
 base::Scalar parse_scalar(const std::string& text, Kind kind) {
   if (kind == Kind::whole || kind == Kind::number) {
-    if (const auto whole = parse<std::int64_t>(text)) return *whole;
-    if (const auto number = parse<double>(text)) return *number;
+    if (const auto whole = base::parse_number<std::int64_t>(text)) return *whole;
+    if (const auto number = base::parse_number<double>(text)) return *number;
   }
   return text;
-}
-
-std::string describe(const base::Scalar& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  return std::get<std::string>(value);
 }
 
 std::string describe(const base::Domain& domain) {
@@ -53,7 +40,21 @@ void check_folder(const std::string& option, const std::string& path) {
                           path, folder.string()));
 }
 
+std::string check_folder_name(const std::string& name) {
+  return name.empty() ? "expected the name of a folder" : "";
+}
+
 }  // namespace
+
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
+                     const std::string& set) {
+  options.jobs = std::max(1u, std::thread::hardware_concurrency());
+  command.add_option("-o,--output", options.output, output)->check(check_folder_name);
+  command.add_option("--set", options.overrides, set)->allow_extra_args(false);
+  command.add_option("--jobs", options.jobs, "points run side by side")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
 
 void add_field_option(CLI::App& app, const std::string& name, const std::string& help,
                       const base::Domain& domain, const base::Scalar& standard,
@@ -66,7 +67,14 @@ void add_field_option(CLI::App& app, const std::string& name, const std::string&
       throw CLI::ValidationError(option, fmt::format("found {}, expected {}", text, expected));
   };
   app.add_option_function<std::string>(option, set, help)
-      ->option_text(fmt::format("{} [{}]", describe(domain), describe(standard)));
+      ->option_text(fmt::format("{} [{}]", describe(domain), base::to_text(standard)));
+}
+
+nlohmann::ordered_json make_json(const renderer::Work& work) {
+  nlohmann::ordered_json counts;
+  for (std::size_t i = 0; i < renderer::OP_COUNT; ++i)
+    counts[std::string(renderer::op_names()[i])] = work.counts[i];
+  return counts;
 }
 
 void check_output(const std::string& output, const std::vector<std::string>& endings,

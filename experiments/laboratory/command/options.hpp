@@ -7,11 +7,18 @@
 #include <charconv>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/fields.hpp"
+#include "experiments/laboratory/points/origin.hpp"
+#include "renderer/scene/work.hpp"
 
 namespace laboratory {
+
+/// Adds --output, --set and --jobs; `output` and `set` are the help texts of the first two.
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
+                     const std::string& set);
 
 /// Names of options, without "--", in place of those of their fields.
 using Aliases = std::map<std::string, std::string>;
@@ -37,8 +44,11 @@ void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
   }
 }
 
-/// Throws CLI::ValidationError for an image whose name ends otherwise (".png"; no ending is one,
-/// too), for a folder that is not there and where both are one file.
+/// Counts of work, as --stats writes them.
+nlohmann::ordered_json make_json(const renderer::Work& work);
+
+/// Throws CLI::ValidationError for an image with a name that ends otherwise (".png"; no ending is
+/// one, too), for a folder that is not there and where both are one file.
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
 

@@ -6,13 +6,15 @@
 #include <ranges>
 #include <set>
 
-#include "experiments/laboratory/command/simulate.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/points/origin.hpp"
+#include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,7 +41,7 @@ void print_notes(const Simulation& s) {
   if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
-// The last of each run, not those on the way.
+// Lists the last image of each run, not those on the way.
 std::set<std::string> list_images(const Simulation& s) {
   std::set<std::string> names;
   for (const auto& result : s.results)
@@ -69,20 +71,23 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   print_paths(output, list_images(s));
 }
 
-// Of what has been written.
+// Throws for what is wrong with results that have been written.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
   if (was_interrupted())
-    throw CutShort(fmt::format(
-        "interrupted; what was measured until then is in {}, marked incomplete", output));
+    throw Failure(
+        fmt::format("interrupted; what was measured until then is in {}, marked incomplete",
+                    output),
+        EXIT_INTERRUPTED);
   if (!s.checks.empty()) fmt::print("\n");
   for (const auto& note : note_unknown_texts(plan, s.table)) fmt::print("note: {}\n", note);
   for (const auto& check : s.checks) fmt::print("{}\n", summarize(check, s.table));
   throw_failures(s.file, s.results, fmt::format("the others are in {}, marked incomplete", output));
   const auto failed = std::ranges::count(s.checks, Verdict::fails, &CheckResult::verdict);
   if (failed > 0)
-    throw ChecksFailed(fmt::format("{}: {} of {} check(s) do not hold; results are in {}",
-                                   options.file, failed, s.checks.size(), output));
+    throw Failure(fmt::format("{}: {} of {} check(s) do not hold; results are in {}", options.file,
+                              failed, s.checks.size(), output),
+                  EXIT_DEFECT);
 }
 
 void write_and_judge(const RunOptions& options, const ExperimentFile& file, Missing missing) {
@@ -92,10 +97,85 @@ void write_and_judge(const RunOptions& options, const ExperimentFile& file, Miss
   judge(options, plan, s);
 }
 
+// Reads "3" or "3-5".
+std::pair<std::size_t, std::size_t> read_range(const std::string& text, std::size_t points) {
+  const auto ends = base::split(text, '-');
+  const auto first = base::parse_number<std::size_t>(ends.front());
+  const auto last = base::parse_number<std::size_t>(ends.back());
+  base::require(ends.size() <= 2 && first && last && *first <= *last && *last < points,
+                "--point " + text, "expected the number of a point, or two as in 0-9, from 0 to {}",
+                points - 1);
+  return {*first, *last};
+}
+
+std::vector<std::size_t> read_numbers(const std::vector<std::string>& texts, std::size_t points) {
+  std::set<std::size_t> numbers;
+  for (const auto& text : texts) {
+    const auto [first, last] = read_range(text, points);
+    for (std::size_t i = first; i <= last; ++i) numbers.insert(i);
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+// A result that depends on the host and the moment cannot be collected later.
+void check_counted(const ExperimentFile& file, const std::vector<std::size_t>& numbers) {
+  for (const auto i : numbers)
+    base::require(!file.points[i].experiment.is_timed, file.path,
+                  "--point {}: found cost = \"timed\", expected \"counted\"", i);
+}
+
+// Says how many of the chosen points have results, and throws where one failed.
+void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& numbers,
+                  const Results& results) {
+  ExperimentFile chosen = plan.file;
+  chosen.points.clear();
+  Results found;
+  std::size_t done = 0;
+  for (const auto i : numbers) {
+    chosen.points.push_back(plan.file.points[i]);
+    found.push_back(results[i]);
+    if (results[i].is_there() && !results[i].is_failed() && results[i].ended != "interrupt") ++done;
+  }
+  const auto where = fmt::format("{} of {} points are in {}", done, numbers.size(),
+                                 (plan.results / records_folder()).string());
+  if (was_interrupted()) throw Failure("interrupted; " + where, EXIT_INTERRUPTED);
+  throw_failures(chosen, found, where);
+  fmt::print("{}\n", where);
+}
+
 }  // namespace
 
 void run_experiment(const RunOptions& options) {
   write_and_judge(options, load_experiment(options.file, options.overrides), Missing::run);
+}
+
+void list_points(const RunOptions& options) {
+  const ExperimentFile file = load_experiment(options.file, options.overrides);
+  const PointsPlan plan(options, file);
+  const Results results = find_points(plan, all_points(file));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    fmt::print("{}\t{}\t{}\t{}\n", i, plan.keys[i], name_of(file.points[i]),
+               results[i].is_there() ? "there" : "missing");
+}
+
+void run_chosen_points(const RunOptions& options) {
+  const ExperimentFile file = load_experiment(options.file, options.overrides);
+  const auto numbers = read_numbers(options.points, file.points.size());
+  check_counted(file, numbers);
+  check_points(options, file, numbers.size());
+  const auto folder = results_folder(options);
+  check_results_folder(folder);
+  check_same_experiment(folder, file);
+  const CheckPlan checks = plan_checks(file);
+  const StoreGuard guard(folder);
+  const PointsPlan plan(options, file, inspect_names(checks, file));
+  Results results = find_points(plan, numbers);
+  std::vector<std::size_t> missing;
+  for (const auto i : numbers)
+    if (!results[i].is_there()) missing.push_back(i);
+  run_points(plan, missing, results);
+  if (missing.size() < numbers.size()) save_origin(folder, plan.origin);
+  judge_chosen(plan, numbers, results);
 }
 
 void merge_results(const std::string& folder) {

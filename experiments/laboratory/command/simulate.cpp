@@ -1,13 +1,14 @@
-#include "experiments/laboratory/command/simulate.hpp"
-
+// From an experiment to its folder of results.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ranges>
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/points/origin.hpp"
@@ -17,7 +18,6 @@
 #include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ constexpr std::size_t MOST_NAMED = 20;
                                    missing.size() > MOST_NAMED ? "\n  ..." : ""));
 }
 
-// All results, of records or newly made.
+// Finds all results among the records, or makes them.
 Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
   Results results = find_points(plan, all_points(plan.file));
   const auto to_run = missing_points(results);
@@ -48,7 +48,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   return results;
 }
 
-// Those that were run: not all, if the user interrupted.
+// Drops the points that were not run because the user interrupted.
 void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   const auto all = std::move(s.file.points);
   s.file.points.clear();
@@ -76,7 +76,7 @@ void write_results(const fs::path& folder, const RunOptions& options, const Simu
 
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks,
                     Missing missing) {
-  const auto start = std::chrono::steady_clock::now();
+  Clock clock;
   check_points(options, file, file.points.size());
   const auto results = results_folder(options);
   check_same_experiment(results, file);
@@ -96,7 +96,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   s.complete = s.results.size() == file.points.size() &&
                std::ranges::all_of(s.results, &PointResult::is_complete);
   s.ended = describe_end(s.results, file.points.size());
-  s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  s.wall_s = clock.lap();
   save_origin(folder.working(), plan.origin);
   write_results(folder.working(), options, s);
   folder.commit();

@@ -9,22 +9,13 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
 #include "experiments/laboratory/file/sweep.hpp"
+#include "experiments/laboratory/file/tables.hpp"
 #include "experiments/laboratory/file/values.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using base::BadInput;
-
-toml::table parse(std::string_view text, const std::string& origin) {
-  try {
-    return toml::parse(text, origin);
-  } catch (const toml::parse_error& error) {
-    throw BadInput(
-        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
-  }
-}
 
 // Sets a dotted key, making the sections it names.
 void assign(toml::table& file, std::string_view key, const toml::node& value) {
@@ -32,17 +23,18 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
     auto [place, added] = section->insert(key.substr(0, dot), toml::table{});
     section = place->second.as_table();
-    if (!section) throw BadInput(fmt::format("{}: not a section", key.substr(0, dot)));
+    base::require(section, key.substr(0, dot), "not a section");
     key.remove_prefix(dot + 1);
   }
   section->insert_or_assign(key, value);
 }
 
-// "scene.objects=800". What is not TOML is taken for a text. An axis has a name, dots or not.
+// Sets what a text such as "scene.objects=800" says. What is not TOML is taken for a text; the name
+// of an axis may have dots.
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw BadInput(fmt::format("--set {}: expected key.path=value", text));
+  base::require(equals != std::string::npos && equals > 0, "--set " + text,
+                "expected key.path=value");
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   toml::table parsed;
   try {
@@ -50,15 +42,14 @@ void override_key(toml::table& file, const std::string& text) {
   } catch (const toml::parse_error&) {
     parsed.insert("value", value);
   }
-  if (parsed.size() != 1)
-    throw BadInput(fmt::format("--set {}: expected one value after '='", text));
+  base::require(parsed.size() == 1, "--set " + text, "expected one value after '='");
   if (!key.starts_with("sweep.")) return assign(file, key, *parsed.get("value"));
   auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
-  if (!sweep) throw BadInput("sweep: not a section");
+  base::require(sweep, "sweep", "not a section");
   sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
 }
 
-// What the file gives, then what an axis gives in its place.
+// Finds the numbers that the file gives, then those that an axis gives in their place.
 std::map<std::string, double, std::less<>> find_numbers(
     const toml::table& file, const std::vector<Replacement>& replacements) {
   std::map<std::string, double, std::less<>> numbers;
@@ -79,14 +70,12 @@ void check_not_shadowed(const std::string& override, const std::vector<Coupled>&
   const auto key = override.substr(0, override.find('='));
   for (const auto& coupled : axes)
     for (const auto& axis : coupled)
-      if (axis.key == key)
-        throw BadInput(fmt::format(
-            "--set {}: {} is an axis of [sweep], expected "
-            "--set 'sweep.{}=[...]'",
-            override, key, fmt::join(coupled | std::views::transform(&Axis::name), ", ")));
+      base::require(axis.key != key, "--set " + override,
+                    "{} is an axis of [sweep], expected --set 'sweep.{}=[...]'", key,
+                    fmt::join(coupled | std::views::transform(&Axis::name), ", "));
 }
 
-// The point of that number; the last axis runs fastest.
+// Makes the point of that number; the last axis runs fastest.
 Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
                  const Programs& in_play, const std::string& path, const std::string& folder) {
   Point point;
@@ -105,14 +94,11 @@ Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std:
   return point;
 }
 
-// The file without what says nothing about what a point does.
+// Finds the keys of the file that change what a point does.
 std::map<std::string, std::string> find_settings(const toml::table& file) {
   std::map<std::string, std::string> settings;
   for_each_key(file, [&](const std::string& key, const toml::node& node) {
-    const auto section = key.substr(0, key.find('.'));
-    for (const char* name : {"title", "question"})
-      if (section == name) return;
-    settings[key] = to_toml(node);
+    if (key != "title" && key != "question") settings[key] = to_toml(node);
   });
   return settings;
 }
@@ -127,7 +113,7 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                const std::string& folder,
                                const std::vector<std::string>& overrides) {
-  toml::table file = parse(text, path);
+  toml::table file = parse_toml(text, path);
   std::vector<std::string> order;
   add_names(order, file, path);
   for (const auto& override : overrides) {
@@ -138,12 +124,11 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
   const auto in_play = programs_in_play(file, path);
   const auto axes = read_axes(file, order, in_play, path);
   for (const auto& override : overrides) check_not_shadowed(override, axes);
-  ExperimentFile experiment{path, resolve(file, axes, in_play), {},
-                            {},   read_definitions(file, path), read_checks(file, path, folder)};
+  ExperimentFile experiment;
+  experiment.path = path;
   experiment.folder = folder;
-  experiment.plots = read_plots(file, path, folder);
-  experiment.bests = read_bests(file, path);
-  experiment.report = read_report(file, path);
+  experiment.resolved = resolve(file, axes, in_play);
+  read_judgement(file, experiment);
   for (const auto& coupled : axes) {
     std::vector<std::string> names;
     for (const auto& axis : coupled) {

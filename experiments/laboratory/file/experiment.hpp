@@ -5,17 +5,15 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "experiments/laboratory/file/checks.hpp"
-#include "experiments/laboratory/file/figures.hpp"
 #include "simulator/programs/programs.hpp"
 
 namespace laboratory {
 
-// A [[fault]], and where it stands: "e.toml:12: [[fault]] 2".
+/// A [[fault]], and where it stands: "e.toml:12: [[fault]] 2".
 struct FaultSpec {
   programs::PlannedFault fault;
   std::string place;
@@ -45,57 +43,58 @@ struct Experiment {
 /// The files that a point reads, apart from its machine model: scene, network, routes ...
 std::vector<std::string> files_of(const Experiment& experiment);
 
-// A key of the experiment file.
+/// A key of the experiment file.
 struct Setting {
-  std::string key;   // "scene.objects"; an axis of [sweep] is called by its last part, "objects",
-                     // but one of the model "model.link.one_way_rate"
-  std::string help;  // what it is, with unit and range
+  std::string key;   ///< "scene.objects"; an axis of [sweep] is called by its last part, "objects",
+                     ///< but one of the model "model.link.one_way_rate"
+  std::string help;  ///< what it is, with unit and range
 };
-const std::vector<Setting>& settings();
+std::vector<Setting> settings();
 
-// A value along an axis, as TOML spells it and as a table shows it.
+/// A value along an axis.
 struct Coordinate {
-  std::string axis;  // "objects"
-  std::string toml;  // "200"
+  std::string axis;  ///< "objects"
+  std::string toml;  ///< "200", as TOML spells it
 };
 
-// One point of a sweep.
+/// One point of a sweep.
 struct Point {
-  std::vector<Coordinate> at;  // the axes of [sweep], in order
+  std::vector<Coordinate> at;  ///< the axes of [sweep], in order
   Experiment experiment;
-  // The numbers that the file gives to keys: "image.width" -> 100. What it leaves to defaults is
-  // not here.
+  /// The numbers that the file gives to keys: "image.width" -> 100. What it leaves to defaults is
+  /// not here.
   std::map<std::string, double, std::less<>> numbers;
 };
 
-// "objects = 200, workers = 3"; "" for the one point of a file without a sweep.
+/// "objects = 200, workers = 3"; "" for the one point of a file without a sweep.
 std::string name_of(const Point& point);
 
 struct ExperimentFile {
-  std::string path;               // as it was spelled, wherever that was
-  std::string resolved;           // the file with --set applied, as TOML
-  std::vector<std::string> axes;  // of [sweep]
-  std::vector<Point> points;      // the last axis runs fastest; one point if there is no sweep
-  std::vector<Definition> definitions;  // [let]
-  std::vector<Check> checks;            // [[check]]
-  // Axes whose values go together, "workers, height" = [[1, 16], ...]; of each such entry the
-  // names.
-  std::vector<std::vector<std::string>> coupled = {};
-  std::vector<PlotSpec> plots = {};         // [[plot]]
-  std::vector<BestSpec> bests = {};         // [[best]]
-  ReportSpec report = {};                   // [report]
-  std::vector<std::string> axis_keys = {};  // "scene.objects", of each axis
-  // What the file gives to keys that change what a point does, as TOML spells it.
-  std::map<std::string, std::string> settings = {};
-  std::string folder = {};  // that the paths in the file are relative to; "" is the current one
+  std::string path;      ///< as it was spelled, wherever that was
+  std::string folder;    ///< that the paths in the file are relative to; "" is the current one
+  std::string resolved;  ///< the file with --set applied, as TOML
+  std::vector<std::string> axes;       ///< of [sweep]
+  std::vector<std::string> axis_keys;  ///< "scene.objects", of each axis
+  /// The names of axes that take their values together, "workers, height" = [[1, 16], ...], for
+  /// each such entry.
+  std::vector<std::vector<std::string>> coupled;
+  std::vector<Point> points;  ///< the last axis runs fastest; one point if there is no sweep
+  /// What the file gives to keys that change what a point does, as TOML spells it.
+  std::map<std::string, std::string> settings;
+  std::vector<Definition> definitions;  ///< [let]
+  std::vector<Check> checks;            ///< [[check]]
+  std::vector<PlotSpec> plots;          ///< [[plot]]
+  std::vector<BestSpec> bests;          ///< [[best]]
+  ReportSpec report;                    ///< [report]
 };
 
-// Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also be
-// a bare word. Paths in the file are relative to its folder. Throws base::BadInput naming
-// the file and line or key, what was found, and the nearest valid key.
+/// Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also
+/// be a bare word. Paths in the file are relative to its folder. Throws BadInput naming the file
+/// and line or key, what was found, and the nearest valid key.
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides);
 
-// The same of a text, as if it stood in the file `path`, but paths are relative to `folder`.
+/// Reads a text in the same way, as if it stood in the file `path`, but with paths relative to
+/// `folder`.
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                const std::string& folder,
                                const std::vector<std::string>& overrides);

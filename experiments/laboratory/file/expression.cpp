@@ -9,13 +9,12 @@
 #include "base/text.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using base::BadInput;
 using base::trim;
 
-// 'tree' is tree.
+// Makes tree of 'tree'.
 std::string without_quotes(const std::string& text) {
   const bool is_quoted = text.size() > 2 && (text.front() == '"' || text.front() == '\'') &&
                          text.back() == text.front();
@@ -36,7 +35,7 @@ RowReference::Condition parse_condition(const std::string& text, const std::stri
   return condition;
 }
 
-// `text` with its braces.
+// Reads a reference with its braces.
 RowReference parse_reference(const std::string& text, const std::string& place) {
   const auto parts = base::split(std::string_view(text).substr(1, text.size() - 2), '@');
   if (parts.size() != 2 || !base::Formula::is_name(std::string(parts[0])))
@@ -48,7 +47,7 @@ RowReference parse_reference(const std::string& text, const std::string& place) 
   return reference;
 }
 
-// A name that can stand in a formula and still says what it stands for.
+// Makes a name that can stand in a formula and still says what it stands for.
 std::string spell_as_name(std::string text) {
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';

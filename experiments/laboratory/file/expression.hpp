@@ -11,34 +11,34 @@
 
 namespace laboratory {
 
-// {COLUMN @ AXIS = VALUE, ...}: the number that COLUMN, or a name of [let], has in the row of the
-// same sweep with these values on these axes and its own on all others. Axes that go together with
-// one of these in [sweep] follow it where no row has their own values too.
+/// {COLUMN @ AXIS = VALUE, ...}: the number that COLUMN, or a name of [let], has in the row of the
+/// same sweep with these values on these axes and its own on all others. Axes that go together with
+/// one of these in [sweep] follow it where no row has their own values too.
 struct RowReference {
   struct Condition {
-    std::string axis, text;                // VALUE as it stands there
-    std::optional<base::Formula> value{};  // over the own row; none for what is no expression,
-                                           // such as mesh:4x4, the value of an axis of texts
+    std::string axis, text;                ///< VALUE as it stands there
+    std::optional<base::Formula> value{};  ///< over the own row; none for what is no expression,
+                                           ///< such as mesh:4x4, the value of an axis of texts
   };
-  std::string text;  // the whole, in braces
+  std::string text;  ///< the whole, in braces
   std::string column;
   std::vector<Condition> conditions;
 };
 
 class Expression {
  public:
-  // Throws base::BadInput, beginning with `place`, as base::Formula does, and for braces
-  // that hold no reference.
+  /// Throws BadInput, beginning with `place`, as base::Formula does, and for braces that hold no
+  /// reference.
   Expression(const std::string& text, const std::string& place);
 
   const std::string& place() const { return formula_.place(); }
-  // Of the formula; some stand for references.
+  /// The variables of the formula; some stand for references.
   const std::vector<std::string>& variables() const { return formula_.variables(); }
-  // null for a name of the own row.
+  /// Null for a name of the own row.
   const RowReference* find_reference(const std::string& variable) const;
-  // What it names of any row: its own, and in braces.
+  /// What it names of any row: its own, and in braces.
   std::vector<std::string> names() const;
-  // `values` in the order of `variables`.
+  /// Takes `values` in the order of `variables`.
   double eval(const std::vector<double>& values) const { return formula_.eval(values); }
 
  private:

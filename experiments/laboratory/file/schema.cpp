@@ -1,83 +1,104 @@
 #include "experiments/laboratory/file/schema.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
-#include <ranges>
 
-#include "base/errors.hpp"
-#include "base/text.hpp"
-#include "experiments/laboratory/file/binding.hpp"
-#include "experiments/laboratory/file/network_schema.hpp"
+#include "experiments/laboratory/file/tables.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using base::BadInput;
 
-std::vector<Binding<Experiment>> make_bindings() {
+constexpr int LAST = topologies::MAX_PROCESSORS - 1;
+
+// Reads a number for every link, or a list of [a, b, number] with processors as the topology
+// numbers them.
+void read_switches(Experiment& e, const Place& at) {
+  constexpr int MOST = 16;
+  const std::string expected =
+      fmt::format("a whole number from 0 to {}, or a list of [worker, worker, number]", MOST);
+  if (at.node.is_integer()) {
+    e.switches = static_cast<int>(read_int(at, 0, MOST));
+    return;
+  }
+  const auto* list = at.node.as_array();
+  if (!list) at.refuse(expected);
+  e.switches_between.clear();
+  for (const auto& node : *list) {
+    const auto between = find_ints<3>(node, LAST);
+    if (!between || between->back() > MOST) at.refuse(expected);
+    e.switches_between.push_back(*between);
+  }
+}
+
+// Reads links; what they join is not known yet.
+void read_tree_links(Experiment& e, const Place& at) {
+  const std::string expected = "the links of a spanning tree, [[a, b], ...]";
+  const auto* list = at.node.as_array();
+  if (!list) at.refuse(expected);
+  e.tree_links.clear();
+  for (const auto& node : *list) {
+    const auto link = find_ints<2>(node, LAST);
+    if (!link) at.refuse(expected);
+    e.tree_links.emplace_back((*link)[0], (*link)[1]);
+  }
+}
+
+// Refuses as an axis a key that belongs to the file and not to a point: read_judgement reads it.
+Binding<Experiment> bind_to_file(const std::string& key, const std::string& help) {
+  return {key, help, [](Experiment&, const Place& at) { at.refuse("no axis of this name"); }};
+}
+
+const Bindings<Experiment>& bindings() {
   using E = Experiment;
-  using P = Place;
-  const std::vector<Binding<E>> all = {
-      {"title", "what the experiment is called",
-       [](E& e, const P& at) { e.title = read_text(at); }},
-      {"question", "what it answers", [](E& e, const P& at) { e.question = read_text(at); }},
+  static const base::Names<std::string> TREES = {{"per_root", "per_root"}, {"single", "single"}};
+  static const base::Names<bool> COSTS = {{"counted", false}, {"timed", true}};
+  static const Bindings<E> all = {
+      bind_key("title", &E::title, "what the experiment is called"),
+      bind_key("question", &E::question, "what it answers"),
       {"program.name", "one of the programs below, farm by default; an axis of its own, program",
-       [](E&, const P&) {}},
-      {"machine.model", "a processor model, or a model file",
-       [](E& e, const P& at) { e.model = read_source(at); }},
-      {"network.topology", "tree, line, ring, ... of `workers`; or a spec, tree:7; or a file",
-       [](E& e, const P& at) { e.topology = read_source(at); }},
+       [](E&, const Place&) {}},
+      bind_key("machine.model", &E::model, "a processor model, or a model file"),
+      bind_key("network.topology", &E::topology,
+               "tree, line, ring, ... of `workers`; or a spec, tree:7; or a file"),
       {"network.workers", "worker processors",
-       [](E& e, const P& at) { e.workers = read_int(at, 1, 16384); }},
+       [](E& e, const Place& at) { e.workers = read_int(at, 1, topologies::MAX_PROCESSORS); }},
       {"network.switches",
-       "C004 link switches on every link: a number; or on some, [[a, b, n], ...]",
-       [](E& e, const P& at) { read_switches(at, e.switches, e.switches_between); }},
+       "C004 link switches on every link: a number; or on some, [[a, b, n], ...]", read_switches},
       {"network.routes", "a CSV file with routes, from,to,path; others are the shortest",
-       [](E& e, const P& at) { e.routes = read_file_name(at); }},
-      {"network.tree", "of messages to all: per_root, breadth first from each; or single",
-       [](E& e, const P& at) {
-         e.tree = read_name(
-             at, base::Names<std::string>{{"per_root", "per_root"}, {"single", "single"}});
-       }},
-      {"network.tree_links", "the links of the single tree, [[a, b], ...]",
-       [](E& e, const P& at) { e.tree_links = read_tree_links(at); }},
-      {"run.cost", "counted: operations times their cycles; timed: host time, scaled",
-       [](E& e, const P& at) {
-         e.is_timed = read_name(at, base::Names<bool>{{"counted", false}, {"timed", true}});
-       }},
+       [](E& e, const Place& at) { e.routes = read_file_name(at); }},
+      bind_name("network.tree", &E::tree, TREES,
+                "of messages to all: per_root, breadth first from each; or single"),
+      {"network.tree_links", "the links of the single tree, [[a, b], ...]", read_tree_links},
+      bind_name("run.cost", &E::is_timed, COSTS,
+                "counted: operations times their cycles; timed: host time, scaled"),
       {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
-       [](E& e, const P& at) { e.faults = read_faults(at); }},
-      // These belong to the file and not to a point: read_checks, read_plots and others read them.
-      {"let", "[let]: names for expressions, to be used in checks",
-       [](E&, const P& at) { at.refuse("no axis of this name"); }},
-      {"check", "[[check]]: what the results are compared with",
-       [](E&, const P& at) { at.refuse("no axis of this name"); }},
-      {"plot", "[[plot]]: a figure of the report, in place of the usual ones",
-       [](E&, const P& at) { at.refuse("no axis of this name"); }},
-      {"best", "[[best]]: which value of some axes is best for each of others",
-       [](E&, const P& at) { at.refuse("no axis of this name"); }},
-      {"report", "[report]: what else is in the report",
-       [](E&, const P& at) { at.refuse("no axis of this name"); }},
+       [](E& e, const Place& at) { e.faults = read_faults(at); }},
+      bind_to_file("let", "[let]: names for expressions, to be used in checks"),
+      bind_to_file("check", "[[check]]: what the results are compared with"),
+      bind_to_file("plot", "[[plot]]: a figure of the report, in place of the usual ones"),
+      bind_to_file("best", "[[best]]: which value of some axes is best for each of others"),
+      bind_to_file("report", "[report]: what else is in the report"),
   };
   return all;
 }
 
-const std::vector<Binding<Experiment>>& bindings() {
-  static const auto all = make_bindings();
-  return all;
+// Finds the item that has that key; null for none.
+template <class Item, class KeyOf>
+const Item* find_by(const std::vector<Item>& items, KeyOf key_of, const std::string& key) {
+  const auto found = std::ranges::find(items, key, key_of);
+  return found == items.end() ? nullptr : &*found;
 }
 
-// The parameter of that key; null for none.
 const programs::Parameter* find_parameter(const programs::Program& program,
                                           const std::string& key) {
-  const auto found = std::ranges::find(program.parameters, key, &programs::key_of);
-  return found == program.parameters.end() ? nullptr : &*found;
+  return find_by(program.parameters, programs::key_of, key);
 }
 
 const programs::RecordList* find_list(const programs::Program& program, const std::string& key) {
-  const auto found = std::ranges::find(program.lists, key, &programs::RecordList::key);
-  return found == program.lists.end() ? nullptr : &*found;
+  return find_by(program.lists, &programs::RecordList::key, key);
 }
 
 bool has_key(const programs::Program& program, const std::string& key) {
@@ -85,19 +106,14 @@ bool has_key(const programs::Program& program, const std::string& key) {
 }
 
 bool is_common(const std::string& key) {
-  return std::ranges::find(bindings(), key, &Binding<Experiment>::key) != bindings().end();
-}
-
-std::vector<std::string> names_of(const std::vector<programs::Program>& all) {
-  std::vector<std::string> names;
-  for (const auto& program : all) names.push_back(program.name);
-  return names;
+  return find_by(bindings(), &Binding<Experiment>::key, key);
 }
 
 const programs::Program* read_program(const Place& at) {
   const std::string name = read_text(at);
   if (const auto* program = programs::find_program(name)) return program;
-  const auto known = names_of(programs::all_programs());
+  std::vector<std::string> known;
+  for (const auto& program : programs::all_programs()) known.push_back(program.name);
   at.refuse(fmt::format("one of {} (did you mean \"{}\"?)", fmt::join(known, ", "),
                         base::nearest_name(name, known)));
 }
@@ -114,29 +130,16 @@ void assign(const base::Field<P>& field, P& params, const Place& at) {
   at.refuse(expected);
 }
 
-[[noreturn]] void refuse_unknown(const Place& at, const std::vector<std::string>& known,
-                                 const std::string& none) {
-  throw BadInput(fmt::format("{}: unknown key \"{}\", {}", at.where(), at.key,
-                             known.empty() ? none
-                                           : fmt::format("the nearest valid key is \"{}\"",
-                                                         base::nearest_name(at.key, known))));
-}
-
-// The tables of [[stage]]: each is a record.
+// Reads the tables of a list such as [[stage]]: each is a record.
 void bind_list(Experiment& experiment, const programs::RecordList& list, const Place& at) {
+  Bindings<std::any> bindings;
+  for (const auto& field : list.fields)
+    bindings.push_back({field.name, field.help,
+                        [&](std::any& record, const Place& its) { assign(field, record, its); }});
   list.clear(experiment.params);
-  for (const auto* table : read_tables(at)) {
+  for (const auto* table : tables_of(at)) {
     auto record = list.make_record();
-    for (auto&& [key, node] : *table) {
-      const Place place{at.origin, std::string(key.str()), at.folder, node};
-      const auto field = std::ranges::find(list.fields, place.key, &programs::Parameter::name);
-      if (field == list.fields.end()) {
-        std::vector<std::string> known;
-        for (const auto& f : list.fields) known.push_back(f.name);
-        refuse_unknown(place, known, "");
-      }
-      assign(*field, record, place);
-    }
+    bind_all(record, bindings, *table, at);
     try {
       list.append(experiment.params, record);
     } catch (const BadInput& error) {
@@ -180,28 +183,27 @@ void check_used(const Programs& in_play, const Place& at) {
     refuse("timed costs", &programs::Uses::timed);
 }
 
-// A key that is nobody's here: another program's, or unknown.
-[[noreturn]] void refuse_key(const Programs& in_play, const Place& at) {
+// Throws for a key that is another program's, or unknown.
+[[noreturn]] void refuse_unknown(const Programs& in_play, const Place& at) {
   std::vector<std::string> known;
   for (const auto* program : in_play) {
     for (const auto& p : program->parameters) known.push_back(programs::key_of(p));
     for (const auto& list : program->lists) known.push_back(list.key);
   }
   const auto& name = in_play[0]->name;
-  if (at.key.starts_with("program."))
-    refuse_unknown(at, known, fmt::format("the program {} has no parameters", name));
+  if (at.key.starts_with("program.")) {
+    base::require(!known.empty(), at.where(),
+                  "unknown key \"{}\", the program {} has no parameters", at.key, name);
+    refuse_key(at, known);
+  }
   for (const auto& other : programs::all_programs())
-    if (has_key(other, at.key))
-      throw BadInput(fmt::format("{}: {} is a key of the {}, but program.name is \"{}\"",
-                                 at.where(), at.key, other.name, name));
+    base::require(!has_key(other, at.key), at.where(),
+                  "{} is a key of the {}, but program.name is \"{}\"", at.key, other.name, name);
   for (const auto& common : bindings()) known.push_back(common.key);
-  const auto same_end = std::ranges::find_if(
-      known, [&](const std::string& key) { return key.ends_with("." + at.key); });
-  if (same_end != known.end()) known = {*same_end};
-  refuse_unknown(at, known, "");
+  refuse_key(at, known);
 }
 
-void bind_key(Experiment& experiment, const Programs& in_play, const Place& at) {
+void bind_setting(Experiment& experiment, const Programs& in_play, const Place& at) {
   if (at.key.starts_with("model.")) return bind_model_entry(experiment, at);
   if (is_common(at.key)) {
     check_used(in_play, at);
@@ -213,7 +215,7 @@ void bind_key(Experiment& experiment, const Programs& in_play, const Place& at) 
     return bind_list(experiment, *list, at);
   const bool is_others =
       std::ranges::any_of(in_play, [&](const auto* p) { return has_key(*p, at.key); });
-  if (!is_others) refuse_key(in_play, at);
+  if (!is_others) refuse_unknown(in_play, at);
 }
 
 }  // namespace
@@ -246,16 +248,10 @@ Programs programs_in_play(const toml::table& file, const std::string& origin) {
   return found;
 }
 
-const std::vector<Setting>& settings() {
-  static const std::vector<Setting> all = [] {
-    std::vector<Setting> list;
-    for (const auto& b : bindings()) list.push_back({b.key, b.help});
-    for (const auto& setting : fault_settings()) list.push_back(setting);
-    list.push_back({"model.SECTION.NAME", "takes the place of a number of the machine model"});
-    for (const auto& setting : check_settings()) list.push_back(setting);
-    for (const auto& setting : figure_settings()) list.push_back(setting);
-    return list;
-  }();
+std::vector<Setting> settings() {
+  std::vector<Setting> all;
+  for (const auto& b : bindings()) all.push_back({b.key, b.help});
+  std::ranges::copy(table_settings(), std::back_inserter(all));
   return all;
 }
 
@@ -263,23 +259,18 @@ void check_files(const Experiment& experiment) {
   for (const auto& p : experiment.program->parameters) {
     if (p.domain.kind != base::Domain::Kind::file) continue;
     const auto file = std::get<base::Source>(p.get(experiment.params));
-    if (file.path.empty() && p.domain.is_required)
-      throw BadInput(
-          fmt::format("{}: found none, expected a file: {}", programs::key_of(p), p.help));
-    if (!file.path.empty() && !std::filesystem::is_regular_file(file.path))
-      throw BadInput(fmt::format("{}: found \"{}\", expected a file: there is none at {}",
-                                 programs::key_of(p), file.text, file.path));
+    const auto key = programs::key_of(p);
+    base::require(!file.path.empty() || !p.domain.is_required, key,
+                  "found none, expected a file: {}", p.help);
+    base::require(file.path.empty() || std::filesystem::is_regular_file(file.path), key,
+                  "found \"{}\", expected a file: there is none at {}", file.text, file.path);
   }
 }
 
 std::vector<std::string> split_names(std::string_view name) {
-  constexpr const char* AROUND = " \t\"'";
   std::vector<std::string> names;
-  for (const auto part : std::views::split(name, ',')) {
-    std::string text(part.begin(), part.end());
-    text.erase(text.find_last_not_of(AROUND) + 1);
-    names.push_back(text.erase(0, text.find_first_not_of(AROUND)));
-  }
+  for (const auto part : base::split(name, ','))
+    names.push_back(boost::trim_copy_if(std::string(part), boost::is_any_of(" \t\"'")));
   return names;
 }
 
@@ -316,10 +307,10 @@ Experiment bind_settings(const toml::table& file, const std::vector<Replacement>
     if (key == "program.name") experiment.program = read_program({origin, key, folder, *value});
   experiment.params = experiment.program->defaults;
   for_each_key(file, [&](const std::string& key, const toml::node& node) {
-    bind_key(experiment, in_play, {origin, key, folder, node});
+    bind_setting(experiment, in_play, {origin, key, folder, node});
   });
   for (const auto& [key, value] : replacements)
-    bind_key(experiment, in_play, {origin, key, folder, *value});
+    bind_setting(experiment, in_play, {origin, key, folder, *value});
   return experiment;
 }
 

@@ -5,19 +5,15 @@
 #include <set>
 #include <tuple>
 
-#include "base/errors.hpp"
 #include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
 namespace laboratory {
-
 namespace {
-
-using base::BadInput;
 
 constexpr std::size_t MAX_POINTS = 100'000;
 
-// The axes of [sweep] as a flat table: names with dots may stand there with or without quotes.
+// Makes a flat table of the axes: names with dots may stand there with or without quotes.
 void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
   for (auto&& [name, node] : from) {
     const auto dotted = prefix + std::string(name.str());
@@ -33,8 +29,7 @@ void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
 toml::table* flatten_sweep(toml::table& file, const std::string& origin) {
   auto* node = file.get("sweep");
   if (!node) return nullptr;
-  if (!node->is_table())
-    throw BadInput(fmt::format("{}: sweep: expected a section of axes", origin));
+  base::require(node->is_table(), origin, "sweep: expected a section of axes");
   toml::table flat;
   flatten(*node->as_table(), "", flat);
   *node->as_table() = std::move(flat);
@@ -52,7 +47,8 @@ std::string spell(const toml::node& value) {
   return is_number ? fmt::format("{}", *value.value<double>()) : to_toml(value);
 }
 
-// The values of each axis, of a list of values or, for several axes, of lists of one of each.
+// Reads the values of each axis from a list of values or, for several axes, from lists of one of
+// each.
 void read_values(Coupled& axes, const Place& at) {
   const auto* list = at.node.as_array();
   if (!list || list->empty()) at.refuse("an array of values, at least one");
@@ -60,8 +56,9 @@ void read_values(Coupled& axes, const Place& at) {
   for (const auto& entry : *list) {
     const auto* values = entry.as_array();
     if (axes.size() > 1 && (!values || values->size() != axes.size()))
-      Place{at.origin, at.key, "", entry}.refuse(fmt::format(
-          "an array of {} values, {}", axes.size(), at.key.substr(at.key.find('.') + 1)));
+      at.inside(at.key, entry)
+          .refuse(fmt::format("an array of {} values, {}", axes.size(),
+                              at.key.substr(at.key.find('.') + 1)));
     if (!known.insert(spell(entry)).second)
       at.refuse(fmt::format("each value once, {} is there twice", to_toml(entry)));
     for (std::size_t i = 0; i < axes.size(); ++i)
@@ -140,10 +137,9 @@ std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
 std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path) {
   double points = 1;
   for (const auto& coupled : axes) points *= static_cast<double>(coupled[0].values.size());
-  if (points > MAX_POINTS)
-    throw BadInput(fmt::format(
-        "{}: [sweep] spans {} points, expected at most {}", path,
-        points < 1e15 ? fmt::format("{:.0f}", points) : fmt::format("{:.3g}", points), MAX_POINTS));
+  base::require(points <= MAX_POINTS, path, "[sweep] spans {} points, expected at most {}",
+                points < 1e15 ? fmt::format("{:.0f}", points) : fmt::format("{:.3g}", points),
+                MAX_POINTS);
   return static_cast<std::size_t>(points);
 }
 

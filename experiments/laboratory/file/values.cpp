@@ -1,19 +1,18 @@
 #include "experiments/laboratory/file/values.hpp"
 
-#include <array>
 #include <filesystem>
 #include <sstream>
 
-#include "base/errors.hpp"
-
 namespace laboratory {
 
-namespace {
-
-constexpr std::array<std::string_view, 6> NOT_OF_A_POINT = {"sweep", "let",  "check",
-                                                            "plot",  "best", "report"};
-
-}  // namespace
+toml::table parse_toml(const std::string& text, const std::string& origin) {
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    throw base::BadInput(
+        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
+  }
+}
 
 std::string Place::where() const {
   const auto line = node.source().begin.line;  // 0 for a value from --set
@@ -22,7 +21,7 @@ std::string Place::where() const {
 
 void Place::refuse(const std::string& expected) const {
   throw base::BadInput(
-      fmt::format("{}: {}: found {}, expected {}", where(), key, to_toml(node), expected));
+      fmt::format("{}: {}{}: found {}, expected {}", where(), owner, key, to_toml(node), expected));
 }
 
 std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high) {
@@ -39,52 +38,25 @@ double read_double(const Place& at, double low, double high) {
   return *value;
 }
 
-bool read_bool(const Place& at) {
-  const auto value = at.node.value_exact<bool>();
-  if (!value) at.refuse("true or false");
-  return *value;
-}
-
 std::string read_text(const Place& at) {
   const auto value = at.node.value_exact<std::string>();
   if (!value) at.refuse("a text in quotes");
   return *value;
 }
 
-std::vector<std::string> read_texts(const Place& at) {
-  const auto* list = at.node.as_array();
-  if (!list || list->empty()) at.refuse("a list of texts");
-  std::vector<std::string> texts;
-  for (const auto& node : *list) {
-    const auto text = node.value_exact<std::string>();
-    if (!text) at.refuse("a list of texts");
-    texts.push_back(*text);
-  }
-  return texts;
+void read(const Place& at, std::string& text) { text = read_text(at); }
+
+void read(const Place& at, bool& flag) {
+  const auto value = at.node.value_exact<bool>();
+  if (!value) at.refuse("true or false");
+  flag = *value;
 }
 
-void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between) {
-  constexpr int MOST = 16;
-  const std::string expected =
-      fmt::format("a whole number from 0 to {}, or a list of [worker, worker, number]", MOST);
-  if (at.node.is_integer()) {
-    all = static_cast<int>(read_int(at, 0, MOST));
-    return;
-  }
+void read(const Place& at, std::vector<std::string>& texts) {
   const auto* list = at.node.as_array();
-  if (!list) at.refuse(expected);
-  between.clear();
-  for (const auto& node : *list) {
-    const auto* triple = node.as_array();
-    if (!triple || triple->size() != 3) at.refuse(expected);
-    std::array<int, 3> v{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto number = (*triple)[i].value_exact<std::int64_t>();
-      if (!number || *number < 0 || *number > (i < 2 ? 16384 : MOST)) at.refuse(expected);
-      v[i] = static_cast<int>(*number);
-    }
-    between.push_back(v);
-  }
+  if (!list || list->empty() || !list->is_homogeneous<std::string>()) at.refuse("a list of texts");
+  texts.clear();
+  for (const auto& node : *list) texts.push_back(*node.value_exact<std::string>());
 }
 
 base::Source read_file_name(const Place& at) {
@@ -92,16 +64,20 @@ base::Source read_file_name(const Place& at) {
   return {text, text.empty() ? "" : (std::filesystem::path(at.folder) / text).string()};
 }
 
-base::Source read_source(const Place& at) {
+void read(const Place& at, base::Source& source) {
   const std::filesystem::path path(read_text(at));
   const bool is_name = !path.has_extension() || path.is_absolute();
-  return is_name ? base::Source{path.string(), path.string()} : read_file_name(at);
+  source = is_name ? base::Source{path.string(), path.string()} : read_file_name(at);
 }
 
 base::Scalar read_scalar(const Place& at, const base::Domain& domain) {
   using Kind = base::Domain::Kind;
   const auto& node = at.node;
-  if (node.is_string() && domain.kind == Kind::source) return read_source(at);
+  if (node.is_string() && domain.kind == Kind::source) {
+    base::Source source;
+    read(at, source);
+    return source;
+  }
   if (node.is_string() && domain.kind == Kind::file) return read_file_name(at);
   if (const auto text = node.value_exact<std::string>()) return *text;
   if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
@@ -117,15 +93,21 @@ base::Scalar read_scalar(const Place& at, const base::Domain& domain) {
   return numbers;
 }
 
-std::vector<const toml::table*> read_tables(const Place& at) {
+std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty) {
   const auto* list = at.node.as_array();
-  if (!list || list->empty()) at.refuse(fmt::format("one or more [[{}]]", at.key));
   std::vector<const toml::table*> tables;
-  for (const auto& node : *list) {
-    if (!node.is_table()) at.refuse(fmt::format("one or more [[{}]]", at.key));
-    tables.push_back(node.as_table());
-  }
+  if (list && list->empty() && may_be_empty) return tables;
+  if (!list || !list->is_array_of_tables()) at.refuse(fmt::format("one or more [[{}]]", at.key));
+  for (const auto& node : *list) tables.push_back(node.as_table());
   return tables;
+}
+
+void refuse_key(const Place& at, const std::vector<std::string>& known) {
+  const auto same_end = std::ranges::find_if(
+      known, [&](const std::string& key) { return key.ends_with("." + at.key); });
+  throw base::BadInput(
+      fmt::format("{}: unknown key \"{}\", the nearest valid key is \"{}\"", at.where(), at.key,
+                  same_end != known.end() ? *same_end : base::nearest_name(at.key, known)));
 }
 
 std::string to_toml(const toml::node& node) {
@@ -136,6 +118,8 @@ std::string to_toml(const toml::node& node) {
 
 void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit) {
+  static constexpr std::array<std::string_view, 6> NOT_OF_A_POINT = {"sweep", "let",  "check",
+                                                                     "plot",  "best", "report"};
   for (auto&& [section, content] : file) {
     const std::string name(section.str());
     if (std::ranges::find(NOT_OF_A_POINT, name) != NOT_OF_A_POINT.end()) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// Reading single values of a TOML file, with errors that say where, what was found and what was
-// expected.
+// Values of a TOML file, read with errors that say where, what was found and what was expected; and
+// keys of its tables, each bound to the member that it sets.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
@@ -9,57 +9,127 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "base/fields.hpp"
+#include "base/text.hpp"
 
 namespace laboratory {
 
-// A value and where it stands.
-struct Place {
-  std::string origin;  // the file's name
-  std::string key;     // "scene.objects"
-  std::string folder;  // what paths are relative to
-  const toml::node& node;
+/// Throws BadInput "origin:line: ..." for what is no TOML.
+toml::table parse_toml(const std::string& text, const std::string& origin);
 
-  // "farm.toml:12"
+/// A value and where it stands.
+struct Place {
+  std::string origin;  ///< name of the file
+  std::string key;     ///< "scene.objects"
+  std::string folder;  ///< that paths are relative to
+  const toml::node& node;
+  std::string owner = {};  ///< what errors name before the key: "[[fault]] 2: "
+
+  /// A value inside this one.
+  Place inside(std::string_view its_key, const toml::node& its_node) const {
+    return {origin, std::string(its_key), folder, its_node, owner};
+  }
+  /// "farm.toml:12"
   std::string where() const;
-  // Throws base::BadInput.
+  /// Throws BadInput with what was found here.
   [[noreturn]] void refuse(const std::string& expected) const;
 };
 
+// Each throws BadInput for a value of another kind.
 std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high);
 double read_double(const Place& at, double low, double high);
-bool read_bool(const Place& at);
 std::string read_text(const Place& at);
-// What a name stands for.
-template <class Enum>
-Enum read_name(const Place& at, const base::Names<Enum>& names) {
-  const auto key = at.node.value_exact<std::string>();
-  for (const auto& [name, value] : names)
-    if (key == name) return value;
-  std::vector<std::string> known;
-  for (const auto& [name, value] : names) known.push_back(name);
-  at.refuse(fmt::format("one of {}", fmt::join(known, ", ")));
+/// N whole numbers from 0 to `high`; none for what is no list of them.
+template <std::size_t N>
+std::optional<std::array<int, N>> find_ints(const toml::node& node, int high) {
+  const auto* list = node.as_array();
+  if (!list || list->size() != N) return std::nullopt;
+  std::array<int, N> numbers{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto number = (*list)[i].value_exact<std::int64_t>();
+    if (!number || *number < 0 || *number > high) return std::nullopt;
+    numbers[i] = static_cast<int>(*number);
+  }
+  return numbers;
 }
-std::vector<std::string> read_texts(const Place& at);
-// A number for every link, or a list of [a, b, number], processors as the topology numbers them.
-void read_switches(const Place& at, int& all, std::vector<std::array<int, 3>>& between);
-// A name, or a path (it has an extension), which is found from the folder.
-base::Source read_source(const Place& at);
-// A file's name, found from the folder; "" for none.
+/// A file's name, found from the folder; "" for none.
 base::Source read_file_name(const Place& at);
-// A value for a field of this domain, still to be checked: texts become sources where they name
-// files.
+/// A value for a field of this domain, still to be checked: texts become sources where they name
+/// files.
 base::Scalar read_scalar(const Place& at, const base::Domain& domain);
-// The tables of [[key]].
-std::vector<const toml::table*> read_tables(const Place& at);
+/// The tables of [[key]]. Throws BadInput for an empty list too, unless it `may_be_empty`.
+std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty = false);
 
-// A value as TOML spells it.
+// What a member of a type is read as; a list of texts has at least one.
+void read(const Place& at, std::string& text);
+void read(const Place& at, std::vector<std::string>& texts);
+void read(const Place& at, bool& flag);
+inline void read(const Place& at, std::optional<bool>& flag) { read(at, flag.emplace()); }
+/// A name, or a path (it has an extension), which is found from the folder.
+void read(const Place& at, base::Source& source);
+
+/// A key of a table, bound to what it sets.
+template <class Target>
+struct Binding {
+  std::string key, help;
+  std::function<void(Target&, const Place&)> set;
+};
+template <class Target>
+using Bindings = std::vector<Binding<Target>>;
+
+template <class Target, class Member>
+Binding<Target> bind_key(const std::string& key, Member Target::*member, const std::string& help) {
+  return {key, help, [member](Target& target, const Place& at) { read(at, target.*member); }};
+}
+/// Binds a number from `low` to `high`.
+template <class Target, class Member>
+Binding<Target> bind_number(const std::string& key, Member Target::*member, double low, double high,
+                            const std::string& help) {
+  return {key, help,
+          [=](Target& target, const Place& at) { target.*member = read_double(at, low, high); }};
+}
+/// Binds what a name stands for.
+template <class Target, class Member>
+Binding<Target> bind_name(const std::string& key, Member Target::*member,
+                          const base::Names<Member>& names, const std::string& help) {
+  return {key, help, [=](Target& target, const Place& at) {
+            const auto text = at.node.value_exact<std::string>();
+            const auto found =
+                std::ranges::find(names, text, &base::Names<Member>::value_type::first);
+            if (found == names.end())
+              at.refuse(fmt::format("one of {}", fmt::join(names | std::views::keys, ", ")));
+            target.*member = found->second;
+          }};
+}
+
+/// Throws BadInput for an unknown key, with the nearest: of `section.KEY` the one with that KEY.
+[[noreturn]] void refuse_key(const Place& at, const std::vector<std::string>& known);
+
+template <class Target>
+void bind_one(Target& target, const Bindings<Target>& bindings, const Place& at) {
+  const auto found = std::ranges::find(bindings, at.key, &Binding<Target>::key);
+  if (found != bindings.end()) return found->set(target, at);
+  std::vector<std::string> known;
+  for (const auto& b : bindings) known.push_back(b.key);
+  refuse_key(at, known);
+}
+
+/// Binds all keys of a table that stands at `at`.
+template <class Target>
+void bind_all(Target& target, const Bindings<Target>& bindings, const toml::table& table,
+              const Place& at) {
+  for (auto&& [key, node] : table) bind_one(target, bindings, at.inside(key.str(), node));
+}
+
+/// A value as TOML spells it.
 std::string to_toml(const toml::node& node);
-// Every key of a point, dotted, in the order of names: not those of [sweep], [let], [[check]]
-// and what the report shows.
+/// Visits every key of a point, dotted, in the order of names: not those of [sweep], [let],
+/// [[check]] and what the report shows.
 void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit);
 

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstring>
 #include <map>
@@ -18,31 +19,26 @@
 #include "simulator/machine/faults.hpp"
 
 namespace laboratory {
-
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
 constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM};
 
-// While it lives, the first SIGINT or SIGTERM is noted instead of ending the program.
+// While it lives, SIGINT and SIGTERM are counted instead of ending the program.
 class SignalGuard {
  public:
   SignalGuard() {
     interrupted = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = interrupted + 1; };
-    sigaction(SIGINT, &action, &old_int_);
-    sigaction(SIGTERM, &action, &old_term_);
+    for (std::size_t i = 0; i < old_.size(); ++i)
+      old_[i] = signal(ASKS_TO_END[i], [](int) { interrupted = interrupted + 1; });
   }
   ~SignalGuard() {
-    sigaction(SIGINT, &old_int_, nullptr);
-    sigaction(SIGTERM, &old_term_, nullptr);
+    for (std::size_t i = 0; i < old_.size(); ++i) signal(ASKS_TO_END[i], old_[i]);
   }
 
  private:
-  struct sigaction old_int_ {
-  }, old_term_{};
+  std::array<void (*)(int), std::size(ASKS_TO_END)> old_{};
 };
 
 // A child process and the text that it has sent so far: one byte of status, then result or message.
@@ -148,7 +144,7 @@ class Pool {
                     fmt::format("its process ended abnormally ({})",
                                 WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "no result")};
     std::string body = ended.text.substr(1);
-    if (ended.text[0] != '\0') throw JobFailed(body, ended.text[0]);
+    if (ended.text[0] != '\0') throw Failure(body, ended.text[0]);
     return JobEnd{ended.index, std::move(body), ""};
   }
 
@@ -171,27 +167,12 @@ void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
   }
 }
 
-std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job) {
-  std::vector<std::string> results(count);
-  std::size_t finished = 0;
-  for_each_job(count, parallel, job, [&](JobEnd end) {
-    if (!end.died.empty()) throw JobFailed(fmt::format("task {}: {}", end.index + 1, end.died), 1);
-    results[end.index] = std::move(end.result);
-    ++finished;
-  });
-  if (interrupted && finished == 0) throw Interrupted();
-  return results;
-}
-
 bool was_interrupted() { return interrupted != 0; }
 
 int exit_code_of(const std::exception& error) {
-  if (const auto* failed = dynamic_cast<const JobFailed*>(&error)) return failed->exit_code;
-  if (dynamic_cast<const machine::Fault*>(&error)) return 3;
-  if (dynamic_cast<const base::InvariantBroken*>(&error)) return 1;
-  if (dynamic_cast<const ChecksFailed*>(&error)) return 1;
-  if (dynamic_cast<const Interrupted*>(&error) || dynamic_cast<const CutShort*>(&error)) return 130;
-  return 2;
+  if (const auto* failure = dynamic_cast<const Failure*>(&error)) return failure->exit_code;
+  if (dynamic_cast<const machine::Fault*>(&error)) return EXIT_FAULT;
+  return dynamic_cast<const base::InvariantBroken*>(&error) ? EXIT_DEFECT : 2;
 }
 
 }  // namespace laboratory

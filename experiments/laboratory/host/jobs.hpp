@@ -4,20 +4,22 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace laboratory {
 
-/// A task failed: its message, and the exit code that the program should end with.
-struct JobFailed : std::runtime_error {
-  JobFailed(const std::string& what, int exit_code)
+/// Ends the program with a message and an exit code: 1 for a defect or a check that does not hold,
+/// 2 for bad input, 3 for a simulated fault, 130 where the user interrupted.
+struct Failure : std::runtime_error {
+  Failure(const std::string& what, int exit_code)
       : std::runtime_error(what), exit_code(exit_code) {}
   int exit_code;
 };
+inline constexpr int EXIT_DEFECT = 1, EXIT_FAULT = 3, EXIT_INTERRUPTED = 130;
 
-/// The user interrupted the program (SIGINT, SIGTERM).
-struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted; nothing but points that were done is kept") {}
+/// The user interrupted the program (SIGINT, SIGTERM) before there were results.
+struct Interrupted : Failure {
+  Interrupted()
+      : Failure("interrupted; nothing but points that were done is kept", EXIT_INTERRUPTED) {}
 };
 
 /// What a task does in its child process; its result travels back as text.
@@ -31,33 +33,18 @@ struct JobEnd {
 };
 
 /// Runs jobs 0 .. count-1, at most `parallel` at once, and calls `ended` for each in the order in
-/// which they end. An exception of a job ends the others and is thrown as JobFailed; an exception
+/// which they end. An exception of a job ends the others and is thrown as Failure; an exception
 /// of `ended` ends the others too. When the user interrupts, running jobs are asked to end their
 /// simulation (machine::request_stop) and no more are started. A second interrupt is thrown as
 /// Interrupted.
 void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
                   const std::function<void(JobEnd)>& ended);
 
-/// Runs jobs whose results are few and small, and returns these in order; results of jobs that were
-/// not started are empty. A process that dies is a failure like any other.
-std::vector<std::string> run_jobs(std::size_t count, std::size_t parallel, const Job& job);
-
 /// Whether the user has interrupted since the last time that jobs were run.
 bool was_interrupted();
 
-/// The user interrupted, and results have been written of what was measured until then.
-struct CutShort : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Some check of an experiment does not hold; its results have been kept.
-struct ChecksFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The exit code for an exception: 1 for a broken invariant or a check that does not hold, 3 for a
-/// simulated fault, 130 where the user interrupted, a failed job's own code, else 2: bad input, or
-/// a host that lacks something.
+/// The exit code for an exception: that of a Failure, 1 for a broken invariant, 3 for a simulated
+/// fault, else 2: bad input, or a host that lacks something.
 int exit_code_of(const std::exception& error);
 
 }  // namespace laboratory

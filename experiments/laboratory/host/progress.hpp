@@ -1,10 +1,24 @@
 #pragma once
-// A progress bar with an estimate on a terminal; nothing in a pipe.
+// A progress bar with an estimate on a terminal, nothing in a pipe; and a clock.
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace laboratory {
+
+/// A clock of the host.
+class Clock {
+ public:
+  /// Seconds since the last lap, or since the clock was made.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 class Progress {
  public:

@@ -44,7 +44,7 @@ void refuse(const fs::path& path, const std::string& found) {
                 found);
 }
 
-// Whether a folder holds nothing but files whose names are ours.
+// Whether a folder holds nothing but files with names of ours.
 template <class IsOurs>
 bool has_only(const fs::path& folder, const IsOurs& is_ours) {
   return std::ranges::all_of(fs::directory_iterator(folder), [&](const auto& entry) {
@@ -97,7 +97,7 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
-// The name of this host: hosts may share the folder, and each knows only its own processes.
+// Names this host: hosts may share the folder, and each knows only its own processes.
 std::string host_name() {
   char name[HOST_NAME_MAX + 1] = {};
   if (gethostname(name, HOST_NAME_MAX) != 0) fail("gethostname", "no name", last_error());
@@ -111,14 +111,14 @@ std::string old_prefix(const fs::path& path) {
   return fmt::format(".{}.old-{}-", path.filename().string(), host_name());
 }
 
-// The process that made a folder of this name, if the name begins with `prefix`.
+// Finds the process that made a folder of this name, if the name begins with `prefix`.
 std::optional<pid_t> maker_of(const std::string& name, const std::string& prefix) {
   if (!name.starts_with(prefix)) return std::nullopt;
   const auto process = base::parse_number<pid_t>(std::string_view(name).substr(prefix.size()));
   return process && *process > 0 ? process : std::nullopt;
 }
 
-// The folders that dead processes left. One with our own number is of an earlier process.
+// Finds the folders that dead processes left. One with our own number is of an earlier process.
 std::vector<fs::path> find_stale(const fs::path& path, const std::string& prefix) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {

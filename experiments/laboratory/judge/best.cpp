@@ -28,13 +28,7 @@ struct Group {
   std::vector<Measured> points;
 };
 
-Axes find_axes(const Table& table, const std::vector<std::string>& names) {
-  Axes axes;
-  for (const auto& name : names) axes.push_back(*table.find(name));
-  return axes;
-}
-
-// The axes that vary, without those in `without` and those that go with others.
+// Finds the axes that vary, without those in `without` and those that go with others.
 Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
   Axes axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
@@ -63,7 +57,8 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
   return groups;
 }
 
-// By how much the better of two values is better, as a share: how much longer the other time is.
+// Says as a share by how much the better of two values is better: how much longer the other time
+// is.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
@@ -80,7 +75,7 @@ std::string value_column(const BestSpec& spec) {
 
 double in_percent(double share) { return std::round(share * 1000) / 10; }
 
-// "least time: mesh in 3, line in 1 of 4 cases, by 12.5 % at most."
+// Adds a sentence: "least time: mesh in 3, line in 1 of 4 cases, by 12.5 % at most."
 void tell_winners(BestAnswer& answer, const std::map<std::string, std::size_t>& wins) {
   std::vector<std::pair<std::string, std::size_t>> sorted(wins.begin(), wins.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);
@@ -126,7 +121,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
   tell_winners(answer, wins);
 }
 
-// What a step along the axis gains for each doubling that it contains, as a share.
+// Says as a share what a step along the axis gains for each doubling that it contains.
 double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& from,
                          const std::pair<double, double>& to) {
   const double doublings = std::log2(to.first / from.first);
@@ -176,9 +171,9 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
     if (value && std::isfinite(*value)) points.push_back({row, *value});
   }
   if (const auto note = note_left_out(table, left_out)) answer.notes.push_back(*note);
-  const Axes over = find_axes(table, spec.over);
+  const Axes over = find_all(table, spec.over);
   const Axes for_each =
-      spec.for_each.empty() ? other_axes(table, chosen, over) : find_axes(table, spec.for_each);
+      spec.for_each.empty() ? other_axes(table, chosen, over) : find_all(table, spec.for_each);
   compare(answer, spec, table, points, over, for_each);
   if (spec.pays.empty()) return answer;
   const auto axis = *table.find(spec.pays);
@@ -190,7 +185,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// The rows of one part of all answers, below the question's name and the combination as one text.
+// Joins the rows of one part of all answers, behind the question's name and the combination as one
+// text.
 Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
                std::vector<std::string> columns) {
   columns.insert(columns.begin(), {"question", "at"});

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -11,7 +12,7 @@
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/results.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 
 namespace laboratory {
 namespace {
@@ -19,41 +20,35 @@ namespace {
 using base::BadInput;
 
 // Sorts definitions depth first: what a definition names comes before it.
-struct Sorter {
-  std::map<std::string, CheckPlan::Let>& left;
-  std::vector<CheckPlan::Let>& sorted;
-  std::vector<std::string> way;
-
-  void visit(const std::string& name) {
-    const auto found = left.find(name);
-    if (found == left.end()) return;
-    const bool again = std::ranges::find(way, name) != way.end();
-    way.push_back(name);
-    if (again)
-      throw BadInput(fmt::format("{}: {}, expected definitions that do not need each other",
-                                 found->second.definition.place,
-                                 fmt::join(std::ranges::find(way, name), way.end(), " needs ")));
-    for (const auto& needed : found->second.formula.names()) visit(needed);
-    way.pop_back();
-    sorted.push_back(std::move(found->second));
-    left.erase(found);
-  }
-};
-
 std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
   std::map<std::string, CheckPlan::Let> left;
   for (const auto& d : definitions)
     left.emplace(d.name, CheckPlan::Let{d, Expression(d.formula, d.place)});
   std::vector<CheckPlan::Let> sorted;
-  while (!left.empty()) Sorter{left, sorted, {}}.visit(left.begin()->first);
+  std::vector<std::string> way;
+  const std::function<void(const std::string&)> visit = [&](const std::string& name) {
+    const auto found = left.find(name);
+    if (found == left.end()) return;
+    const auto again = std::ranges::find(way, name);
+    if (again != way.end())
+      throw BadInput(fmt::format(
+          "{}: {} needs {}, expected definitions that do not need each other",
+          found->second.definition.place, fmt::join(again, way.end(), " needs "), name));
+    way.push_back(name);
+    for (const auto& needed : found->second.formula.names()) visit(needed);
+    way.pop_back();
+    sorted.push_back(std::move(found->second));
+    left.erase(found);
+  };
+  while (!left.empty()) visit(left.begin()->first);
   return sorted;
 }
 
 void find_column(const Table& table, const std::string& column, const std::string& place,
-                 const std::string& whose) {
+                 const std::string& owner) {
   if (table.find(column)) return;
   throw BadInput(fmt::format("{}: unknown column \"{}\" of {}, the nearest is \"{}\"", place,
-                             column, whose, nearest_column(column, table.columns)));
+                             column, owner, nearest_column(column, table.columns)));
 }
 
 Table parse_reference(const std::string& path, const std::string& place) {
@@ -64,7 +59,7 @@ Table parse_reference(const std::string& path, const std::string& place) {
   }
 }
 
-// The table that a [[check]] or a [[plot]] names.
+// Reads the table that a [[check]] or a [[plot]] names.
 template <class Spec>
 std::optional<Table> read_reference(const Spec& spec) {
   if (spec.reference.empty()) return std::nullopt;
@@ -102,14 +97,17 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
 
 // Keys and numbers of the model have dots and are known before the run; columns come later.
 void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
-  const auto& point = file.points[0];
-  Variables variables(point, make_model(point.experiment));
-  for (const auto& let : plan.lets) variables.add(let.definition.name, 0, let.definition.place);
+  ExperimentFile first;
+  first.points = {file.points[0]};
+  const Table empty{.columns = {}, .rows = {{}}};
+  Rows rows(first, empty);
+  for (const auto& [name, formula, place] : file.definitions)
+    rows.define(name, Expression("0", place), place);
   for_each_expression(plan, [&](const Expression& expression) {
     for (const auto& name : expression.variables()) {
       const auto* reference = expression.find_reference(name);
       const auto& wanted = reference ? reference->column : name;
-      if (wanted.find('.') != std::string::npos) variables.get(wanted, expression.place());
+      if (wanted.find('.') != std::string::npos) rows.get(wanted, 0, expression.place());
     }
   });
 }
@@ -131,7 +129,7 @@ bool is_defined(const ExperimentFile& file, const std::string& name) {
   return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
 }
 
-// The texts in the column of an axis; none for columns of numbers.
+// Lists the texts in the column of an axis; none for columns of numbers.
 std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
   std::vector<std::string> texts;
   if (const auto column = table.find(axis))
@@ -154,7 +152,7 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
     for (const auto& key : c.check.keys) find_column(table, key, place + ": keys", "the results");
   }
   for (const auto& f : plan.figures) {
-    check_axes(table, f.spec.series, f.spec.place + ": series");
+    if (f.spec.series) check_axes(table, *f.spec.series, f.spec.place + ": series");
     for (const auto& key : f.spec.keys)
       find_column(table, key, f.spec.place + ": keys", "the results");
   }
@@ -215,24 +213,22 @@ Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& t
   return rows;
 }
 
-void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t point,
-                 const Table& table, const std::vector<Value>& row) {
-  if (plan.is_empty()) return;
-  ExperimentFile alone;
-  alone.points = {file.points[point]};
-  const Table one{.columns = table.columns, .axes = table.axes, .rows = {row}};
-  const Rows rows = make_rows(plan, alone, one);
-  for_each_expression(plan, [&](const Expression& expression) { rows.check(expression, 0); });
-  check_columns(plan, table, row);
+void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row) {
+  for_each_expression(plan, [&](const Expression& expression) { rows.check(expression, row); });
+  check_columns(plan, rows.table(), rows.table().rows[row]);
 }
 
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file) {
   if (plan.is_empty()) return {};
   return [&](const Point& point, const PointResult& result) {
     if (!result.is_complete()) return;
-    const ExperimentFile alone{file.path, {}, file.axes, {point}, {}, {}, file.coupled};
+    ExperimentFile alone;
+    alone.path = file.path;
+    alone.axes = file.axes;
+    alone.coupled = file.coupled;
+    alone.points = {point};
     const Table table = make_table(alone, {result});
-    check_names(plan, alone, 0, table, table.rows[0]);
+    check_names(plan, make_rows(plan, alone, table), 0);
   };
 }
 

@@ -49,9 +49,8 @@ CheckPlan plan_checks(const ExperimentFile& file);
 /// Every row with the plan's definitions. The file and the table must outlive it.
 Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table);
 
-/// Throws base::BadInput for names in the plan that are unknown at a point with this row.
-void check_names(const CheckPlan& plan, const ExperimentFile& file, std::size_t point,
-                 const Table& table, const std::vector<Value>& row);
+/// Throws BadInput for names in the plan that are unknown at this row.
+void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row);
 
 /// Calls check_names for each point as soon as it has come to its end: for PointsPlan. The plan and
 /// the file must outlive it.

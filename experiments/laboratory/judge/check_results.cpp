@@ -21,7 +21,8 @@ constexpr const char* KIND_NAMES[] = {"", "predicted", "calibrated", "at_least",
 // What is no number is worse than anything.
 double size_of(double error) { return std::isnan(error) ? INFINITY : std::abs(error); }
 
-// How bad a point is: its error, and within bounds how near it is to one, as a negative number.
+// Says how bad a point is: its error, and within bounds how near it is to one, as a negative
+// number.
 double badness(const Check& check, const CheckedPoint& point) {
   if (check.has_bounds() && point.holds) return -std::abs(point.simulated - point.expected);
   return size_of(point.error);
@@ -35,7 +36,7 @@ CheckedPoint compare(const Check& check, std::size_t row, double simulated, doub
   return {row, simulated, expected, error, size_of(error) <= limit.value_or(NO_LIMIT)};
 }
 
-// At least one bound is there.
+// Compares with the bounds, of which at least one is there.
 CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<double> low,
                             std::optional<double> high) {
   const bool is_low = low && (!high || simulated - *low < *high - simulated);
@@ -48,8 +49,8 @@ CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<dou
       row, simulated, bound, holds ? 0 : beyond, holds, is_low ? Kind::at_least : Kind::at_most};
 }
 
-// What is checked at a point; none for an empty cell, such as the speed-up where no row has one
-// worker.
+// Finds what is checked at a point; none for an empty cell, such as the speed-up where no row has
+// one worker.
 std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
                                      std::size_t row) {
   if (c.of) return rows.eval(*c.of, row);
@@ -83,18 +84,10 @@ void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, cons
                        const std::vector<std::size_t>& candidates,
                        std::vector<std::size_t>& left_out) {
   const Check& check = result.check;
-  const Table& reference = *c.reference;
-  const auto column = *reference.find(check.column);
-  const auto matches = match_rows(reference, rows.table(), check.keys);
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    const auto expected = as_number(reference.rows[i][column]);
-    if (!expected) continue;
-    for (const auto row : matches[i])
-      if (std::ranges::binary_search(candidates, row))
-        add_point(result, c, rows, row, expected, left_out);
-  }
-  if (auto note = note_missing(reference, check.reference, check.column, check.keys, matches))
-    result.notes.push_back(*note);
+  for (const auto& [row, expected] : match_reference(
+           {*c.reference, check.reference, check.column, check.keys}, rows.table(), result.notes))
+    if (std::ranges::binary_search(candidates, row))
+      add_point(result, c, rows, row, expected, left_out);
 }
 
 // Judges the points that nothing was calibrated on.
@@ -147,7 +140,7 @@ std::string format_error(const Check& check, double error) {
   return check.is_absolute() ? fmt::format("{:.3g}", error) : fmt::format("{:.3g} %", 100 * error);
 }
 
-// "at least 12", "at most 0.5", "between 1 and 2"
+// Says "at least 12", "at most 0.5" or "between 1 and 2".
 std::string describe_bounds(const Check& check) {
   if (check.at_most.empty()) return "at least " + check.at_least;
   if (check.at_least.empty()) return "at most " + check.at_most;
@@ -156,7 +149,7 @@ std::string describe_bounds(const Check& check) {
 
 double without_sign_of_nan(double value) { return std::isnan(value) ? NAN : value; }
 
-// "worst error 0.2 % (within 1 %)", or "worst 15.6 (at least 12)"
+// Says "worst error 0.2 % (within 1 %)", or "worst 15.6 (at least 12)".
 std::string describe_worst(const Check& check, const CheckedPoint& worst) {
   const double simulated = without_sign_of_nan(worst.simulated);
   if (check.has_bounds())
@@ -170,7 +163,7 @@ std::string describe_worst(const Check& check, const CheckedPoint& worst) {
   return text;
 }
 
-// The points to show: all in their order, or the worst first.
+// Chooses the points to show: all in their order, or the worst first.
 std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t most) {
   std::vector<std::size_t> order(result.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -181,7 +174,7 @@ std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t mo
   return order;
 }
 
-// The heading of what was expected.
+// Names the column of what was expected.
 std::string name_expected(const Check& check) {
   if (!check.formula.empty()) return "formula";
   if (!check.reference.empty()) return "reference";
@@ -202,8 +195,8 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
     for (const auto& comparison : plan.comparisons) results.push_back({.check = comparison.check});
     return results;
   }
-  check_names(plan, file, table.point_of(first), table, table.rows[first]);
   const Rows rows = make_rows(plan, file, table);
+  check_names(plan, rows, first);
   for (const auto& comparison : plan.comparisons) results.push_back(eval_check(comparison, rows));
   return results;
 }

@@ -7,12 +7,12 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <set>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "experiments/laboratory/points/results.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 
 namespace laboratory {
 namespace {
@@ -28,7 +28,7 @@ std::string spell_as_name(std::string text) {
   return text;
 }
 
-// "{time_s @ workers = 1, objects = objects}"; for an axis of texts the own text.
+// Makes "{time_s @ workers = 1, objects = objects}"; for an axis of texts with the own text.
 std::string add_condition(const RowReference& reference, const std::string& axis,
                           const Value& own) {
   return fmt::format("{}, {} = {}}}", reference.text.substr(0, reference.text.size() - 1), axis,
@@ -41,7 +41,7 @@ std::string join_few(std::vector<std::string> names) {
   return fmt::format("{}{}", fmt::join(names, "; "), count > MOST_NAMED ? "; ..." : "");
 }
 
-// "objects = 200, workers = 1"
+// Says "objects = 200, workers = 1".
 std::string name_row(const Table& table, const std::vector<Value>& row,
                      const std::vector<std::string>& columns) {
   std::vector<std::string> parts;
@@ -51,44 +51,6 @@ std::string name_row(const Table& table, const std::vector<Value>& row,
 }
 
 }  // namespace
-
-Variables::Variables(const Point& point, const machine::Model& model) : numbers_(point.numbers) {
-  for (const auto& entry : model.entries) numbers_[entry.key] = entry.value;
-}
-
-void Variables::add_row(const Table& table, const std::vector<Value>& row) {
-  for (std::size_t c = 0; c < row.size(); ++c)
-    if (const auto* text = std::get_if<std::string>(&row[c]))
-      texts_[table.columns[c]] = *text;
-    else
-      numbers_[table.columns[c]] = as_number(row[c]).value_or(NO_VALUE);
-}
-
-void Variables::add(const std::string& name, double value, const std::string& place) {
-  if (numbers_.contains(name) || texts_.contains(name))
-    throw BadInput(fmt::format("{}: there is a {} already, expected a new name", place, name));
-  numbers_[name] = value;
-}
-
-std::optional<double> Variables::compare_text(const std::string& name) const {
-  for (const auto& [column, text] : texts_) {
-    const auto prefix = spell_as_name(column) + "_is_";
-    if (name.starts_with(prefix)) return prefix + spell_as_name(text) == name ? 1 : 0;
-  }
-  return std::nullopt;
-}
-
-double Variables::get(const std::string& name, const std::string& place) const {
-  if (const auto found = numbers_.find(name); found != numbers_.end()) return found->second;
-  if (const auto equal = compare_text(name)) return *equal;
-  if (const auto text = texts_.find(name); text != texts_.end())
-    throw BadInput(fmt::format("{}: {} is a text, expected a comparison such as {}_is_{}", place,
-                               name, spell_as_name(name), spell_as_name(text->second)));
-  std::vector<std::string> known;
-  for (const auto& [key, value] : numbers_) known.push_back(key);
-  throw BadInput(fmt::format("{}: unknown variable \"{}\", the nearest is \"{}\"", place, name,
-                             nearest_column(name, known)));
-}
 
 std::string nearest_column(const std::string& name, const std::vector<std::string>& known) {
   // Columns of the farm that had names of their own for what other programs measure too.
@@ -116,26 +78,67 @@ std::string nearest_column(const std::string& name, const std::vector<std::strin
 
 Rows::Rows(const ExperimentFile& file, const Table& table) : file_(file), table_(table) {
   base::check_equal("points of the results", table.count_points(), file.points.size());
-  std::map<std::string, machine::Model> models;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& point = file.points[table.point_of(i)];
-    const auto& experiment = point.experiment;
-    const auto key = model_key(experiment);
-    if (!models.contains(key)) models.emplace(key, make_model(experiment));
-    variables_.emplace_back(point, models.at(key)).add_row(table, table.rows[i]);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto& experiment = point_of(row).experiment;
+    const auto [known, is_new] = models_.try_emplace(model_key(experiment));
+    if (is_new)
+      for (const auto& entry : make_model(experiment).entries)
+        known->second[entry.key] = entry.value;
+    model_of_.push_back(&known->second);
   }
-  missing_.resize(table.rows.size());
 }
 
 bool Rows::is_complete(std::size_t row) const { return is_complete_row(table_, table_.rows[row]); }
 
+const std::string* Rows::find_text(const std::string& name, std::size_t row) const {
+  const auto column = table_.find(name);
+  return column ? std::get_if<std::string>(&table_.rows[row][*column]) : nullptr;
+}
+
+std::optional<double> Rows::find_number(const std::string& name, std::size_t row) const {
+  if (find_text(name, row)) return std::nullopt;
+  if (const auto column = table_.find(name))
+    return as_number(table_.rows[row][*column]).value_or(NO_VALUE);
+  for (const auto* numbers : {model_of_[row], &point_of(row).numbers})
+    if (const auto found = numbers->find(name); found != numbers->end()) return found->second;
+  return std::nullopt;
+}
+
+std::optional<double> Rows::compare_text(const std::string& name, std::size_t row) const {
+  for (const auto& column : table_.columns) {
+    const auto* text = find_text(column, row);
+    const auto prefix = spell_as_name(column) + "_is_";
+    if (text && name.starts_with(prefix)) return prefix + spell_as_name(*text) == name ? 1 : 0;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Rows::get(const std::string& name, std::size_t row,
+                                const std::string& place) const {
+  if (const auto let = lets_.find(name); let != lets_.end()) return let->second[row];
+  if (const auto number = find_number(name, row)) return number;
+  if (const auto equal = compare_text(name, row)) return equal;
+  if (const auto* text = find_text(name, row))
+    throw BadInput(fmt::format("{}: {} is a text, expected a comparison such as {}_is_{}", place,
+                               name, spell_as_name(name), spell_as_name(*text)));
+  std::set<std::string> known;
+  for (const auto& column : table_.columns)
+    if (!find_text(column, row)) known.insert(column);
+  for (const auto* numbers : {model_of_[row], &point_of(row).numbers})
+    for (const auto& [key, value] : *numbers) known.insert(key);
+  for (const auto& [let, values] : lets_) known.insert(let);
+  throw BadInput(fmt::format("{}: unknown variable \"{}\", the nearest is \"{}\"", place, name,
+                             nearest_column(name, {known.begin(), known.end()})));
+}
+
 void Rows::define(const std::string& name, const Expression& expression, const std::string& place) {
   std::vector<std::optional<double>> values;
-  for (std::size_t row = 0; row < variables_.size(); ++row) values.push_back(eval(expression, row));
-  for (std::size_t row = 0; row < variables_.size(); ++row) {
-    variables_[row].add(name, values[row].value_or(0), place);
-    if (!values[row]) missing_[row].insert(name);
+  for (std::size_t row = 0; row < table_.rows.size(); ++row) {
+    values.push_back(eval(expression, row));
+    base::require(!find_number(name, row) && !find_text(name, row), place,
+                  "there is a {} already, expected a new name", name);
   }
+  lets_.emplace(name, std::move(values));
 }
 
 std::optional<std::size_t> Rows::find_row(const RowReference& reference, const std::string& place,
@@ -151,13 +154,14 @@ std::optional<std::size_t> Rows::find_row(const RowReference& reference, const s
       wanted[axis] = condition.text;
       continue;
     }
-    if (!condition.value)
-      throw BadInput(fmt::format("{}: {}: found \"{}\", expected a number for the axis {}", place,
-                                 reference.text, condition.text, condition.axis));
+    base::require(condition.value.has_value(), place,
+                  "{}: found \"{}\", expected a number for the axis {}", reference.text,
+                  condition.text, condition.axis);
     std::vector<double> values;
     for (const auto& name : condition.value->variables()) {
-      if (missing_[row].contains(name)) return std::nullopt;
-      values.push_back(variables_[row].get(name, place));
+      const auto value = get(name, row, place);
+      if (!value) return std::nullopt;
+      values.push_back(*value);
     }
     wanted[axis] = condition.value->eval(values);
   }
@@ -195,7 +199,7 @@ std::optional<std::size_t> Rows::choose_row(const RowReference& reference, const
 void Rows::check(const Expression& expression, std::size_t row) const {
   for (const auto& variable : expression.variables()) {
     const auto* reference = expression.find_reference(variable);
-    variables_[row].get(reference ? reference->column : variable, expression.place());
+    get(reference ? reference->column : variable, row, expression.place());
     if (reference) find_row(*reference, expression.place(), row);
   }
 }
@@ -211,8 +215,9 @@ std::optional<double> Rows::eval(const Expression& expression, std::size_t row) 
       from = *found;
       name = reference->column;
     }
-    if (missing_[from].contains(name)) return std::nullopt;
-    values.push_back(variables_[from].get(name, expression.place()));
+    const auto value = get(name, from, expression.place());
+    if (!value) return std::nullopt;
+    values.push_back(*value);
   }
   return expression.eval(values);
 }
@@ -244,30 +249,27 @@ std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expre
   return chosen;
 }
 
-std::vector<std::vector<std::size_t>> match_rows(const Table& reference, const Table& table,
-                                                 const std::vector<std::string>& keys) {
-  std::vector<std::vector<std::size_t>> matches;
-  for (const auto& row : reference.rows) {
-    auto& found = matches.emplace_back();
+std::vector<std::pair<std::size_t, double>> match_reference(const Reference& reference,
+                                                            const Table& table,
+                                                            std::vector<std::string>& notes) {
+  const auto& [from, name, column, keys] = reference;
+  std::vector<std::pair<std::size_t, double>> matched;
+  std::vector<std::string> missing;
+  for (const auto& wanted : from.rows) {
+    const auto value = as_number(wanted[*from.find(column)]);
+    if (!value) continue;
+    const auto before = matched.size();
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       if (std::ranges::all_of(keys, [&](const auto& key) {
-            return is_same(table.rows[i][*table.find(key)], row[*reference.find(key)]);
+            return is_same(table.rows[i][*table.find(key)], wanted[*from.find(key)]);
           }))
-        found.push_back(i);
+        matched.emplace_back(i, *value);
+    if (matched.size() == before) missing.push_back(name_row(from, wanted, keys));
   }
-  return matches;
-}
-
-std::optional<std::string> note_missing(const Table& reference, const std::string& name,
-                                        const std::string& column,
-                                        const std::vector<std::string>& keys,
-                                        const std::vector<std::vector<std::size_t>>& matches) {
-  std::vector<std::string> missing;
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    if (matches[i].empty() && as_number(reference.rows[i][*reference.find(column)]))
-      missing.push_back(name_row(reference, reference.rows[i], keys));
-  if (missing.empty()) return std::nullopt;
-  return fmt::format("{} row(s) of {} were not run: {}", missing.size(), name, join_few(missing));
+  if (!missing.empty())
+    notes.push_back(
+        fmt::format("{} row(s) of {} were not run: {}", missing.size(), name, join_few(missing)));
+  return matched;
 }
 
 std::optional<std::string> note_left_out(const Table& table, const std::vector<std::size_t>& rows) {

@@ -2,7 +2,6 @@
 // What formulas find at the points of an experiment, and which rows of its results are meant.
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -13,34 +12,16 @@
 
 namespace laboratory {
 
-/// What a formula may name at one point: columns of the results ("bytes", "latency_s"), numbers
-/// that the file gives to keys ("image.width"), numbers of the machine model ("link.one_way_rate"),
-/// and names of [let]. A column of texts has a name for each text: "topology_is_line" is 1 where
-/// the text is "line", else 0. In it _ stands for what no name can hold: "mesh:4x4" is
-/// topology_is_mesh_4x4.
-class Variables {
- public:
-  Variables(const Point& point, const machine::Model& model);
-  /// The point's row of results. An empty cell is not a number.
-  void add_row(const Table& table, const std::vector<Value>& row);
-  /// Throws base::BadInput, beginning with `place`, if there is one of this name.
-  void add(const std::string& name, double value, const std::string& place);
-  /// Throws base::BadInput, beginning with `place`, for an unknown name, with the nearest, and for
-  /// a column of texts, with how to compare it.
-  double get(const std::string& name, const std::string& place) const;
-
- private:
-  std::optional<double> compare_text(const std::string& name) const;
-
-  std::map<std::string, double, std::less<>> numbers_;
-  std::map<std::string, std::string, std::less<>> texts_;
-};
-
-/// The rows of a table of results with all names that formulas may use there. The file and the
-/// table must outlive it.
+/// The rows of a table of results, with what a formula may name there: columns of the results
+/// ("bytes", "latency_s"; an empty cell is not a number), numbers that the file gives to keys
+/// ("image.width"), numbers of the machine model ("link.one_way_rate"), and names of [let]. A
+/// column of texts has a name for each text: "topology_is_line" is 1 where the text is "line", else
+/// 0. In it _ stands for what no name can hold: "mesh:4x4" is topology_is_mesh_4x4. The file and
+/// the table must outlive it.
 class Rows {
  public:
   Rows(const ExperimentFile& file, const Table& table);
+  Rows(Rows&&) = default;
 
   const Table& table() const { return table_; }
   /// Whether the row's point came to its end.
@@ -58,7 +39,21 @@ class Rows {
   /// end. Throws base::BadInput where braces speak of several rows.
   std::optional<double> eval(const Expression& expression, std::size_t row) const;
 
+  /// The number of a name at a row; none for a name of [let] without a value there. Throws
+  /// BadInput, beginning with `place`, for an unknown name, with the nearest, and for a column of
+  /// texts, with how to compare it.
+  std::optional<double> get(const std::string& name, std::size_t row,
+                            const std::string& place) const;
+
  private:
+  using Numbers = std::map<std::string, double, std::less<>>;
+
+  const Point& point_of(std::size_t row) const { return file_.points[table_.point_of(row)]; }
+  /// Null where the name is no column or the cell no text.
+  const std::string* find_text(const std::string& name, std::size_t row) const;
+  /// The number of a column, of the model or of the file.
+  std::optional<double> find_number(const std::string& name, std::size_t row) const;
+  std::optional<double> compare_text(const std::string& name, std::size_t row) const;
   std::optional<std::size_t> find_row(const RowReference& reference, const std::string& place,
                                       std::size_t row) const;
   /// The row with these values on all axes, else the only one with these on the axes that are not
@@ -69,8 +64,9 @@ class Rows {
 
   const ExperimentFile& file_;
   const Table& table_;
-  std::vector<Variables> variables_;
-  std::vector<std::set<std::string>> missing_;  // names of [let] without a value at each row
+  std::map<std::string, Numbers> models_;                           // by model_key
+  std::vector<const Numbers*> model_of_;                            // of each row
+  std::map<std::string, std::vector<std::optional<double>>> lets_;  // at each row
 };
 
 std::vector<std::string> axis_names(const Table& table);
@@ -82,17 +78,20 @@ std::size_t find_axis(const Table& table, const std::string& axis, const std::st
 /// Throws base::BadInput where it is not a number.
 std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expression>& where);
 
-/// For each row of a reference the rows of the table with the same `keys`; texts are compared as
-/// texts, numbers as numbers.
-std::vector<std::vector<std::size_t>> match_rows(const Table& reference, const Table& table,
-                                                 const std::vector<std::string>& keys);
+/// Numbers from elsewhere: a table of this file name, its column with the value, and the columns
+/// that say which row is which point.
+struct Reference {
+  const Table& table;
+  const std::string &name, &column;
+  const std::vector<std::string>& keys;
+};
 
-/// "3 row(s) of FILE were not run: objects = 400, workers = 1; ...": the rows of a reference that
-/// have a number in `column` and no match. None where there is no such row.
-std::optional<std::string> note_missing(const Table& reference, const std::string& name,
-                                        const std::string& column,
-                                        const std::vector<std::string>& keys,
-                                        const std::vector<std::vector<std::size_t>>& matches);
+/// The rows of the table that the reference has a value for, with that value: those with the same
+/// keys, where texts are compared as texts and numbers as numbers. Adds a note "3 row(s) of FILE
+/// were not run: objects = 400, workers = 1; ..." on values without such a row.
+std::vector<std::pair<std::size_t, double>> match_reference(const Reference& reference,
+                                                            const Table& table,
+                                                            std::vector<std::string>& notes);
 
 /// "2 point(s) left out, ...": these rows need other rows that are not there. None for no rows.
 std::optional<std::string> note_left_out(const Table& table, const std::vector<std::size_t>& rows);

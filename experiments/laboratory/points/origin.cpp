@@ -9,7 +9,6 @@
 #include "experiments/laboratory/host/version.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using base::BadInput;
@@ -28,7 +27,8 @@ std::string describe(const std::string& name, const std::string& title) {
   return title.empty() ? fmt::format("\"{}\"", name) : fmt::format("\"{}\" ({})", name, title);
 }
 
-// As it was spelled, where that is still the same folder; else found from the results.
+// Spells the folder as it was spelled, where that is still the same one; else it is found from the
+// results.
 fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
   const fs::path spelled = fs::path(file).parent_path();
   const auto found = resolve(resolve(results) / folder);
@@ -49,6 +49,18 @@ Origin read_origin(const fs::path& results, const ordered_json& json) {
 }
 
 }  // namespace
+
+fs::path results_folder(const RunOptions& options) {
+  return options.output.empty() ? "results" / fs::path(options.file).stem()
+                                : fs::path(options.output);
+}
+
+std::string command_line(const RunOptions& options) {
+  std::string line = "tlab run " + options.file;
+  for (const auto& set : options.overrides) line += fmt::format(" --set '{}'", set);
+  if (std::isfinite(options.until_s)) line += fmt::format(" --until {}", options.until_s);
+  return line;
+}
 
 ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                          const fs::path& results) {

@@ -12,7 +12,6 @@
 #include "simulator/machine/faults.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using nlohmann::ordered_json;
@@ -172,7 +171,7 @@ void throw_failures(const ExperimentFile& file, const Results& results, const st
   int exit_code = 3;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].is_failed()) continue;
-    if (file.axes.empty()) throw JobFailed(results[i].message, results[i].exit_code);
+    if (file.axes.empty()) throw Failure(results[i].message, results[i].exit_code);
     names.push_back(name_of(file.points[i]));
     exit_code = std::min(exit_code, results[i].exit_code);
   }
@@ -182,9 +181,9 @@ void throw_failures(const ExperimentFile& file, const Results& results, const st
     names.resize(MOST_NAMED);
     names.push_back("...");
   }
-  throw JobFailed(fmt::format("{} of {} point(s) failed, at {}; {}", failed, file.points.size(),
-                              fmt::join(names, "; "), where),
-                  exit_code);
+  throw Failure(fmt::format("{} of {} point(s) failed, at {}; {}", failed, file.points.size(),
+                            fmt::join(names, "; "), where),
+                exit_code);
 }
 
 }  // namespace laboratory

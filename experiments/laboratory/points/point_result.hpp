@@ -46,7 +46,7 @@ struct PointResult {
   bool is_complete() const { return ended == "done" || ended == "saturated"; }
   bool is_failed() const { return !message.empty(); }
 };
-/// The same as JSON, for a pipe or a record, and back; throws nlohmann::json::exception.
+/// A result as JSON, for a pipe or a record, and back; throws nlohmann::json::exception.
 nlohmann::ordered_json to_json(const PointResult& result);
 PointResult to_result(const nlohmann::ordered_json& json);
 
@@ -63,12 +63,12 @@ std::vector<std::size_t> missing_points(const Results& results);
 /// The result of a point that ended with a simulated fault or a defect, or for which the host has
 /// no memory; none for any other exception.
 std::optional<PointResult> make_failure(const std::exception& error);
-/// The result of a point whose process died.
+/// The result of a point when its process has died.
 PointResult make_failure(const std::string& died);
 
 /// Why a run of so many points ended: a sentence.
 std::string describe_end(const Results& results, std::size_t points);
-/// Throws JobFailed if a point failed: with exit code 1 for a defect or a process that died, else
+/// Throws Failure if a point failed: with exit code 1 for a defect or a process that died, else
 /// 3. `where` says what has become of the results.
 void throw_failures(const ExperimentFile& file, const Results& results, const std::string& where);
 

@@ -9,21 +9,49 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/hash.hpp"
-#include "experiments/laboratory/points/point_key.hpp"
+#include "experiments/laboratory/host/version.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
+#include "renderer/radiosity/files/load_room.hpp"
+#include "simulator/machine/engine.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// The end of a record: a hash of all that is before it.
+// Says which program this is.
+const std::string& program_id() {
+  static const std::string id = hash_of(fmt::format(
+      "{} {} {}", VERSION, hash_of(base::read_text("/proc/self/exe")), machine::simgrid_version()));
+  return id;
+}
+
+// Describes a model's entries by what they are and not by where they come from.
+std::string describe_entries(const Experiment& experiment) {
+  std::string text;
+  for (const auto& e : make_model(experiment).entries)
+    text +=
+        fmt::format("{} = {} {} {}\n", e.key, e.value, e.unit, machine::to_string(e.provenance));
+  return text;
+}
+
+// Finds the MTL files of an OBJ. What cannot be read is refused elsewhere.
+std::vector<std::string> find_libraries(const std::string& path) {
+  if (!path.ends_with(".obj")) return {};
+  try {
+    return radiosity::load_room(path).libraries;
+  } catch (const base::BadInput&) {
+    return {};
+  }
+}
+
+// Makes the end of a record: a hash of all that is before it.
 std::string make_seal(std::string_view text) {
   return fmt::format(",\"hash\":\"{}\"}}\n", hash_of(text));
 }
 
-// A record, or null where its bytes are not those that were written, or it is of another key.
+// Reads a record, or null where its bytes are not those that were written, or it is of another key.
 // `filter`: see nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
   const std::string text = base::read_text(file);
@@ -43,6 +71,31 @@ bool has_images(const PointResult& result, const fs::path& folder) {
 }
 
 }  // namespace
+
+std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
+  std::map<std::string, std::string> models, files;  // hashes of what points share
+  const auto describe_file = [&](const std::string& path) {
+    auto& hash = files[path];
+    if (hash.empty()) hash = fs::is_regular_file(path) ? hash_of(base::read_text(path)) : "none";
+    return "\nfile " + hash;
+  };
+  std::vector<std::string> keys;
+  for (const auto& [at, experiment, numbers] : file.points) {
+    auto settings = file.settings;
+    for (std::size_t i = 0; i < at.size(); ++i) settings[file.axis_keys[i]] = at[i].toml;
+    std::string text = fmt::format("{}\nuntil {}\n", program_id(), until_s);
+    for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
+    auto& model = models[model_key(experiment)];
+    if (model.empty()) model = hash_of(describe_entries(experiment));
+    text += "model " + model;
+    for (const auto& source : files_of(experiment)) {
+      text += describe_file(source);
+      for (const auto& library : find_libraries(source)) text += describe_file(library);
+    }
+    keys.push_back(hash_of(text));
+  }
+  return keys;
+}
 
 fs::path records_folder() { return fs::path("points") / program_id().substr(0, 16); }
 fs::path lone_records_folder() { return fs::path("points") / "lone"; }

@@ -2,23 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/points/origin.hpp"
-#include "experiments/laboratory/points/point_key.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
-#include "experiments/laboratory/points/trace_files.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
-#include "experiments/laboratory/setup/network_setup.hpp"
-#include "simulator/machine/faults.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 
 namespace laboratory {
-
 namespace {
 
 using nlohmann::ordered_json;
@@ -31,46 +25,9 @@ void check_axes(const ExperimentFile& file) {
       const auto& key = file.axis_keys[axis];
       std::string by = e.program->voids ? e.program->voids(e.params, key) : "";
       if (key == "network.workers" && has_own_workers(e)) by = "network.topology";
-      if (!by.empty())
-        throw base::BadInput(fmt::format("{}: [sweep] has an axis {}, but {} says how many itself",
-                                         file.path, file.axes[axis], by));
+      base::require(by.empty(), file.path, "[sweep] has an axis {}, but {} says how many itself",
+                    file.axes[axis], by);
     }
-}
-
-// Whatever room finds something wrong, it is wrong in the file.
-template <class Check>
-void check_in(const ExperimentFile& file, const Check& check) {
-  const auto refuse = [&](const std::exception& error) {
-    throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
-  };
-  try {
-    check();
-  } catch (const std::runtime_error& error) {
-    refuse(error);
-  } catch (const std::invalid_argument& error) {
-    refuse(error);
-  }
-}
-
-PointResult run_traced(const PointsPlan& plan, std::size_t number) {
-  const Point& point = plan.file.points[number];
-  const auto& title = point.experiment.title;
-  TraceFiles files(plan.options);
-  const auto save = [&] {
-    files.save(point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point)));
-  };
-  try {
-    auto result = run_point(point.experiment, plan.results / records_folder(), plan.options.profile,
-                            files.watch());
-    save();
-    return result;
-  } catch (const machine::Fault&) {
-    try {
-      save();
-    } catch (const std::exception&) {  // the fault is what matters
-    }
-    throw;
-  }
 }
 
 void save_point(const PointsPlan& plan, std::size_t number, const PointResult& result) {
@@ -86,7 +43,7 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
 PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
-    auto result = run_traced(plan, number);
+    auto result = run_point(point, plan.options, plan.results / records_folder());
     save_point(plan, number, result);  // first: a name mistyped in the file costs no result
     if (plan.inspect) plan.inspect(point, result);
     result.use = nullptr;
@@ -94,7 +51,7 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   } catch (const std::exception& error) {
     if (const auto failure = make_failure(error)) return *failure;
     if (plan.file.axes.empty()) throw;
-    throw JobFailed(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));
+    throw Failure(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));
   }
 }
 
@@ -114,15 +71,15 @@ void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& fai
 }  // namespace
 
 void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
-  check_trace_files(options, chosen, results_folder(options));
+  check_traces(options, chosen);
   check_axes(file);
   std::set<std::string> networks;
-  for (const auto& point : file.points)
-    check_in(file, [&] {
-      const Experiment& e = point.experiment;
-      check_point(e);
-      if (networks.insert(network_key(e)).second) check_network(e);
-    });
+  for (const auto& [at, experiment, numbers] : file.points) try {
+      check_point(experiment);
+      if (networks.insert(network_key(experiment)).second) check_network(experiment);
+    } catch (const std::runtime_error& error) {  // whatever room finds it, it is in the file
+      throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
+    }
 }
 
 PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect)
@@ -135,8 +92,7 @@ PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, In
 
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
   Results results(plan.keys.size());
-  const RunOptions& o = plan.options;
-  if (o.profile || !o.trace.empty() || !o.timeline.empty()) return results;
+  if (plan.options.profile || plan.options.wants_trace()) return results;
   for (const auto i : numbers)
     if (!plan.file.points[i].experiment.is_timed)
       if (auto record = find_record(plan.results, plan.keys[i])) results[i] = std::move(*record);

@@ -1,21 +1,18 @@
 #include "experiments/laboratory/points/results.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/points/speedups.hpp"
+#include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {
-
 namespace {
 
 constexpr double EXACT = 0x1p53;  // up to here doubles hold every whole number
 
-// The programs of the points, each once.
+// Lists the programs of the points, each once.
 std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
   std::vector<const programs::Program*> all;
   for (const auto& point : file.points)
@@ -24,7 +21,7 @@ std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
   return all;
 }
 
-// The name of the column of an axis.
+// Names the column of an axis.
 std::string column_of(const ExperimentFile& file, const std::string& axis) {
   return axis == "workers" ? programs_of(file)[0]->processors : axis;
 }
@@ -63,7 +60,7 @@ Value to_value(const base::Scalar& value) {
   return {};
 }
 
-// What goes into a point and is no axis.
+// Puts what goes into a point and is no axis.
 void put_inputs(Filling& filling, const Experiment& experiment, const PointResult& result) {
   const auto& program = *experiment.program;
   if (program.uses.network) {
@@ -75,7 +72,7 @@ void put_inputs(Filling& filling, const Experiment& experiment, const PointResul
   for (const auto& p : program.parameters) filling.put(p.name, to_value(p.get(experiment.params)));
 }
 
-// The columns up to the measurements, in their order: rows that lack some leave them empty.
+// Lists the columns up to the measurements, in their order: rows that lack some leave them empty.
 std::vector<std::string> input_columns(const ExperimentFile& file) {
   auto columns = axis_columns(file);
   const auto add = [&](const std::string& name) {
@@ -99,6 +96,14 @@ void make_whole(Table& table) {
   }
 }
 
+bool is_base(const Table& table, const std::vector<Value>& base, const std::vector<Value>& row,
+             std::size_t processors) {
+  const Value one = std::int64_t{1};
+  for (std::size_t c = 0; c < table.axes; ++c)
+    if (base[c] != (c == processors ? one : row[c])) return false;
+  return true;
+}
+
 }  // namespace
 
 bool is_farm(const ExperimentFile& file) {
@@ -106,7 +111,7 @@ bool is_farm(const ExperimentFile& file) {
   return all.size() == 1 && all[0]->name == "farm";
 }
 
-// A coordinate without TOML's quotes; numbers as numbers.
+// Drops the quotes of TOML; numbers stay numbers.
 Value to_value(const Coordinate& at) {
   const auto json = nlohmann::json::parse(at.toml, nullptr, false);
   if (json.is_number_integer()) return json.get<std::int64_t>();
@@ -134,6 +139,40 @@ std::vector<std::string> axis_columns(const ExperimentFile& file) {
     if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
   }
   return columns;
+}
+
+bool is_complete_row(const Table& table, const std::vector<Value>& row) {
+  const auto column = table.find("ended");
+  return !column || row[*column] == Value("done") || row[*column] == Value("saturated");
+}
+
+void add_speedups(Table& table, const std::string& processors) {
+  const auto axis = table.find(processors), time = table.find("time_s");
+  const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");
+  if (!axis || *axis >= table.axes || !time || !speedup || !efficiency) return;
+  for (auto& row : table.rows) {
+    if (row[*speedup] != Value()) continue;
+    const auto base = std::ranges::find_if(
+        table.rows, [&](const auto& other) { return is_base(table, other, row, *axis); });
+    if (base == table.rows.end() || !is_complete_row(table, *base) || !is_complete_row(table, row))
+      continue;
+    const double s = *as_number((*base)[*time]) / *as_number(row[*time]);
+    row[*speedup] = s;
+    row[*efficiency] = s / *as_number(row[*axis]);
+  }
+}
+
+void add_serial_fractions(Table& table, const std::string& processors) {
+  const auto axis = table.find(processors), speedup = table.find("speedup");
+  for (const auto& [name, law] : {std::pair("serial_karp_flatt", &karp_flatt),
+                                  std::pair("serial_gustafson", &serial_gustafson)}) {
+    const auto column = table.find(name);
+    if (!column || !axis || !speedup) return;
+    for (auto& row : table.rows) {
+      const auto n = as_number(row[*axis]), s = as_number(row[*speedup]);
+      if (const auto serial = n && s ? law(*n, *s) : std::nullopt) row[*column] = *serial;
+    }
+  }
 }
 
 Table make_table(const ExperimentFile& file, const Results& results) {

@@ -1,7 +1,6 @@
 #pragma once
 // From the points of a sweep to one table.
 #include "experiments/laboratory/points/point_result.hpp"
-#include "experiments/laboratory/points/speedups.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
 namespace laboratory {
@@ -22,6 +21,16 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 /// apply. Speed-up and efficiency are relative to the row with one processor and otherwise the same
 /// axes; they stay empty where there is none, and beside them the serial fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
+
+/// Whether the row's point came to its end.
+bool is_complete_row(const Table& table, const std::vector<Value>& row);
+
+/// Fills the columns speedup and efficiency where they are empty: relative to the row with one
+/// processor and otherwise the same axes. `processors` is the column of an axis.
+void add_speedups(Table& table, const std::string& processors);
+
+/// Fills serial_karp_flatt and serial_gustafson (laws.hpp) for every speed-up.
+void add_serial_fractions(Table& table, const std::string& processors);
 
 /// The first column of such a table that is a result and not an input as well; none if all are.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);

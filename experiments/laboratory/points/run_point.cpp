@@ -6,20 +6,23 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
 #include "experiments/laboratory/points/images.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
-#include "experiments/laboratory/setup/network_setup.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
+#include "simulator/observe/watch.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace laboratory {
-
 namespace {
 
+namespace fs = std::filesystem;
+using base::require;
 using nlohmann::ordered_json;
 using programs::Setup;
+using Save = void (*)(const observe::Trace&, std::ostream&);
 
-// CPU time of this process: other programs on the host do not count.
+// Measures the CPU time of this process: other programs on the host do not count.
 double process_cpu_s() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -48,7 +51,7 @@ Setup make_setup(const Experiment& experiment, const machine::Model& model, bool
   return setup;
 }
 
-// Making some networks takes seconds: this one is there.
+// Takes the network from its caller, since making some takes seconds.
 PointResult describe(const Experiment& experiment, const topologies::Topology& topology) {
   const auto& program = *experiment.program;
   PointResult result;
@@ -60,7 +63,8 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   return result;
 }
 
-// One row without parts; with them any number, no two of which have the same parts.
+// Throws unless there is one row, or for a program with parts any number, no two of which have the
+// same parts.
 void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
   if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
   std::set<std::vector<base::Cell>> known;
@@ -96,22 +100,35 @@ ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   return {{"loads", loads}, {"cpus", cpus}, {"links", links}};
 }
 
-}  // namespace
-
-void check_point(const Experiment& experiment) {
-  check_files(experiment);
-  const auto model = make_model(experiment);
-  if (experiment.program->check)
-    experiment.program->check(make_setup_without_network(experiment, model), experiment.params);
+// Returns null for an unknown ending.
+Save find_format(const std::string& file) {
+  const auto ending = fs::path(file).extension();
+  if (ending == ".json") return &observe::save_chrome;
+  if (ending == ".paje" || ending == ".trace") return &observe::save_paje;
+  return ending == ".svg" ? &observe::save_timeline : nullptr;
 }
 
-PointResult describe_point(const Experiment& experiment) {
-  const bool has_network = experiment.program->uses.network;
-  return describe(experiment, has_network ? make_workers(experiment) : topologies::make_line(1));
+// Lets what would go wrong after the simulation go wrong before it.
+void check_place(const char* option, const std::string& file, const fs::path& results) {
+  const auto inside = fs::weakly_canonical(fs::absolute(file))
+                          .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
+  require(
+      inside.empty() || *inside.begin() == "..", option,
+      "found {}, expected a file outside of the results folder {}, which is replaced as a whole",
+      file, results.string());
+  base::check_can_save(file);
 }
 
-PointResult run_point(const Experiment& experiment, const std::filesystem::path& images,
-                      bool profile, observe::Watch& watch) {
+void save_traces(const Point& point, const RunOptions& options, observe::Trace& trace) {
+  const auto& title = point.experiment.title;
+  trace.title = point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point));
+  for (const auto& file : {options.trace, options.timeline})
+    if (!file.empty())
+      base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out); });
+}
+
+PointResult run(const Experiment& experiment, const fs::path& images, bool profile,
+                observe::Watch& watch) {
   const double start_s = process_cpu_s();
   const auto model = make_model(experiment);
   const auto setup = make_setup(experiment, model, profile, watch);
@@ -134,6 +151,57 @@ PointResult run_point(const Experiment& experiment, const std::filesystem::path&
   }
   result.host.total_s = process_cpu_s() - start_s;
   return result;
+}
+
+}  // namespace
+
+void check_point(const Experiment& experiment) {
+  check_files(experiment);
+  const auto model = make_model(experiment);
+  if (experiment.program->check)
+    experiment.program->check(make_setup_without_network(experiment, model), experiment.params);
+}
+
+void check_traces(const RunOptions& options, std::size_t points) {
+  for (const auto& [option, file, endings] :
+       {std::tuple("--trace", options.trace, ".json or .paje"),
+        std::tuple("--timeline", options.timeline, ".svg")}) {
+    if (file.empty()) continue;
+    const bool is_chart = fs::path(file).extension() == ".svg";
+    require(find_format(file) && is_chart == (std::string_view(option) == "--timeline"), option,
+            "found {}, expected a name that ends in {}", file, endings);
+    require(points == 1, option,
+            "the experiment has {} points, expected one; choose it with --set, for example "
+            "--set 'sweep.workers=[4]'",
+            points);
+    check_place(option, file, results_folder(options));
+  }
+  require(options.from_s < options.until_s, "--from", "found {}, expected a time before --until {}",
+          options.from_s, options.until_s);
+}
+
+PointResult describe_point(const Experiment& experiment) {
+  const bool has_network = experiment.program->uses.network;
+  return describe(experiment, has_network ? make_workers(experiment) : topologies::make_line(1));
+}
+
+PointResult run_point(const Point& point, const RunOptions& options, const fs::path& images) {
+  observe::Trace trace;
+  observe::Watch watch;
+  watch.until = {options.until_s};
+  watch.from = {options.from_s};
+  if (options.wants_trace()) watch.trace = &trace;
+  try {
+    auto result = run(point.experiment, images, options.profile, watch);
+    save_traces(point, options, trace);
+    return result;
+  } catch (const machine::Fault&) {
+    try {
+      save_traces(point, options, trace);
+    } catch (const std::exception&) {  // the fault is what matters
+    }
+    throw;
+  }
 }
 
 }  // namespace laboratory

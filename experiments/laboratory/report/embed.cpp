@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <stdexcept>
 
 namespace laboratory {
@@ -27,17 +29,11 @@ unsigned read_big_endian(std::string_view bytes) {
 }  // namespace
 
 std::string to_base64(std::string_view bytes) {
-  static constexpr char DIGITS[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    unsigned group = 0;
-    for (std::size_t i = at; i < at + 3; ++i)
-      group = group << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u);
-    for (std::size_t i = 0; i < 4; ++i)
-      text += at + i <= bytes.size() ? DIGITS[group >> (18 - 6 * i) & 63] : '=';
-  }
+  namespace iterators = boost::archive::iterators;
+  using Digits =
+      iterators::base64_from_binary<iterators::transform_width<std::string_view::iterator, 6, 8>>;
+  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  text.resize((bytes.size() + 2) / 3 * 4, '=');
   return text;
 }
 

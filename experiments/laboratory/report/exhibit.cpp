@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "experiments/laboratory/table/laws.hpp"
 
@@ -15,14 +16,7 @@ using Figure = CheckPlan::Figure;
 
 // ---- Curves ----
 
-// A curve and the rows of the table that its points were made from, in the order of x.
-struct Curve {
-  std::string name;
-  RowList rows;
-  std::vector<double> x, y;
-};
-
-// The axes that the expression of x names.
+// Finds the axes that the expression of x names.
 std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   std::vector<std::size_t> axes;
   for (const auto& name : figure.x.names())
@@ -30,16 +24,16 @@ std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   return axes;
 }
 
-// The axes whose values tell the curves apart: those that were declared, if any were.
+// Finds the axes that tell the curves apart: those that were declared, if any were.
 std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
                                      const RowList& rows) {
-  if (!figure.spec.has_series) return choose_series_axes(table, rows, axes_of_x(figure, table));
-  std::vector<std::size_t> axes;
-  for (const auto& name : figure.spec.series) axes.push_back(*table.find(name));
-  return axes;
+  if (!figure.spec.series) return choose_series_axes(table, rows, axes_of_x(figure, table));
+  if (figure.spec.series->empty()) return {};
+  return find_all(table, *figure.spec.series);
 }
 
-// The label that was given, else "speed-up" for a column and the text itself for an expression.
+// Chooses the label that was given, else "speed-up" for a column and the text itself for an
+// expression.
 std::string label_of(const std::string& text, const std::string& given) {
   if (!given.empty()) return given;
   return base::Formula::is_name(text) ? make_label(text) : text;
@@ -47,66 +41,51 @@ std::string label_of(const std::string& text, const std::string& given) {
 
 std::string without_unit(const std::string& label) { return label.substr(0, label.rfind(" [")); }
 
-// The values of the series' axes, behind the label of y where there are several.
+// Names a curve by the values of the series' axes, behind the label of y where there are several.
 std::string name_curve(const Figure& figure, std::size_t y, const std::string& values) {
   if (figure.y.size() == 1) return values;
   const auto label = without_unit(label_of(figure.spec.y[y], ""));
   return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
-void sort_points(Curve& curve) {
-  const auto order = order_of(curve.x);
-  curve.rows = pick(curve.rows, order);
-  curve.x = pick(curve.x, order);
-  curve.y = pick(curve.y, order);
-}
-
-// A curve for each combination of values of the series' axes. Adds to `left_out` the rows that
-// cannot be evaluated because others are missing.
-std::vector<Curve> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
+// Makes a curve for each combination of values of the series' axes. Adds to `left_out` the rows
+// that cannot be evaluated because others are missing.
+std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
   const auto chosen = choose_rows(rows, figure.where);
   const auto axes = choose_axes(figure, rows.table(), chosen);
-  std::vector<Curve> curves;
+  std::vector<Series> curves;
   for (std::size_t i = 0; i < figure.y.size(); ++i)
     for (const auto row : chosen) {
       const auto x = rows.eval(figure.x, row), y = rows.eval(figure.y[i], row);
       if ((!x || !y) && std::ranges::find(left_out, row) == left_out.end()) left_out.push_back(row);
       if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) continue;
-      const auto name = name_curve(figure, i, name_values(rows.table(), row, axes));
-      auto curve = std::ranges::find(curves, name, &Curve::name);
-      if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{name, {}, {}, {}});
-      curve->rows.push_back(row);
-      curve->x.push_back(*x);
-      curve->y.push_back(*y);
+      add_point(curves, name_curve(figure, i, name_values(rows.table(), row, axes)), row, *x, *y);
     }
-  std::ranges::for_each(curves, sort_points);
+  sort_points(curves);
   return curves;
 }
 
-// The beginning of a sentence about one curve: "200 objects: ", or "" for the only curve.
+// Begins a sentence about one curve: "200 objects: ", or "" for the only curve.
 std::string describe(const std::string& curve) { return curve.empty() ? "" : curve + ": "; }
 
 // ---- References: numbers from elsewhere ----
 
 double round_to(double value, double step) { return std::round(value / step) * step; }
 
-// The published value for each row of the table. Adds a note on those of points that were not run.
+// Finds the published value for each row of the table. Adds a note on those of points that were not
+// run.
 std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure& figure,
                                                   const Table& table) {
   const PlotSpec& spec = figure.spec;
-  const Table& reference = *figure.reference;
   std::vector<std::optional<double>> published(table.rows.size());
-  const auto matches = match_rows(reference, table, spec.keys);
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    for (const auto row : matches[i])
-      published[row] = as_number(reference.rows[i][*reference.find(spec.column)]);
-  if (auto note = note_missing(reference, spec.reference, spec.column, spec.keys, matches))
-    exhibit.notes.push_back(*note);
+  for (const auto& [row, value] : match_reference(
+           {*figure.reference, spec.reference, spec.column, spec.keys}, table, exhibit.notes))
+    published[row] = value;
   return published;
 }
 
 // Adds the published points beside curve `i`, and by how much the simulated ones are off.
-void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Curve& curve, std::size_t i,
+void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Series& curve, std::size_t i,
                    const std::vector<std::optional<double>>& published) {
   const auto name = (curve.name.empty() ? "" : curve.name + ", ") + spec.reference_name;
   Series reference{.name = name, .x = {}, .y = {}, .kind = SeriesKind::reference, .of = i};
@@ -142,7 +121,7 @@ void tell_differences(Exhibit& exhibit, const std::string& reference_name) {
 }
 
 void add_reference(Exhibit& exhibit, const Figure& figure, const Rows& rows,
-                   const std::vector<Curve>& curves) {
+                   const std::vector<Series>& curves) {
   const PlotSpec& spec = figure.spec;
   const auto published = find_published(exhibit, figure, rows.table());
   exhibit.differences.columns = {"series", spec.x, "predicted", spec.reference_name,
@@ -156,51 +135,58 @@ void add_reference(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Fits: laws through the curves ----
 
-// Fits the declared law; `growth` receives G(n) of each point where the law is Sun and Ni's.
-std::optional<Fit> fit_law(const Figure& figure, const Rows& rows, const Curve& curve,
-                           std::vector<double>& growth) {
-  switch (figure.spec.fit) {
-    case Law::amdahl:
-      return fit_amdahl(curve.x, curve.y);
-    case Law::gustafson:
-      return fit_gustafson(curve.x, curve.y);
-    case Law::sun_ni:
-      for (const auto row : curve.rows)
-        growth.push_back(rows.eval(*figure.growth, row).value_or(NAN));
-      return fit_sun_ni(curve.x, curve.y, growth);
-    case Law::log:
-      return fit_log(curve.x, curve.y);
-    case Law::none:
-      break;
-  }
-  return std::nullopt;
+// A law that may be fitted: its text in the key, its fit to a curve and its value at an x, with the
+// growth G(n) of each point where the law has one.
+struct FittedLaw {
+  const char* name;
+  std::optional<Fit> (*fit)(const Series& curve, const std::vector<double>& growth);
+  double (*eval)(const Fit& fit, double x, double growth);
+};
+
+double serial_of(const Fit& fit) { return fit.parameters[0].value; }
+
+const FittedLaw& find_law(Law law) {
+  using Growth = const std::vector<double>&;
+  static const std::map<Law, FittedLaw> LAWS = {
+      {Law::amdahl,
+       {"Amdahl's law (± 95 %)", [](const Series& c, Growth) { return fit_amdahl(c.x, c.y); },
+        [](const Fit& fit, double x, double) { return amdahl_speedup(serial_of(fit), x); }}},
+      {Law::gustafson,
+       {"Gustafson's law (± 95 %)", [](const Series& c, Growth) { return fit_gustafson(c.x, c.y); },
+        [](const Fit& fit, double x, double) { return gustafson_speedup(serial_of(fit), x); }}},
+      {Law::sun_ni,
+       {"Sun and Ni's law (± 95 %)",
+        [](const Series& c, Growth growth) { return fit_sun_ni(c.x, c.y, growth); },
+        [](const Fit& fit, double x, double g) { return sun_ni_speedup(serial_of(fit), x, g); }}},
+      {Law::log,
+       {"a + k log10 x (± 95 %)", [](const Series& c, Growth) { return fit_log(c.x, c.y); },
+        [](const Fit& fit, double x, double) {
+          return fit.parameters[0].value + fit.parameters[1].value * std::log10(x);
+        }}}};
+  return LAWS.at(law);
 }
 
-// The fitted law as a line: Sun and Ni's through the curve's x only, where its growth is known.
-Series draw_law(Law law, const Fit& fit, const Curve& curve, const std::vector<double>& growth,
-                bool log_x) {
+// Draws the fitted law as a line: one with growths through the curve's x only, where they are
+// known.
+Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
+                const std::vector<double>& growth, bool log_x) {
   constexpr int SAMPLES = 128;
   Series line{.name = "", .x = {}, .y = {}, .kind = SeriesKind::law};
-  const double first = fit.parameters[0].value;
-  if (law == Law::sun_ni) {
-    line.x = curve.x;
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-      line.y.push_back(sun_ni_speedup(first, curve.x[i], growth[i]));
-    return line;
-  }
+  const auto add = [&](double x, double g) {
+    line.x.push_back(x);
+    line.y.push_back(law.eval(fit, x, g));
+  };
+  for (std::size_t i = 0; i < growth.size(); ++i) add(curve.x[i], growth[i]);
+  if (!growth.empty()) return line;
   const double low = curve.x.front(), high = curve.x.back();
   for (int i = 0; i <= SAMPLES; ++i) {
     const double way = double(i) / SAMPLES;
-    const double x = log_x ? low * std::pow(high / low, way) : low + way * (high - low);
-    line.x.push_back(x);
-    line.y.push_back(law == Law::amdahl      ? amdahl_speedup(first, x)
-                     : law == Law::gustafson ? gustafson_speedup(first, x)
-                                             : first + fit.parameters[1].value * std::log10(x));
+    add(log_x ? low * std::pow(high / low, way) : low + way * (high - low), 0);
   }
   return line;
 }
 
-// A warning where the interval holds values that no serial fraction can have; else "".
+// Warns where the interval holds values that no serial fraction can have; else "".
 const char* judge_interval(const Estimate& p) {
   constexpr double EXACT = 1e-6;  // the points lie on the law, even with the fraction 0 or 1
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
@@ -219,7 +205,7 @@ void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
   }
 }
 
-// The result behind the curve's name in the key: "s = 0.0123 ± 0.0021".
+// Says the result behind the curve's name in the key: "s = 0.0123 ± 0.0021".
 std::string label_fit(const Fit& fit) {
   const auto& p = fit.parameters.back();
   const char* name = fit.parameters.size() > 1 ? "k" : "s";
@@ -229,31 +215,28 @@ std::string label_fit(const Fit& fit) {
   return fmt::format("{} = {:.{}f} ± {:.{}f}", name, p.value, digits, error, digits);
 }
 
-const char* name_law(Law law) {
-  return law == Law::amdahl      ? "Amdahl's law (± 95 %)"
-         : law == Law::gustafson ? "Gustafson's law (± 95 %)"
-         : law == Law::sun_ni    ? "Sun and Ni's law (± 95 %)"
-                                 : "a + k log10 x (± 95 %)";
-}
-
-// The first line alone stands in the key, with the law's name.
+// Adds the fitted laws; the first line alone stands in the key, with the law's name.
 void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
-              const std::vector<Curve>& curves) {
+              const std::vector<Series>& curves) {
   exhibit.fits.columns = {"series",   "law",     "parameter",      "value",
                           "low_95",   "high_95", "standard_error", "rms_residual",
                           "residual", "points"};
   exhibit.fits.axes = 1;
+  const FittedLaw& law = find_law(figure.spec.fit);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     std::vector<double> growth;
-    const auto fit = fit_law(figure, rows, curves[i], growth);
+    if (figure.growth)
+      for (const auto row : curves[i].rows)
+        growth.push_back(rows.eval(*figure.growth, row).value_or(NAN));
+    const auto fit = law.fit(curves[i], growth);
     if (!fit) {
       exhibit.notes.push_back(
           fmt::format("{}no law was fitted: too few points", describe(curves[i].name)));
       continue;
     }
-    auto line = draw_law(figure.spec.fit, *fit, curves[i], growth, exhibit.plot.log_x);
+    auto line = draw_law(law, *fit, curves[i], growth, exhibit.plot.log_x);
     line.of = i;
-    if (exhibit.fits.rows.empty()) line.name = name_law(figure.spec.fit);
+    if (exhibit.fits.rows.empty()) line.name = law.name;
     exhibit.plot.series.push_back(std::move(line));
     exhibit.plot.series[i].name += fmt::format(" ({})", label_fit(*fit));
     tell_fit(exhibit, curves[i].name, *fit);
@@ -262,8 +245,8 @@ void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Optima: where the curves are largest ----
 
-// What a curve does after its largest value. A fall by less than a hundredth does not count.
-std::string describe_after(const Curve& curve, std::size_t best, bool& falls) {
+// Says what a curve does after its largest value. A fall by less than a hundredth does not count.
+std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   constexpr double LEVEL = 0.01;
   const double most = curve.y[best];
   const double least_after =
@@ -277,15 +260,15 @@ std::string describe_after(const Curve& curve, std::size_t best, bool& falls) {
   return fmt::format("still rising at {:g}", curve.x.back());
 }
 
-// The first mark alone stands in the key.
-void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Curve>& curves) {
+// Adds marks; the first alone stands in the key.
+void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series>& curves) {
   const auto& y = figure.spec.y;
   const std::string of_y = y.size() == 1 && base::Formula::is_name(y[0]) ? y[0] : "y";
   exhibit.optima.columns = {"series", "largest_" + of_y, "at_" + figure.spec.x, "then"};
   exhibit.optima.axes = 1;
   bool is_first = true;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Curve& curve = curves[i];
+    const Series& curve = curves[i];
     const auto best = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
     bool falls = false;
     const auto after = describe_after(curve, best, falls);
@@ -304,7 +287,7 @@ void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Curve>
 
 // ---- The figure ----
 
-// "Time per ray" for a column; a label that was given stays as it is.
+// Makes "Time per ray" of a column; a label that was given stays as it is.
 std::string title_of(const std::string& label, bool is_column) {
   auto title = without_unit(label);
   if (is_column && !title.empty())
@@ -324,7 +307,7 @@ void choose_scales(Plot& plot, const PlotSpec& spec) {
   if (!plot.log_y && std::ranges::min(y) >= 0) plot.y_min = 0;
 }
 
-Plot make_plot(const Figure& figure, const std::vector<Curve>& curves) {
+Plot make_plot(const Figure& figure, const std::vector<Series>& curves) {
   const PlotSpec& spec = figure.spec;
   Plot plot;
   plot.name = spec.name;
@@ -333,11 +316,9 @@ Plot make_plot(const Figure& figure, const std::vector<Curve>& curves) {
   plot.title = spec.title.empty() ? title_of(plot.y_label, spec.y_label.empty()) : spec.title;
   plot.ideal_line = spec.ideal;
   const bool is_alone = !spec.ideal && !figure.reference && spec.fit == Law::none;
-  for (const auto& curve : curves)
-    plot.series.push_back(
-        {.name = curve.name.empty() && !is_alone ? without_unit(plot.y_label) : curve.name,
-         .x = curve.x,
-         .y = curve.y});
+  plot.series = curves;
+  for (auto& curve : plot.series)
+    if (curve.name.empty() && !is_alone) curve.name = without_unit(plot.y_label);
   choose_scales(plot, spec);
   return plot;
 }

@@ -8,7 +8,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
-#include "experiments/laboratory/setup/network_setup.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
 namespace laboratory {
@@ -17,7 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// The busy share of the time, from 0 to 1; rounding may have led a hair beyond.
+// Reads the busy share of the time, from 0 to 1; rounding may have led a hair beyond.
 double busy(const ordered_json& of, const std::string& name) {
   return std::clamp(of.at(name).at("busy").get<double>(), 0.0, 1.0);
 }
@@ -27,7 +27,7 @@ std::array<double, 2> both_ways(const ordered_json& links, const std::string& a,
   return {busy(links, a + ">" + b), busy(links, b + ">" + a)};
 }
 
-// The name of a worker in a record, from its processor.
+// Names the worker of a processor as records do.
 std::string worker(int id) { return fmt::format("worker{}", id + 1); }
 
 // Removes the link that the farm opens where the root has no free one: the record lacks it.
@@ -62,7 +62,7 @@ std::string draw(const Point& point, const ordered_json& use) {
   return to_load_svg(topology, loads);
 }
 
-// "topology-tree-workers-16" from the axes, else the name of the topology.
+// Makes "topology-tree-workers-16" of the axes; without axes it is the name of the topology.
 std::string file_name(const Point& point) {
   std::string name;
   for (const auto& at : point.at) name += "-" + at.axis + "-" + to_string(to_value(at));

@@ -27,21 +27,13 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
     if (!is_complete_row(table, table.rows[row])) continue;  // cut short: half a result
     const auto at = as_number(table.rows[row][x]), value = as_number(table.rows[row][y]);
     if (!at || !value || !std::isfinite(*at) || !std::isfinite(*value)) continue;
-    auto name = name_values(table, row, others);
-    auto series = std::ranges::find(all, name, &Series::name);
-    if (series == all.end()) series = all.insert(all.end(), Series{.name = name, .x = {}, .y = {}});
-    series->x.push_back(*at);
-    series->y.push_back(*value);
+    add_point(all, name_values(table, row, others), row, *at, *value);
   }
-  for (auto& series : all) {
-    const auto order = order_of(series.x);
-    series.x = pick(series.x, order);
-    series.y = pick(series.y, order);
-  }
+  sort_points(all);
   return all;
 }
 
-// The plot of column y on linear scales; it has no series where y has no values.
+// Makes the plot of column y on linear scales; it has no series where y has no values.
 Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   Plot plot;
   plot.name = table.columns[y];
@@ -51,7 +43,7 @@ Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   return plot;
 }
 
-// The axes that take one value only, with that value.
+// Names the axes that take one value only, with that value.
 std::string name_constants(const Table& table) {
   if (table.rows.empty()) return {};
   std::vector<std::size_t> constant;
@@ -78,11 +70,29 @@ std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& r
   return axes;
 }
 
-std::vector<std::size_t> order_of(const std::vector<double>& numbers) {
-  std::vector<std::size_t> order(numbers.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i]; });
-  return order;
+void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
+               double y) {
+  auto series = std::ranges::find(all, name, &Series::name);
+  if (series == all.end()) series = all.insert(all.end(), Series{.name = name, .x = {}, .y = {}});
+  series->x.push_back(x);
+  series->y.push_back(y);
+  series->rows.push_back(row);
+}
+
+void sort_points(std::vector<Series>& all) {
+  for (auto& series : all) {
+    std::vector<std::size_t> order(series.x.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return series.x[i]; });
+    const auto pick = [&](auto& values) {
+      auto picked = values;
+      for (std::size_t i = 0; i < order.size(); ++i) picked[i] = values[order[i]];
+      values = picked;
+    };
+    pick(series.x);
+    pick(series.y);
+    pick(series.rows);
+  }
 }
 
 bool wants_log_x(const std::string& column, const std::vector<double>& values) {

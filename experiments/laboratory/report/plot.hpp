@@ -21,10 +21,10 @@ struct Series {
   std::string name;          ///< text in the key; "" leaves it out of the key
   std::vector<double> x, y;  ///< of equal length; points that are not finite are left out
   SeriesKind kind = SeriesKind::curve;
-  /// Index among the plot's curves of the one whose colour and symbol this series wears, unless it
-  /// is a curve itself. Not given: the curve whose name it contains ("3200 objects, thesis"), else
-  /// the curve at the same place among the series that are no curves.
-  std::optional<std::size_t> of = {};
+  /// Index, among the plot's curves, of the one that this series belongs to: it has that curve's
+  /// colour and symbol. It means nothing for a curve.
+  std::size_t of = 0;
+  RowList rows = {};  ///< of the table, where the points of a curve come from one
 };
 
 struct Plot {
@@ -53,20 +53,16 @@ std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>&
 /// smallest, for workers 32 times.
 bool wants_log_x(const std::string& column, const std::vector<double>& values);
 
-/// The axes whose values tell the series over x apart: those that vary in these rows, but neither
+/// The axes that tell the series over x apart: those that vary in these rows, but neither
 /// make up x nor follow from it. `x` are the axes that x is made of.
 std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& rows,
                                             const std::vector<std::size_t>& x);
 
-/// The indices of these numbers in ascending order; equal numbers keep their order.
-std::vector<std::size_t> order_of(const std::vector<double>& numbers);
+/// Adds a point of a row to the series of that name, which is made where there is none.
+void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
+               double y);
 
-/// The values at these indices, in the order of the indices.
-template <class T>
-std::vector<T> pick(const std::vector<T>& values, const std::vector<std::size_t>& indices) {
-  std::vector<T> picked;
-  for (const auto index : indices) picked.push_back(values[index]);
-  return picked;
-}
+/// Sorts the points of each series by x; equal ones keep their order.
+void sort_points(std::vector<Series>& all);
 
 }  // namespace laboratory

@@ -3,19 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <kainjow/mustache.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "experiments/laboratory/report/report_files.hpp"
+
 namespace laboratory {
 namespace {
+
+namespace mustache = kainjow::mustache;
 
 struct Point {
   double x, y;
 };
 
-// The points of a series that can be drawn where y is logarithmic or linear.
+// Finds the points of a series that can be drawn where y is logarithmic or linear.
 std::vector<Point> drawn_points(const Plot& plot, const Series& s, bool log_y) {
   if (s.x.size() != s.y.size())
     throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
@@ -37,21 +41,11 @@ std::vector<Point> lower_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, false);
 }
 
+// Makes a data block such as $data0.
 std::string make_data_block(const std::string& name, const std::vector<Point>& points) {
   auto text = fmt::format("${} << END\n", name);
   for (const auto& point : points) text += fmt::format("{} {}\n", point.x, point.y);
   return text + "END\n";
-}
-
-// The series as $data0, $data1, ..., the differences as $difference0, ...
-std::string make_data(const Plot& plot) {
-  std::string text;
-  for (std::size_t i = 0; i < plot.series.size(); ++i)
-    text += make_data_block(fmt::format("data{}", i), upper_points(plot, plot.series[i]));
-  for (std::size_t i = 0; i < plot.differences.size(); ++i)
-    text +=
-        make_data_block(fmt::format("difference{}", i), lower_points(plot, plot.differences[i]));
-  return text;
 }
 
 struct Extent {
@@ -132,7 +126,7 @@ std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   return fmt::format("set yrange [{}:{}]\n", low, high);
 }
 
-// Ticks at 1, 2 and 5 times the powers of ten where at most two and a half decades are shown:
+// Makes ticks at 1, 2 and 5 times the powers of ten where at most two and a half decades are shown:
 // powers of ten alone would say little there.
 std::string make_log_ticks(double low, double high) {
   if (high > 300 * low) return {};
@@ -156,7 +150,7 @@ std::string make_y_range(const Plot& plot, const Axes& axes) {
          (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
 }
 
-// 1, 2 or 5 times a power of ten: the least of these steps of which at most `most` fit a length.
+// Chooses 1, 2 or 5 times a power of ten: the least step of which at most `most` fit a length.
 double choose_step(double length, double most) {
   const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1, 2, 5})
@@ -182,44 +176,6 @@ constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
 constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
 constexpr const char* DASHES[] = {"solid", "(12,6)", "(3,5)", "(12,5,3,5)", "(12,4,3,4,3,4)"};
 
-bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.'; }
-
-// "3200 objects, thesis" contains the words "3200 objects" but not "200 objects".
-bool contains_words(const std::string& text, const std::string& words) {
-  if (words.empty()) return false;
-  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
-    const auto end = at + words.size();
-    const bool begins = at == 0 || !is_word_character(text[at - 1]);
-    if (begins && (end == text.size() || !is_word_character(text[end]))) return true;
-  }
-  return false;
-}
-
-// The look of the curve with the longest name that `name` contains, else `fallback`.
-std::size_t find_look(const std::vector<std::string>& curves, const std::string& name,
-                      std::size_t fallback) {
-  std::size_t look = fallback, longest = 0;
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    if (curves[i].size() > longest && contains_words(name, curves[i]))
-      look = i, longest = curves[i].size();
-  return look;
-}
-
-// The number of each series' look: that of a curve is its place among the curves.
-std::vector<std::size_t> choose_looks(const Plot& plot) {
-  std::vector<std::string> curves;
-  for (const auto& series : plot.series)
-    if (series.kind == SeriesKind::curve) curves.push_back(series.name);
-  std::vector<std::size_t> looks;
-  std::size_t curve = 0, other = 0;
-  for (const auto& series : plot.series)
-    if (series.kind == SeriesKind::curve)
-      looks.push_back(curve++);
-    else
-      looks.push_back(series.of ? *series.of : find_look(curves, series.name, other++));
-  return looks;
-}
-
 std::string make_style(SeriesKind kind, std::size_t look) {
   const auto colour = fmt::format("linecolor rgb '{}'", COLOURS[look % std::size(COLOURS)]);
   const auto shape = look % std::size(FILLED);
@@ -238,42 +194,50 @@ std::string make_style(SeriesKind kind, std::size_t look) {
   return "with points linecolor rgb '#000000' linewidth 1.5 pointtype 6 pointsize 2.4";
 }
 
-// What the command `plot` draws in the upper panel.
-std::string make_curves(const Plot& plot) {
+// What the command `plot` draws in one panel, and the data blocks that it draws from.
+struct Panel {
   std::vector<std::string> curves;
+  std::string data;
+
+  void add(const std::string& name, const std::vector<Point>& points, const std::string& style,
+           const std::string& title) {
+    if (points.empty()) return;
+    data += make_data_block(name, points);
+    curves.push_back(fmt::format("${} {} {}", name, style, title));
+  }
+  std::string join() const { return join_texts(curves, ", \\\n     "); }
+};
+
+Panel make_upper(const Plot& plot) {
+  Panel panel;
   if (plot.ideal_line)
-    curves.push_back(
+    panel.curves.push_back(
         "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
-  const auto looks = choose_looks(plot);
+  std::size_t curve = 0;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
-    if (upper_points(plot, s).empty()) continue;
-    const auto title = s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.name);
-    curves.push_back(fmt::format("$data{} {} {}", i, make_style(s.kind, looks[i]), title));
+    const auto look = s.kind == SeriesKind::curve ? curve++ : s.of;
+    panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look),
+              s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.name));
   }
-  return join_texts(curves, ", \\\n     ");
+  return panel;
 }
 
-// What it draws in the lower panel.
-std::string make_difference_curves(const Plot& plot) {
-  std::vector<std::string> curves{
-      "0 with lines linecolor rgb '#707070' linewidth 1 dashtype solid notitle"};
-  for (std::size_t i = 0; i < plot.differences.size(); ++i)
-    curves.push_back(
-        fmt::format("$difference{} {} notitle", i,
-                    make_style(SeriesKind::curve, plot.differences[i].of.value_or(i))));
-  return join_texts(curves, ", \\\n     ");
+Panel make_lower(const Plot& plot) {
+  Panel panel;
+  panel.curves.push_back("0 with lines linecolor rgb '#707070' linewidth 1 dashtype solid notitle");
+  for (std::size_t i = 0; i < plot.differences.size(); ++i) {
+    const Series& s = plot.differences[i];
+    panel.add(fmt::format("difference{}", i), lower_points(plot, s),
+              make_style(SeriesKind::curve, s.of), "notitle");
+  }
+  return panel;
 }
 
 // Heights in pixels of a drawing 800 wide, from the bottom: key, x label and numbers, lower panel
 // with the gap above it, upper panel, title.
 constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
               ABOVE = 50;
-
-std::size_t count_characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](unsigned char c) { return (c & 0xc0) != 0x80; }));
-}
 
 // Columns are at most those that gnuplot makes by itself, so that lines can be counted.
 struct Key {
@@ -284,54 +248,24 @@ Key arrange_key(const Plot& plot) {
   std::size_t entries = plot.ideal_line ? 1 : 0, longest = 5;
   for (const auto& series : plot.series) {
     entries += !series.name.empty();
-    longest = std::max(longest, count_characters(series.name));
+    longest = std::max(longest, width_of(series.name));
   }
   const auto columns = std::max<std::size_t>(1, 700 / (90 + 10 * longest));
   const auto lines = (entries + columns - 1) / columns;
   return {static_cast<int>(lines), static_cast<int>(columns)};
 }
 
-std::string make_key(const Plot& plot) {
-  const Key key = arrange_key(plot);
-  const double top = KEY_MARGIN + KEY_LINE * key.lines;
-  return fmt::format(
-      "set key at screen 0.535,{:.4f} center top horizontal Left reverse samplen 4 maxcols {} "
-      "noenhanced\n",
-      top / choose_height(plot), key.columns);
-}
-
-// The title in a smaller font the longer it is, so that it is not cut off.
-std::string make_title(const std::string& title) {
+// Chooses the font size at which a title is not cut off: the longer, the smaller.
+std::string choose_title_size(const std::string& title) {
   constexpr double LARGEST = 17, FITS = 58;  // points, and the characters that fit at that size
   const double size = std::min(LARGEST, LARGEST * FITS / static_cast<double>(title.size() + 1));
-  return fmt::format("set title {} font ',{:.3g}' offset 0,-0.3\n", quote_for_gnuplot(title), size);
-}
-
-std::string make_x_label(const Plot& plot) {
-  return fmt::format("set xlabel {} offset 0,0.6\n", quote_for_gnuplot(plot.x_label));
-}
-
-std::string make_y_label(const std::string& label) {
-  return fmt::format("set ylabel {}\n", quote_for_gnuplot(label));
-}
-
-// Lower and upper edge of a panel in pixels above the drawing's lower edge.
-std::string make_margins(const Plot& plot, int bottom, int top) {
-  const double height = choose_height(plot);
-  return fmt::format("set bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
-                     bottom / height, top / height);
-}
-
-std::string make_look(const Plot& plot, const Axes& axes) {
-  return "set border 3 linecolor rgb '#404040'\nset tics nomirror out scale 0.6\n"
-         "set format '%h'\nset xtics offset 0,0.2\nset grid linetype 1 linecolor rgb '#d8d8d8' "
-         "linewidth 0.8\nset rmargin at screen 0.975\n" +
-         make_scales(plot, axes) + make_x_range(plot, axes.x) + make_x_ticks(plot, axes, true);
+  return fmt::format("{:.3g}", size);
 }
 
 }  // namespace
 
-// In double quotes, since gnuplot misreads single quotes at the beginning of a text in single ones.
+// Uses double quotes, since gnuplot misreads single quotes at the beginning of a text in single
+// ones.
 std::string quote_for_gnuplot(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -360,24 +294,36 @@ std::string make_gnuplot_script(const Plot& plot) {
   if (!has_points(plot))
     throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
   const Axes axes = measure_axes(plot);
+  const Panel upper = make_upper(plot), lower = make_lower(plot);
   const int bottom = choose_height(plot) - ABOVE - UPPER;  // of the upper panel
-  const bool has_lower = !plot.differences.empty();
-
-  std::string text = "reset\nset encoding utf8\nset samples 400\n" + make_data(plot) +
-                     make_look(plot, axes) + make_title(plot.title) + make_key(plot) +
-                     make_y_label(plot.y_label) + make_y_range(plot, axes);
-  if (has_lower)
-    text += "set multiplot\nset lmargin at screen 0.13\nset format x ''\n" +
-            make_x_ticks(plot, axes, false);
-  else
-    text += make_x_label(plot);
-  text += make_margins(plot, bottom, bottom + UPPER) + "plot " + make_curves(plot) + "\n";
-  if (!has_lower) return text;
-  return text + "unset title\nunset key\nset format x '%h'\nunset logscale y\n" +
-         make_x_label(plot) + make_x_ticks(plot, axes, true) + make_y_label(plot.difference_label) +
-         make_difference_range(axes.difference) +
-         make_margins(plot, bottom - GAP - LOWER, bottom - GAP) + "plot " +
-         make_difference_curves(plot) + "\nunset multiplot\n";
+  const Key key = arrange_key(plot);
+  const auto edge = [&](int pixels) {
+    return fmt::format("{:.4f}", pixels / static_cast<double>(choose_height(plot)));
+  };
+  mustache::object page = {{"data", upper.data + lower.data},
+                           {"scales", make_scales(plot, axes)},
+                           {"x_range", make_x_range(plot, axes.x)},
+                           {"x_ticks", make_x_ticks(plot, axes, true)},
+                           {"title", quote_for_gnuplot(plot.title)},
+                           {"title_size", choose_title_size(plot.title)},
+                           {"key_top", edge(KEY_MARGIN + KEY_LINE * key.lines)},
+                           {"key_columns", std::to_string(key.columns)},
+                           {"x_label", quote_for_gnuplot(plot.x_label)},
+                           {"y_label", quote_for_gnuplot(plot.y_label)},
+                           {"y_range", make_y_range(plot, axes)},
+                           {"bottom", edge(bottom)},
+                           {"top", edge(bottom + UPPER)},
+                           {"curves", upper.join()},
+                           {"lower", !plot.differences.empty()},
+                           {"x_marks", make_x_ticks(plot, axes, false)},
+                           {"lower_label", quote_for_gnuplot(plot.difference_label)},
+                           {"lower_range", make_difference_range(axes.difference)},
+                           {"lower_bottom", edge(bottom - GAP - LOWER)},
+                           {"lower_top", edge(bottom - GAP)},
+                           {"lower_curves", lower.join()}};
+  mustache::mustache script(PLOT_TEMPLATE);
+  script.set_custom_escape([](const std::string& text) { return text; });
+  return script.render(page);
 }
 
 }  // namespace laboratory

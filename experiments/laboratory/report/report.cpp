@@ -7,6 +7,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/report/embed.hpp"
 #include "experiments/laboratory/report/report_files.hpp"
@@ -19,7 +20,7 @@ using mustache::data, mustache::object;
 
 data make_list() { return data(data::type::list); }
 
-// What `make` makes of each element.
+// Lists what `make` makes of each element.
 template <class T, class Make>
 data make_list(const std::vector<T>& elements, Make make) {
   data list = make_list();
@@ -75,15 +76,13 @@ data make_table(const Table& table, const std::vector<std::string>& columns) {
   return made;
 }
 
-data make_whole_table(const Table& table) { return make_table(table, {}); }
-
 data make_part(const Report::Part& part) {
   auto tables = part.tables;
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   data made;
   made["heading"] = part.heading;
   made["notes"] = make_texts(part.notes);
-  made["tables"] = make_list(tables, make_whole_table);
+  made["tables"] = make_list(tables, [](const Table& t) { return make_table(t, {}); });
   return made;
 }
 
@@ -160,19 +159,6 @@ void add_text(data& page, const char* name, const std::string& text) {
   if (!text.empty()) page[name] = text;
 }
 
-// HTML has no control characters but line ends and tabs.
-std::string escape(const std::string& text) {
-  std::string escaped;
-  for (const char c : mustache::html_escape(text)) {
-    const auto code = static_cast<unsigned char>(c);
-    if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7f)
-      escaped += "\xef\xbf\xbd";
-    else
-      escaped += c;
-  }
-  return escaped;
-}
-
 }  // namespace
 
 std::string make_report(const Report& report) {
@@ -194,7 +180,7 @@ std::string make_report(const Report& report) {
   add_text(page, "command", report.command);
   add_section(page, "model", make_list(report.model, make_entry));
   mustache::mustache whole(REPORT_TEMPLATE);
-  whole.set_custom_escape(escape);
+  whole.set_custom_escape([](const std::string& text) { return base::escape_xml(text); });
   auto html = whole.render(page);
   if (!whole.is_valid()) throw base::InvariantBroken("report.mustache: " + whole.error_message());
   return html;

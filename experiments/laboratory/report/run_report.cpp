@@ -20,8 +20,7 @@
 #include "experiments/laboratory/report/plot.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
-#include "experiments/laboratory/setup/network_setup.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 
 namespace laboratory {
 namespace {
@@ -33,14 +32,7 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 
 // ---- What is shown of a program ----
 
-// What the page shows of a program beside its figures.
-struct View {
-  Facts facts;
-  Texts shown_columns, load_columns;  // as in Report
-  std::vector<Plot> plots;            // of an experiment that declares none
-};
-
-// The values that an axis takes, or the one value of a key that is not swept.
+// Lists the values that an axis takes, or the one value of a key that is not swept.
 std::string values_of(const ExperimentFile& file, const char* axis, const std::string& value) {
   Texts values;
   for (const auto& point : file.points)
@@ -51,7 +43,8 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   return values.empty() ? value : join_texts(values, ", ");
 }
 
-// The parameters of the program: all, or only those that are axes or differ from their defaults.
+// Adds the parameters of the program: all, or only those that are axes or differ from their
+// defaults.
 void add_parameters(Facts& facts, const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   for (const auto& p : e.program->parameters) {
@@ -78,35 +71,31 @@ Facts make_facts(const ExperimentFile& file) {
   return facts;
 }
 
-// The axes and those of the names that are columns.
+// Chooses the axes, and those of the names that are columns.
 Texts choose_columns(const Table& table, std::initializer_list<const char*> names) {
-  Texts chosen(table.columns.begin(),
-               table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
+  Texts chosen = axis_names(table);
   for (const char* name : names)
     if (table.find(name)) chosen.push_back(name);
   return chosen;
 }
 
-View view_farm(const ExperimentFile& file, const Table& table) {
-  return {
-      make_facts(file),
-      choose_columns(table, {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
-                             "cpu_busy_worker_mean", "cpu_busy_coordinator", "cpu_busy_database",
-                             "link_busy_max", "bottleneck"}),
-      choose_columns(table, {"time_s", "mean_distance", "mean_depth", "messages_sent", "bytes_sent",
-                             "cpu_busiest", "cpu_busy_max", "link_busiest", "link_busy_max",
-                             "bottleneck", "busiest", "busiest_busy", "next_busiest", "next_busy"}),
-      make_plots(table)};
+// Chooses the columns of a second table.
+Texts load_columns(const ExperimentFile& file, const Table& table) {
+  if (!is_farm(file)) return {};
+  return choose_columns(
+      table, {"time_s", "mean_distance", "mean_depth", "messages_sent", "bytes_sent", "cpu_busiest",
+              "cpu_busy_max", "link_busiest", "link_busy_max", "bottleneck", "busiest",
+              "busiest_busy", "next_busiest", "next_busy"});
 }
 
-View view_program(const ExperimentFile& file, const Table& table) {
-  if (is_farm(file)) return view_farm(file, table);
-  return {make_facts(file), table.columns, {}, make_plots(table, first_result(file, table))};
+// Makes the plots of an experiment that declares none.
+std::vector<Plot> usual_plots(const ExperimentFile& file, const Table& table) {
+  return is_farm(file) ? make_plots(table) : make_plots(table, first_result(file, table));
 }
 
 // ---- What a run adds to the page ----
 
-// All entries of the first model; those of the others that differ from it.
+// Lists all entries of the first model, and those of the others that differ from it.
 std::vector<Report::ModelRow> model_rows(const std::vector<machine::Model>& models) {
   std::vector<Report::ModelRow> rows;
   for (const auto& model : models)
@@ -140,7 +129,7 @@ void save_unless_empty(const fs::path& file, const Table& table) {
   if (!table.rows.empty()) base::save_whole(file, to_csv(table));
 }
 
-// The declared figures and the answers, where some point came to its end.
+// Adds the declared figures and the answers, where some point came to its end.
 std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const Simulation& s) {
   const auto plan = plan_checks(s.file);
   if (std::ranges::none_of(s.table.rows,
@@ -195,7 +184,10 @@ std::string title_of(const ExperimentFile& file) {
 }
 
 std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table) {
-  return view_program(file, table).shown_columns;
+  if (!is_farm(file)) return table.columns;
+  return choose_columns(
+      table, {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency", "cpu_busy_worker_mean",
+              "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max", "bottleneck"});
 }
 
 void write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
@@ -203,15 +195,14 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   report.title = title_of(s.file);
   report.question = s.file.points[0].experiment.question;
   report.table = s.table;
-  const View view = view_program(s.file, s.table);
-  report.shown_columns = view.shown_columns;
-  report.load_columns = view.load_columns;
-  report.facts = view.facts;
+  report.shown_columns = shown_columns(s.file, s.table);
+  report.load_columns = load_columns(s.file, s.table);
+  report.facts = make_facts(s.file);
   report.facts.push_back({"Points", fmt::format("{}", s.file.points.size())});
   report.facts.push_back({"Ended", s.ended});
   auto exhibits = add_figures(report, folder, s);
   if (s.file.plots.empty())
-    for (const auto& plot : view.plots) exhibits.push_back({.plot = plot});
+    for (const auto& plot : usual_plots(s.file, s.table)) exhibits.push_back({.plot = plot});
   add_plots(report, folder / "plots", exhibits);
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);

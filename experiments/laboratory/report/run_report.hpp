@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/laboratory/points/run_options.hpp"
+#include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/report/simulation.hpp"
 
 namespace laboratory {

@@ -2,14 +2,13 @@
 
 #include <map>
 #include <ostream>
-#include <set>
 
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/machine/engine.hpp"
 
 namespace laboratory {
@@ -18,34 +17,30 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-ordered_json model_json(const machine::Model& model) {
-  ordered_json entries;
-  for (const auto& e : model.entries)
-    entries[e.key] = {{"value", e.value},
-                      {"unit", e.unit},
-                      {"provenance", machine::to_string(e.provenance)},
-                      {"source", e.source}};
-  ordered_json calibrated = ordered_json::array();
-  for (const auto& e : model.entries)
-    if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
-  return {{"name", model.name}, {"calibrated", calibrated}, {"entries", entries}};
-}
-
 ordered_json models_json(const ExperimentFile& file) {
   ordered_json models = ordered_json::array();
-  for (const auto& model : models_of(file)) models.push_back(model_json(model));
+  for (const auto& model : models_of(file)) {
+    ordered_json entries, calibrated = ordered_json::array();
+    for (const auto& e : model.entries) {
+      entries[e.key] = {{"value", e.value},
+                        {"unit", e.unit},
+                        {"provenance", machine::to_string(e.provenance)},
+                        {"source", e.source}};
+      if (e.provenance == machine::Provenance::calibrated) calibrated.push_back(e.key);
+    }
+    models.push_back({{"name", model.name}, {"calibrated", calibrated}, {"entries", entries}});
+  }
   return models;
 }
 
-// A hash of each scene, network, table of routes or other input that is a file.
+// Hashes each scene, network, table of routes or other input that is a file.
 ordered_json inputs_json(const ExperimentFile& file) {
-  std::set<std::string> paths;
+  std::map<std::string, std::string> hashes;
   for (const auto& point : file.points)
     for (const auto& path : files_of(point.experiment))
-      if (fs::is_regular_file(path)) paths.insert(path);
-  ordered_json inputs = ordered_json::object();
-  for (const auto& path : paths) inputs[path] = hash_of(base::read_text(path));
-  return inputs;
+      if (fs::is_regular_file(path) && !hashes.contains(path))
+        hashes[path] = hash_of(base::read_text(path));
+  return hashes;
 }
 
 ordered_json speeds_json(const HostSpeeds& speeds) {
@@ -75,7 +70,7 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   return point;
 }
 
-// The images of a point, as run.json has placed them.
+// Reads the images of a point, as run.json has placed them.
 std::vector<SavedImage> read_images(const ordered_json& point) {
   std::vector<SavedImage> images;
   for (const auto& json : point.value("images", ordered_json::array())) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "experiments/laboratory/judge/check_results.hpp"
+#include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
-#include "experiments/laboratory/points/run_options.hpp"
 #include "experiments/laboratory/setup/host_speed.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
@@ -23,7 +23,7 @@ struct Simulation {
   std::vector<CheckResult> checks;
   std::string ended;      ///< why the run ended, a sentence
   bool complete = false;  ///< every point was run to its end
-  std::size_t there = 0;  ///< number of points whose results were there before
+  std::size_t there = 0;  ///< number of points that had results before
   double wall_s = 0;
 };
 

@@ -7,19 +7,18 @@
 #include <vector>
 
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 #include "renderer/files/load.hpp"
 #include "simulator/farm/farm.hpp"
 
 namespace laboratory {
-
 namespace {
 
 constexpr const char* SCENE = "spheres:800";
 constexpr int SIZE = 32, REPEATS = 5;  // pixels a side
 
-// A farm of one worker: the kernel is measured where it will run, between the events of a
-// simulation, whose data share the host's caches with its own.
+// Runs a farm of one worker: the kernel is measured where it will run, between the events of a
+// simulation, which share the host's caches with it.
 std::string measure_once(const machine::Model& model) {
   farm::Params params;
   params.image.width = params.image.height = SIZE;
@@ -31,8 +30,12 @@ std::string measure_once(const machine::Model& model) {
 
 HostSpeed measure(const machine::Model& model) {
   std::vector<double> speeds;
-  for (const auto& text : run_jobs(REPEATS, 1, [&](std::size_t) { return measure_once(model); }))
-    speeds.push_back(std::strtod(text.c_str(), nullptr));
+  for_each_job(
+      REPEATS, 1, [&](std::size_t) { return measure_once(model); },
+      [&](const JobEnd& end) {
+        if (!end.died.empty()) throw Failure("measuring the host: " + end.died, 1);
+        speeds.push_back(std::strtod(end.result.c_str(), nullptr));
+      });
   if (was_interrupted()) throw Interrupted();
   std::ranges::sort(speeds);
   const double median = speeds[REPEATS / 2];

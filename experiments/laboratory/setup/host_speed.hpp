@@ -7,15 +7,15 @@
 
 namespace laboratory {
 
-// The counted cycles of the kernel over a fixed workload, by the host time they take; repeated.
+/// The counted cycles of the kernel over a fixed workload, by the host time they take; repeated.
 struct HostSpeed {
-  double cycles_per_host_s = 0;  // the median
-  double spread = 0;             // largest less smallest, over the median
+  double cycles_per_host_s = 0;  ///< the median
+  double spread = 0;             ///< largest less smallest, over the median
   int repeats = 0;
 };
-using HostSpeeds = std::map<std::string, HostSpeed>;  // by model_key
+using HostSpeeds = std::map<std::string, HostSpeed>;  ///< by model_key
 
-// Measures for each model of the points with cost = "timed", and sets their farm.cycles_per_host_s.
+/// Measures each model of the points with cost = "timed", and sets their cycles_per_host_s.
 HostSpeeds measure_host(ExperimentFile& file);
 
 }  // namespace laboratory

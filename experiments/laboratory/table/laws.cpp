@@ -22,7 +22,7 @@ struct Points {
 
 bool is_good(double value) { return std::isfinite(value) && value > 0; }
 
-// The points with a processor to share the work with: n = 1 fits any serial fraction.
+// Chooses the points with a processor to share the work with: n = 1 fits any serial fraction.
 Points choose_points(const std::vector<double>& n, const std::vector<double>& speedup,
                      const std::vector<double>& growth) {
   base::check_equal("points of a fit", speedup.size(), n.size());
@@ -47,19 +47,30 @@ double root_mean(double sum, std::size_t points) {
   return std::sqrt(std::max(0.0, sum) / static_cast<double>(points));
 }
 
-// The serial fraction s of y = s (1 - 1/n).
+Fit make_share_fit(const std::string& law, const std::string& minimised, std::size_t points,
+                   double serial, double variance, double squares) {
+  return {law,
+          {make_estimate("serial fraction", serial, variance, points - 1)},
+          minimised,
+          root_mean(squares, points),
+          points};
+}
+
+// Fits the serial fraction s of y(n, S) = s (1 - 1/n).
 std::optional<Fit> fit_share(const std::string& law, const std::string& minimised,
-                             const std::vector<double>& n, const std::vector<double>& y) {
-  if (n.size() < 2) return std::nullopt;
-  std::vector<double> shared;
-  for (const double processors : n) shared.push_back(1 - 1 / processors);
+                             const std::vector<double>& n, const std::vector<double>& speedup,
+                             double (*y)(double n, double speedup)) {
+  const auto points = choose_points(n, speedup, std::vector<double>(n.size(), 1));
+  const auto count = points.n.size();
+  if (count < 2) return std::nullopt;
+  std::vector<double> shared, measured;
+  for (std::size_t i = 0; i < count; ++i) {
+    shared.push_back(1 - 1 / points.n[i]);
+    measured.push_back(y(points.n[i], points.speedup[i]));
+  }
   double serial = 0, variance = 0, squares = 0;
-  gsl_fit_mul(shared.data(), 1, y.data(), 1, n.size(), &serial, &variance, &squares);
-  return Fit{law,
-             {make_estimate("serial fraction", serial, variance, n.size() - 1)},
-             minimised,
-             root_mean(squares, n.size()),
-             n.size()};
+  gsl_fit_mul(shared.data(), 1, measured.data(), 1, count, &serial, &variance, &squares);
+  return make_share_fit(law, minimised, count, serial, variance, squares);
 }
 
 using Residual = std::function<double(double parameter, std::size_t i)>;
@@ -88,7 +99,7 @@ struct QuietErrors {
   ~QuietErrors() { gsl_set_error_handler(before); }
 };
 
-// The parameter at which the sum of the squares of `residual(parameter, i)`, i from 0 to
+// Finds the parameter at which the sum of the squares of `residual(parameter, i)`, i from 0 to
 // points - 1, is least, iterated from `start`; at least two points. The variance is that of the
 // residuals, over points - 1, carried through the slope there. None where the iteration does not
 // settle.
@@ -146,19 +157,13 @@ std::optional<double> serial_gustafson(double n, double speedup) {
 }
 
 std::optional<Fit> fit_amdahl(const std::vector<double>& n, const std::vector<double>& speedup) {
-  const auto points = choose_points(n, speedup, std::vector<double>(n.size(), 1));
-  std::vector<double> y;
-  for (std::size_t i = 0; i < points.n.size(); ++i)
-    y.push_back(1 / points.speedup[i] - 1 / points.n[i]);
-  return fit_share("Amdahl", "time / time on one", points.n, y);
+  return fit_share("Amdahl", "time / time on one", n, speedup,
+                   [](double p, double s) { return 1 / s - 1 / p; });
 }
 
 std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector<double>& speedup) {
-  const auto points = choose_points(n, speedup, std::vector<double>(n.size(), 1));
-  std::vector<double> y;
-  for (std::size_t i = 0; i < points.n.size(); ++i)
-    y.push_back(1 - points.speedup[i] / points.n[i]);
-  return fit_share("Gustafson", "efficiency", points.n, y);
+  return fit_share("Gustafson", "efficiency", n, speedup,
+                   [](double p, double s) { return 1 - s / p; });
 }
 
 std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<double>& speedup,
@@ -174,11 +179,8 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
                points.n[i];
       });
   if (!found) return std::nullopt;
-  return Fit{"Sun-Ni",
-             {make_estimate("serial fraction", found->value, found->variance, points.n.size() - 1)},
-             "efficiency",
-             root_mean(found->squares, points.n.size()),
-             points.n.size()};
+  return make_share_fit("Sun-Ni", "efficiency", points.n.size(), found->value, found->variance,
+                        found->squares);
 }
 
 std::optional<Fit> fit_log(const std::vector<double>& x, const std::vector<double>& y) {

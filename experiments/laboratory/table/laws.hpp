@@ -34,7 +34,7 @@ struct Estimate {
 struct Fit {
   std::string law;
   std::vector<Estimate> parameters;
-  std::string minimised;   ///< the quantity whose squared residuals are least
+  std::string minimised;   ///< the quantity of which the squared residuals are least
   double rms = 0;          ///< root of the mean of those squares
   std::size_t points = 0;  ///< number of points that bear on the parameters: not those with n = 1
 };
@@ -45,8 +45,8 @@ struct Fit {
 /// that are not finite and positive do not count.
 std::optional<Fit> fit_amdahl(const std::vector<double>& n, const std::vector<double>& speedup);
 
-/// Fits Gustafson's serial fraction. It minimises residuals of the efficiency S/n, whose errors do
-/// not grow with the machine as those of S do: 1 - S/n = s (1 - 1/n). None as above.
+/// Fits Gustafson's serial fraction. It minimises residuals of the efficiency S/n, since its errors
+/// do not grow with the machine as those of S do: 1 - S/n = s (1 - 1/n). None as above.
 std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector<double>& speedup);
 
 /// Fits Sun and Ni's serial fraction, with a growth G per point. It minimises residuals of the
@@ -55,7 +55,7 @@ std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector
 std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<double>& speedup,
                               const std::vector<double>& growth);
 
-/// Fits y = a + k log10(x) (thesis, Eq 4.30, whose k is k_t) by residuals of y. None for fewer than
+/// Fits y = a + k log10(x) (thesis, Eq 4.30, where k is k_t) by residuals of y. None for fewer than
 /// three points, or for one x only.
 std::optional<Fit> fit_log(const std::vector<double>& x, const std::vector<double>& y);
 

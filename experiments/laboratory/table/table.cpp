@@ -16,7 +16,7 @@
 namespace laboratory {
 namespace {
 
-// The format of the doubles of one column.
+// Chooses the format of the doubles of one column.
 std::string choose_format(const Table& table, std::size_t column) {
   double largest = 0, smallest = INFINITY;
   for (const auto& row : table.rows) {
@@ -30,12 +30,6 @@ std::string choose_format(const Table& table, std::size_t column) {
   if (largest > 1e3 * smallest || largest >= 1e9 || largest < 1e-4) return "{:.4g}";
   const int digits_before = static_cast<int>(std::floor(std::log10(largest))) + 1;
   return fmt::format("{{:.{}f}}", std::max(0, 4 - digits_before));
-}
-
-// The number of characters of a UTF-8 text.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
 Value read_bare(std::string_view text) {
@@ -99,6 +93,11 @@ std::string to_string(const Value& value) {
   }
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return {};
+}
+
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
 std::string join_texts(const std::vector<std::string>& texts, std::string_view separator) {

@@ -38,6 +38,9 @@ Value to_cell(double value);
 /// Empty for an empty cell; doubles in the shortest form that reads back as the same double.
 std::string to_string(const Value& value);
 
+/// The number of characters of a UTF-8 text.
+std::size_t width_of(const std::string& text);
+
 /// "a, b, c" for the separator ", ".
 std::string join_texts(const std::vector<std::string>& texts, std::string_view separator);
 

@@ -1,5 +1,5 @@
 // The programs radiosity and scan_line in experiment files: paths, images, costs, speed-ups.
-#include "experiments/laboratory/points/point_key.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/laboratory/support/load.hpp"

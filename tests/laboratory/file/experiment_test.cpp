@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/setup/network_setup.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 #include "tests/laboratory/support/load.hpp"
 
 namespace laboratory {

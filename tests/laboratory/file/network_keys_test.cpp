@@ -2,9 +2,9 @@
 #include <limits>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/file/network_schema.hpp"
-#include "experiments/laboratory/points/point_key.hpp"
-#include "experiments/laboratory/setup/network_setup.hpp"
+#include "experiments/laboratory/file/tables.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/laboratory/support/load.hpp"

@@ -3,7 +3,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
-#include "experiments/laboratory/setup/machine_model.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/load.hpp"
 #include "tests/laboratory/support/tlab.hpp"

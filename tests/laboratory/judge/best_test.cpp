@@ -24,8 +24,9 @@ struct Case {
   }
   BestAnswer find() const {
     const auto plan = plan_checks(file);
-    check_names(plan, file, 0, table, table.rows[0]);
-    return find_best(plan, make_rows(plan, file, table)).at(0);
+    const auto rows = make_rows(plan, file, table);
+    check_names(plan, rows, 0);
+    return find_best(plan, rows).at(0);
   }
 };
 

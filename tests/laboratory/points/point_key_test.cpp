@@ -1,5 +1,5 @@
 // Keys of points: equal where the results are.
-#include "experiments/laboratory/points/point_key.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
 
 #include <gtest/gtest.h>
 

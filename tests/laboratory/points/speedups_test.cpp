@@ -1,5 +1,5 @@
 // Speed-ups of programs that say they have some.
-#include "experiments/laboratory/points/speedups.hpp"
+#include "experiments/laboratory/points/results.hpp"
 
 #include <gtest/gtest.h>
 

@@ -36,8 +36,9 @@ struct Case {
 
   std::vector<Exhibit> make() {
     const auto plan = plan_checks(file);
-    check_names(plan, file, 0, table, table.rows[0]);
-    return make_exhibits(plan, make_rows(plan, file, table), nothing);
+    const auto rows = make_rows(plan, file, table);
+    check_names(plan, rows, 0);
+    return make_exhibits(plan, rows, nothing);
   }
   std::string message() {
     return message_of<base::BadInput>([&] { make(); });

@@ -135,12 +135,11 @@ TEST(ExperimentsDrawing, TitlesMayBeginWithAnyQuote) {
     EXPECT_NE(svg.find("<text>" + text + "</text>"), std::string::npos) << text;
 }
 
-TEST(ExperimentsDrawing, ReferencesWearTheColourOfTheSeriesTheyName) {
+TEST(ExperimentsDrawing, ReferencesHaveTheColourOfTheirCurve) {
   Plot plot;
-  plot.series = {
-      {.name = "200 objects", .x = {1}, .y = {1}},
-      {.name = "3200 objects", .x = {1}, .y = {1}},
-      {.name = "3200 objects, thesis", .x = {1}, .y = {1}, .kind = SeriesKind::reference}};
+  plot.series = {{.name = "200 objects", .x = {1}, .y = {1}},
+                 {.name = "3200 objects", .x = {1}, .y = {1}},
+                 {.name = "thesis", .x = {1}, .y = {1}, .kind = SeriesKind::reference, .of = 1}};
   const auto script = make_gnuplot_script(plot);
   EXPECT_NE(script.find("$data1 with linespoints linecolor rgb '#D55E00'"), std::string::npos);
   EXPECT_NE(script.find("$data2 with points linecolor rgb '#D55E00'"), std::string::npos);

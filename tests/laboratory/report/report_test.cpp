@@ -105,7 +105,7 @@ TEST(ExperimentsReport, EscapesEveryText) {
   EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);  // title, heading, experiment
   Report report;
   report.title = "{{<&>}}\"'\x01";
-  EXPECT_EQ(count(make_report(report), "<h1>{{&lt;&amp;&gt;}}&quot;&apos;\xef\xbf\xbd</h1>"), 1u);
+  EXPECT_EQ(count(make_report(report), "<h1>{{&lt;&amp;&gt;}}&quot;&#39;\xef\xbf\xbd</h1>"), 1u);
 }
 
 TEST(ExperimentsReport, HoldsEveryRowAndTheShownColumns) {

@@ -1,4 +1,4 @@
-#include "experiments/laboratory/setup/network_setup.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,11 @@
 #include <set>
 
 #include "base/errors.hpp"
-#include "topologies/graph/topology.hpp"
 #include "topologies/route/given_routes.hpp"
 
 namespace laboratory {
 
-using base::BadInput;
+using base::require;
 using topologies::Topology;
 
 namespace {
@@ -29,11 +28,11 @@ Topology make_network(const Experiment& experiment) {
   if (name == "hypercube") {
     int dimensions = 0;
     while ((std::int64_t{1} << dimensions) < n) ++dimensions;
-    if ((std::int64_t{1} << dimensions) != n || dimensions > topologies::PORTS)
-      throw BadInput(
-          fmt::format("network.workers: found {}, expected 1, 2, 4, 8 or 16 for a hypercube (more "
-                      "need more than four links a processor)",
-                      n));
+    require((std::int64_t{1} << dimensions) == n && dimensions <= topologies::PORTS,
+            "network.workers",
+            "found {}, expected 1, 2, 4, 8 or 16 for a hypercube (more need more than four links a "
+            "processor)",
+            n);
     return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
   }
   // The smallest rings are lines.
@@ -43,6 +42,27 @@ Topology make_network(const Experiment& experiment) {
 
 }  // namespace
 
+machine::Model make_model(const Experiment& experiment) {
+  if (experiment.model_overrides.empty()) return machine::load_model(experiment.model.path);
+  return machine::override_model(experiment.model.path, experiment.model_overrides, "[model]");
+}
+
+std::string model_key(const Experiment& experiment) {
+  std::string key = experiment.model.path;
+  for (const auto& [entry, value] : experiment.model_overrides)
+    key += fmt::format("\n{} = {}", entry, value);
+  return key;
+}
+
+std::vector<machine::Model> models_of(const ExperimentFile& file) {
+  std::set<std::string> known;
+  std::vector<machine::Model> models;
+  for (const auto& point : file.points)
+    if (known.insert(model_key(point.experiment)).second)
+      models.push_back(make_model(point.experiment));
+  return models;
+}
+
 Topology make_workers(const Experiment& experiment) {
   auto topology = make_network(experiment);
   std::set<std::pair<int, int>> links;
@@ -50,10 +70,9 @@ Topology make_workers(const Experiment& experiment) {
   if (experiment.switches > 0)
     for (const auto& link : links) topology.switches[link] = experiment.switches;
   for (const auto& [a, b, count] : experiment.switches_between) {
-    if (!links.contains(std::minmax(a, b)))
-      throw BadInput(
-          fmt::format("network.switches: found [{}, {}, {}], but no link of {} joins {} and {}", a,
-                      b, count, topology.name, a, b));
+    require(links.contains(std::minmax(a, b)), "network.switches",
+            "found [{}, {}, {}], but no link of {} joins {} and {}", a, b, count, topology.name, a,
+            b);
     topology.switches[std::minmax(a, b)] = count;
   }
   return topology;
@@ -70,39 +89,35 @@ topologies::RoutingTable find_routes(const Experiment& experiment, const Topolog
 
 std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
                                                const Topology& topology) {
-  const auto refuse = [](const std::string& why) { throw BadInput("network.tree_links: " + why); };
+  constexpr const char* KEY = "network.tree_links";
   const auto& links = experiment.tree_links;
-  if (experiment.tree == "per_root" && !links.empty())
-    refuse("these are of the tree \"single\", but network.tree is \"per_root\"");
+  require(experiment.tree != "per_root" || links.empty(), KEY,
+          "these are of the tree \"single\", but network.tree is \"per_root\"");
   if (links.empty())
     return experiment.tree == "single" ? std::optional(make_tree_links(topology)) : std::nullopt;
   for (const auto& [a, b] : links)
-    if (std::max(a, b) >= topology.processors)
-      refuse(fmt::format("found [{}, {}], expected processors from 0 to {}", a, b,
-                         topology.processors - 1));
+    require(std::max(a, b) < topology.processors, KEY,
+            "found [{}, {}], expected processors from 0 to {}", a, b, topology.processors - 1);
   try {
     return check_tree_links(topology, links);
-  } catch (const BadInput& error) {
-    refuse(error.what());
+  } catch (const base::BadInput& error) {
+    throw base::BadInput(fmt::format("{}: {}", KEY, error.what()));
   }
-  return std::nullopt;
 }
 
 std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
                                                 const Topology& topology) {
   std::vector<programs::PlannedFault> faults;
   for (const auto& [fault, place] : experiment.faults) {
-    const bool is_link = fault.b >= 0;
-    if (std::max(fault.a, fault.b) >= topology.processors)
-      throw BadInput(fmt::format("{}: found {}, expected processors from 0 to {}", place,
-                                 std::max(fault.a, fault.b), topology.processors - 1));
     const auto [low, high] = std::minmax(fault.a, fault.b);
+    require(high < topology.processors, place, "found {}, expected processors from 0 to {}", high,
+            topology.processors - 1);
     const bool is_there = std::ranges::any_of(topology.links, [&](const auto& link) {
       return link.a.processor == low && link.b.processor == high;
     });
-    if (is_link && !is_there)
-      throw BadInput(fmt::format("{}: found link = [{}, {}], but no link of {} joins the two",
-                                 place, fault.a, fault.b, topology.name));
+    require(fault.b < 0 || is_there, place,
+            "found link = [{}, {}], but no link of {} joins the two", fault.a, fault.b,
+            topology.name);
     faults.push_back(fault);
   }
   return faults;
