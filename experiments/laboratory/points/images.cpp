@@ -15,7 +15,6 @@
 #include "experiments/laboratory/points/results.hpp"
 
 namespace laboratory {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +32,7 @@ std::string save_by_content(const std::function<void(const std::string& path)>& 
   return name;
 }
 
-// An image, and who has it: two points whose images are equal share one.
+// An image, and the points that have it: points with equal images share one.
 struct Shared {
   std::vector<std::size_t> points;
   bool is_named = false;
@@ -43,21 +42,23 @@ using Key = std::array<std::string, 3>;  // name, content, content of all its ra
 
 Key key_of(const SavedImage& image) { return {image.name, image.file, image.exr}; }
 
-// The axes that all of these points agree on, and not all points of the file.
+// Finds the axes on which all of these points agree, and not all `others`.
 std::vector<Coordinate> find_distinction(const ExperimentFile& file,
-                                         const std::vector<std::size_t>& points) {
+                                         const std::vector<std::size_t>& points,
+                                         const std::vector<std::size_t>& others) {
   std::vector<Coordinate> found;
   const auto& first = file.points[points[0]].at;
   for (std::size_t axis = 0; axis < first.size(); ++axis) {
-    const auto has_it = [&](const Point& point) { return point.at[axis].toml == first[axis].toml; };
-    const bool is_theirs =
-        std::ranges::all_of(points, [&](std::size_t i) { return has_it(file.points[i]); });
-    if (is_theirs && !std::ranges::all_of(file.points, has_it)) found.push_back(first[axis]);
+    const auto has_it = [&](std::size_t i) {
+      return file.points[i].at[axis].toml == first[axis].toml;
+    };
+    if (std::ranges::all_of(points, has_it) && !std::ranges::all_of(others, has_it))
+      found.push_back(first[axis]);
   }
   return found;
 }
 
-// Letters, digits and single dashes.
+// Keeps letters and digits, and puts single dashes for the rest.
 std::string make_stem(const std::string& text) {
   std::string stem;
   for (const char c : text)
@@ -68,12 +69,10 @@ std::string make_stem(const std::string& text) {
   return stem;
 }
 
-void name_image(const ExperimentFile& file, const std::string& name, Shared& image,
+void name_image(const std::string& name, const std::vector<Coordinate>& distinction, Shared& image,
                 std::set<std::string>& known) {
   std::string stem = "image-" + name;
   image.caption = name;
-  const auto distinction =
-      image.is_named ? std::vector<Coordinate>() : find_distinction(file, image.points);
   for (const auto& at : distinction) {
     const auto cell = to_value(at);
     const auto value = to_string(cell);
@@ -86,23 +85,31 @@ void name_image(const ExperimentFile& file, const std::string& name, Shared& ima
   image.stem = unique;
 }
 
+// An image with a name that says already what it shows is told apart only from others of its name,
+// such as key images of a stage, which show how far each machine was by then.
 std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& results) {
   std::vector<Key> order;
   std::map<Key, Shared> shared;
-  for (std::size_t i = 0; i < results.size(); ++i) {
+  std::map<std::string, std::vector<std::size_t>> namesakes;  // points with an image of that name
+  for (std::size_t i = 0; i < results.size(); ++i)
     for (const auto& image : results[i].images) {
       auto& entry = shared[key_of(image)];
       if (entry.points.empty()) order.push_back(key_of(image));
       entry.points.push_back(i);
       entry.is_named = image.is_named;
+      namesakes[image.name].push_back(i);
     }
-  }
+  const auto all = all_points(file);
   std::set<std::string> known;
-  for (const auto& key : order) name_image(file, key[0], shared[key], known);
+  for (const auto& key : order) {
+    Shared& image = shared[key];
+    const auto& others = image.is_named ? namesakes[key[0]] : all;
+    name_image(key[0], find_distinction(file, image.points, others), image, known);
+  }
   return shared;
 }
 
-// Points of one picture key show the same.
+// Throws unless points of one picture key show the same.
 void check_images(const ExperimentFile& file, const Results& results) {
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < results.size(); ++i) {

@@ -57,5 +57,37 @@ TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
 }
 
+// Key images of a stage say how far each machine was: their names say which, by the axes that
+// change them; one that is the same for all keeps its own name.
+TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
+  const TemporaryFolder folder;
+  const auto records = folder.path / "records", placed = folder.path / "placed";
+  std::filesystem::create_directory(placed);
+  const auto file =
+      load("[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2]\nswitches = [0, 3]\n");
+  const auto named = [](const std::string& name, const std::string& bytes) {
+    auto image = make_image(name, bytes);
+    image.is_named = true;
+    return image;
+  };
+  Results results;
+  for (const std::string stage : {"one-0", "one-3", "two", "two"}) {
+    const auto bytes = stage.substr(0, 3);
+    results.emplace_back().images =
+        save_images({named(bytes + "-stage1", stage), named(bytes, bytes)}, records);
+  }
+  place_images(file, results, records, placed);
+  const auto path = [&](int i, int k) {
+    return results[std::size_t(i)].images[std::size_t(k)].path;
+  };
+  EXPECT_EQ(path(0, 0), "image-one-stage1-0.png");
+  EXPECT_EQ(path(1, 0), "image-one-stage1-3.png");
+  EXPECT_EQ(results[1].images[0].caption, "one-stage1, switches = 3");
+  EXPECT_EQ(path(0, 1), "image-one.png");
+  EXPECT_EQ(path(2, 0), "image-two-stage1.png");
+  EXPECT_EQ(path(3, 0), path(2, 0));
+  EXPECT_EQ(read_file(placed / path(1, 0)), "one-3");
+}
+
 }  // namespace
 }  // namespace laboratory
