@@ -1,15 +1,13 @@
 #include "renderer/files/nff.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
-#include <utility>
 
-#include <sstream>
-
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "renderer/files/tokens.hpp"
+#include "renderer/scene/generators.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace renderer {
 
@@ -20,8 +18,8 @@ constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000;
 
 class Reader {
  public:
-  Reader(std::istream& in, const std::string& name, NffTarget& target)
-      : tokens_(in, name), target_(target) {}
+  Reader(std::string_view text, const std::string& name, NffTarget& target)
+      : tokens_(text, name, target.takes_emission() ? "emit" : ""), target_(target) {}
 
   int read() {
     while (!tokens_.peek().empty()) read_statement();
@@ -31,22 +29,24 @@ class Reader {
 
  private:
   void read_statement() {
-    using Read = void (Reader::*)();
+    using Read = void (*)(Reader&);
     constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
-        {"v", &Reader::read_view},
-        {"b", &Reader::read_background},
-        {"l", &Reader::read_light},
-        {"f", &Reader::read_surface},
-        {"s", &Reader::read_sphere},
-        {"p", &Reader::read_polygon},
-        {"pp", &Reader::read_smooth_polygon},
-        {"c", &Reader::read_cone}};
+        {"v", [](Reader& r) { r.read_view(); }},
+        {"b", [](Reader& r) { r.target_.set_background(r.take_colour("the background")); }},
+        {"l", [](Reader& r) { r.read_light(); }},
+        {"f", [](Reader& r) { r.read_surface(); }},
+        {"s", [](Reader& r) { r.read_sphere(); }},
+        {"p", [](Reader& r) { r.read_corners(false); }},
+        {"pp", [](Reader& r) { r.read_corners(true); }},
+        {"c", [](Reader& r) { r.read_cone(); }}};
+    const std::string_view name = tokens_.peek();
     if (target_.takes_emission() && tokens_.take_if("emit")) return read_emission();
     const Read read = tokens_.take_choice(
         STATEMENTS, target_.takes_emission() ? "a statement: v, b, l, f, # emit, p or pp"
                                              : "a statement: v, b, l, f, s, p, pp or c");
     target_.line = tokens_.line();
-    (this->*read)();
+    if (name == "s" || name == "p" || name == "pp" || name == "c") require_surface(name);
+    read(*this);
   }
 
   template <class Action>
@@ -103,11 +103,6 @@ class Reader {
     return view;
   }
 
-  void read_background() {
-    const Rgb colour = take_colour("the background");
-    target_.set_background(colour);
-  }
-
   void read_light() {
     const Vec at = tokens_.take_vec("the light's position");
     std::optional<Rgb> colour;
@@ -140,20 +135,11 @@ class Reader {
   }
 
   void read_sphere() {
-    require_surface("s");
     const Vec centre = tokens_.take_vec("the centre");
     const double radius = tokens_.take_number("the radius", 0, MAX_NUMBER);
     tell([&] { target_.add_sphere(centre, radius); });
   }
 
-  void read_polygon() {
-    require_surface("p");
-    read_corners(false);
-  }
-  void read_smooth_polygon() {
-    require_surface("pp");
-    read_corners(true);
-  }
   void read_corners(bool with_normals) {
     const int count = tokens_.take_count("the number of vertices", 3, MAX_VERTICES);
     std::vector<Vec> corners, normals;
@@ -165,7 +151,6 @@ class Reader {
   }
 
   void read_cone() {
-    require_surface("c");
     const Vec base = tokens_.take_vec("the base");
     const double base_radius = tokens_.take_number("the base's radius", 0, MAX_NUMBER);
     const Vec apex = tokens_.take_vec("the apex");
@@ -187,8 +172,7 @@ struct SceneTarget : NffTarget {
   void set_view(const View& view) override { scene.view = view; }
   void set_background(const Rgb& colour) override { scene.background = colour; }
   void add_light(const Vec& at, const std::optional<Rgb>& colour) override {
-    if (scene.lights.size() >= MAX_LIGHTS)
-      throw base::BadInput(fmt::format("found more lights, expected at most {}", MAX_LIGHTS));
+    require(scene.lights.size() < MAX_LIGHTS, "more lights", fmt::format("at most {}", MAX_LIGHTS));
     scene.lights.push_back({at, colour.value_or(Rgb{})});
     has_colour.push_back(colour.has_value());
   }
@@ -209,26 +193,33 @@ struct SceneTarget : NffTarget {
 
 }  // namespace
 
-int read_nff(std::istream& in, const std::string& name, NffTarget& target) {
-  return Reader(in, name, target).read();
+int read_nff(std::string_view text, const std::string& name, NffTarget& target) {
+  return Reader(text, name, target).read();
 }
 
-Scene parse_nff(std::istream& in, const std::string& name) {
+Scene parse_nff(std::string_view text, const std::string& name) {
   SceneTarget target;
-  const int view_line = read_nff(in, name, target);
+  const int view_line = read_nff(text, name, target);
   Scene& scene = target.scene;
   // SPD: all lights together have the same energy, however many there are.
   const double share =
       1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, scene.lights.size())));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (!target.has_colour[i]) scene.lights[i].intensity = {share, share, share};
-  Tokens(in, name).at_line(view_line, [&] { finish(scene); });
+  at_place(fmt::format("{}:{}", name, view_line), [&] { finish(scene); });
   return std::move(scene);
 }
 
-Scene load_nff(const std::string& path) {
-  std::istringstream in(base::read_text(path));
-  return parse_nff(in, path);
+Scene load_scene(const std::string& source) {
+  constexpr std::string_view SPHERES = "spheres:";
+  if (source.ends_with(".nff")) return parse_nff(base::read_text(source), source);
+  const bool is_spheres = source.starts_with(SPHERES);
+  if (is_spheres)
+    if (const auto n = base::parse_number<int>(source.substr(SPHERES.size())))
+      return make_spheres(*n);
+  const auto expected = is_spheres ? fmt::format("spheres:N with N from 1 to {}", MAX_SPHERES)
+                                   : std::string("a generator (spheres:N) or a file (.nff)");
+  throw base::BadInput(fmt::format("found scene {}, expected {}", base::quote(source), expected));
 }
 
 }  // namespace renderer

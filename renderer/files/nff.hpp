@@ -1,5 +1,5 @@
 #pragma once
-// E. Haines's Neutral File Format (SPD 3.x).
+// Scenes by name: made by a generator, or from E. Haines's Neutral File Format (SPD 3.x):
 //
 //   v  from X Y Z  at X Y Z  up X Y Z  angle DEGREES  [hither D]  [resolution W H]     required
 //   b R G B                                            background, black by default
@@ -13,26 +13,28 @@
 // Words may be broken over lines anywhere; only a light's colour must be on the light's line. '#'
 // starts a comment. A primitive before any `f` is an error, as is anything degenerate.
 
-#include <istream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {
 
+/// "spheres:800" or the path of an .nff file. BadInput as parse_nff(), if the file cannot be read,
+/// and for anything else, naming what is valid.
+Scene load_scene(const std::string& source);
+
 /// Reads an NFF scene. BadInput "name:line: found ..., expected ...".
-Scene parse_nff(std::istream& in, const std::string& name);
-/// Reads an NFF file; BadInput as parse_nff() and if it cannot be read.
-Scene load_nff(const std::string& path);
+Scene parse_nff(std::string_view text, const std::string& name);
 
 /// What is made of a file: it is told every statement, in the file's order. A BadInput that it
 /// throws is reported with the statement's line.
 class NffTarget {
  public:
   virtual ~NffTarget() = default;
-  /// Whether `emit R G B`, which is no statement of NFF, is one.
+  /// Whether `# emit R G B`, a comment in NFF, is a statement.
   virtual bool takes_emission() const { return false; }
 
   virtual void set_view(const View& view) = 0;
@@ -49,7 +51,7 @@ class NffTarget {
   int line = 0;  ///< of the statement that is told
 };
 
-/// Tells `target` a file. BadInput "name:line: ..."; returns the line of the view.
-int read_nff(std::istream& in, const std::string& name, NffTarget& target);
+/// Tells `target` a text. BadInput "name:line: ..."; returns the line of the view.
+int read_nff(std::string_view text, const std::string& name, NffTarget& target);
 
 }  // namespace renderer

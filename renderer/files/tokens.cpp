@@ -1,21 +1,13 @@
 #include "renderer/files/tokens.hpp"
 
-#include <fmt/format.h>
-
-#include <cerrno>
 #include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <system_error>
-#include <utility>
+#include <optional>
 
 #include "base/text.hpp"
 
 namespace renderer {
 
 namespace {
-
-constexpr std::string_view BLANKS = " \t\r\v\f";
 
 // A finite decimal number and nothing else, whatever the locale.
 std::optional<double> parse_number(std::string_view word) {
@@ -31,17 +23,25 @@ std::optional<double> parse_number(std::string_view word) {
 }  // namespace
 
 void Tokens::fetch() {
-  while (next_.empty()) {
-    at_ = text_.find_first_not_of(BLANKS, at_);
-    if (at_ == text_.npos || text_[at_] == '#') {
-      at_ = 0;
-      if (!std::getline(in_, text_)) return text_.clear();
-      ++line_;
-      continue;
+  constexpr std::string_view BLANKS = " \t\r\v\f", ENDS = " \t\r\v\f\n#";
+  const auto find_end = [&](std::string_view ends) {
+    return std::min(text_.find_first_of(ends, at_), text_.size());
+  };
+  while (next_.empty() && at_ < text_.size()) {
+    if (text_[at_] == '\n') {
+      if (++at_ < text_.size()) ++line_;
+    } else if (text_[at_] == '#') {
+      ++at_;
+      const auto comment = base::trim(text_.substr(at_, find_end("\n") - at_));
+      const bool is_statement = !uncovered_.empty() && taken_line_ != line_ &&
+                                comment.substr(0, comment.find_first_of(BLANKS)) == uncovered_;
+      if (!is_statement) at_ = find_end("\n");
+    } else if (BLANKS.find(text_[at_]) != BLANKS.npos) {
+      ++at_;
+    } else {
+      next_ = text_.substr(at_, find_end(ENDS) - at_);
+      at_ += next_.size();
     }
-    const std::size_t end = std::min(text_.find_first_of(" \t\r\v\f#", at_), text_.size());
-    next_ = text_.substr(at_, end - at_);
-    at_ = end;
   }
 }
 
@@ -57,7 +57,7 @@ std::string_view Tokens::peek() {
   return by_line_ && line_ != taken_line_ ? std::string_view() : next_;
 }
 
-std::string Tokens::take() {
+std::string_view Tokens::take() {
   if (peek().empty()) return {};
   taken_line_ = line_;
   return std::exchange(next_, {});
@@ -79,7 +79,7 @@ void Tokens::end_line() {
 
 bool Tokens::continues() { return !peek().empty() && line_ == taken_line_; }
 
-std::string Tokens::take_word(std::string_view what) {
+std::string_view Tokens::take_word(std::string_view what) {
   if (peek().empty()) fail_next(what);
   return take();
 }
@@ -101,13 +101,11 @@ double Tokens::take_number(std::string_view what, double lo, double hi) {
 }
 
 int Tokens::take_count(std::string_view what, int lo, int hi) {
-  const std::string_view word = peek();
-  int value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size() || value < lo || value > hi)
+  const auto value = base::parse_number<int>(peek());
+  if (!value || *value < lo || *value > hi)
     fail_next(fmt::format("{} (a whole number from {} to {})", what, lo, hi));
   take();
-  return value;
+  return *value;
 }
 
 Vec Tokens::take_vec(std::string_view what) {
@@ -128,7 +126,7 @@ void Tokens::fail_next(std::string_view expected) {
   const std::string_view word = peek();
   if (!word.empty()) fail(line_, fmt::format("found {}, expected {}", base::quote(word), expected));
   if (by_line_) fail(taken_line_, fmt::format("found the end of the line, expected {}", expected));
-  fail(std::max(line_, 1), fmt::format("found the end of the file, expected {}", expected));
+  fail(line_, fmt::format("found the end of the file, expected {}", expected));
 }
 
 }  // namespace renderer

@@ -1,12 +1,11 @@
 #pragma once
 // Words of a text file, with the line each was found on.
 
-#include <fstream>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "base/errors.hpp"
+#include "renderer/scene/require.hpp"
 #include "renderer/scene/vec.hpp"
 
 namespace renderer {
@@ -14,11 +13,13 @@ namespace renderer {
 /// Largest magnitude of a number in a scene: products of several must stay finite.
 inline constexpr double MAX_NUMBER = 1e15;
 
-/// Reads words separated by blanks; '#' starts a comment that ends with the line. Every error is a
+/// Reads words separated by blanks from a text, which has to outlive it; '#' starts a comment that
+/// ends with the line, unless it begins the line and the next word is `uncovered`. Every error is a
 /// BadInput "name:line: found ..., expected ...".
 class Tokens {
  public:
-  Tokens(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
+  Tokens(std::string_view text, std::string name, std::string_view uncovered = "")
+      : text_(text), uncovered_(uncovered), name_(std::move(name)) {}
 
   /// Begins a statement that ends with its line: until the next call no function takes words of
   /// another line. False at the end of the file. Files that never call it may break lines anywhere.
@@ -27,7 +28,7 @@ class Tokens {
   /// The next word without taking it; empty at the end of the file or of the statement.
   std::string_view peek();
   /// Takes the next word; empty at the end.
-  std::string take();
+  std::string_view take();
   /// Takes the next word if it is this one.
   bool take_if(std::string_view word);
   /// Takes the rest of the statement's line, whatever it is.
@@ -38,7 +39,7 @@ class Tokens {
   bool continues();
 
   // In these, `what` names the value in errors.
-  std::string take_word(std::string_view what);
+  std::string_view take_word(std::string_view what);
   /// A finite number up to MAX_NUMBER in magnitude.
   double take_number(std::string_view what);
   /// A number from `lo` to `hi`.
@@ -67,22 +68,18 @@ class Tokens {
   /// "found ..., expected ..." about the next word.
   [[noreturn]] void fail_next(std::string_view expected);
   /// Runs `action`; what it rejects as BadInput is reported with `line`.
-  template <typename Action>
+  template <class Action>
   void at_line(int line, const Action& action) const {
-    try {
-      action();
-    } catch (const base::BadInput& bad) {
-      fail(line, bad.what());
-    }
+    at_place(fmt::format("{}:{}", name_, line), action);
   }
 
  private:
   void fetch();
 
-  std::istream& in_;
-  std::string name_, text_, next_;
+  std::string_view text_, uncovered_, next_;
+  std::string name_;
   std::size_t at_ = 0;
-  int line_ = 0, taken_line_ = 0;
+  int line_ = 1, taken_line_ = 0;
   bool by_line_ = false;
 };
 

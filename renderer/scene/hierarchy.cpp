@@ -12,8 +12,7 @@ struct Node {
   Bounds bounds;
   std::uint32_t item = NONE;
   std::uint32_t parent = NONE;
-  std::uint32_t first = NONE, last = NONE, next = NONE;  // children, sibling
-  std::uint32_t count = 0;                               // children
+  std::vector<std::uint32_t> children = {};
 };
 
 struct Tree {
@@ -27,15 +26,8 @@ std::uint32_t add_node(Tree& tree, const Bounds& bounds, std::uint32_t item) {
 }
 
 void append_child(Tree& tree, std::uint32_t parent, std::uint32_t child) {
-  Node& p = tree.nodes[parent];
+  tree.nodes[parent].children.push_back(child);
   tree.nodes[child].parent = parent;
-  tree.nodes[child].next = NONE;
-  if (p.first == NONE)
-    p.first = child;
-  else
-    tree.nodes[p.last].next = child;
-  p.last = child;
-  ++p.count;
 }
 
 // Puts an inner node in the place of `leaf` and `leaf` under it.
@@ -43,16 +35,10 @@ std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
   const std::uint32_t inner = add_node(tree, tree.nodes[leaf].bounds, NONE);
   const std::uint32_t parent = tree.nodes[leaf].parent;
   tree.nodes[inner].parent = parent;
-  tree.nodes[inner].next = tree.nodes[leaf].next;
-  if (parent == NONE) {
+  if (parent == NONE)
     tree.root = inner;
-  } else {
-    Node& p = tree.nodes[parent];
-    std::uint32_t* link = &p.first;
-    while (*link != leaf) link = &tree.nodes[*link].next;
-    *link = inner;
-    if (p.last == leaf) p.last = inner;
-  }
+  else
+    *std::ranges::find(tree.nodes[parent].children, leaf) = inner;
   append_child(tree, inner, leaf);
   return inner;
 }
@@ -79,11 +65,12 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
            std::vector<Way>& ways) {
   const Node& n = tree.nodes[way.node];
   const double area = half_area(join(n.bounds, object));
-  const double inherited = way.inherited + (area - half_area(n.bounds)) * n.count;
+  const double inherited =
+      way.inherited + (area - half_area(n.bounds)) * static_cast<double>(n.children.size());
   best.offer(way.node, inherited + area);
   const std::size_t before = ways.size();
   double least_growth = Bounds::INF;
-  for (std::uint32_t c = n.first; c != NONE; c = tree.nodes[c].next) {
+  for (const std::uint32_t c : n.children) {
     const Node& child = tree.nodes[c];
     const double joined = half_area(join(child.bounds, object));
     const double growth = joined - half_area(child.bounds);
@@ -135,26 +122,28 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   for (std::size_t i = 0; i < objects.size(); ++i)
     insert(tree, objects[i], static_cast<std::uint32_t>(i));
 
-  // Flatten: down to the first child, else on to the next sibling of the nearest ancestor that
-  // has one; the boxes left on the way up end here.
+  // Depth first; a box's skip is known when all that is in it has been stored.
+  struct Step {
+    std::uint32_t index;
+    bool ends_box;  // the index is a box's, not a node's
+  };
   Hierarchy flat;
   flat.boxes.reserve(tree.nodes.size());
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t node = tree.root; node != NONE;) {
-    open.push_back(static_cast<std::uint32_t>(flat.boxes.size()));
-    flat.boxes.push_back({tree.nodes[node].bounds, 0, tree.nodes[node].item});
-    if (tree.nodes[node].first != NONE) {
-      node = tree.nodes[node].first;
+  std::vector<Step> steps;
+  if (tree.root != NONE) steps.push_back({tree.root, false});
+  while (!steps.empty()) {
+    const auto [index, ends_box] = steps.back();
+    const auto stored = static_cast<std::uint32_t>(flat.boxes.size());
+    steps.pop_back();
+    if (ends_box) {
+      flat.boxes[index].skip = stored;
       continue;
     }
-    std::uint32_t next = NONE;
-    while (node != NONE && next == NONE) {
-      flat.boxes[open.back()].skip = static_cast<std::uint32_t>(flat.boxes.size());
-      open.pop_back();
-      next = tree.nodes[node].next;
-      node = tree.nodes[node].parent;
-    }
-    node = next;
+    const Node& node = tree.nodes[index];
+    flat.boxes.push_back({node.bounds, 0, node.item});
+    steps.push_back({stored, true});
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+      steps.push_back({*child, false});
   }
   return flat;
 }

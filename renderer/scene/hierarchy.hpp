@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/scene/bounds.hpp"
+#include "renderer/scene/vec.hpp"
 
 namespace renderer {
 

@@ -1,7 +1,5 @@
 #include "renderer/scene/primitives.hpp"
 
-#include <fmt/format.h>
-
 #include "renderer/scene/require.hpp"
 
 namespace renderer {
@@ -29,12 +27,9 @@ Sphere make_sphere(const Vec& centre, double radius, Tag tag) {
 Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>& pool) {
   require(corners.size() >= 3, fmt::format("a polygon of {} vertices", corners.size()),
           "3 or more");
-  Bounds box;
   Vec centre;
-  for (const Vec& p : corners) {
-    box = join(box, p);
-    centre += (1.0 / static_cast<double>(corners.size())) * p;
-  }
+  for (const Vec& p : corners) centre += (1.0 / static_cast<double>(corners.size())) * p;
+  const Bounds box = make_bounds(corners);
   const double size = max_abs(box.hi - box.lo);
   const Vec newell = eval_newell_normal(corners, centre);
   require(length(newell) > MIN_AREA * size * size, "a polygon without area",
@@ -70,9 +65,9 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
     normal_pool.push_back(normalize(n));
     sum += normal_pool.back();
   }
-  if (dot(sum, made.flat.normal) < 0) {
-    made.flat.normal = -made.flat.normal;
-    made.flat.offset = -made.flat.offset;
+  if (dot(sum, made.normal) < 0) {
+    made.normal = -made.normal;
+    made.offset = -made.offset;
   }
   return made;
 }
@@ -91,10 +86,9 @@ Bounds make_bounds(const Sphere& sphere) {
   return grow({sphere.centre, sphere.centre}, sphere.radius);
 }
 
-Bounds make_bounds(const Polygon& polygon, const std::vector<Corner>& pool) {
+Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool) {
   Bounds box;
-  for (std::uint32_t i = polygon.first; i < polygon.first + polygon.count; ++i) {
-    const Corner& c = pool[i];
+  for (const Corner& c : pool.subspan(polygon.first, polygon.count)) {
     // The dropped coordinate follows from the plane.
     const double w =
         (polygon.offset - polygon.normal[polygon.u] * c.u - polygon.normal[polygon.v] * c.v) /
@@ -116,6 +110,41 @@ Bounds make_bounds(const Cone& cone) {
   const double apex_radius = std::max(0.0, cone.base_radius + cone.slope * cone.height);
   return join(Bounds{cone.base - cone.base_radius * across, cone.base + cone.base_radius * across},
               Bounds{apex - apex_radius * across, apex + apex_radius * across});
+}
+
+Vec eval_normal(const Cone& c, const Vec& point) {
+  const double along = dot(point - c.base, c.axis);
+  const Vec across = point - c.base - along * c.axis;
+  const double radius = length(across);
+  if (radius == 0) return c.axis;
+  return normalize((1 / radius) * across - c.slope * c.axis);
+}
+
+Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
+                       std::span<const Vec> normal_pool, const Vec& point) {
+  const auto corners = pool.subspan(patch.first, patch.count);
+  const auto normals = normal_pool.subspan(patch.normals, patch.count);
+  const double pu = point[patch.u], pv = point[patch.v];
+  const auto spoke = [&](std::size_t i) { return Corner{corners[i].u - pu, corners[i].v - pv}; };
+  const auto size = [](const Corner& c) { return std::sqrt(c.u * c.u + c.v * c.v); };
+
+  Vec sum;
+  for (std::size_t i = patch.count - 1, j = 0; j < patch.count; i = j++) {
+    const Corner a = spoke(i), b = spoke(j);
+    const Vec &normal_a = normals[i], &normal_b = normals[j];
+    const double a_size = size(a), b_size = size(b);
+    if (a_size == 0) return normal_a;
+    if (b_size == 0) return normal_b;
+    const double below = a_size * b_size + a.u * b.u + a.v * b.v;
+    // On the edge itself: linear between its ends.
+    if (!(below > 0)) return normalize(b_size * normal_a + a_size * normal_b);
+    const double half_tan = (a.u * b.v - a.v * b.u) / below;  // of the angle the edge is seen under
+    sum += (half_tan / a_size) * normal_a + (half_tan / b_size) * normal_b;
+  }
+  // From the back of the projection all angles are negative.
+  if (dot(sum, patch.normal) < 0) sum = -sum;
+  const double norm = length(sum);
+  return norm > 0 && norm < Bounds::INF ? (1 / norm) * sum : patch.normal;
 }
 
 }  // namespace renderer

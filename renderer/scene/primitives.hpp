@@ -3,10 +3,9 @@
 // shapes with BadInput "found ..., expected ..."; a reader of files adds the place.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "renderer/scene/bounds.hpp"
+#include "renderer/scene/vec.hpp"
 
 namespace renderer {
 
@@ -37,9 +36,8 @@ struct Polygon {
   Tag tag;
 };
 
-/// A polygon whose normal is interpolated between those of its corners.
-struct Patch {
-  Polygon flat;               ///< has its normal on the side of the corners' normals
+/// A polygon whose normal is interpolated between those of its corners, on whose side its front is.
+struct Patch : Polygon {
   std::uint32_t normals = 0;  ///< index of its first normal in the scene's pool of normals
 };
 
@@ -62,7 +60,17 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag);
 
 Bounds make_bounds(const Sphere& sphere);
-Bounds make_bounds(const Polygon& polygon, const std::vector<Corner>& pool);
+Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool);
 Bounds make_bounds(const Cone& cone);
+
+/// The normal of the primitive itself at a point on it, unit.
+inline Vec eval_normal(const Sphere& s, const Vec& point) { return normalize(point - s.centre); }
+inline Vec eval_normal(const Polygon& p, const Vec&) { return p.normal; }
+Vec eval_normal(const Cone& c, const Vec& point);
+
+/// The normal at a point, interpolated between those of the corners by mean value coordinates
+/// (M. Floater, 2003), which are barycentric in a triangle and defined for any polygon.
+Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
+                       std::span<const Vec> normal_pool, const Vec& point);
 
 }  // namespace renderer

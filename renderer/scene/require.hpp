@@ -1,21 +1,39 @@
 #pragma once
-// Checks of input.
+// Checks of input. Errors are BadInput "found ..., expected ...".
 
-#include "base/errors.hpp"
+#include "base/fields.hpp"
 
 namespace renderer {
 
-/// Throws BadInput "found ..., expected ..." unless `holds`; whoever knows the place adds it.
+/// Throws unless `holds`; the caller that knows the place adds it.
 template <class Found>
 void require(bool holds, const Found& found, std::string_view expected) {
   if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
 }
 
-/// Throws BadInput "field: found ..., expected ..." unless `holds`.
+/// Throws "field: found ..., expected ..." unless `holds`.
 template <class Found>
 void require(bool holds, std::string_view field, const Found& found, std::string_view expected) {
-  if (!holds)
-    throw base::BadInput(fmt::format("{}: found {}, expected {}", field, found, expected));
+  base::require(holds, field, "found {}, expected {}", found, expected);
+}
+
+/// Throws, naming the field, unless each has a value that its declaration allows.
+template <class P>
+void require_allowed(const base::Fields<P>& fields, const P& params) {
+  for (const auto& field : fields) {
+    const base::Scalar value = field.get(params);
+    require(field.domain.allows(value), field.name, base::to_text(value), field.domain.describe());
+  }
+}
+
+/// Runs `action`; a BadInput that it throws is thrown again with `place` before it.
+template <class Action>
+void at_place(std::string_view place, const Action& action) {
+  try {
+    action();
+  } catch (const base::BadInput& bad) {
+    throw base::BadInput(fmt::format("{}: {}", place, bad.what()));
+  }
 }
 
 }  // namespace renderer

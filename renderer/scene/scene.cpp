@@ -1,7 +1,5 @@
 #include "renderer/scene/scene.hpp"
 
-#include <fmt/format.h>
-
 #include <numbers>
 
 #include "renderer/scene/require.hpp"
@@ -15,28 +13,29 @@ constexpr std::size_t MAX_OBJECTS = std::size_t{1} << 30;
 
 Tag make_tag(const Scene& scene) {
   require(!scene.surfaces.empty(), "a primitive", "a surface ('f') before the first primitive");
-  if (scene.objects.size() >= MAX_OBJECTS)
-    throw base::BadInput(fmt::format("found more objects, expected at most {}", MAX_OBJECTS));
+  require(scene.objects.size() < MAX_OBJECTS, "more objects",
+          fmt::format("at most {}", MAX_OBJECTS));
   return {static_cast<std::uint32_t>(scene.objects.size()),
           static_cast<std::uint32_t>(scene.surfaces.size() - 1)};
 }
 
+template <class Primitive>
+void add(Scene& scene, Kind kind, std::vector<Primitive>& list, const Primitive& made) {
+  list.push_back(made);
+  scene.objects.push_back(Place::of(kind, list.size() - 1));
+}
+
 Bounds make_bounds(const Scene& scene, Place place) {
-  switch (place.kind()) {
-    case Kind::sphere:
-      return make_bounds(scene.spheres[place.index()]);
-    case Kind::polygon:
-      return make_bounds(scene.polygons[place.index()], scene.corners);
-    case Kind::patch:
-      return make_bounds(scene.patches[place.index()].flat, scene.corners);
-    case Kind::cone:
-      return make_bounds(scene.cones[place.index()]);
-  }
-  return {};
+  return visit(scene, place, [&](const auto& primitive) {
+    if constexpr (requires { primitive.count; })
+      return make_bounds(primitive, scene.corners);
+    else
+      return make_bounds(primitive);
+  });
 }
 
 // Moves one kind's primitives into the order of the leaves.
-template <typename Primitive>
+template <class Primitive>
 void reorder(std::vector<Primitive>& primitives, Kind kind, Scene& scene) {
   std::vector<Primitive> sorted;
   sorted.reserve(primitives.size());
@@ -53,25 +52,22 @@ void reorder(std::vector<Primitive>& primitives, Kind kind, Scene& scene) {
 }  // namespace
 
 void add_sphere(Scene& scene, const Vec& centre, double radius) {
-  scene.spheres.push_back(make_sphere(centre, radius, make_tag(scene)));
-  scene.objects.push_back(Place::of(Kind::sphere, scene.spheres.size() - 1));
+  add(scene, Kind::sphere, scene.spheres, make_sphere(centre, radius, make_tag(scene)));
 }
 
 void add_polygon(Scene& scene, std::span<const Vec> corners) {
-  scene.polygons.push_back(make_polygon(corners, make_tag(scene), scene.corners));
-  scene.objects.push_back(Place::of(Kind::polygon, scene.polygons.size() - 1));
+  add(scene, Kind::polygon, scene.polygons, make_polygon(corners, make_tag(scene), scene.corners));
 }
 
 void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals) {
-  scene.patches.push_back(
+  add(scene, Kind::patch, scene.patches,
       make_patch(corners, normals, make_tag(scene), scene.corners, scene.normals));
-  scene.objects.push_back(Place::of(Kind::patch, scene.patches.size() - 1));
 }
 
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius) {
-  scene.cones.push_back(make_cone(base, base_radius, apex, apex_radius, make_tag(scene)));
-  scene.objects.push_back(Place::of(Kind::cone, scene.cones.size() - 1));
+  add(scene, Kind::cone, scene.cones,
+      make_cone(base, base_radius, apex, apex_radius, make_tag(scene)));
 }
 
 // tan() in extended precision and rounded: the same double whichever library computes it.

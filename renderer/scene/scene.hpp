@@ -68,6 +68,22 @@ struct Scene {
   double epsilon = 0;           ///< least distance of a hit: 1e-10 of the largest coordinate
 };
 
+/// Calls `f` with the Sphere, Polygon, Patch or Cone that is stored at a place. Inlined as
+/// kernels.hpp is.
+template <class F>
+[[gnu::always_inline]] inline auto visit(const Scene& scene, Place place, const F& f) {
+  switch (place.kind()) {
+    case Kind::sphere:
+      return f(scene.spheres[place.index()]);
+    case Kind::polygon:
+      return f(scene.polygons[place.index()]);
+    case Kind::patch:
+      return f(scene.patches[place.index()]);
+    default:
+      return f(scene.cones[place.index()]);
+  }
+}
+
 // Each adds one object, which has the surface added last. BadInput for a degenerate shape, for a
 // scene without surfaces, and beyond 2^30 objects.
 void add_sphere(Scene& scene, const Vec& centre, double radius);

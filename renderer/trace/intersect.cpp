@@ -1,11 +1,182 @@
 #include "renderer/trace/intersect.hpp"
 
-#include "renderer/trace/walk.hpp"
+#include <utility>
+
+#include "renderer/scene/kernels.hpp"
 
 namespace renderer {
 
-std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work) {
-  return walking::find(scene, ray, traversal, work, walking::Nobody{});
+namespace {
+
+struct Nearest {
+  double distance;
+  std::uint32_t object = NO_OBJECT;
+  Place place;
+};
+
+// The state of a walk, and what it counts.
+struct Walk {
+  const Scene& scene;
+  const Ray& ray;
+  Nearest best;
+  Probe probe;
+  std::uint32_t boxes = 0;
+  std::uint32_t tests[4] = {};  // by Kind
+};
+
+[[gnu::always_inline]] inline void count(Walk& walk, Work& work) {
+  constexpr Op TESTS[] = {Op::sphere_test, Op::polygon_test, Op::patch_test, Op::cone_test};
+  work[Op::box_test] += std::exchange(walk.boxes, 0);
+  for (int kind = 0; kind < 4; ++kind) work[TESTS[kind]] += std::exchange(walk.tests[kind], 0);
+  work[Op::sphere_root] += std::exchange(walk.probe.roots, 0);
+  work[Op::polygon_edges] += std::exchange(walk.probe.edges, 0);
+}
+
+// The listener of a walk that tells nothing.
+struct Nobody {
+  static constexpr bool LISTENS = false;
+};
+
+// Passes on what a walk reads, with counts that are up to date.
+struct Somebody {
+  static constexpr bool LISTENS = true;
+  Access& access;
+  Work& work;
+
+  void box(Walk& walk, std::uint32_t index) const {
+    count(walk, work);
+    access.box(index, work);
+  }
+  void object(Walk& walk, Place place) const {
+    count(walk, work);
+    access.object(place, work);
+  }
+};
+
+template <class Told>
+[[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Told& told) {
+  if constexpr (Told::LISTENS) told.object(walk, place);
+  ++walk.tests[static_cast<int>(place.kind())];
+  Tag tag;
+  const double distance = visit(walk.scene, place, [&](const auto& primitive) {
+    tag = primitive.tag;
+    return intersect(primitive, walk.probe);
+  });
+  Nearest& best = walk.best;
+  if (distance < best.distance ||
+      (distance == best.distance && tag.object < best.object && best.object != NO_OBJECT))
+    best = {distance, tag.object, place};
+}
+
+template <class Told>
+void walk_linear(Walk& walk, const Told& told) {
+  for (const Place place : walk.scene.objects) consider(walk, place, told);
+}
+
+// Walks depth first in stored order. CLIP: boxes end at the nearest hit so far; ANY: stop at a hit.
+template <bool CLIP, bool ANY, class Told>
+void walk_boxes(Walk& walk, const Told& told) {
+  const Box* boxes = walk.scene.hierarchy.boxes.data();
+  const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
+  const Vec o = walk.ray.origin;
+  const Vec inverse{1 / walk.ray.direction.x, 1 / walk.ray.direction.y, 1 / walk.ray.direction.z};
+  // The corner of every box through whose planes the ray enters, and the other one.
+  using Face = const Vec Bounds::*;
+  const Face in_x = inverse.x < 0 ? &Bounds::hi : &Bounds::lo;
+  const Face in_y = inverse.y < 0 ? &Bounds::hi : &Bounds::lo;
+  const Face in_z = inverse.z < 0 ? &Bounds::hi : &Bounds::lo;
+  const Face out_x = inverse.x < 0 ? &Bounds::lo : &Bounds::hi;
+  const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
+  const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
+  std::uint32_t tested = 0;
+  for (std::uint32_t i = 0; i < count;) {
+    const Box& box = boxes[i];
+    if constexpr (Told::LISTENS) walk.boxes = std::exchange(tested, 0);
+    if (box.item != Box::INNER) {
+      consider(walk, Place{box.item}, told);
+      if (ANY && walk.best.object != NO_OBJECT) break;
+      ++i;
+      continue;
+    }
+    if constexpr (Told::LISTENS) told.box(walk, i);
+    ++tested;
+    // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
+    // compares false and leaves the interval as it is.
+    double enter = 0, leave = CLIP ? walk.best.distance : NO_HIT;
+    const auto clip = [&](double in_plane, double out_plane, double from, double inv) {
+      const double in = (in_plane - from) * inv, out = (out_plane - from) * inv;
+      enter = in > enter ? in : enter;
+      leave = out < leave ? out : leave;
+    };
+    const Bounds& b = box.bounds;
+    clip((b.*in_x).x, (b.*out_x).x, o.x, inverse.x);
+    clip((b.*in_y).y, (b.*out_y).y, o.y, inverse.y);
+    clip((b.*in_z).z, (b.*out_z).z, o.z, inverse.z);
+    i = enter <= leave ? i + 1 : box.skip;
+  }
+  walk.boxes = tested;
+}
+
+// The hit on the nearest object; a feeler's has neither point nor normal.
+Hit make_hit(const Walk& walk) {
+  const Scene& scene = walk.scene;
+  const Ray& ray = walk.ray;
+  const Place place = walk.best.place;
+  Hit hit;
+  hit.distance = walk.best.distance;
+  hit.object = walk.best.object;
+  if (ray.kind == RayKind::shadow) return hit;
+  hit.point = ray.origin + hit.distance * ray.direction;
+  const Vec geometric = visit(scene, place, [&](const auto& primitive) {
+    hit.surface = primitive.tag.surface;
+    return eval_normal(primitive, hit.point);
+  });
+  hit.normal = geometric;
+  if (place.kind() == Kind::patch) {
+    const Vec smooth =
+        eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, hit.point);
+    // At a silhouette the interpolated normal may be on the other side than the plane's.
+    if (!(dot(smooth, ray.direction) * dot(geometric, ray.direction) <= 0)) hit.normal = smooth;
+  }
+  hit.inside = dot(geometric, ray.direction) > 0;
+  if (hit.inside) hit.normal = -hit.normal;
+  return hit;
+}
+
+template <class Told>
+std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
+                        const Told& told) {
+  Walk walk{scene,
+            ray,
+            {ray.reach, NO_OBJECT, {}},
+            {ray.origin, ray.direction, ray.from, scene.epsilon, scene.corners.data()}};
+  switch (traversal) {
+    case Traversal::linear:
+      walk_linear(walk, told);
+      break;
+    case Traversal::exhaustive:
+      walk_boxes<false, false>(walk, told);
+      break;
+    case Traversal::nearest:
+      if (ray.kind == RayKind::shadow)
+        walk_boxes<true, true>(walk, told);
+      else
+        walk_boxes<true, false>(walk, told);
+      break;
+  }
+  work[Op::ray_intersected] += 1;
+  count(walk, work);
+  if (walk.best.object == NO_OBJECT) return std::nullopt;
+  work[Op::hit_made] += ray.kind != RayKind::shadow;
+  return make_hit(walk);
+}
+
+}  // namespace
+
+std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
+                             Access* access) {
+  return access ? find(scene, ray, traversal, work, Somebody{*access, work})
+                : find(scene, ray, traversal, work, Nobody{});
 }
 
 }  // namespace renderer

@@ -1,6 +1,7 @@
 #include "renderer/trace/params.hpp"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 
 #include "renderer/scene/require.hpp"
 
@@ -8,29 +9,73 @@ namespace renderer {
 
 namespace {
 
-constexpr int MAX_DEPTH = 1000, MAX_AMBIENT = 1000;
 constexpr long long MAX_PIXELS = 1LL << 28;
 
-std::string describe_size(int width, int height) { return fmt::format("{} x {}", width, height); }
+const base::Names<Feelers> FEELERS = {{"all", Feelers::all}, {"front", Feelers::front}};
+const base::Names<SamplePosition> SAMPLES = {{"center", SamplePosition::center},
+                                             {"corner", SamplePosition::corner},
+                                             {"lattice", SamplePosition::lattice}};
+const base::Names<Traversal> TRAVERSALS = {{"exhaustive", Traversal::exhaustive},
+                                           {"nearest", Traversal::nearest},
+                                           {"linear", Traversal::linear}};
+
+bool set_area(Area& area, const base::Scalar& value) {
+  const auto& sides = std::get<std::vector<double>>(value);
+  const auto is_pixels = [](double x) { return x >= 0 && x <= MAX_SIDE && x == std::floor(x); };
+  if (sides.size() != 4 || !std::ranges::all_of(sides, is_pixels)) return false;
+  area = {int(sides[0]), int(sides[1]), int(sides[2]), int(sides[3])};
+  return true;
+}
+
+base::Scalar get_sides(const Area& area) {
+  return std::vector<double>{double(area.x), double(area.y), double(area.width),
+                             double(area.height)};
+}
 
 }  // namespace
 
+base::Field<Area> area_field() {
+  return {"area",
+          "pixels",
+          "area of interest, [x, y, width, height]; 0 x 0: the whole image",
+          {.kind = base::Domain::Kind::list, .expected = "[x, y, width, height] in pixels"},
+          &set_area,
+          &get_sides};
+}
+
+base::Fields<Params> param_fields() {
+  using D = base::Declare<Params>;
+  const auto depth = [](Params & p) -> auto& { return p.limits.depth; };
+  const auto min_influence = [](Params & p) -> auto& { return p.limits.min_influence; };
+  return {
+      D::whole("width", &Params::width, 1, MAX_SIDE, "pixels", "width of the image"),
+      D::whole("height", &Params::height, 1, MAX_SIDE, "pixels", "height of the image"),
+      D::whole("depth", depth, 1, 1000, "", "levels of the shading tree"),
+      D::number("min_influence", min_influence, 0, 1, "",
+                "influence factor below which no ray is made"),
+      D::choice("feelers", &Params::feelers, FEELERS,
+                "lights that get a feeler: all, or those in front of the surface"),
+      D::choice("sample", &Params::sample, SAMPLES,
+                "where a pixel is sampled: corner, center, or lattice (edge to edge)"),
+      D::choice("traversal", &Params::traversal, TRAVERSALS,
+                "how the hierarchy is searched: exhaustive (the thesis), nearest first, or linear"),
+      D::number("ambient", &Params::ambient, 0, 1000, "", "intensity of ambient light"),
+      base::lift<Params>(area_field(), &Params::area),
+  };
+}
+
 void check(const Params& p) {
-  const auto size = describe_size(p.width, p.height);
+  const auto show = [](int width, int height) { return fmt::format("{} x {}", width, height); };
+  const auto size = show(p.width, p.height);
   require(p.width >= 1 && p.width <= MAX_SIDE && p.height >= 1 && p.height <= MAX_SIDE, "size",
           size, fmt::format("1 to {} pixels a side", MAX_SIDE));
   require(1LL * p.width * p.height <= MAX_PIXELS, "size", size,
           fmt::format("at most {} pixels", MAX_PIXELS));
-  require(p.limits.depth >= 1 && p.limits.depth <= MAX_DEPTH, "depth", p.limits.depth,
-          fmt::format("1 to {}", MAX_DEPTH));
-  require(p.limits.min_influence >= 0 && p.limits.min_influence <= 1, "min_influence",
-          p.limits.min_influence, "0 to 1");
-  require(p.ambient >= 0 && p.ambient <= MAX_AMBIENT, "ambient", p.ambient,
-          fmt::format("0 to {}", MAX_AMBIENT));
+  require_allowed(param_fields(), p);
   const Area a = get_area(p);
   require(a.x >= 0 && a.y >= 0 && a.width >= 1 && a.height >= 1 && a.x <= p.width - a.width &&
               a.y <= p.height - a.height,
-          "area", fmt::format("{} at ({}, {})", describe_size(a.width, a.height), a.x, a.y),
+          "area", fmt::format("{} at ({}, {})", show(a.width, a.height), a.x, a.y),
           fmt::format("a rectangle of pixels within {}", size));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "base/fields.hpp"
 #include "renderer/trace/intersect.hpp"
 
 namespace renderer {
@@ -44,6 +45,11 @@ struct Params {
   Traversal traversal = Traversal::exhaustive;
   double ambient = 0.1;  ///< intensity of ambient light Ia, 0..1000 (assumed: NFF has none)
 };
+
+/// The fields width, height, depth, min_influence, feelers, sample, traversal, ambient and area.
+base::Fields<Params> param_fields();
+/// The field "area", [x, y, width, height] in pixels.
+base::Field<Area> area_field();
 
 /// BadInput naming the field, what was found and what was expected.
 void check(const Params& params);

@@ -1,13 +1,10 @@
 #include "renderer/trace/render.hpp"
 
-#include <fmt/format.h>
-
 #include <atomic>
-#include <exception>
+#include <future>
 #include <mutex>
-#include <thread>
 
-#include "base/errors.hpp"
+#include "renderer/scene/require.hpp"
 #include "renderer/trace/shade.hpp"
 
 namespace renderer {
@@ -32,47 +29,12 @@ struct Tracer {
     while (!stack.empty()) {
       const Ray ray = stack.back();
       stack.pop_back();
-      const std::optional<Hit> hit = access ? intersect(scene, ray, params.traversal, work, *access)
-                                            : intersect(scene, ray, params.traversal, work);
+      const auto hit = intersect(scene, ray, params.traversal, work, access);
       rays.add(ray.kind, hit.has_value());
       samples.add(at, eval_contribution(scene, params, ray, hit, work));
       if (hit) make_children(scene, params, ray, *hit, stack, work);
     }
   }
-};
-
-// Rows are handed out one by one; the first exception stops every thread.
-class Rows {
- public:
-  Rows(int rows, const Progress& progress) : rows_(rows), progress_(progress) {}
-
-  /// The next row, or the number of rows when there is none left.
-  int take() { return stopped_ ? rows_ : std::min(next_++, rows_); }
-
-  void report() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (progress_) progress_(done_, rows_);
-  }
-
-  void stop() {
-    const std::lock_guard lock(mutex_);
-    if (!error_) error_ = std::current_exception();
-    stopped_ = true;
-  }
-
-  void rethrow() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  const int rows_;
-  const Progress& progress_;
-  std::atomic<int> next_ = 0;
-  std::atomic<bool> stopped_ = false;
-  std::mutex mutex_;
-  int done_ = 0;
-  std::exception_ptr error_;
 };
 
 }  // namespace
@@ -94,9 +56,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
   return *this;
 }
 
-namespace {
-
-Block render_pixels(const Scene& scene, const Params& params, const Area& area, Access* access) {
+Block render_block(const Scene& scene, const Params& params, const Area& area, Access* access) {
   Block block{area, Samples(area.width, area.height), {}, {}};
   Tracer tracer{scene, params, block.samples, access};
   std::uint32_t at = 0;
@@ -107,47 +67,40 @@ Block render_pixels(const Scene& scene, const Params& params, const Area& area, 
   return block;
 }
 
-}  // namespace
-
-Block render_block(const Scene& scene, const Params& params, const Area& area) {
-  return render_pixels(scene, params, area, nullptr);
-}
-
-Block render_block(const Scene& scene, const Params& params, const Area& area, Access& access) {
-  return render_pixels(scene, params, area, &access);
-}
-
 Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {
   check(params);
-  if (threads < 1 || threads > MAX_THREADS)
-    throw base::BadInput(fmt::format("threads: found {}, expected 1 to {}", threads, MAX_THREADS));
+  require(threads >= 1 && threads <= MAX_THREADS, "threads", threads,
+          fmt::format("1 to {}", MAX_THREADS));
   const Area area = get_area(params);
   Rendering result{Samples(params.width, params.height), {}, {}};
-  Rows rows(area.height, progress);
-  std::mutex gather;
-
-  const auto work_on_rows = [&] {
+  // Rows are handed out one by one; an exception leaves none for the other threads.
+  std::atomic<int> next = 0;
+  std::mutex one_by_one;
+  int done = 0;
+  const auto trace_rows = [&] {
     Tracer tracer{scene, params, result.samples};
     try {
-      for (int row = rows.take(); row < area.height; row = rows.take()) {
+      for (int row = next++; row < area.height; row = next++) {
+        const int y = area.y + row;
         for (int x = area.x; x < area.x + area.width; ++x)
-          tracer.trace(x, area.y + row,
-                       static_cast<std::uint32_t>((area.y + row) * params.width + x));
-        rows.report();
+          tracer.trace(x, y, static_cast<std::uint32_t>(y * params.width + x));
+        const std::lock_guard lock(one_by_one);
+        ++done;
+        if (progress) progress(done, area.height);
       }
     } catch (...) {
-      rows.stop();
+      next = area.height;
+      throw;
     }
-    const std::lock_guard lock(gather);
+    const std::lock_guard lock(one_by_one);
     result.rays += tracer.rays;
     result.work += tracer.work;
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < std::min(threads, area.height); ++i) helpers.emplace_back(work_on_rows);
-    work_on_rows();
-  }
-  rows.rethrow();
+  std::vector<std::future<void>> helpers;
+  for (int i = 1; i < std::min(threads, area.height); ++i)
+    helpers.push_back(std::async(std::launch::async, trace_rows));
+  trace_rows();
+  for (auto& helper : helpers) helper.get();
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "renderer/image/image.hpp"
-#include "renderer/trace/access.hpp"
 #include "renderer/trace/params.hpp"
 
 namespace renderer {
@@ -36,10 +35,9 @@ struct Block {
 };
 
 /// Traces every ray of `area`, which lies within the image of `params`. The sums are those that
-/// render() finds there.
-Block render_block(const Scene& scene, const Params& params, const Area& area);
-/// The same block; `access` is told of every part of the scene that is read.
-Block render_block(const Scene& scene, const Params& params, const Area& area, Access& access);
+/// render() finds there. `access`, unless null, is told of every part of the scene that is read.
+Block render_block(const Scene& scene, const Params& params, const Area& area,
+                   Access* access = nullptr);
 
 /// Is called after every row, by one thread at a time.
 using Progress = std::function<void(int done, int rows)>;

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "renderer/files/load.hpp"
-#include "renderer/trace/fields.hpp"
+#include "renderer/files/nff.hpp"
+#include "renderer/trace/params.hpp"
 #include "simulator/declare/routers.hpp"
 #include "simulator/farm/measured.hpp"
 

@@ -225,7 +225,7 @@ class SharedFarm {
   renderer::Block render(DataManager& manager, const renderer::Area& area) {
     return kernels::with_memory(block_bytes(pixel_bytes_, area), "a block of pixels", [&] {
       shared_memory::SceneReader reader(items_, manager, block_cost_);
-      auto block = render_block(scene_, params_.image, area, reader);
+      auto block = render_block(scene_, params_.image, area, &reader);
       reader.charge(block.work);
       charged_ += reader.charged();
       return block;

@@ -1,6 +1,6 @@
 #include "simulator/radiosity/program.hpp"
 
-#include "renderer/radiosity/show/fields.hpp"
+#include "renderer/radiosity/show/display.hpp"
 #include "simulator/declare/routers.hpp"
 #include "simulator/radiosity/pictures.hpp"
 

@@ -1,8 +1,8 @@
 #include "simulator/radiosity/rooms.hpp"
 
 #include "renderer/radiosity/files/load_room.hpp"
-#include "renderer/radiosity/light/fields.hpp"
-#include "renderer/radiosity/show/fields.hpp"
+#include "renderer/radiosity/light/solve.hpp"
+#include "renderer/radiosity/show/display.hpp"
 
 namespace amp {
 

@@ -2,7 +2,7 @@
 // A scene as items of virtual shared memory: the boxes of its hierarchy ("clusters") are accessed
 // as its objects are (5.1.2.1). Surfaces, lights and the view are embedded: every processor has
 // them.
-#include "renderer/trace/access.hpp"
+#include "renderer/trace/intersect.hpp"
 #include "simulator/shared_memory/data_manager.hpp"
 
 namespace shared_memory {

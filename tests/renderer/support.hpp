@@ -41,10 +41,7 @@ struct Random {
   }
 };
 
-inline Scene parse(const std::string& text) {
-  std::istringstream in(text);
-  return parse_nff(in, "test.nff");
-}
+inline Scene parse(const std::string& text) { return parse_nff(text, "test.nff"); }
 
 /// Two unit vectors at right angles to `n` and to each other.
 inline std::array<Vec, 2> make_plane(const Vec& n) {

@@ -9,9 +9,9 @@
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
-#include "renderer/radiosity/light/fields.hpp"
+#include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/display.hpp"
-#include "renderer/radiosity/show/fields.hpp"
+#include "renderer/radiosity/show/display.hpp"
 
 namespace laboratory {
 namespace {

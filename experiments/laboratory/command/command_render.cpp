@@ -4,8 +4,8 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/host/progress.hpp"
-#include "renderer/files/load.hpp"
-#include "renderer/trace/fields.hpp"
+#include "renderer/files/nff.hpp"
+#include "renderer/trace/params.hpp"
 #include "renderer/trace/render.hpp"
 
 namespace laboratory {

@@ -8,7 +8,7 @@
 
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "renderer/files/load.hpp"
+#include "renderer/files/nff.hpp"
 #include "simulator/farm/farm.hpp"
 
 namespace laboratory {

@@ -46,8 +46,7 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   const Vec u = a - apex, w = b - apex, across = cross(u, w);
   const double square = dot(across, across);
   if (!(square > 0)) return;
-  const Vec normal = normalize(across);
-  const auto ends = cut(face, {normal, dot(normal, apex)});
+  const auto ends = cut(face, make_plane(normalize(across), apex));
   if (!ends) return;
   // x - apex = p u + q w
   double p[2], q[2];
@@ -201,9 +200,9 @@ bool cuts(const Plane& plane, std::span<const Vec> polygon, double tolerance) {
 }
 
 bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance) {
-  for (const Vec& corner : polygon)
-    if (std::abs(eval_height(plane, corner)) > tolerance) return false;
-  return true;
+  return std::ranges::all_of(polygon, [&](const Vec& corner) {
+    return std::abs(eval_height(plane, corner)) <= tolerance;
+  });
 }
 
 // Whether the plane through a corner of one polygon and an edge of the other cuts neither of them.
@@ -212,10 +211,9 @@ bool is_critical(const Stage& stage, std::span<const Vec> blocker, const Vec& co
   const double tolerance = stage.tolerance;
   const Vec across = cross(b - a, corner - a);
   if (length(across) <= tolerance * length(b - a)) return false;
-  const Vec normal = normalize(across);
-  const Plane plane{normal, dot(normal, corner)};
+  const Plane plane = make_plane(normalize(across), corner);
   return !contains(plane, stage.light.corners, 10 * tolerance) &&
-         length(cross(normal, stage.light.plane.normal)) > ASIDE &&
+         length(cross(plane.normal, stage.light.plane.normal)) > ASIDE &&
          !cuts(plane, stage.light.corners, tolerance) && !cuts(plane, blocker, tolerance);
 }
 
@@ -223,7 +221,7 @@ bool is_critical(const Stage& stage, std::span<const Vec> blocker, const Vec& co
 void add_own_plane_creases(Shadow& shadow) {
   const auto& light = shadow.stage.light.corners;
   const auto& face = shadow.stage.between[shadow.blocker];
-  const Plane own{shadow.blocker_normal, dot(shadow.blocker_normal, shadow.blocker_mean)};
+  const Plane own = make_plane(shadow.blocker_normal, shadow.blocker_mean);
   if (!cuts(own, light, shadow.stage.tolerance)) return;
   const auto ends = cut(light, own);
   if (!ends) return;
@@ -306,14 +304,13 @@ std::vector<Piece> find_sides(const Room& room, const Wanted& wanted) {
   for (std::size_t i = 0; i < room.faces.size(); ++i) {
     const Face& face = room.faces[i];
     if (!wanted(room.materials[face.material])) continue;
-    renderer::Bounds bounds;
-    for (const Vec& corner : face.corners) bounds = join(bounds, corner);
-    const Vec normal = normalize(eval_area_normal(face.corners));
-    const double offset = dot(normal, eval_mean(face.corners));
-    pieces.push_back({{face.corners, {normal, offset}}, i, bounds});
+    const auto bounds = renderer::make_bounds(face.corners);
+    const Plane front =
+        make_plane(normalize(eval_area_normal(face.corners)), eval_mean(face.corners));
+    pieces.push_back({{face.corners, front}, i, bounds});
     if (!face.two_sided) continue;
-    pieces.push_back(
-        {{{face.corners.rbegin(), face.corners.rend()}, {-normal, -offset}}, i, bounds});
+    const Plane back{-front.normal, -front.offset};
+    pieces.push_back({{{face.corners.rbegin(), face.corners.rend()}, back}, i, bounds});
   }
   return pieces;
 }
@@ -367,9 +364,7 @@ void merge(Crease crease, double same, std::vector<Crease>& creases) {
 }  // namespace
 
 std::vector<Crease> find_creases(const Room& room) {
-  renderer::Bounds bounds;
-  for (const Face& face : room.faces)
-    for (const Vec& corner : face.corners) bounds = join(bounds, corner);
+  const renderer::Bounds bounds = eval_bounds(room);
   const double size = max_abs(bounds.hi - bounds.lo);
 
   const auto lights = find_sides(

@@ -1,23 +1,405 @@
 #include "renderer/radiosity/files/load_room.hpp"
 
-#include <sstream>
+#include <algorithm>
+#include <filesystem>
 
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
+#include "renderer/files/nff.hpp"
 #include "renderer/files/tokens.hpp"
-#include "renderer/radiosity/files/nff_room.hpp"
-#include "renderer/radiosity/files/obj_room.hpp"
-#include "renderer/radiosity/files/read_room.hpp"
+#include "renderer/radiosity/room/check.hpp"
 
 namespace radiosity {
 
+namespace {
+
+using renderer::at_place;
+using renderer::Tokens;
+
+// Adds a material that stands at a line; no other may have its name.
+void add_material(const Tokens& tokens, int line, const Material& material,
+                  std::vector<Material>& materials) {
+  tokens.at_line(line, [&] { check_material(material); });
+  if (std::ranges::find(materials, material.name, &Material::name) != materials.end())
+    tokens.fail(line, fmt::format("found a second material {}, expected another name",
+                                  base::quote(material.name)));
+  materials.push_back(material);
+}
+
+// Takes a material's name and returns its index. `where` says what names it: "lines above".
+std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view where) {
+  std::string known;
+  for (std::uint32_t i = 0; i < room.materials.size(); ++i) {
+    if (tokens.take_if(room.materials[i].name)) return i;
+    known += (i == 0 ? "" : ", ") + room.materials[i].name;
+  }
+  tokens.fail_next(
+      fmt::format("a material of the {}: {}", where, known.empty() ? "none yet" : known));
+}
+
+// Adds a face that stands at a line.
+void add_face(const Tokens& tokens, int line, Face face, Room& room) {
+  face.where = fmt::format("{}:{}", tokens.name(), line);
+  tokens.at_line(line, [&] { check_face(face, room.materials.size()); });
+  room.faces.push_back(std::move(face));
+}
+
+// Reads tlab's own format.
+class RoomReader {
+ public:
+  RoomReader(std::string_view text, const std::string& name) : tokens_(text, name) {}
+
+  Room read() {
+    while (tokens_.begin_line()) read_statement();
+    if (view_line_ == 0) tokens_.fail_next("a view");
+    at_place(tokens_.name(), [&] { check_light(room_); });
+    for (std::size_t i = 0; i < crease_lines_.size(); ++i)
+      if (!lies_on_a_face(room_.creases[i], room_))
+        tokens_.fail(crease_lines_[i],
+                     "found a crease on no face, expected both ends in a plane of one");
+    return std::move(room_);
+  }
+
+ private:
+  void read_statement() {
+    using Read = void (*)(RoomReader&);
+    constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
+        {"material", [](RoomReader& r) { r.read_material(false); }},
+        {"mirror", [](RoomReader& r) { r.read_material(true); }},
+        {"quad", [](RoomReader& r) { r.read_face(4); }},
+        {"polygon", [](RoomReader& r) { r.read_face({}); }},
+        {"box", [](RoomReader& r) { r.read_box(); }},
+        {"crease", [](RoomReader& r) { r.read_crease(); }},
+        {"view", [](RoomReader& r) { r.read_view(); }}};
+    tokens_.take_choice(STATEMENTS,
+                        "a statement: material, mirror, quad, polygon, box, crease or view")(*this);
+  }
+
+  void take_name(std::string_view name) {
+    if (!tokens_.take_if(name)) tokens_.fail_next(fmt::format("'{}'", name));
+  }
+
+  void read_material(bool mirror) {
+    Material m;
+    m.mirror = mirror;
+    m.name = tokens_.take_word("a name");
+    take_name("reflect");
+    m.reflectance = tokens_.take_rgb("a reflectance");
+    if (!mirror && tokens_.take_if("emit")) m.emission = tokens_.take_rgb("an emission");
+    tokens_.end_line();
+    add_material(tokens_, tokens_.line(), m, room_.materials);
+  }
+
+  int take_divisions(std::string_view what) { return tokens_.take_count(what, 1, MAX_DIVISIONS); }
+
+  // A face of so many corners; of as many as the line has, if it is not said.
+  void read_face(std::optional<int> corners) {
+    Face face;
+    face.material = take_material(tokens_, room_, "lines above");
+    const auto ends = [&] {
+      const auto word = tokens_.peek();
+      return word.empty() || word == "divide" || word == "two-sided";
+    };
+    for (int i = 0; corners ? i < *corners : i < 3 || !ends(); ++i)
+      face.corners.push_back(tokens_.take_vec(fmt::format("corner {}", i + 1)));
+    if (tokens_.take_if("divide")) {
+      face.along = take_divisions("patches along the first edge");
+      face.across = corners ? take_divisions("patches across it") : face.along;
+    }
+    face.two_sided = tokens_.take_if("two-sided");
+    if (tokens_.continues())
+      tokens_.fail_next("'divide', then 'two-sided', or the end of the line");
+    add_face(tokens_, tokens_.line(), std::move(face), room_);
+  }
+
+  // Six quads whose fronts are outside, or inside.
+  void read_box() {
+    const int line = tokens_.line();
+    Face face;
+    face.material = take_material(tokens_, room_, "lines above");
+    const Vec ends[] = {tokens_.take_vec("the least corner"),
+                        tokens_.take_vec("the greatest corner")};
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(ends[0][axis] < ends[1][axis]))
+        tokens_.fail(
+            line, fmt::format("found a box from {} to {} along {}, expected the least corner first",
+                              ends[0][axis], ends[1][axis], "xyz"[axis]));
+    if (tokens_.take_if("divide"))
+      face.along = face.across = take_divisions("patches along every edge");
+    const bool inside = tokens_.take_if("inside");
+    if (tokens_.continues()) tokens_.fail_next("'divide', then 'inside', or the end of the line");
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int end : {0, 1}) {
+        face.corners.clear();
+        for (const auto& [next, last] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          // Counter-clockwise as seen from the greatest end of the axis; else the other way round.
+          const bool seen = (end == 1) != inside;
+          double at[3];
+          at[axis] = ends[end][axis];
+          at[(axis + 1) % 3] = ends[seen ? next : last][(axis + 1) % 3];
+          at[(axis + 2) % 3] = ends[seen ? last : next][(axis + 2) % 3];
+          face.corners.push_back({at[0], at[1], at[2]});
+        }
+        add_face(tokens_, line, face, room_);
+      }
+  }
+
+  void read_crease() {
+    Crease crease;
+    crease.a = tokens_.take_vec("one end");
+    crease.b = tokens_.take_vec("the other end");
+    tokens_.end_line();
+    tokens_.at_line(tokens_.line(), [&] { check_crease(crease); });
+    room_.creases.push_back(crease);
+    crease_lines_.push_back(tokens_.line());
+  }
+
+  void read_view() {
+    const int line = tokens_.line();
+    if (view_line_ != 0)
+      tokens_.fail(line,
+                   fmt::format("found a second view, expected one, that of line {}", view_line_));
+    view_line_ = line;
+    renderer::View view;
+    for (const auto& [name, vec] :
+         {std::pair{"from", &view.from}, {"at", &view.at}, {"up", &view.up}}) {
+      take_name(name);
+      *vec = tokens_.take_vec(name);
+    }
+    take_name("angle");
+    view.angle = tokens_.take_number("the angle of the picture's height in degrees");
+    take_name("size");
+    view.width = tokens_.take_count("the picture's width", 1, renderer::MAX_SIDE);
+    view.height = tokens_.take_count("the picture's height", 1, renderer::MAX_SIDE);
+    tokens_.end_line();
+    tokens_.at_line(line, [&] { room_.view = check_view(view); });
+  }
+
+  Tokens tokens_;
+  Room room_;
+  int view_line_ = 0;
+  std::vector<int> crease_lines_;  // by crease
+};
+
+// Makes a room of an NFF file.
+struct RoomTarget : renderer::NffTarget {
+  explicit RoomTarget(std::string file) : name(std::move(file)) {}
+
+  std::string name;  // of the file
+  Room room;
+  Material material;  // of the faces to come
+  bool used = false;  // whether it is the last of the room's materials
+
+  bool takes_emission() const override { return true; }
+  void set_view(const renderer::View& view) override { room.view = check_view(view); }
+  void add_light(const Vec&, const std::optional<Rgb>&) override {}
+
+  void set_surface(const renderer::Surface& s) override {
+    if (s.t > 0) throw BadInput(fmt::format("found T {}, expected 0: opaque surfaces", s.t));
+    const bool mirror = s.ks == 1 && s.kd == 0;
+    set_material({{}, mirror ? Rgb{1, 1, 1} : s.kd * s.colour, {}, mirror});
+  }
+  void set_emission(const Rgb& emission) override {
+    Material emitting = material;
+    emitting.emission = emission;
+    set_material(emitting);
+  }
+  void set_material(const Material& next) {
+    check_material(next);
+    material = next;
+    material.name = fmt::format("line {}", line);
+    used = false;
+  }
+
+  void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) override {
+    if (!used) room.materials.push_back(material);
+    used = true;
+    Face face;
+    face.corners = std::move(corners);
+    face.normals = std::move(normals);
+    face.material = static_cast<std::uint32_t>(room.materials.size() - 1);
+    face.where = fmt::format("{}:{}", name, line);
+    check_face(face, room.materials.size());
+    room.faces.push_back(std::move(face));
+  }
+  void add_sphere(const Vec&, double) override { refuse("a sphere ('s')"); }
+  void add_cone(const Vec&, double, const Vec&, double) override { refuse("a cone ('c')"); }
+  [[noreturn]] static void refuse(const char* found) {
+    throw BadInput(fmt::format("found {}, expected flat faces: p or pp", found));
+  }
+};
+
+// A reader of OBJ files of our own: tinyobjloader 2.0.0 reads "nan" as 0 and passes over what it
+// does not know, without a word and without a line.
+
+// A material of an MTL file; its Ks counts if it turns out to be a mirror.
+struct Draft {
+  Material material;
+  Rgb specular;
+  int line;
+};
+
+void read_mtl_statement(Tokens& tokens, std::vector<Draft>& drafts) {
+  constexpr int MIRROR = 3, MAX_ILLUM = 10;
+  const std::string_view name = tokens.take();
+  if (name == "newmtl") {
+    drafts.push_back({{}, {}, tokens.line()});
+    drafts.back().material.name = tokens.take_word("a name");
+    return tokens.end_line();
+  }
+  const bool known = name == "Kd" || name == "Ks" || name == "Ke" || name == "illum";
+  if (!known) return tokens.skip_line();
+  if (drafts.empty())
+    tokens.fail(tokens.line(), fmt::format("found '{}', expected 'newmtl' before it", name));
+  Draft& draft = drafts.back();
+  if (name == "illum")
+    draft.material.mirror = tokens.take_count("illum", 0, MAX_ILLUM) == MIRROR;
+  else if (name == "Kd")
+    draft.material.reflectance = tokens.take_rgb(name);
+  else if (name == "Ks")
+    draft.specular = tokens.take_rgb(name);
+  else
+    draft.material.emission = tokens.take_rgb(name);
+  tokens.end_line();
+}
+
+void load_mtl(const std::string& path, std::vector<Material>& materials) {
+  const std::string text = base::read_text(path);
+  Tokens tokens(text, path);
+  std::vector<Draft> drafts;
+  while (tokens.begin_line()) read_mtl_statement(tokens, drafts);
+  for (Draft& draft : drafts) {
+    if (draft.material.mirror) draft.material.reflectance = draft.specular;
+    add_material(tokens, draft.line, draft.material, materials);
+  }
+}
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& path) : tokens_(text, path) {}
+
+  Room read() {
+    while (tokens_.begin_line()) read_statement();
+    at_place(tokens_.name(), [&] { check_light(room_); });
+    set_view();
+    return std::move(room_);
+  }
+
+ private:
+  void read_statement() {
+    using Read = void (*)(ObjReader&);
+    constexpr auto skip = [](ObjReader& r) { r.tokens_.skip_line(); };
+    constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
+        {"v", [](ObjReader& r) { r.read_point(); }},
+        {"vn", [](ObjReader& r) { r.read_normal(); }},
+        {"f", [](ObjReader& r) { r.read_face(); }},
+        {"usemtl", [](ObjReader& r) { r.use_material(); }},
+        {"mtllib", [](ObjReader& r) { r.read_library(); }},
+        {"vt", skip},
+        {"g", skip},
+        {"o", skip},
+        {"s", skip}};
+    tokens_.take_choice(STATEMENTS, "a statement: v, vt, vn, f, g, o, s, usemtl or mtllib")(*this);
+  }
+
+  void read_point() {
+    points_.push_back(tokens_.take_vec("a vertex"));
+    tokens_.skip_line();  // a weight or a colour
+  }
+
+  void read_normal() {
+    normals_.push_back(tokens_.take_vec("a normal"));
+    tokens_.end_line();
+  }
+
+  void use_material() {
+    material_ = take_material(tokens_, room_, "files above");
+    tokens_.skip_line();
+  }
+
+  void read_library() {
+    do {
+      const auto folder = std::filesystem::path(tokens_.name()).parent_path();
+      const std::string path = (folder / tokens_.take_word("a file")).string();
+      load_mtl(path, room_.materials);
+      room_.libraries.push_back(path);
+    } while (!tokens_.peek().empty());
+  }
+
+  // Corners are v, v/vt, v//vn or v/vt/vn.
+  void read_face() {
+    const int line = tokens_.line();
+    if (!material_) tokens_.fail(line, "found 'f', expected 'usemtl' before the first face");
+    Face face;
+    face.material = *material_;
+    while (!tokens_.peek().empty()) {
+      const std::string_view word = tokens_.peek();
+      const std::size_t slash = word.find('/'),
+                        second = word.find('/', std::min(slash, word.size() - 1) + 1);
+      face.corners.push_back(find(points_, word.substr(0, slash), "vertex (v)"));
+      if (slash != word.npos && second != word.npos)
+        face.normals.push_back(find(normals_, word.substr(second + 1), "normal (vn)"));
+      tokens_.take();
+    }
+    add_face(tokens_, line, std::move(face), room_);
+  }
+
+  // What a corner refers to: counted from 1, or backwards from -1.
+  const Vec& find(const std::vector<Vec>& list, std::string_view text, const char* what) {
+    const auto count = static_cast<long long>(list.size());
+    const long long n = base::parse_number<long long>(text).value_or(0);
+    if (n == 0 || n > count || n < -count)
+      tokens_.fail_next(
+          fmt::format("the number of a {} in each corner, of the {} so far, 1 the first and "
+                      "-1 the last",
+                      what, count));
+    return list[static_cast<std::size_t>(n > 0 ? n - 1 : count + n)];
+  }
+
+  // The bounds just fit into the picture, up is y.
+  void set_view() {
+    const renderer::Bounds bounds = eval_bounds(room_);
+    renderer::View view;
+    const double sine = 0.38268343236508977;  // of half the view's 45 degrees
+    view.at = 0.5 * (bounds.lo + bounds.hi);
+    view.from = view.at + (0.5 / sine) * (bounds.hi - bounds.lo);
+    room_.view = check_view(view);
+  }
+
+  Tokens tokens_;
+  Room room_;
+  std::vector<Vec> points_, normals_;
+  std::optional<std::uint32_t> material_;  // of the faces to come
+};
+
+Room read_nff_room(std::string_view text, const std::string& name) {
+  RoomTarget target(name);
+  read_nff(text, name, target);
+  at_place(name, [&] { check_light(target.room); });
+  return std::move(target.room);
+}
+
+using Read = Room (*)(std::string_view text, const std::string& name);
+
+Read find_reader(const std::string& name) {
+  if (name.ends_with(".room"))
+    return [](std::string_view text, const std::string& n) { return RoomReader(text, n).read(); };
+  if (name.ends_with(".obj"))
+    return [](std::string_view text, const std::string& n) { return ObjReader(text, n).read(); };
+  if (name.ends_with(".nff")) return &read_nff_room;
+  throw BadInput(fmt::format(
+      "{}: found a room's name with another ending, expected .room, .nff or .obj", name));
+}
+
+}  // namespace
+
+Room read_room(std::string_view text, const std::string& name) {
+  return find_reader(name)(text, name);
+}
+
 Room load_room(const std::string& path) {
-  if (path.ends_with(".obj")) return load_obj_room(path);
-  const bool is_nff = path.ends_with(".nff");
-  if (!is_nff && !path.ends_with(".room"))
-    throw base::BadInput(fmt::format(
-        "{}: found a room's name with another ending, expected .room, .nff or .obj", path));
-  std::istringstream in(base::read_text(path));
-  return is_nff ? read_nff_room(in, path) : read_room(in, path);
+  const Read read = find_reader(path);
+  return read(base::read_text(path), path);
 }
 
 }  // namespace radiosity

@@ -1,14 +1,42 @@
 #pragma once
-// Rooms from files.
+// Rooms from files of three formats, told apart by the ending of the file's name.
+//
+// .room is tlab's own text format: one statement a line, `#` starts a comment, materials before
+// what uses them. Divisions are Face::along and across.
+//
+//   material NAME reflect R G B [emit R G B]
+//   mirror NAME reflect R G B
+//   quad MATERIAL  x y z  x y z  x y z  x y z  [divide N M] [two-sided]
+//   polygon MATERIAL  x y z ... [divide N] [two-sided]
+//   box MATERIAL  x y z  x y z  [divide N] [inside]      six quads, least corner first; their
+//                                                        fronts outside, or inside
+//   crease x y z  x y z
+//   view from x y z at x y z up x y z angle DEGREES size W H      required, once
+//
+// .nff (renderer/files/nff.hpp): faces are p and pp. The surface f before them is diffuse and
+// reflects kd times its colour, or where ks is 1 and kd 0 it is a mirror that reflects all. Its
+// highlights are passed over, as are l and b. `# emit R G B` after an f: the faces from there on
+// emit. Spheres and cones, which are not flat, and T above 0 are errors.
+//
+// .obj, with its MTL files: every face is one patch before MeshParams::refine. v, vn, f, usemtl and
+// mtllib count; vt, g, o and s are passed over, others are errors. An OBJ has no view: it is looked
+// at from outside, along the diagonal of its bounds from the greatest corner, y upwards. Of an MTL
+// file's statements Kd is the reflectance and Ke the emission, black where there is none. `illum
+// 3`, which asks for mirror images by ray tracing, makes the material a mirror: it reflects Ks, and
+// its Kd is passed over. Other statements are passed over.
 
 #include <string>
+#include <string_view>
 
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {
 
-/// Reads a file, by its ending: .room (read_room.hpp), .nff (nff_room.hpp) or .obj (obj_room.hpp).
-/// BadInput "file:line: found ..., expected ..."; the room has passed check().
+/// Reads a file. BadInput "file:line: found ..., expected ..."; the room has passed check(), and
+/// its view has its image plane.
 Room load_room(const std::string& path);
+
+/// Reads a text as load_room() does; `name` stands for the path.
+Room read_room(std::string_view text, const std::string& name);
 
 }  // namespace radiosity

@@ -1,6 +1,5 @@
 #include "renderer/radiosity/light/form_factor.hpp"
 
-#include "renderer/radiosity/light/delta_areas.hpp"
 #include "renderer/radiosity/light/mirrors.hpp"
 #include "renderer/scene/require.hpp"
 
@@ -28,17 +27,26 @@ struct DirectSight {
 
 }  // namespace
 
-void check(const FactorParams& params) {
-  using renderer::require;
-  require(params.samples >= 1 && params.samples <= 1024, "samples", params.samples, "1 to 1024");
-  require(params.spread > 0, "spread", params.spread, "more than 0");
-  require(params.halvings >= 0 && params.halvings <= 30, "halvings", params.halvings, "0 to 30");
-  require(params.reflections >= 0 && params.reflections <= MOST_REFLECTIONS, "reflections",
-          params.reflections, "0 to 8");
-  require(params.mirror_share > 0, "mirror_share", params.mirror_share, "more than 0");
-  require(params.mirror_pieces >= 0 && params.mirror_pieces <= 10000, "mirror_pieces",
-          params.mirror_pieces, "0 to 10000");
+base::Fields<FactorParams> factor_fields() {
+  using D = base::Declare<FactorParams>;
+  using F = FactorParams;
+  return {
+      D::whole("samples", &F::samples, 1, 1024, "",
+               "a patch is cut into samples x samples delta areas, and more when near"),
+      D::number("spread", &F::spread, 1e-6, 1e6, "",
+                "a delta area is halved while it is wider than this share of its distance"),
+      D::whole("halvings", &F::halvings, 0, 30, "", "times that a delta area is halved, at most"),
+      D::whole("reflections", &F::reflections, 0, MOST_REFLECTIONS, "",
+               "mirrors that light may meet on its way"),
+      D::whole("mirror_pieces", &F::mirror_pieces, 0, 1000, "",
+               "pieces that a mirror is cut into, along and across; 0: as each delta area "
+               "needs"),
+      D::number("mirror_share", &F::mirror_share, 1e-6, 1e9, "",
+                "a delta area that is seen in mirrors is halved while it looks wider than this "
+                "share of them")};
 }
+
+void check(const FactorParams& params) { renderer::require_allowed(factor_fields(), params); }
 
 bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, std::uint32_t other,
           Work& work) {
@@ -52,8 +60,7 @@ bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, 
   ray.from = object;
   ray.kind = renderer::RayKind::shadow;
   const auto& blockers = eye.mesh.blockers;
-  return !(eye.access ? intersect(blockers, ray, eye.params.traversal, work, *eye.access)
-                      : intersect(blockers, ray, eye.params.traversal, work));
+  return !intersect(blockers, ray, eye.params.traversal, work, eye.access);
 }
 
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {

@@ -2,10 +2,12 @@
 // Form factors of a patch to a vertex, by casting rays: J. Wallace, K. Elmquist and E. Haines, "A
 // Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989; thesis, Eq 3.8 and 3.9.
 
-#include <optional>
+#include <algorithm>
+#include <numbers>
 
+#include "base/fields.hpp"
 #include "renderer/radiosity/mesh/mesh.hpp"
-#include "renderer/trace/access.hpp"
+#include "renderer/trace/intersect.hpp"
 
 namespace radiosity {
 
@@ -27,6 +29,8 @@ struct FactorParams {
   renderer::Traversal traversal = renderer::Traversal::nearest;
 };
 
+/// The fields samples, spread, halvings, reflections, mirror_pieces and mirror_share.
+base::Fields<FactorParams> factor_fields();
 /// BadInput naming the field, what was found and what was expected.
 void check(const FactorParams& params);
 
@@ -48,5 +52,116 @@ double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, ren
 
 /// eval_factor() and what arrives by way of mirrors, each colour times the mirrors' reflectance.
 Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
+
+// A patch cut into delta areas, as a point sees it: the sum of Eq 3.8.
+
+/// A patch as a function of its parameters: p + s a + t b + s t c.
+struct Quad {
+  explicit Quad(const Patch& patch) : normal(patch.normal) {
+    p = patch.at[0];
+    a = patch.at[1] - p;
+    b = patch.at[3] - p;
+    c = patch.at[2] - patch.at[1] - b;
+    along = std::max(dot(a, a), dot(a + c, a + c));
+    across = std::max(dot(b, b), dot(b + c, b + c));
+  }
+  Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
+  /// Area for each unit of s and t.
+  double eval_density(double s, double t) const { return dot(normal, cross(a + t * c, b + s * c)); }
+  Vec p, a, b, c, normal;
+  double along, across;  // squares of the longer of opposite sides
+};
+
+/// A point that looks, and the normal of the surface that it lies on.
+struct Viewpoint {
+  Vec at, normal;
+};
+
+/// A term of Eq 3.8, with A_2/N = `area`; `square` of the distance, `here` and `there` the cosines
+/// times the distance.
+inline double eval_delta(double area, double square, double here, double there) {
+  return here * there / square * area / (std::numbers::pi * square + area);
+}
+
+/// The sum over a patch. `sight.sees(point)` says whether the viewpoint sees a point of the patch,
+/// `sight.misses(point, radius)` whether it surely sees none within the radius. A delta area is
+/// halved while it is wider than `spread` of its distance.
+template <class Sight>
+class DeltaAreas {
+ public:
+  DeltaAreas(const FactorParams& params, double spread, const Viewpoint& eye, const Quad& quad,
+             const Sight& sight, renderer::Work& work)
+      : params_(params),
+        eye_(eye),
+        quad_(quad),
+        sight_(sight),
+        enough_(spread * spread),
+        work_(work) {}
+
+  double sum() {
+    const int n = params_.samples;
+    double total = 0;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        total += add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, params_.halvings);
+    return total;
+  }
+
+ private:
+  // A delta area around (s, t); its sides are shares of the patch's.
+  struct Delta {
+    double s, t, along, across;
+  };
+
+  double add(const Delta& delta, int halvings) {
+    work_[renderer::Op::delta_area] += 1;
+    // Not quite the centre: in rooms full of symmetry lines between centres pass exactly through
+    // edges, of two mirrors above all, and rounding would say by which side.
+    constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
+    const Vec point = quad_.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
+    const Vec way = point - eye_.at;
+    const double square = dot(way, way);
+    if (halvings > 0) {
+      const double along = delta.along * delta.along * quad_.along;
+      const double across = delta.across * delta.across * quad_.across;
+      const double wide = std::max(along, across);
+      if (wide > enough_ * square)
+        return sight_.misses(point, std::sqrt(along + across) / 2)
+                   ? 0
+                   : add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
+    }
+    const double here = dot(eye_.normal, way), there = -dot(quad_.normal, way);
+    if (here <= 0 || there <= 0 || !sight_.sees(point)) return 0;
+    const double area = delta.along * delta.across * quad_.eval_density(delta.s, delta.t);
+    return eval_delta(area, square, here, there);
+  }
+
+  // The sum over the parts of a delta area that is halved along, across, or both.
+  double add_parts(const Delta& delta, bool along, bool across, int halvings) {
+    const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
+    const double width = along ? delta.along / 2 : delta.along;
+    const double height = across ? delta.across / 2 : delta.across;
+    double total = 0;
+    for (int j = across ? -1 : 0; j <= (across ? 1 : 0); j += 2)
+      for (int i = along ? -1 : 0; i <= (along ? 1 : 0); i += 2)
+        total += add({delta.s + i * step, delta.t + j * rise, width, height}, halvings);
+    return total;
+  }
+
+  const FactorParams& params_;
+  const Viewpoint& eye_;
+  const Quad& quad_;
+  const Sight& sight_;
+  const double enough_;  // square of a delta area's longer side over its distance
+  renderer::Work& work_;
+};
+
+/// Whether a part of the patch is in front of the viewpoint, and the viewpoint in front of it.
+inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
+  if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
+  for (const Vec& corner : patch.at)
+    if (dot(eye.normal, corner - eye.at) > 0) return true;
+  return false;
+}
 
 }  // namespace radiosity

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
-
-#include "renderer/radiosity/light/delta_areas.hpp"
+#include <optional>
 
 namespace radiosity {
 

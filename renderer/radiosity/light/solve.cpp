@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace radiosity {
 
@@ -123,11 +124,21 @@ void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertice
     vertices[v] += mesh.materials[mesh.vertices[v].material].reflectance * ambient;
 }
 
-namespace {
+base::Fields<SolveParams> solve_fields() {
+  using D = base::Declare<SolveParams>;
+  static const base::Names<Mean> MEANS = {{"simpson", Mean::simpson}, {"corners", Mean::corners}};
+  return base::join(
+      base::lift_all<SolveParams>(factor_fields(), &SolveParams::factor),
+      {{D::choice("mean", &SolveParams::mean, MEANS,
+                  "what a patch has received: a twelfth of each corner's and two thirds of the "
+                  "centre's; or the mean of its corners"),
+        D::whole("max_shots", &SolveParams::shots, 0, 1e9, "",
+                 "times that a patch sends its light, at most"),
+        D::number("tolerance", &SolveParams::tolerance, 0, 1, "",
+                  "share of the emitted power that may stay unsent")}});
+}
 
-// Solves on `mesh`; the vertices of `fine`, if there is one, receive too, and are the solution's.
-Solution shoot_all(const Mesh& mesh, const Mesh* fine, const SolveParams& params,
-                   const std::function<bool(int shots, double unshot)>& step) {
+Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step, const Mesh* fine) {
   check(params.factor);
   const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
   const auto fine_vertices = fine ? all_vertices(*fine) : std::vector<std::uint32_t>{};
@@ -154,16 +165,34 @@ Solution shoot_all(const Mesh& mesh, const Mesh* fine, const SolveParams& params
   return solution;
 }
 
-}  // namespace
-
-Solution solve(const Mesh& mesh, const SolveParams& params,
-               const std::function<bool(int shots, double unshot)>& step) {
-  return shoot_all(mesh, nullptr, params, step);
+LitRoom light_room(const Room& room, const LightParams& params) {
+  LitRoom lit{make_mesh(room, params.mesh), {}};
+  Solution solution;
+  if (params.senders > 0) {
+    MeshParams coarse = params.mesh;
+    coarse.refine = params.senders;
+    solution = solve(make_mesh(room, coarse), params.solve, {}, &lit.mesh);
+  } else {
+    solution = solve(lit.mesh, params.solve);
+  }
+  lit.vertices = std::move(solution.vertices);
+  if (params.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);
+  return lit;
 }
 
-Solution relight(const Mesh& coarse, const Mesh& fine, const SolveParams& params,
-                 const std::function<bool(int shots, double unshot)>& step) {
-  return shoot_all(coarse, &fine, params, step);
+double eval_mean_radiosity(const LitRoom& lit, const Mesh& other) {
+  std::set<std::string> shared;
+  for (const Patch& patch : other.patches) shared.insert(other.materials[patch.material].name);
+  double sum = 0, area = 0;
+  for (const Patch& patch : lit.mesh.patches) {
+    if (!shared.contains(lit.mesh.materials[patch.material].name)) continue;
+    area += patch.area;
+    for (const auto corner : patch.corners) {
+      const Rgb& b = lit.vertices[corner];
+      sum += patch.area * (b.r + b.g + b.b) / 12;
+    }
+  }
+  return sum / area;
 }
 
 }  // namespace radiosity

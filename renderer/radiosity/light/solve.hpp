@@ -84,19 +84,20 @@ struct Solution {
   renderer::Work work;
 };
 
-/// Shoots until the tolerance or the number of shots is reached. `step`, if given, is called after
-/// every shot with how many there were and what share is unsent; it returns whether to go on.
-Solution solve(const Mesh& mesh, const SolveParams& params,
-               const std::function<bool(int shots, double unshot)>& step = nullptr);
+/// The fields of the form factors, mean, max_shots and tolerance.
+base::Fields<SolveParams> solve_fields();
 
-/// Patches of `coarse` send, vertices of `fine` receive: solves on `coarse`, as solve() does, and
-/// lets the vertices of `fine` receive every shot too; the solution's vertices are those of `fine`.
-/// Both are meshes of the same room. A fine mesh of 14,000 patches takes as many shots as the
-/// coarse one, not a hundred times as many. (Substructuring: M. Cohen, D. Greenberg, D. Immel and
-/// P. Brock, "An Efficient Radiosity Approach for Realistic Image Synthesis", IEEE CG&A 6(3),
-/// 1986.)
-Solution relight(const Mesh& coarse, const Mesh& fine, const SolveParams& params,
-                 const std::function<bool(int shots, double unshot)>& step = nullptr);
+/// Is called after every shot with how many there were and what share is unsent; returns whether to
+/// go on.
+using Step = std::function<bool(int shots, double unshot)>;
+
+/// Shoots until the tolerance or the number of shots is reached, or `step`, if given, says so. If
+/// there is a mesh `fine` of the same room, its vertices receive every shot too, and the solution's
+/// vertices are those of `fine`. A fine mesh of 14,000 patches takes as many shots as the coarse
+/// one, not a hundred times as many. (Substructuring: M. Cohen, D. Greenberg, D. Immel and P.
+/// Brock, "An Efficient Radiosity Approach for Realistic Image Synthesis", IEEE CG&A 6(3), 1986.)
+Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step = {},
+               const Mesh* fine = nullptr);
 
 /// The centre of a patch as a vertex.
 Vertex make_centre(const Patch& patch);
@@ -104,5 +105,27 @@ Vertex make_centre(const Patch& patch);
 /// All indices of a mesh's vertices, and of its patches.
 std::vector<std::uint32_t> all_vertices(const Mesh& mesh);
 std::vector<std::uint32_t> all_patches(const Mesh& mesh);
+
+/// The mesh of a room and its illumination.
+struct LitRoom {
+  Mesh mesh;
+  std::vector<Rgb> vertices;  ///< radiosity, by vertex of the mesh
+};
+
+struct LightParams {
+  MeshParams mesh;
+  /// MeshParams::refine, 1 to 1000, of a coarser mesh whose patches send the light to the vertices
+  /// of the mesh; 0: those of the mesh itself do.
+  int senders = 0;
+  SolveParams solve;
+  bool ambient = true;  ///< whether eval_ambient(), an estimate of the unsent light, is added
+};
+
+/// The room must pass check(). BadInput as make_mesh and solve.
+LitRoom light_room(const Room& room, const LightParams& params);
+
+/// The mean radiosity of the mesh's patches by area, over the three colours; only patches of
+/// materials count that patches of `other` have too.
+double eval_mean_radiosity(const LitRoom& lit, const Mesh& other);
 
 }  // namespace radiosity

@@ -1,6 +1,8 @@
 #include "renderer/radiosity/mesh/cells.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "renderer/radiosity/mesh/weld.hpp"
@@ -14,10 +16,10 @@ constexpr double WELL_SHAPED = 0.3;
 // A corner is straight where the sine of its turn is less.
 constexpr double STRAIGHT = 0.17;
 
-}  // namespace
+using Loop = std::vector<std::uint32_t>;
 
 // The ends of a line across a cell: at a point, or on the edge from it to `next`.
-struct Cells::Chord {
+struct Chord {
   struct End {
     std::uint32_t point, next;
     double share;  // of the edge; 0 at the point
@@ -25,10 +27,39 @@ struct Cells::Chord {
   std::array<End, 2> ends;
 };
 
+// Cells may have straight corners where a neighbour is cut and they are not.
+class Cells {
+ public:
+  // Cells are the quads of a division; equal points become one, the others keep their order.
+  Cells(const Division& division, const Vec& normal);
+
+  // The point will not be moved.
+  void fix(std::uint32_t point) { line_[point] = FIXED; }
+  void move_points(std::span<const Crease> creases, double reach);
+  void cut(const Crease& crease, double touch);
+  Division make_quads() const;
+
+ private:
+  static constexpr std::int32_t FREE = -1, FIXED = -2;
+
+  bool move(std::uint32_t point, const Vec& to);
+  void move_to_end(const Vec& end, double reach);
+  std::optional<Chord> find_chord(std::size_t cell, std::span<const double> heights) const;
+  std::uint32_t split_edge(std::uint32_t a, std::uint32_t b, double share);
+  void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
+                      std::vector<double>& heights);
+  void own(std::size_t cell);
+
+  Vec normal_;
+  std::vector<Vec> points_;
+  std::vector<std::int32_t> line_;  // the crease that a point was moved to, FREE or FIXED
+  std::vector<Loop> cells_;
+  std::vector<Loop> around_;  // cells around each point, before the first cut
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner_;  // the cell on the left
+};
+
 Cells::Cells(const Division& division, const Vec& normal) : normal_(normal) {
-  double size = 0;
-  for (const Vec& point : division.points) size = std::max(size, renderer::max_abs(point));
-  Welder welder(size);
+  Welder welder(renderer::make_bounds(division.points));
   Loop index;
   for (const Vec& point : division.points) {
     index.push_back(welder.weld(point, {}, 0));
@@ -109,8 +140,7 @@ void Cells::move_points(std::span<const Crease> creases, double reach) {
   }
 }
 
-std::optional<Cells::Chord> Cells::find_chord(std::size_t cell,
-                                              std::span<const double> heights) const {
+std::optional<Chord> Cells::find_chord(std::size_t cell, std::span<const double> heights) const {
   const Loop& loop = cells_[cell];
   const std::size_t count = loop.size();
   std::size_t start = 0;
@@ -211,8 +241,6 @@ void Cells::split_edges_at(const Vec& origin, const Vec& along, double end, doub
   }
 }
 
-namespace {
-
 // Points and quads so far, and the middles of edges.
 struct Quads {
   Division division;
@@ -229,8 +257,6 @@ struct Quads {
   }
   Vec at(std::uint32_t point) const { return division.points[point]; }
 };
-
-using Loop = std::vector<std::uint32_t>;
 
 // The sine of the angle from one way to another.
 double eval_sine(const Vec& a, const Vec& b, const Vec& normal) {
@@ -297,8 +323,6 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop) {
   }
 }
 
-}  // namespace
-
 Division Cells::make_quads() const {
   Quads quads;
   quads.division.points = points_;
@@ -306,6 +330,18 @@ Division Cells::make_quads() const {
   for (const Loop& loop : cells_) cut_straight_corners(quads, loop, normal_, parts);
   for (const Loop& part : parts) add_corners(quads, part);
   return std::move(quads.division);
+}
+
+}  // namespace
+
+Division cut_cells(const Division& division, const Vec& normal, std::span<const Edge> fixed,
+                   std::span<const Crease> creases, const CellParams& params) {
+  Cells cells(division, normal);
+  for (const Edge& edge : fixed)
+    for (const auto point : edge) cells.fix(point);
+  cells.move_points(creases, params.reach);
+  for (const Crease& crease : creases) cells.cut(crease, params.touch);
+  return cells.make_quads();
 }
 
 }  // namespace radiosity

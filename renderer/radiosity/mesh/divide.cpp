@@ -93,7 +93,7 @@ Cutting make_cutting(const Face& face, int refine, std::span<const Crease> creas
     cutting.width = i == 0 ? width : std::min(cutting.width, width);
     size = std::max(size, edge);
   }
-  const Plane plane{normal, dot(normal, eval_mean(corners))};
+  const Plane plane = make_plane(normal, eval_mean(corners));
   const std::vector<Plane> edges = make_edge_planes(corners, normal);
   const double touch = TOUCH * cutting.width;
   for (const Crease& crease : creases) {
@@ -151,11 +151,10 @@ Division make_grid(const Cutting& cutting, const Rows& rows, int along, int acro
 }
 
 // The quads' edges on a crease, each once. Short ones may run a little across it.
-std::vector<std::array<std::uint32_t, 2>> find_edges(const Division& division,
-                                                     std::span<const Crease> creases,
-                                                     const Vec& normal, double touch) {
-  std::vector<std::array<std::uint32_t, 2>> found;
-  std::set<std::array<std::uint32_t, 2>> done;
+std::vector<Edge> find_edges(const Division& division, std::span<const Crease> creases,
+                             const Vec& normal, double touch) {
+  std::vector<Edge> found;
+  std::set<Edge> done;
   const auto is_on = [&](const Crease& crease, const Vec& p, const Vec& q) {
     const double size = length(crease.b - crease.a);
     const Vec along = (1 / size) * (crease.b - crease.a), across = cross(normal, along);
@@ -183,15 +182,9 @@ Division divide_freely(const Cutting& cutting, const Rows& rows) {
   coarse.across = across;
   const Division base = has_rows ? make_grid(cutting, rows, along, across) : divide_face(coarse, 1);
   const double touch = TOUCH * cutting.width;
-  Cells cells(base, cutting.normal);
-  if (has_rows)
-    for (const auto& [a, b] : find_edges(base, cutting.crossing, cutting.normal, touch)) {
-      cells.fix(a);
-      cells.fix(b);
-    }
-  cells.move_points(rows.others, REACH * 2 * cutting.width);
-  for (const Crease& crease : rows.others) cells.cut(crease, touch);
-  return cells.make_quads();
+  std::vector<Edge> fixed;
+  if (has_rows) fixed = find_edges(base, cutting.crossing, cutting.normal, touch);
+  return cut_cells(base, cutting.normal, fixed, rows.others, {REACH * 2 * cutting.width, touch});
 }
 
 }  // namespace
@@ -208,8 +201,7 @@ Division divide_face(const Face& face, int refine) {
     add_grid(division, c, along, make_even_lines(face.across * refine));
     return division;
   }
-  Vec centre;
-  for (const Vec& corner : c) centre += (1.0 / static_cast<double>(c.size())) * corner;
+  const Vec centre = eval_centre(c);
   const auto middle = [&](std::size_t i) { return 0.5 * (c[i] + c[(i + 1) % c.size()]); };
   for (std::size_t i = 0; i < c.size(); ++i)
     add_grid(division, std::array{c[i], middle(i), centre, middle((i + c.size() - 1) % c.size())},

@@ -7,10 +7,12 @@
 
 namespace radiosity {
 
+using Edge = std::array<std::uint32_t, 2>;  ///< between two points
+
 struct Division {
   std::vector<Vec> points;
   std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise; neighbours share points
-  std::vector<std::array<std::uint32_t, 2>> creases;  ///< edges of quads that lie on a crease
+  std::vector<Edge> creases;                        ///< edges of quads that lie on a crease
 };
 
 /// A face of 4 corners becomes a grid of along x across quads; any other a grid for each corner,

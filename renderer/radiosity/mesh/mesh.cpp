@@ -1,15 +1,13 @@
 #include "renderer/radiosity/mesh/mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <optional>
 
-#include "base/errors.hpp"
 #include "renderer/radiosity/mesh/divide.hpp"
-#include "renderer/radiosity/mesh/split.hpp"
 #include "renderer/radiosity/mesh/weld.hpp"
-#include "renderer/scene/kernels.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace radiosity {
 
@@ -17,11 +15,55 @@ namespace {
 
 constexpr std::size_t MOST_PATCHES = 10'000'000;
 
-double eval_size(const Room& room) {
-  double size = 0;
-  for (const auto& face : room.faces)
-    for (const Vec& corner : face.corners) size = std::max(size, renderer::max_abs(corner));
-  return size;
+std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
+  return std::minmax(patch.corners[side], patch.corners[(side + 1) % 4]);
+}
+
+std::size_t corner_at(const Patch& patch, std::uint32_t vertex) {
+  return static_cast<std::size_t>(std::ranges::find(patch.corners, vertex) - patch.corners.begin());
+}
+
+// Whether the patches share an edge at the vertex that is no crease.
+bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edges& creases) {
+  const auto i = corner_at(a, vertex), j = corner_at(b, vertex);
+  for (const auto side : {i, (i + 3) % 4})
+    for (const auto other : {j, (j + 3) % 4})
+      if (edge_of(a, side) == edge_of(b, other) && !creases.contains(edge_of(a, side))) return true;
+  return false;
+}
+
+// The group of each patch around a vertex: the index of the group's first patch.
+std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint32_t> around,
+                                     std::uint32_t vertex, const Edges& creases) {
+  std::vector<std::size_t> group(around.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (std::size_t a = 0; a < around.size(); ++a)
+    for (std::size_t b = a + 1; b < around.size(); ++b)
+      if (group[a] != group[b] &&
+          are_joined(mesh.patches[around[a]], mesh.patches[around[b]], vertex, creases)) {
+        const auto [low, high] = std::minmax(group[a], group[b]);
+        std::ranges::replace(group, high, low);
+      }
+  return group;
+}
+
+// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset).
+void inset_borders(Mesh& mesh, double inset) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const Patch& patch : mesh.patches)
+    for (std::size_t side = 0; side < 4; ++side) ++sides[edge_of(patch, side)];
+  std::vector<bool> is_border(mesh.vertices.size());
+  for (const auto& [edge, count] : sides)
+    if (count == 1) is_border[edge.first] = is_border[edge.second] = true;
+  const auto surroundings = find_surroundings(mesh);
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (!is_border[v]) continue;
+    const auto around = surroundings.of(v);
+    Vec centre;
+    for (const auto patch : around)
+      centre += (1.0 / static_cast<double>(around.size())) * mesh.patches[patch].centre;
+    mesh.vertices[v].lit = mesh.vertices[v].at + inset * (centre - mesh.vertices[v].at);
+  }
 }
 
 // The face as it is seen from behind.
@@ -35,17 +77,11 @@ Face turn(Face face) {
   return face;
 }
 
-Vec mean_of(const std::vector<Vec>& corners) {
-  Vec mean;
-  for (const Vec& corner : corners) mean += (1.0 / static_cast<double>(corners.size())) * corner;
-  return mean;
-}
-
 // The polygon a little larger, so that no ray passes between faces that share an edge, however it
 // is rounded.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
-  const Vec centre = mean_of(corners);
+  const Vec centre = eval_centre(corners);
   for (Vec& corner : corners) corner += SHARE * (corner - centre);
   return corners;
 }
@@ -58,11 +94,9 @@ std::size_t count_quads(const Face& face, int refine) {
 }
 
 void check_count(const Face& face, std::size_t patches) {
-  if (patches > MOST_PATCHES)
-    throw base::BadInput(
-        fmt::format("{}: found more than {} patches, expected fewer divisions (of the "
-                    "room's faces, or by refine)",
-                    face.where, MOST_PATCHES));
+  renderer::require(patches <= MOST_PATCHES, face.where,
+                    fmt::format("more than {} patches", MOST_PATCHES),
+                    "fewer divisions (of the room's faces, or by refine)");
 }
 
 // The normals of a face, interpolated if it stands for a curved surface.
@@ -73,8 +107,7 @@ class Normals {
       curved_ = renderer::make_patch(face.corners, face.normals, {}, corners_, normals_);
   }
   Vec at(const Vec& point) const {
-    return curved_ ? renderer::eval_normal(*curved_, corners_.data(), normals_.data(), point)
-                   : flat_;
+    return curved_ ? renderer::eval_smooth_normal(*curved_, corners_, normals_, point) : flat_;
   }
 
  private:
@@ -87,7 +120,7 @@ class Normals {
 class Builder {
  public:
   Builder(const Room& room, const MeshParams& params)
-      : room_(room), params_(params), welder_(eval_size(room)) {
+      : room_(room), params_(params), welder_(eval_bounds(room)) {
     mesh_.materials = room.materials;
     mesh_.blockers.surfaces.emplace_back();
     mesh_.blockers.view = room.view;
@@ -127,7 +160,7 @@ class Builder {
     for (std::size_t i = 0; i < face.corners.size(); ++i)
       longest = std::max(
           longest, length(face.corners[i] - face.corners[i ? i - 1 : face.corners.size() - 1]));
-    mesh_.mirrors.push_back({face.corners, normalize(twice), mean_of(face.corners),
+    mesh_.mirrors.push_back({face.corners, normalize(twice), eval_centre(face.corners),
                              length(twice) / 2 / longest, face.material, object_});
   }
 
@@ -152,11 +185,8 @@ class Builder {
     std::array<Vec, 4> at;
     for (std::size_t k = 0; k < 4; ++k) at[k] = mesh_.vertices[corners[k]].at;
     const Vec twice = eval_area_normal(at);
-    if (!(length(twice) > 0))
-      throw base::BadInput(
-          fmt::format("{}: found patches smaller than 1e-9 of the room, expected larger "
-                      "faces or fewer divisions",
-                      room_.faces[face].where));
+    renderer::require(length(twice) > 0, room_.faces[face].where,
+                      "patches smaller than 1e-9 of the room", "larger faces or fewer divisions");
     mesh_.patches.push_back({corners, at, eval_bilinear(at, 0.5, 0.5), normalize(twice),
                              length(twice) / 2, mesh_.vertices[corners[0]].material, object_,
                              face});
@@ -171,6 +201,42 @@ class Builder {
 };
 
 }  // namespace
+
+Surroundings find_surroundings(const Mesh& mesh) {
+  Surroundings found;
+  found.first.assign(mesh.vertices.size() + 1, 0);
+  for (const Patch& patch : mesh.patches)
+    for (const auto corner : patch.corners) ++found.first[corner + 1];
+  std::partial_sum(found.first.begin(), found.first.end(), found.first.begin());
+  found.patches.resize(found.first.back());
+  auto next = found.first;
+  for (std::uint32_t i = 0; i < mesh.patches.size(); ++i)
+    for (const auto corner : mesh.patches[i].corners) found.patches[next[corner]++] = i;
+  return found;
+}
+
+void split_at_creases(Mesh& mesh, const Edges& creases) {
+  const auto surroundings = find_surroundings(mesh);
+  std::set<std::uint32_t> touched;
+  for (const auto& [a, b] : creases) touched.insert({a, b});
+  for (const auto vertex : touched) {
+    const auto around = surroundings.of(vertex);
+    const auto group = find_groups(mesh, around, vertex, creases);
+    std::map<std::size_t, std::uint32_t> vertex_of{{0, vertex}};
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const auto [known, added] =
+          vertex_of.emplace(group[i], static_cast<std::uint32_t>(mesh.vertices.size()));
+      if (added) mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
+      auto& patch = mesh.patches[around[i]];
+      patch.corners[corner_at(patch, vertex)] = known->second;
+    }
+  }
+}
+
+base::Fields<MeshParams> mesh_fields() {
+  return {base::Declare<MeshParams>::whole("refine", &MeshParams::refine, 1, 1000, "",
+                                           "multiplies the divisions of every face of the room")};
+}
 
 Mesh make_mesh(const Room& room, const MeshParams& params) { return Builder(room, params).build(); }
 

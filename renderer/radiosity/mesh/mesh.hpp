@@ -3,7 +3,10 @@
 // not (another reflectance, emission or normal, a crease) vertices are doubled (3.1.4.2).
 
 #include <array>
+#include <set>
+#include <span>
 
+#include "base/fields.hpp"
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {
@@ -57,7 +60,27 @@ struct MeshParams {
                         ///< the way to the mean centre of their patches, 0..0.5
 };
 
+/// The field refine.
+base::Fields<MeshParams> mesh_fields();
+
 /// The room must pass check(). BadInput beyond 10 million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
+
+/// The patches around every vertex, in order: those of vertex v are `patches` from first[v] to
+/// first[v + 1].
+struct Surroundings {
+  std::vector<std::uint32_t> first, patches;
+  std::span<const std::uint32_t> of(std::uint32_t vertex) const {
+    return std::span(patches).subspan(first[vertex], first[vertex + 1] - first[vertex]);
+  }
+};
+Surroundings find_surroundings(const Mesh& mesh);
+
+/// Edges between vertices, the lower index first.
+using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Gives every group of patches that creases divide around a vertex a vertex of its own; copies
+/// have the same place, and so the same illumination.
+void split_at_creases(Mesh& mesh, const Edges& creases);
 
 }  // namespace radiosity

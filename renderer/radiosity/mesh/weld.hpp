@@ -2,6 +2,7 @@
 // Points at the same place, of the same material and with the same normal are one.
 
 #include <array>
+#include <boost/functional/hash.hpp>
 #include <unordered_map>
 
 #include "renderer/radiosity/room/room.hpp"
@@ -10,20 +11,29 @@ namespace radiosity {
 
 class Welder {
  public:
-  /// `size` of the room, in its units; places nearer than 1e-9 of it are the same.
-  explicit Welder(double size);
+  /// `bounds` of all points; places nearer than 1e-9 of their largest coordinate are the same.
+  explicit Welder(const renderer::Bounds& bounds) {
+    const double size = std::max(max_abs(bounds.lo), max_abs(bounds.hi));
+    if (!(size > 0)) return;
+    int exponent = 0;
+    std::frexp(size / 1e9, &exponent);
+    unit_ = std::ldexp(1.0, exponent);
+  }
 
   /// The number of the point; a point unlike all before gets the next, from 0.
-  std::uint32_t weld(const Vec& at, const Vec& normal, std::uint32_t material);
-  std::size_t count() const { return known_.size(); }
+  std::uint32_t weld(const Vec& at, const Vec& normal, std::uint32_t material) {
+    const auto cell = [&](double x) { return std::llround(x / unit_); };
+    const auto turn = [](double x) { return std::llround(x * (1 << 24)); };
+    const Key key{cell(at.x),     cell(at.y),     cell(at.z), turn(normal.x),
+                  turn(normal.y), turn(normal.z), material};
+    return known_.try_emplace(key, static_cast<std::uint32_t>(known_.size())).first->second;
+  }
 
  private:
   using Key = std::array<std::int64_t, 7>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const;
-  };
-  double unit_;  // width of a cell of places, a power of two: binary fractions are in its middle
-  std::unordered_map<Key, std::uint32_t, Hash> known_;
+  double unit_ = 1;  // width of a cell of places, a power of two, so that binary fractions are in
+                     // a cell's middle
+  std::unordered_map<Key, std::uint32_t, boost::hash<Key>> known_;
 };
 
 }  // namespace radiosity

@@ -1,7 +1,5 @@
 #include "renderer/radiosity/room/check.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "renderer/files/tokens.hpp"
@@ -9,6 +7,7 @@
 
 namespace radiosity {
 
+using renderer::at_place;
 using renderer::require;
 
 namespace {
@@ -28,8 +27,7 @@ void require_finite(const Vec& v, const std::string& what) {
 }
 
 double eval_size(std::span<const Vec> corners) {
-  renderer::Bounds bounds;
-  for (const Vec& c : corners) bounds = renderer::join(bounds, c);
+  const auto bounds = renderer::make_bounds(corners);
   return length(bounds.hi - bounds.lo);
 }
 
@@ -87,36 +85,29 @@ void check_normals(const Face& face) {
   }
 }
 
-// Runs `action`; what it rejects is reported with the place, if that has a name.
-template <typename Action>
-void at(const std::string& place, const Action& action) {
-  try {
-    action();
-  } catch (const BadInput& bad) {
-    throw BadInput(place.empty() ? bad.what() : fmt::format("{}: {}", place, bad.what()));
-  }
-}
-
 }  // namespace
 
 void check_material(const Material& material) {
-  const auto each = [](const Rgb& c, const auto& holds) {
-    return holds(c.r) && holds(c.g) && holds(c.b);
+  const auto check_colour = [](const char* what, const Rgb& c, const auto& allows,
+                               std::string_view expected) {
+    require(allows(c.r) && allows(c.g) && allows(c.b),
+            fmt::format("{} {} {} {}", what, c.r, c.g, c.b), expected);
   };
-  const auto tell = [](const char* what, const Rgb& c) {
-    return fmt::format("{} {} {} {}", what, c.r, c.g, c.b);
-  };
-  const Rgb &reflectance = material.reflectance, &emission = material.emission;
+  constexpr double MAX = renderer::MAX_NUMBER;
   if (material.mirror) {
-    require(each(reflectance, [](double x) { return x >= 0 && x <= 1; }),
-            tell("a mirror's reflectance", reflectance), "0 to 1");
-    require(each(emission, [](double x) { return x == 0; }), tell("a mirror's emission", emission),
-            "none: a mirror only reflects");
+    check_colour(
+        "a mirror's reflectance", material.reflectance, [](double x) { return x >= 0 && x <= 1; },
+        "0 to 1");
+    check_colour(
+        "a mirror's emission", material.emission, [](double x) { return x == 0; },
+        "none: a mirror only reflects");
   } else {
-    require(each(reflectance, [](double x) { return x >= 0 && x < 1; }),
-            tell("a diffuse reflectance", reflectance), "0 or more and less than 1");
-    require(each(emission, [](double x) { return x >= 0 && x <= renderer::MAX_NUMBER; }),
-            tell("an emission", emission), fmt::format("0 to {:g}", renderer::MAX_NUMBER));
+    check_colour(
+        "a diffuse reflectance", material.reflectance, [](double x) { return x >= 0 && x < 1; },
+        "0 or more and less than 1");
+    check_colour(
+        "an emission", material.emission, [](double x) { return x >= 0 && x <= MAX; },
+        fmt::format("0 to {:g}", MAX));
   }
 }
 
@@ -164,32 +155,30 @@ renderer::View check_view(const renderer::View& view) {
   return make_image_plane(view);
 }
 
-void check_light(const Room& room, const std::string& name) {
+void check_light(const Room& room) {
   const auto any = [&](const auto& holds) {
     return std::ranges::any_of(room.faces,
                                [&](const Face& f) { return holds(room.materials[f.material]); });
   };
-  at(name, [&] {
-    require(!room.faces.empty(), "no face", "one or more");
-    require(any([](const Material& m) { return !m.mirror; }), "nothing but mirrors",
-            "a face that is none");
-    require(any([](const Material& m) { return max_component(m.emission) > 0; }),
-            "no face that emits", "one or more: without light there is nothing to see");
-  });
+  require(!room.faces.empty(), "no face", "one or more");
+  require(any([](const Material& m) { return !m.mirror; }), "nothing but mirrors",
+          "a face that is none");
+  require(any([](const Material& m) { return max_component(m.emission) > 0; }),
+          "no face that emits", "one or more: without light there is nothing to see");
 }
 
 void check(const Room& room) {
   for (const Material& m : room.materials)
-    at(fmt::format("material '{}'", m.name), [&] { check_material(m); });
+    at_place(fmt::format("material '{}'", m.name), [&] { check_material(m); });
   for (std::size_t i = 0; i < room.faces.size(); ++i) {
     const Face& face = room.faces[i];
-    at(face.where.empty() ? fmt::format("face {}", i + 1) : face.where,
-       [&] { check_face(face, room.materials.size()); });
+    at_place(face.where.empty() ? fmt::format("face {}", i + 1) : face.where,
+             [&] { check_face(face, room.materials.size()); });
   }
   for (std::size_t i = 0; i < room.creases.size(); ++i)
-    at(fmt::format("crease {}", i + 1), [&] { check_crease(room.creases[i]); });
-  at("view", [&] { check_view(room.view); });
-  check_light(room, "");
+    at_place(fmt::format("crease {}", i + 1), [&] { check_crease(room.creases[i]); });
+  at_place("view", [&] { check_view(room.view); });
+  check_light(room);
 }
 
 }  // namespace radiosity

@@ -29,8 +29,7 @@ bool lies_on_a_face(const Crease& crease, const Room& room);
 /// returns the view with its image plane.
 renderer::View check_view(const renderer::View& view);
 
-/// The room has a face that is no mirror, and one that emits. Its parts must be checked. `name` is
-/// the file's, or "".
-void check_light(const Room& room, const std::string& name);
+/// The room has a face that is no mirror, and one that emits. Its parts must be checked.
+void check_light(const Room& room);
 
 }  // namespace radiosity

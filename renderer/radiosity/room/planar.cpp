@@ -8,6 +8,12 @@ Vec eval_mean(std::span<const Vec> corners) {
   return (1.0 / static_cast<double>(corners.size())) * sum;
 }
 
+Vec eval_centre(std::span<const Vec> corners) {
+  Vec sum;
+  for (const Vec& corner : corners) sum += (1.0 / static_cast<double>(corners.size())) * corner;
+  return sum;
+}
+
 Vec eval_area_normal(std::span<const Vec> corners) {
   // From the first corner: the products of large coordinates would cancel.
   Vec sum;
@@ -58,8 +64,7 @@ std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& nor
     const Vec& a = polygon[i];
     const Vec inward = cross(normal, polygon[(i + 1) % polygon.size()] - a);
     if (dot(inward, inward) == 0) continue;
-    const Vec unit = normalize(inward);
-    planes.push_back({unit, dot(unit, a)});
+    planes.push_back(make_plane(normalize(inward), a));
   }
   return planes;
 }

@@ -21,8 +21,14 @@ struct Plane {
 inline double eval_height(const Plane& plane, const Vec& p) {
   return dot(plane.normal, p) - plane.offset;
 }
+/// The plane through a point, across a normal.
+inline Plane make_plane(const Vec& normal, const Vec& point) {
+  return {normal, dot(normal, point)};
+}
 inline Vec lerp(const Vec& a, const Vec& b, double t) { return a + t * (b - a); }
 Vec eval_mean(std::span<const Vec> corners);
+/// The mean, too, but of other rounding: each corner is divided before it is added.
+Vec eval_centre(std::span<const Vec> corners);
 /// The normal of the polygon's front, by Newell's method; its length is twice the area.
 Vec eval_area_normal(std::span<const Vec> corners);
 

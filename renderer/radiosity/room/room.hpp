@@ -47,4 +47,11 @@ struct Room {
   renderer::View view;
 };
 
+/// The bounds of all faces.
+inline renderer::Bounds eval_bounds(const Room& room) {
+  renderer::Bounds bounds;
+  for (const Face& face : room.faces) bounds = join(bounds, renderer::make_bounds(face.corners));
+  return bounds;
+}
+
 }  // namespace radiosity

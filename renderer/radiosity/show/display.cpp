@@ -52,6 +52,15 @@ std::string make_exr(const Picture& picture) {
 
 }  // namespace
 
+base::Fields<Display> display_fields() {
+  using D = base::Declare<Display>;
+  return {D::number("exposure", &Display::exposure, 0, 1e9, "",
+                    "a pixel is 255 * min(1, exposure * radiosity) ^ (1 / gamma); 0: such that 1 % "
+                    "of what does not emit is cut off, in the reference if there is one"),
+          D::number("gamma", &Display::gamma, 0.1, 10, "",
+                    "exponent of a pixel's value: see exposure")};
+}
+
 double find_exposure(const Picture& picture, double share) {
   if (picture.pixels.empty()) return 1;
   std::vector<double> values;

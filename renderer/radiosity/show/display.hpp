@@ -12,6 +12,9 @@ struct Display {
   double gamma = 2.2;   ///< exponent of the display, > 0
 };
 
+/// The fields exposure and gamma.
+base::Fields<Display> display_fields();
+
 /// The exposure at which the brightest of a share of the pixels is just not cut off: its largest
 /// component becomes 1. If these are black, the exposure of the whole picture; 1 if it is black.
 double find_exposure(const Picture& picture, double share = 0.99);

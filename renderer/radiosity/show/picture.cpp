@@ -1,7 +1,6 @@
 #include "renderer/radiosity/show/picture.hpp"
 
 #include "renderer/radiosity/show/locate.hpp"
-#include "renderer/radiosity/show/z_buffer.hpp"
 #include "renderer/scene/require.hpp"
 #include "renderer/trace/shade.hpp"
 
@@ -11,8 +10,6 @@ using renderer::Op;
 using renderer::Work;
 
 namespace {
-
-constexpr int MAX_SAMPLES = 64, MAX_DEPTH = 1000;
 
 renderer::Params make_params(const PictureParams& params) {
   renderer::Params made;
@@ -71,6 +68,124 @@ struct Tracer {
   }
 };
 
+// The nearest surface at a pixel so far.
+struct Fragment {
+  enum class Kind : std::uint8_t { nothing, back, patch, mirror };
+  Kind kind = Kind::nothing;
+  std::uint32_t patch = 0;
+  double nearness = 0;  // 1 over the distance ahead
+  double s = 0, t = 0;
+
+  // Takes the other in its place if that is nearer; of what coincides a front replaces a back.
+  void put(const Fragment& other) {
+    constexpr double COINCIDENT = 1e-9;  // share of the nearness by which a front is preferred
+    if (!(other.nearness > 0)) return;
+    const bool over = kind == Kind::back && other.kind != Kind::back,
+               under = other.kind == Kind::back && kind != Kind::back;
+    const double worth = over ? 1 + COINCIDENT : under ? 1 - COINCIDENT : 1;
+    if (other.nearness * worth > nearness) *this = other;
+  }
+};
+
+// A z-buffer of convex polygons with two parameters, seen from a view that has its image plane. It
+// samples at the pixels' centres. Triangles are drawn in homogeneous coordinates, which need no
+// clipping: M. Olano and T. Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
+// Graphics Hardware 1997.
+class ZBuffer {
+ public:
+  struct Point {
+    Vec at;
+    double s = 0, t = 0;
+  };
+
+  ZBuffer(const renderer::View& view, int width, int height)
+      : view_(view),
+        width_(width),
+        height_(height),
+        step_(2 * view.half_height / height),
+        fragments_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+  // Draws a convex polygon of 3 corners or more, either side. The nearest wins; of what coincides
+  // the first, but any other kind before a back. In each triangle from the first corner s and t
+  // are linear in space.
+  void draw(Fragment::Kind kind, std::uint32_t patch, std::vector<Point> points) {
+    for (Point& p : points) {
+      const Vec way = p.at - view_.from;
+      p.at = {dot(way, view_.right), dot(way, view_.above), dot(way, view_.ahead)};
+    }
+    for (std::size_t i = 2; i < points.size(); ++i)
+      draw({kind, patch}, {points[0], points[i - 1], points[i]});
+  }
+
+  // At y * width + x; rows run from the top.
+  const std::vector<Fragment>& fragments() const { return fragments_; }
+
+ private:
+  struct Rectangle {
+    int left, top, right, bottom;  // right and bottom excluded
+  };
+  using Triangle = std::array<Point, 3>;
+
+  // The pixels whose centres the triangle may cover.
+  Rectangle bound(const Triangle& points) const {
+    double far = 0;
+    for (const Point& p : points) far = std::max(far, max_abs(p.at));
+    // The triangle may reach behind the eye: its bounds are found where it is this far ahead.
+    const double near = 1e-9 * far;
+    double left = width_, top = height_, right = 0, bottom = 0;
+    const auto add = [&](const Vec& p) {
+      const double x = p.x / p.z / step_ + width_ / 2.0, y = height_ / 2.0 - p.y / p.z / step_;
+      left = std::min(left, x), right = std::max(right, x);
+      top = std::min(top, y), bottom = std::max(bottom, y);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec &a = points[i].at, &b = points[(i + 1) % 3].at;
+      if (a.z >= near) add(a);
+      if ((a.z < near) != (b.z < near)) {
+        Vec cut = a + ((near - a.z) / (b.z - a.z)) * (b - a);
+        cut.z = near;
+        add(cut);
+      }
+    }
+    const auto clip = [](double at, int most) {
+      return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(most)));
+    };
+    return {clip(std::floor(left - 0.5), width_), clip(std::floor(top - 0.5), height_),
+            clip(std::ceil(right + 0.5), width_), clip(std::ceil(bottom + 0.5), height_)};
+  }
+
+  void draw(const Fragment& what, const Triangle& p) {
+    // For a way (x, y, 1), edge i is 0 along the side across from corner i. Shared sides agree to
+    // the last bit.
+    const std::array<Vec, 3> edges = {cross(p[1].at, p[2].at), cross(p[2].at, p[0].at),
+                                      cross(p[0].at, p[1].at)};
+    const double volume = dot(p[0].at, edges[0]);
+    if (volume == 0) return;
+    const double sign = volume < 0 ? -1 : 1;
+    const Rectangle box = bound(p);
+    for (int y = box.top; y < box.bottom; ++y)
+      for (int x = box.left; x < box.right; ++x) {
+        const Vec way{(x + 0.5 - width_ / 2.0) * step_, (height_ / 2.0 - y - 0.5) * step_, 1};
+        const double e0 = sign * dot(edges[0], way), e1 = sign * dot(edges[1], way),
+                     e2 = sign * dot(edges[2], way);
+        if (!(e0 >= 0 && e1 >= 0 && e2 >= 0)) continue;
+        const double sum = e0 + e1 + e2;
+        Fragment found = what;
+        found.nearness = sum / (sign * volume);
+        found.s = (e0 * p[0].s + e1 * p[1].s + e2 * p[2].s) / sum;
+        found.t = (e0 * p[0].t + e1 * p[1].t + e2 * p[2].t) / sum;
+        fragments_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                   static_cast<std::size_t>(x)]
+            .put(found);
+      }
+  }
+
+  const renderer::View view_;
+  const int width_, height_;
+  const double step_;  // width of a pixel at distance 1
+  std::vector<Fragment> fragments_;
+};
+
 // The mean of the patches, by area.
 Rgb make_grey(const Mesh& mesh, const Illumination& illumination) {
   double sum = 0, area = 0;
@@ -85,16 +200,24 @@ Rgb make_grey(const Mesh& mesh, const Illumination& illumination) {
 
 }  // namespace
 
+base::Fields<PictureParams> picture_fields() {
+  using D = base::Declare<PictureParams>;
+  return {D::whole("width", &PictureParams::width, 0, renderer::MAX_SIDE, "pixels",
+                   "width of pictures; 0: the room's"),
+          D::whole("height", &PictureParams::height, 0, renderer::MAX_SIDE, "pixels",
+                   "height of pictures; 0: the room's"),
+          D::whole("pixel_samples", &PictureParams::samples, 1, 64, "",
+                   "rays of a pixel, along and across"),
+          D::whole("depth", &PictureParams::depth, 0, 1000, "",
+                   "mirrors that a ray from the eye may meet")};
+}
+
 void check(const PictureParams& params) {
   PictureParams sized = params;
   if (params.width == 0) sized.width = 1;
   if (params.height == 0) sized.height = 1;
   check(make_params(sized));
-  using renderer::require;
-  require(params.samples >= 1 && params.samples <= MAX_SAMPLES, "pixel samples", params.samples,
-          fmt::format("1 to {}", MAX_SAMPLES));
-  require(params.depth >= 0 && params.depth <= MAX_DEPTH, "picture depth", params.depth,
-          fmt::format("0 to {}", MAX_DEPTH));
+  renderer::require_allowed(picture_fields(), params);
 }
 
 PictureParams fit(PictureParams params, const renderer::View& view) {
@@ -143,9 +266,9 @@ Picture preview_picture(const Mesh& mesh, const Illumination& illumination,
   };
   for (std::uint32_t i = 0; i < mesh.patches.size(); ++i) {
     const Patch& patch = mesh.patches[i];
-    std::array<ZBuffer::Point, 4> points = {{{{}, 0, 0}, {{}, 1, 0}, {{}, 1, 1}, {{}, 0, 1}}};
-    for (std::size_t k = 0; k < 4; ++k) points[k].at = mesh.vertices[patch.corners[k]].at;
-    buffer.draw(side(patch.normal, points[0].at, Kind::patch), i, points);
+    const auto& at = patch.at;
+    buffer.draw(side(patch.normal, at[0], Kind::patch), i,
+                {{at[0], 0, 0}, {at[1], 1, 0}, {at[2], 1, 1}, {at[3], 0, 1}});
   }
   for (const Mirror& mirror : mesh.mirrors) {
     std::vector<ZBuffer::Point> points;

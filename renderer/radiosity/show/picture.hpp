@@ -1,7 +1,7 @@
 #pragma once
 // The second pass: a picture of a room whose illumination is known (thesis, 1.2.3 and 3.2.4).
 
-#include "renderer/radiosity/light/light_room.hpp"
+#include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/reconstruct.hpp"
 
 namespace radiosity {
@@ -19,6 +19,8 @@ struct PictureParams {
   int depth = 8;    ///< most mirrors that a ray may meet, 0..1000
 };
 
+/// The fields width, height, pixel_samples and depth.
+base::Fields<PictureParams> picture_fields();
 /// BadInput naming the field, what was found and what was expected.
 void check(const PictureParams& params);
 

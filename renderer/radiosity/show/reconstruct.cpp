@@ -1,6 +1,5 @@
 #include "renderer/radiosity/show/reconstruct.hpp"
 
-#include "renderer/radiosity/show/hermite.hpp"
 #include "renderer/radiosity/show/slopes.hpp"
 #include "renderer/scene/require.hpp"
 
@@ -9,6 +8,15 @@ namespace {
 
 // The parameters of a patch's corners, in their order.
 constexpr std::size_t S[] = {0, 1, 1, 0}, T[] = {0, 0, 1, 1};
+
+// Indices of the value and the derivatives of a corner (s, t), each 0 or 1, in G_H, by rows
+// (Eq 3.4).
+struct Slots {
+  std::size_t value, by_s, by_t, by_st;
+};
+constexpr Slots find_slots(std::size_t s, std::size_t t) {
+  return {4 * s + t, 4 * (s + 2) + t, 4 * s + t + 2, 4 * (s + 2) + t + 2};
+}
 
 // Sets a corner's value and its derivatives by s and t, from those along its edges to the next
 // corner and to the previous one: edges run along s or t, up or down.
@@ -54,6 +62,12 @@ std::vector<Rgb> make_bicubic(const Mesh& mesh, std::span<const Rgb> vertices, T
   return values;
 }
 
+// S M_H, Eq 3.2 and 3.3.
+std::array<double, 4> eval_hermite_basis(double s) {
+  const double s2 = s * s, s3 = s2 * s;
+  return {2 * s3 - 3 * s2 + 1, 3 * s2 - 2 * s3, s3 - 2 * s2 + s, s3 - s2};
+}
+
 std::vector<Rgb> make_corners(const Mesh& mesh, std::span<const Rgb> vertices, bool flat) {
   std::vector<Rgb> values;
   values.reserve(4 * mesh.patches.size());
@@ -67,6 +81,19 @@ std::vector<Rgb> make_corners(const Mesh& mesh, std::span<const Rgb> vertices, b
 
 }  // namespace
 
+base::Fields<ReconstructionParams> reconstruction_fields() {
+  using D = base::Declare<ReconstructionParams>;
+  static const base::Names<Reconstruction> KINDS = {{"bilinear", Reconstruction::bilinear},
+                                                    {"bicubic", Reconstruction::bicubic},
+                                                    {"flat", Reconstruction::flat}};
+  static const base::Names<Twist> TWISTS = {
+      {"estimated", Twist::estimated}, {"diagonal", Twist::diagonal}, {"zero", Twist::zero}};
+  return {D::choice("reconstruction", &ReconstructionParams::kind, KINDS,
+                    "how illumination is interpolated between vertices"),
+          D::choice("twist", &ReconstructionParams::twist, TWISTS,
+                    "the mixed derivatives of bicubic surfaces")};
+}
+
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params) {
   renderer::require(vertices.size() == mesh.vertices.size(),
@@ -75,6 +102,14 @@ Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
   if (params.kind == Reconstruction::bicubic)
     return {params.kind, make_bicubic(mesh, vertices, params.twist)};
   return {params.kind, make_corners(mesh, vertices, params.kind == Reconstruction::flat)};
+}
+
+Rgb eval_hermite(std::span<const Rgb, 16> g, double s, double t) {
+  const auto hs = eval_hermite_basis(s), ht = eval_hermite_basis(t);
+  Rgb sum;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) sum += hs[i] * ht[j] * g[4 * i + j];
+  return sum;
 }
 
 Rgb eval_illumination(const Illumination& illumination, std::uint32_t patch, double s, double t) {

@@ -2,6 +2,7 @@
 // Illumination between vertices: bilinear, or by Hermite's bicubic surfaces, one for each colour
 // (thesis, 3.1).
 
+#include "base/fields.hpp"
 #include "renderer/radiosity/mesh/mesh.hpp"
 
 namespace radiosity {
@@ -25,6 +26,9 @@ struct ReconstructionParams {
   Twist twist = Twist::estimated;
 };
 
+/// The fields reconstruction and twist.
+base::Fields<ReconstructionParams> reconstruction_fields();
+
 /// The surface over every patch: 16 values if bicubic, else 4.
 struct Illumination {
   Reconstruction kind = Reconstruction::bilinear;
@@ -37,6 +41,9 @@ struct Illumination {
 /// quads, with none on parallelograms. BadInput if there are more or fewer values than vertices.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
+
+/// The bicubic surface of G_H, given by rows, at (s, t): Eq 3.1.
+Rgb eval_hermite(std::span<const Rgb, 16> g, double s, double t);
 
 /// The illumination at (s, t) of a patch, each 0..1; never below 0.
 Rgb eval_illumination(const Illumination& illumination, std::uint32_t patch, double s, double t);

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "renderer/radiosity/mesh/split.hpp"
+#include "renderer/radiosity/mesh/mesh.hpp"
 
 namespace radiosity {
 

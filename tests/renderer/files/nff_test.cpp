@@ -36,7 +36,7 @@ TEST(Nff, EveryStatement) {
   EXPECT_EQ(object_count(scene), 5u);
   EXPECT_EQ(scene.spheres.at(0).radius, 0.5);
   EXPECT_EQ(scene.polygons.at(0).tag.surface, 0u);
-  EXPECT_EQ(scene.patches.at(0).flat.tag.surface, 1u);
+  EXPECT_EQ(scene.patches.at(0).tag.surface, 1u);
   EXPECT_EQ(scene.cones.size(), 2u);
 }
 

@@ -7,8 +7,7 @@
 
 #include "base/errors.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
-#include "renderer/radiosity/files/nff_room.hpp"
-#include "renderer/radiosity/files/read_room.hpp"
+#include "renderer/radiosity/files/load_room.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace radiosity::test {
@@ -103,10 +102,7 @@ inline std::string write(const Room& room) {
                             write(v.at), write(v.up), v.angle, v.width, v.height);
 }
 
-inline Room read(const std::string& text) {
-  std::istringstream in(text);
-  return read_room(in, "test.room");
-}
+inline Room read(const std::string& text) { return read_room(text, "test.room"); }
 
 /// The text of the BadInput that `action` throws, or "accepted".
 template <typename Action>

@@ -5,9 +5,9 @@
 
 #include <functional>
 
-#include "renderer/radiosity/light/delta_areas.hpp"
+#include "renderer/radiosity/light/form_factor.hpp"
 #include "renderer/radiosity/light/solve.hpp"
-#include "renderer/scene/ray.hpp"
+#include "renderer/trace/intersect.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace radiosity::test {

@@ -42,7 +42,7 @@ TEST_P(AccessOf, IsToldOfEveryTest) {
     const Params params = make_params(32, 24, 4, GetParam());
     const Area area{static_cast<int>(seed), 3, 11, 8};
     Counter seen(scene);
-    const Block found = render_block(scene, params, area, seen);
+    const Block found = render_block(scene, params, area, &seen);
     const Block expected = render_block(scene, params, area);
     EXPECT_EQ(found.samples, expected.samples);
     EXPECT_EQ(found.rays, expected.rays);
@@ -63,7 +63,7 @@ TEST_P(AccessOf, ChangesNoHit) {
     if (i % 3 == 0) ray.kind = RayKind::shadow;
     if (i % 5 == 0) ray.reach = random.range(0, 3);
     const auto expected = intersect(scene, ray, GetParam(), work);
-    const auto hit = intersect(scene, ray, GetParam(), told, seen);
+    const auto hit = intersect(scene, ray, GetParam(), told, &seen);
     ASSERT_EQ(hit.has_value(), expected.has_value());
     if (!hit) continue;
     ++hits;

@@ -161,14 +161,14 @@ TEST(RoomFile, IsFoundByItsEnding) {
 }
 
 TEST(ReadRoom, RefusesACreaseOnNoFace) {
-  std::istringstream in(
+  const std::string text =
       "material wall reflect 0.5 0.5 0.5 emit 1 1 1\n"
       "box wall 0 0 0  1 1 1  inside\n"
       "crease 0.2 0.2 0  0.8 0.2 0\n"
       "crease 5 5 5  6 6 6\n"
-      "view from 0.5 0.5 0.5 at 1 0.5 0.5 up 0 0 1 angle 60 size 8 8\n");
+      "view from 0.5 0.5 0.5 at 1 0.5 0.5 up 0 0 1 angle 60 size 8 8\n";
   try {
-    read_room(in, "r.room");
+    read_room(text, "r.room");
     FAIL() << "read";
   } catch (const base::BadInput& error) {
     EXPECT_STREQ(error.what(),

@@ -15,10 +15,7 @@ namespace {
 const std::string VIEW = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\n";
 const std::string SQUARE = "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-Room read_nff(const std::string& text) {
-  std::istringstream in(text);
-  return read_nff_room(in, "test.nff");
-}
+Room read_nff(const std::string& text) { return read_room(text, "test.nff"); }
 
 TEST(NffRoom, EmissionLastsUntilTheNextSurface) {
   const Room room =

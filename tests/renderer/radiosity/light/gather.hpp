@@ -1,7 +1,7 @@
 #pragma once
 // The oracle of progressive refinement: the same equations solved by gathering.
 
-#include "renderer/radiosity/mesh/split.hpp"
+#include "renderer/radiosity/mesh/mesh.hpp"
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {

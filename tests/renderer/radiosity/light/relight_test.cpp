@@ -19,7 +19,7 @@ Room make_lit_room(std::uint64_t seed) {
 TEST(Relight, OfTheSameMeshIsSolve) {
   const auto mesh = make_mesh(make_lit_room(1), {});
   const auto params = test::make_params(0.05);
-  const auto solved = solve(mesh, params), again = relight(mesh, mesh, params);
+  const auto solved = solve(mesh, params), again = solve(mesh, params, {}, &mesh);
   EXPECT_EQ(again.vertices, solved.vertices);
   EXPECT_EQ(again.ambient, solved.ambient);
   EXPECT_EQ(again.shots, solved.shots);
@@ -36,7 +36,7 @@ TEST(Relight, VerticesOfBothMeshesAgree) {
     const auto room = make_lit_room(seed);
     const auto one = make_mesh(room, coarse), three = make_mesh(room, fine);
     const auto params = test::make_params(0.1);
-    const auto solved = solve(one, params), lit = relight(one, three, params);
+    const auto solved = solve(one, params), lit = solve(one, params, {}, &three);
     std::size_t common = 0;
     for (std::size_t i = 0; i < one.vertices.size(); ++i)
       for (std::size_t j = 0; j < three.vertices.size(); ++j) {

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "renderer/radiosity/mesh/split.hpp"
+#include "renderer/radiosity/mesh/mesh.hpp"
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
 namespace radiosity {

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "renderer/radiosity/show/hermite.hpp"
+#include "renderer/radiosity/show/reconstruct.hpp"
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
 namespace radiosity {
