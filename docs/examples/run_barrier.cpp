@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "simulator/declare/program.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace programs {
 Program make_barrier();

@@ -10,6 +10,7 @@
 #include <deque>
 
 #include "simulator/occam/alt.hpp"
+#include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 
 using namespace occam;

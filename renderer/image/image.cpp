@@ -1,12 +1,9 @@
 #include "renderer/image/image.hpp"
 
-#include <fmt/format.h>
 #include <png.h>
 
-#include <cerrno>
-
-#include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace renderer {
 
@@ -19,12 +16,6 @@ std::int64_t to_fixed(double value) {
   return std::llrint(units > MAX ? MAX : units < -MAX ? -MAX : units);
 }
 
-// Wraps, as unsigned integers do: defined, and still associative.
-void add_fixed(std::int64_t& sum, std::int64_t value) {
-  sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) +
-                                  static_cast<std::uint64_t>(value));
-}
-
 std::uint8_t to_byte(std::int64_t sum) {
   constexpr std::int64_t ONE = std::int64_t{1} << 32;
   if (sum <= 0) return 0;
@@ -32,19 +23,19 @@ std::uint8_t to_byte(std::int64_t sum) {
   return static_cast<std::uint8_t>((sum * 255 + ONE / 2) >> 32);
 }
 
+// Wraps, as unsigned integers do: defined, and still associative.
 void add_fixed(Samples::Sums& sums, const Samples::Sums& others) {
-  add_fixed(sums.r, others.r);
-  add_fixed(sums.g, others.g);
-  add_fixed(sums.b, others.b);
+  using Sums = Samples::Sums;
+  for (const auto colour : {&Sums::r, &Sums::g, &Sums::b})
+    sums.*colour = static_cast<std::int64_t>(static_cast<std::uint64_t>(sums.*colour) +
+                                             static_cast<std::uint64_t>(others.*colour));
 }
 
 }  // namespace
 
 void Samples::add(std::uint32_t sample, const Rgb& contribution) {
-  Sums& s = sums[sample];
-  add_fixed(s.r, to_fixed(contribution.r));
-  add_fixed(s.g, to_fixed(contribution.g));
-  add_fixed(s.b, to_fixed(contribution.b));
+  add_fixed(sums[sample],
+            {to_fixed(contribution.r), to_fixed(contribution.g), to_fixed(contribution.b)});
 }
 
 Samples& Samples::operator+=(const Samples& other) {
@@ -75,12 +66,11 @@ std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
 
 void save_png(const std::string& path, int width, int height,
               const std::vector<std::uint8_t>& rgb8) {
-  if (rgb8.empty())
-    throw base::BadInput("save_png: found an image of no pixels, expected 1 or more");
-  if (rgb8.size() != std::size_t{3} * static_cast<unsigned>(width) * static_cast<unsigned>(height))
-    throw base::BadInput(
-        fmt::format("save_png: found {} bytes, expected 3 for each of {} x {} pixels", rgb8.size(),
-                    width, height));
+  require(!rgb8.empty(), "save_png", "an image of no pixels", "1 or more");
+  const auto expected =
+      std::size_t{3} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
+  require(rgb8.size() == expected, "save_png", fmt::format("{} bytes", rgb8.size()),
+          fmt::format("3 for each of {} x {} pixels", width, height));
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);

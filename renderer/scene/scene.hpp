@@ -69,7 +69,7 @@ struct Scene {
 };
 
 /// Calls `f` with the Sphere, Polygon, Patch or Cone that is stored at a place. Inlined as
-/// kernels.hpp is.
+/// the kernels are.
 template <class F>
 [[gnu::always_inline]] inline auto visit(const Scene& scene, Place place, const F& f) {
   switch (place.kind()) {

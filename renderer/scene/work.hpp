@@ -18,7 +18,7 @@ enum class Op : std::uint8_t {
   polygon_edges,    ///< a test of a polygon that looked at the edges: the plane is ahead
   cone_test,        ///< a ray against one cone or cylinder
   ray_intersected,  ///< one call of intersect()
-  hit_made,         ///< a hit whose point and normal were needed: not a feeler's
+  hit_made,         ///< a hit that had to have a point and a normal: not a feeler's
   surface_shaded,   ///< one intersection turned into rays by make_children()
   feeler_made,      ///< a shadow feeler made, with its influence factor (Eq 4.17)
   ray_reflected,    ///< a reflected ray made

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "renderer/scene/kernels.hpp"
-
 namespace renderer {
 
 namespace {
@@ -58,10 +56,11 @@ template <class Told>
   if constexpr (Told::LISTENS) told.object(walk, place);
   ++walk.tests[static_cast<int>(place.kind())];
   Tag tag;
-  const double distance = visit(walk.scene, place, [&](const auto& primitive) {
-    tag = primitive.tag;
-    return intersect(primitive, walk.probe);
-  });
+  const double distance = visit(
+      walk.scene, place, [&](const auto& primitive) __attribute__((always_inline)) {
+        tag = primitive.tag;
+        return intersect(primitive, walk.probe);
+      });
   Nearest& best = walk.best;
   if (distance < best.distance ||
       (distance == best.distance && tag.object < best.object && best.object != NO_OBJECT))
@@ -80,7 +79,7 @@ void walk_boxes(Walk& walk, const Told& told) {
   const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
   const Vec o = walk.ray.origin;
   const Vec inverse{1 / walk.ray.direction.x, 1 / walk.ray.direction.y, 1 / walk.ray.direction.z};
-  // The corner of every box through whose planes the ray enters, and the other one.
+  // The ray enters every box through the planes of one corner and leaves it through the other's.
   using Face = const Vec Bounds::*;
   const Face in_x = inverse.x < 0 ? &Bounds::hi : &Bounds::lo;
   const Face in_y = inverse.y < 0 ? &Bounds::hi : &Bounds::lo;

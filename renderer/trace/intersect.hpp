@@ -65,8 +65,8 @@ struct Access {
 /// lowest object. For a shadow feeler under Traversal::nearest it is any hit that blocks it. The
 /// ray must start within the scene's bounds or at its view point (rounding, see finish()); its
 /// direction is a unit vector. It does not meet the place where it starts (object `ray.from`, and
-/// all within the scene's epsilon): see kernels.hpp. Adds to `work`. `access`, unless null, is told
-/// what is read; it changes neither hit nor work. Thread-safe.
+/// all within the scene's epsilon): see primitives.hpp. Adds to `work`. `access`, unless null, is
+/// told what is read; it changes neither hit nor work. Thread-safe.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access = nullptr);
 

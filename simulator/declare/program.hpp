@@ -13,7 +13,6 @@
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
 #include "topologies/route/routes.hpp"
-#include "topologies/route/tree_links.hpp"
 
 namespace programs {
 

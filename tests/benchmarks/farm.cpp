@@ -5,6 +5,7 @@
 #include "renderer/scene/generators.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/raw_simgrid.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace benchmarks {
 

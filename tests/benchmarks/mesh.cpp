@@ -2,6 +2,7 @@
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/raw_simgrid.hpp"
 #include "topologies/graph/topology.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace benchmarks {
 

@@ -5,6 +5,7 @@
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/traffic.hpp"
 #include "topologies/graph/topology.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace benchmarks {
 

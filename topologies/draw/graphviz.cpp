@@ -15,8 +15,8 @@ std::string run_graphviz(const std::string& program, const std::vector<std::stri
 }
 
 std::string to_svg(const Topology& topology) {
-  const bool is_tree = static_cast<int>(topology.links.size()) == topology.processors - 1;
-  return run_graphviz(is_tree ? "dot" : "neato", {"-Tsvg"}, to_dot(topology), topology.name);
+  return run_graphviz(is_tree(topology) ? "dot" : "neato", {"-Tsvg"}, to_dot(topology),
+                      topology.name);
 }
 
 }  // namespace topologies

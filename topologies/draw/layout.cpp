@@ -118,8 +118,7 @@ Places make_tree_places(const Topology& topology) {
   auto middles = make_middles(tree);
   const double leaves = std::ranges::max(middles) + 1;
   constexpr double WIDEST = 32;
-  const bool is_tree = static_cast<int>(topology.links.size()) == topology.processors - 1;
-  if (leaves > WIDEST || !is_tree) {
+  if (leaves > WIDEST || !is_tree(topology)) {
     for (double& middle : middles) middle = (middle + 2) / (leaves + 3);
     return make_rings(tree, middles);
   }
@@ -186,7 +185,6 @@ Layout make_layout(const Topology& topology) {
   const int n = topology.processors;
   const auto [form, rows, columns] = topology.shape;
   using Form = Shape::Form;
-  const bool is_tree = static_cast<int>(topology.links.size()) == n - 1;
   Layout layout{{}, std::vector<Place>(topology.links.size())};
   if (form == Form::grid && rows * columns == n) {
     layout.processors = make_grid(
@@ -201,7 +199,7 @@ Layout make_layout(const Topology& topology) {
     layout.processors = make_line_places(n);
   } else if (form == Form::ring) {
     layout.processors = make_ring_places(n);
-  } else if (form == Form::around_root || is_tree) {
+  } else if (form == Form::around_root || is_tree(topology)) {
     layout.processors = make_tree_places(topology);
   } else {
     layout.processors = make_found_places(topology);

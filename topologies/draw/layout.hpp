@@ -19,7 +19,7 @@ struct Layout {
 };
 
 /// Places processors by Topology::shape: lines and rings in rows to and fro (small rings in a
-/// circle), meshes and tori as grids whose closing links run between the lines, hypercubes as the
+/// circle), meshes and tori as grids with closing links between the lines, hypercubes as the
 /// tori they are, minimum-path networks in rings around the root, with the way upwards from it left
 /// open. Small trees grow from the root downwards, large ones around it. Others are placed by
 /// Graphviz's neato, from a fixed start, and turned so that the root is above the middle; throws

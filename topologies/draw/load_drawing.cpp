@@ -81,8 +81,8 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
 }
 
 // The half of a link that is next to `from` shows what `from` sends. The whole link is a Bezier
-// curve whose control points are off the straight line by 4/3 of `swerve`, so that the curve is off
-// by `swerve`.
+// curve with control points that are off the straight line by 4/3 of `swerve`, so that the curve is
+// off by `swerve`.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
   const auto mix = [](const Place& a, const Place& b) {
@@ -99,14 +99,20 @@ std::string write_half(const Half& half, const std::vector<Node>& nodes) {
       quote(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
+// The index of the first extra processor of this name; their number if there is none.
+size_t find_extra(const Loads& loads, const std::string& name) {
+  return static_cast<size_t>(std::ranges::find(loads.extras, name, &Loads::Extra::name) -
+                             loads.extras.begin());
+}
+
 using base::require;
 
 void check_loads(const Topology& topology, const Loads& loads) {
   constexpr double ROUNDING = 1e-6;
   const auto place = "loads of topology " + topology.name;
-  const auto check_share = [&](double share, const auto& whose) {
+  const auto check_share = [&](double share, const auto& what) {
     require(share >= 0 && share <= 1 + ROUNDING, place, "found {} for {}, expected 0 to 1", share,
-            whose);
+            what);
   };
   const auto expected = static_cast<size_t>(topology.processors);
   require(loads.processors.size() == expected, place, "found {} processors, expected {}",
@@ -119,18 +125,13 @@ void check_loads(const Topology& topology, const Loads& loads) {
     check_share(loads.processors[p], fmt::format("processor {}", p));
   for (size_t i = 0; i < loads.links.size(); ++i)
     for (const double share : loads.links[i]) check_share(share, fmt::format("link {}", i));
-  for (auto extra = loads.extras.begin(); extra != loads.extras.end(); ++extra) {
-    const auto before = std::ranges::subrange(loads.extras.begin(), extra);
-    const auto knows = [&](const std::string& name) {
-      return std::ranges::find(before, name, &Loads::Extra::name) != before.end();
-    };
-    require(!extra->name.empty() && !knows(extra->name), place,
-            "found an extra processor called \"{}\", expected another name", extra->name);
-    require(extra->to.empty() || knows(extra->to), place,
-            "\"{}\" is wired to \"{}\", expected an earlier extra processor", extra->name,
-            extra->to);
-    for (const double share : {extra->load, extra->link[0], extra->link[1]})
-      check_share(share, extra->name);
+  for (size_t i = 0; i < loads.extras.size(); ++i) {
+    const auto& [name, load, to, link] = loads.extras[i];
+    require(!name.empty() && find_extra(loads, name) == i, place,
+            "found an extra processor called \"{}\", expected another name", name);
+    require(to.empty() || find_extra(loads, to) < i, place,
+            "\"{}\" is wired to \"{}\", expected an earlier extra processor", name, to);
+    for (const double share : {load, link[0], link[1]}) check_share(share, name);
   }
 }
 
@@ -139,8 +140,7 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
   std::vector<size_t> row;
   std::vector<int> width, place;
   for (const auto& extra : loads.extras) {
-    const auto to = std::ranges::find(loads.extras, extra.to, &Loads::Extra::name);
-    row.push_back(extra.to.empty() ? 0 : row[to - loads.extras.begin()] + 1);
+    row.push_back(extra.to.empty() ? 0 : row[find_extra(loads, extra.to)] + 1);
     width.resize(std::max(width.size(), row.back() + 1));
     place.push_back(width[row.back()]++);
   }
@@ -151,7 +151,7 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
   return places;
 }
 
-// A bar of colours below the drawing, whose left end is at `place`.
+// A bar of colours below the drawing, with its left end at `place`.
 std::string write_legend(const Place& place) {
   constexpr int STEPS = 20;
   constexpr double WIDTH = 0.3, HEIGHT = 0.35;
@@ -203,10 +203,9 @@ std::vector<Half> make_halves(const Topology& topology, const Loads& loads, cons
         loads.links[i]);
   for (size_t i = 0; i < loads.extras.size(); ++i) {
     const auto& extra = loads.extras[i];
-    const auto to = std::ranges::find(loads.extras, extra.to, &Loads::Extra::name);
-    const auto index = topology.processors + (to - loads.extras.begin());
-    add(static_cast<int>(topology.processors + i),
-        extra.to.empty() ? topology.root : static_cast<int>(index), {}, extra.link);
+    const auto to = topology.processors + static_cast<int>(find_extra(loads, extra.to));
+    add(static_cast<int>(topology.processors + i), extra.to.empty() ? topology.root : to, {},
+        extra.link);
   }
   return halves;
 }

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
-#include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "topologies/graph/metrics.hpp"
-#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {
@@ -22,19 +18,6 @@ std::string format_busiest(const BusiestLink& link) {
 Topology load_topology(const std::string& path) {
   const auto text = base::read_text(path, MAX_FILE_BYTES);
   return path.ends_with(".graphml") ? read_graphml(text, path) : read_dot(text, path);
-}
-
-Topology make_topology(std::string_view spec) {
-  const auto extension = std::filesystem::path(spec).extension();
-  if (extension == ".dot" || extension == ".gv" || extension == ".graphml")
-    return load_topology(std::string(spec));
-  std::error_code ignored;
-  base::require(spec.find(':') != spec.npos || !std::filesystem::exists(spec, ignored),
-                fmt::format("topology \"{}\"", spec.substr(0, 200)),
-                "unknown kind of file, expected .dot, .gv or .graphml");
-  auto topology = make_generated(spec);
-  check(topology);
-  return topology;
 }
 
 std::string to_csv(const Topology& topology) {

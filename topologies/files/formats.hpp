@@ -8,7 +8,7 @@
 
 namespace topologies {
 
-/// Reads a .dot, .gv or .graphml file, each of whose edges, directed or not, is one link.
+/// Reads a .dot, .gv or .graphml file. Each of its edges, directed or not, is one link.
 /// - Processors are numbered in the order in which the file first names them, unless the names are
 ///   exactly 0 .. n-1: then by name. In GraphML a node's name is its attribute `name`, else its id.
 /// - Edge attributes `port_a` and `port_b` (or `tailport` and `headport`, where numeric) are the

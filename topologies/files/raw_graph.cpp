@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <numeric>
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 
 namespace topologies {
 namespace {
@@ -15,20 +16,16 @@ namespace {
 // The processor of each vertex: its name if names are exactly 0 .. n-1, else its place in the file.
 // Fills the labels in the latter case.
 std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
-  const int n = static_cast<int>(graph.vertices.size());
-  std::map<std::string, int> number;
-  for (int i = 0; i < n; ++i) number[std::to_string(i)] = i;
-  std::vector<int> processor(n), in_file(n);
-  std::vector<bool> taken(n, false);
-  for (int v = 0; v < n; ++v) {
-    in_file[v] = v;
-    topology.labels.push_back(graph.vertices[v].name);
-    const auto found = number.find(graph.vertices[v].name);
-    if (found == number.end() || taken[found->second]) continue;
-    processor[v] = found->second;
-    taken[found->second] = true;
+  std::vector<int> in_file(graph.vertices.size()), processor;
+  std::iota(in_file.begin(), in_file.end(), 0);
+  for (const auto& vertex : graph.vertices) {
+    topology.labels.push_back(vertex.name);
+    const auto number = base::parse_number<int>(vertex.name);
+    processor.push_back(number && std::to_string(*number) == vertex.name ? *number : -1);
   }
-  if (std::ranges::find(taken, false) != taken.end()) return in_file;
+  auto sorted = processor;
+  std::ranges::sort(sorted);
+  if (sorted != in_file) return in_file;
   topology.labels.clear();
   return processor;
 }

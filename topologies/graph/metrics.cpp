@@ -107,7 +107,7 @@ Metrics eval_metrics(const Topology& topology) {
   if (n > 1) metrics.mean_distance = static_cast<double>(total) / static_cast<double>(n * (n - 1));
 
   metrics.bisection_width = topology.bisection_width;
-  if (!metrics.bisection_width && metrics.links == n - 1)
+  if (!metrics.bisection_width && is_tree(topology))
     metrics.bisection_width = eval_tree_bisection(topology);
   return metrics;
 }

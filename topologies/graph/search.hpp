@@ -14,7 +14,7 @@ struct Search {
   std::vector<int> distance;  ///< links from the start; -1 where not reached
 };
 
-/// Searches a topology whose links end at valid processors; it need not be connected.
+/// Searches a topology with links that end at valid processors; it need not be connected.
 Search make_search(const Topology& topology, int start);
 
 /// Searches from each processor in turn, in O(processors) memory.

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct Link {
 struct Shape {
   enum class Form { unknown, line, ring, grid, hypercube, around_root };
   Form form = Form::unknown;
-  int rows = 0, columns = 0;  ///< of a grid, whose processors are numbered row by row; else 0
+  int rows = 0, columns = 0;  ///< of a grid, numbered row by row; else 0
 };
 
 struct Topology {
@@ -45,10 +44,10 @@ struct Topology {
   Shape shape = {};  ///< unknown for a topology from a file
 };
 
-/// Makes the topology of a spec: a generator ("tree:7", "mesh:4x4": see generators.hpp) or the path
-/// of a .dot, .gv or .graphml file (see formats.hpp, whose library this function is in). It has
-/// passed `check`. Throws BadInput.
-Topology make_topology(std::string_view spec);
+/// Whether the wiring has no cycles; it must be connected.
+inline bool is_tree(const Topology& topology) {
+  return static_cast<int>(topology.links.size()) == topology.processors - 1;
+}
 
 /// Throws BadInput, naming the culprit, unless: there are 1..MAX_PROCESSORS processors, the root is
 /// one of them, no processor has more than PORTS links, every port has at most one, no link joins a

@@ -7,7 +7,7 @@ namespace topologies {
 
 /// Makes a minimum-path network (Chalmers and Tidmus's AMP): the one with the shortest mean
 /// distance that a search of fixed length finds with four links a processor, three at the root,
-/// whose port 0 stays free. n is 1 to MAX_PROCESSORS; throws BadInput. Host time: 0.1 s for 64
+/// where port 0 stays free. n is 1 to MAX_PROCESSORS; throws BadInput. Host time: 0.1 s for 64
 /// processors, 0.5 s for 256, 3 s for 1024, 10 s for the most.
 Topology make_amp(int n);
 

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <tuple>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "topologies/files/formats.hpp"
 #include "topologies/make/amp.hpp"
 
 namespace topologies {
@@ -223,6 +225,8 @@ const std::vector<Generator>& generators() {
   return GENERATORS;
 }
 
+namespace {
+
 Topology make_generated(std::string_view spec) {
   const auto colon = std::min(spec.find(':'), spec.size());
   const auto& generator = find_generator(spec, spec.substr(0, colon));
@@ -241,6 +245,20 @@ Topology make_generated(std::string_view spec) {
     fail(spec, fmt::format("found {} size(s); the form is {}: {}", sizes.size(), generator.form,
                            generator.help));
   return generator.make(sizes);
+}
+
+}  // namespace
+
+Topology make_topology(std::string_view spec) {
+  const auto extension = std::filesystem::path(spec).extension();
+  if (extension == ".dot" || extension == ".gv" || extension == ".graphml")
+    return load_topology(std::string(spec));
+  std::error_code ignored;
+  if (spec.find(':') == spec.npos && std::filesystem::exists(spec, ignored))
+    fail(spec, "unknown kind of file, expected .dot, .gv or .graphml");
+  auto topology = make_generated(spec);
+  check(topology);
+  return topology;
 }
 
 }  // namespace topologies

@@ -1,6 +1,6 @@
 #pragma once
-// Regular topologies: each is one function from sizes to a wiring. Their root is processor 0, and
-// they leave its port 0 free where it has a free port.
+// Topologies by name. Those that are regular: each is one function from sizes to a wiring. Their
+// root is processor 0, and they leave its port 0 free where it has a free port.
 
 #include <functional>
 #include <string>
@@ -33,7 +33,8 @@ struct Generator {
 /// The generators that a spec may name, in the order of a help text.
 const std::vector<Generator>& generators();
 
-/// Makes the topology of a spec that names a generator: "mesh:4x4". Throws BadInput.
-Topology make_generated(std::string_view spec);
+/// Makes the topology of a spec: of a generator ("tree:7", "mesh:4x4") or of the path of a .dot,
+/// .gv or .graphml file (see formats.hpp). It has passed `check`. Throws BadInput.
+Topology make_topology(std::string_view spec);
 
 }  // namespace topologies

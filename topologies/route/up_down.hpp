@@ -3,7 +3,6 @@
 // "Autonet", IEEE JSAC 9(8), 1991), and the check that tells whether given routes do.
 
 #include "topologies/route/routes.hpp"
-#include "topologies/route/tree_links.hpp"
 
 namespace topologies {
 

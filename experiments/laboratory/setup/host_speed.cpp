@@ -10,6 +10,7 @@
 #include "experiments/laboratory/setup/setup.hpp"
 #include "renderer/files/nff.hpp"
 #include "simulator/farm/farm.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace laboratory {
 namespace {

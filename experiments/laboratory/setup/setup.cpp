@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "topologies/make/generators.hpp"
 #include "topologies/route/given_routes.hpp"
 
 namespace laboratory {

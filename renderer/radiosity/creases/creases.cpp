@@ -58,14 +58,9 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   for (const double sign : {1.0, -1.0}) {
     if (sign < 0 && !behind) break;
     Interval inside;
-    bool outside = false;
-    for (const double* c : {p, q}) {
-      const double here = sign * c[0], there = sign * c[1];
-      outside = outside || (here < 0 && there < 0);
-      if (here < 0 && there >= 0) inside.from = std::max(inside.from, here / (here - there));
-      if (there < 0 && here >= 0) inside.to = std::min(inside.to, here / (here - there));
-    }
-    if (outside || !(inside.from < inside.to)) continue;
+    if (!inside.keep_positive(sign * p[0], sign * p[1]) ||
+        !inside.keep_positive(sign * q[0], sign * q[1]) || !(inside.from < inside.to))
+      continue;
     const auto share = [&](double s) {
       const double beside = p[0] + s * (p[1] - p[0]), along = q[0] + s * (q[1] - q[0]);
       return std::clamp(along / (along + beside), 0.0, 1.0);
@@ -169,8 +164,7 @@ void add_wedge(Wedge wedge, Shadow& shadow) {
   Interval falling;
   const double above[] = {fall(0) - least, fall(1) - least};
   if (above[0] <= 0 && above[1] <= 0) return;
-  if (above[0] < 0) falling.from = above[0] / (above[0] - above[1]);
-  if (above[1] < 0) falling.to = above[0] / (above[0] - above[1]);
+  falling.keep_positive(above[0], above[1]);
   shorten(falling);
 
   const Vec far[] = {project(ground, wedge.from[0], wedge.through[0]),

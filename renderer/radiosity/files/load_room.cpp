@@ -112,7 +112,7 @@ class RoomReader {
     add_face(tokens_, tokens_.line(), std::move(face), room_);
   }
 
-  // Six quads whose fronts are outside, or inside.
+  // Reads a box as six quads, which face outwards, or inwards.
   void read_box() {
     const int line = tokens_.line();
     Face face;
@@ -232,7 +232,7 @@ struct RoomTarget : renderer::NffTarget {
 // A reader of OBJ files of our own: tinyobjloader 2.0.0 reads "nan" as 0 and passes over what it
 // does not know, without a word and without a line.
 
-// A material of an MTL file; its Ks counts if it turns out to be a mirror.
+// A material of an MTL file; its Ks counts if its `illum` makes it a mirror.
 struct Draft {
   Material material;
   Rgb specular;
@@ -240,7 +240,7 @@ struct Draft {
 };
 
 void read_mtl_statement(Tokens& tokens, std::vector<Draft>& drafts) {
-  constexpr int MIRROR = 3, MAX_ILLUM = 10;
+  constexpr int MIRROR = 3, MAX_ILLUM = 10;  // MIRROR: reflection by ray tracing
   const std::string_view name = tokens.take();
   if (name == "newmtl") {
     drafts.push_back({{}, {}, tokens.line()});

@@ -68,7 +68,8 @@ double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Wor
   const Viewpoint view{vertex.lit, vertex.normal};
   if (!face_each_other(view, patch)) return 0;
   const DirectSight sight{eye, vertex, patch, work};
-  return DeltaAreas(eye.params, eye.params.spread, view, Quad(patch), sight, work).sum();
+  const double enough = eye.params.spread * eye.params.spread;
+  return DeltaAreas<DirectSight>{eye.params, enough, view, Quad(patch), sight, work}.sum();
 }
 
 Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {

@@ -34,7 +34,7 @@ base::Fields<FactorParams> factor_fields();
 /// BadInput naming the field, what was found and what was expected.
 void check(const FactorParams& params);
 
-/// What visibility is found with: the mesh whose blockers rays are cast against. `access`, unless
+/// What visibility is found with: rays are cast against the blockers of `mesh`. `access`, unless
 /// null, is told of all that is read.
 struct Eye {
   const Mesh& mesh;
@@ -84,26 +84,22 @@ inline double eval_delta(double area, double square, double here, double there) 
 }
 
 /// The sum over a patch. `sight.sees(point)` says whether the viewpoint sees a point of the patch,
-/// `sight.misses(point, radius)` whether it surely sees none within the radius. A delta area is
-/// halved while it is wider than `spread` of its distance.
+/// `sight.misses(point, radius)` whether it surely sees none within the radius.
 template <class Sight>
-class DeltaAreas {
- public:
-  DeltaAreas(const FactorParams& params, double spread, const Viewpoint& eye, const Quad& quad,
-             const Sight& sight, renderer::Work& work)
-      : params_(params),
-        eye_(eye),
-        quad_(quad),
-        sight_(sight),
-        enough_(spread * spread),
-        work_(work) {}
+struct DeltaAreas {
+  const FactorParams& params;
+  double enough;  ///< widest delta area that is not halved: the square of its share of the distance
+  const Viewpoint& eye;
+  const Quad& quad;
+  const Sight& sight;
+  renderer::Work& work;
 
   double sum() {
-    const int n = params_.samples;
+    const int n = params.samples;
     double total = 0;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        total += add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, params_.halvings);
+        total += add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, params.halvings);
     return total;
   }
 
@@ -114,25 +110,25 @@ class DeltaAreas {
   };
 
   double add(const Delta& delta, int halvings) {
-    work_[renderer::Op::delta_area] += 1;
+    work[renderer::Op::delta_area] += 1;
     // Not quite the centre: in rooms full of symmetry lines between centres pass exactly through
     // edges, of two mirrors above all, and rounding would say by which side.
     constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
-    const Vec point = quad_.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
-    const Vec way = point - eye_.at;
+    const Vec point = quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
+    const Vec way = point - eye.at;
     const double square = dot(way, way);
     if (halvings > 0) {
-      const double along = delta.along * delta.along * quad_.along;
-      const double across = delta.across * delta.across * quad_.across;
+      const double along = delta.along * delta.along * quad.along;
+      const double across = delta.across * delta.across * quad.across;
       const double wide = std::max(along, across);
-      if (wide > enough_ * square)
-        return sight_.misses(point, std::sqrt(along + across) / 2)
+      if (wide > enough * square)
+        return sight.misses(point, std::sqrt(along + across) / 2)
                    ? 0
                    : add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
     }
-    const double here = dot(eye_.normal, way), there = -dot(quad_.normal, way);
-    if (here <= 0 || there <= 0 || !sight_.sees(point)) return 0;
-    const double area = delta.along * delta.across * quad_.eval_density(delta.s, delta.t);
+    const double here = dot(eye.normal, way), there = -dot(quad.normal, way);
+    if (here <= 0 || there <= 0 || !sight.sees(point)) return 0;
+    const double area = delta.along * delta.across * quad.eval_density(delta.s, delta.t);
     return eval_delta(area, square, here, there);
   }
 
@@ -147,13 +143,6 @@ class DeltaAreas {
         total += add({delta.s + i * step, delta.t + j * rise, width, height}, halvings);
     return total;
   }
-
-  const FactorParams& params_;
-  const Viewpoint& eye_;
-  const Quad& quad_;
-  const Sight& sight_;
-  const double enough_;  // square of a delta area's longer side over its distance
-  renderer::Work& work_;
 };
 
 /// Whether a part of the patch is in front of the viewpoint, and the viewpoint in front of it.

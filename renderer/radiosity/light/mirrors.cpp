@@ -45,12 +45,11 @@ Vec mirror_point(const Mirror& mirror, const Vec& point) {
   return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
 }
 
-// Whether a point in the mirror's plane is inside, or outside by no more than the margin.
-bool is_within(const Mirror& mirror, const Vec& point, double margin = 0) {
-  const auto& c = mirror.corners;
+// Whether a point in a convex polygon's plane is inside, or outside by no more than the margin.
+bool is_within(std::span<const Vec> c, const Vec& normal, const Vec& point, double margin = 0) {
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec edge = c[(i + 1) % c.size()] - c[i];
-    const double inside = dot(mirror.normal, cross(edge, point - c[i]));
+    const double inside = dot(normal, cross(edge, point - c[i]));
     if (inside < 0 && (margin == 0 || inside < -margin * length(edge))) return false;
   }
   return true;
@@ -98,14 +97,14 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
     const double along = dot(mirror.normal, way);
     if (!(before > 0 && along < 0)) return std::nullopt;  // behind the mirror, or away from it
     points[j] = from + before / -along * way;
-    if (!is_within(mirror, points[j])) return std::nullopt;
+    if (!is_within(mirror.corners, mirror.normal, points[j])) return std::nullopt;
     from = points[j];
   }
   return points;
 }
 
 // Whether every way to the points within a radius of `to` surely misses a mirror. The ways form a
-// cone whose tip is the vertex's image; a mirror cuts it in an ellipse.
+// cone with its tip at the vertex's image; a mirror cuts it in an ellipse.
 bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   Vec from = to;
   const double whole = length(to - chain.last().at);
@@ -119,25 +118,44 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
     const Vec point = from + before / along * way;
     gone += before / along * left;
     const double slope = (along - radius) / left;  // the least cosine of the cone's lines, about
-    if (!is_within(mirror, point, 2 * radius * (whole - gone) / whole / slope)) return true;
+    const double margin = 2 * radius * (whole - gone) / whole / slope;
+    if (!is_within(mirror.corners, mirror.normal, point, margin)) return true;
     from = point;
   }
   return false;
 }
 
-// Whether nothing blocks a way that meets the mirrors along `path`.
-bool is_free(const Eye& eye, const Vertex& vertex, const Chain& chain, const Path& path,
-             const Vec& to, std::uint32_t object, renderer::Work& work) {
-  Vec from = vertex.lit;
-  std::uint32_t on = vertex.object;
-  for (std::size_t j = 0; j < chain.mirrors.size(); ++j) {
-    const std::uint32_t mirror = chain.mirrors[j]->object;
-    if (!sees(eye, from, on, path[j], mirror, work)) return false;
-    from = path[j];
-    on = mirror;
+// How a vertex sees a patch over a chain, for DeltaAreas.
+struct MirroredSight {
+  const Eye& eye;
+  const Vertex& vertex;
+  const Patch& patch;
+  const Quad& quad;  // the patch's
+  const Chain& chain;
+  Work& work;
+
+  // Whether nothing blocks a way that meets the mirrors along `path`.
+  bool is_free(const Path& path, const Vec& to) const {
+    Vec from = vertex.lit;
+    std::uint32_t on = vertex.object;
+    for (std::size_t j = 0; j < chain.mirrors.size(); ++j) {
+      const std::uint32_t mirror = chain.mirrors[j]->object;
+      if (!radiosity::sees(eye, from, on, path[j], mirror, work)) return false;
+      from = path[j];
+      on = mirror;
+    }
+    return radiosity::sees(eye, from, on, to, patch.object, work);
   }
-  return sees(eye, from, on, to, object, work);
-}
+  bool sees(const Vec& point) const {
+    work[Op::light_mirrored] += chain.mirrors.size();
+    const auto path = find_path(chain, point);
+    return path && is_free(*path, point);
+  }
+  bool misses(const Vec& point, double radius) const {
+    work[Op::light_mirrored] += chain.mirrors.size();
+    return surely_misses(chain, point, radius);
+  }
+};
 
 // The rectangle around a mirror along its first edge, cut into n x n pieces.
 struct Pieces {
@@ -175,20 +193,11 @@ struct Way {
   Least least;
 };
 
-// What a vertex sees of a patch over a chain.
-struct MirroredPatch {
-  const Eye& eye;
-  const Vertex& vertex;
-  const Patch& patch;
-  const Quad& quad;
-  const Chain& chain;
-};
-
 // The sum of Eq 3.17 over the patch's delta areas (samples x samples, not halved) and the pieces
 // of the chain's mirrors (FactorParams::mirror_pieces).
 class PieceSum {
  public:
-  PieceSum(const MirroredPatch& seen, Work& work) : seen_(seen), work_(work) {
+  explicit PieceSum(const MirroredSight& seen) : seen_(seen) {
     for (const Mirror* mirror : seen.chain.mirrors)
       pieces_.emplace_back(*mirror, seen.eye.params.mirror_pieces);
   }
@@ -204,7 +213,7 @@ class PieceSum {
  private:
   // The delta area within `half` of (s, t).
   double add_delta(double s, double t, double half) {
-    work_[Op::delta_area] += 1;
+    seen_.work[Op::delta_area] += 1;
     const Quad& quad = seen_.quad;
     const double area = 4 * half * half * quad.eval_density(s, t);
     const Vec centre = quad.eval(s, t);
@@ -218,7 +227,7 @@ class PieceSum {
     for (std::size_t k = 0; k < pieces_.size(); ++k)
       for (int j = 0; j < pieces_[k].n; ++j)
         for (int i = 0; i < pieces_[k].n; ++i) {
-          work_[Op::light_mirrored] += 1;
+          seen_.work[Op::light_mirrored] += 1;
           // A way is found over the pieces of each of its mirrors: where these are the least.
           const auto way = follow(k, pieces_[k].centre(i, j));
           if (!way || way->least.mirror != k) continue;
@@ -233,10 +242,7 @@ class PieceSum {
     const Viewpoint& eye = seen_.chain.last();
     const Vec line = way.end - eye.at;
     const double here = dot(eye.normal, line), there = -dot(seen_.quad.normal, line);
-    if (here <= 0 || there <= 0 ||
-        !is_free(seen_.eye, seen_.vertex, seen_.chain, way.path, way.end, seen_.patch.object,
-                 work_))
-      return 0;
+    if (here <= 0 || there <= 0 || !seen_.is_free(way.path, way.end)) return 0;
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
@@ -244,7 +250,8 @@ class PieceSum {
   // in the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
-    if (!is_within(*chain.mirrors[k], centre)) return std::nullopt;
+    if (!is_within(chain.mirrors[k]->corners, chain.mirrors[k]->normal, centre))
+      return std::nullopt;
     // Straight on from the vertex's last image.
     Vec through = centre;
     for (std::size_t j = k + 1; j < chain.mirrors.size(); ++j)
@@ -254,18 +261,10 @@ class PieceSum {
     if (!(along < 0)) return std::nullopt;
     const Vec end = chain.last().at +
                     dot(seen_.quad.normal, seen_.quad.p - chain.last().at) / along * direction;
-    if (!is_in_delta(end)) return std::nullopt;
+    if (!is_within(corners_, seen_.quad.normal, end)) return std::nullopt;
     const auto path = find_path(chain, end);
     if (!path) return std::nullopt;
     return Way{*path, end, least_angle(*path)};
-  }
-
-  bool is_in_delta(const Vec& point) const {
-    for (std::size_t k = 0; k < 4; ++k)
-      if (dot(seen_.quad.normal, cross(corners_[(k + 1) % 4] - corners_[k], point - corners_[k])) <
-          0)
-        return false;
-    return true;
   }
 
   // The solid angle of an area as seen from the vertex over the chain.
@@ -292,75 +291,45 @@ class PieceSum {
     return least;
   }
 
-  const MirroredPatch seen_;
+  const MirroredSight& seen_;
   std::vector<Pieces> pieces_;  // by mirror of the chain
   std::array<Vec, 4> corners_;  // of the delta area
-  Work& work_;
 };
 
-// How a vertex sees a patch over a chain, for DeltaAreas.
-struct MirroredSight {
-  const Eye& eye;
-  const Vertex& vertex;
-  const Patch& patch;
-  const Chain& chain;
-  Work& work;
+// The form factor over one chain, without its reflectance.
+double eval_chain(const MirroredSight& sight) {
+  const FactorParams& params = sight.eye.params;
+  if (params.mirror_pieces > 0) return PieceSum(sight).sum();
+  // Little light comes through a mirror that looks very narrow: it deserves no more care.
+  constexpr double LEAST = 0.25;
+  const double spread =
+      std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
+  return DeltaAreas<MirroredSight>{params,     spread * spread, sight.chain.last(),
+                                   sight.quad, sight,           sight.work}
+      .sum();
+}
 
-  bool sees(const Vec& point) const {
-    work[Op::light_mirrored] += chain.mirrors.size();
-    const auto path = find_path(chain, point);
-    return path && is_free(eye, vertex, chain, *path, point, patch.object, work);
+// The sum over all chains that begin with that of `sight`, without its own.
+Rgb sum_chains(const MirroredSight& sight) {
+  const auto& [eye, vertex, patch, quad, chain, work] = sight;
+  Rgb total;
+  if (chain.mirrors.size() == static_cast<std::size_t>(eye.params.reflections)) return total;
+  for (const Mirror& mirror : eye.mesh.mirrors) {
+    if (!chain.can_meet(mirror)) continue;
+    work[Op::light_mirrored] += 1;
+    const Chain longer = chain.extend(mirror, eye.mesh.materials[mirror.material].reflectance);
+    const MirroredSight further{eye, vertex, patch, quad, longer, work};
+    if (face_each_other(longer.last(), patch) && longer.may_show(patch.at))
+      total += eval_chain(further) * longer.reflectance;
+    total += sum_chains(further);
   }
-  bool misses(const Vec& point, double radius) const {
-    work[Op::light_mirrored] += chain.mirrors.size();
-    return surely_misses(chain, point, radius);
-  }
-};
-
-class Mirroring {
- public:
-  Mirroring(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work)
-      : eye_(eye), vertex_(vertex), patch_(patch), quad_(patch), work_(work) {}
-
-  // The sum over all chains that begin with this one.
-  Rgb sum(const Chain& chain) const {
-    Rgb total;
-    if (chain.mirrors.size() == static_cast<std::size_t>(eye_.params.reflections)) return total;
-    for (const Mirror& mirror : eye_.mesh.mirrors) {
-      if (!chain.can_meet(mirror)) continue;
-      work_[Op::light_mirrored] += 1;
-      const auto longer = chain.extend(mirror, eye_.mesh.materials[mirror.material].reflectance);
-      if (face_each_other(longer.last(), patch_) && longer.may_show(patch_.at))
-        total += eval_chain(longer) * longer.reflectance;
-      total += sum(longer);
-    }
-    return total;
-  }
-
- private:
-  double eval_chain(const Chain& chain) const {
-    const FactorParams& params = eye_.params;
-    if (params.mirror_pieces > 0)
-      return PieceSum({eye_, vertex_, patch_, quad_, chain}, work_).sum();
-    const MirroredSight sight{eye_, vertex_, patch_, chain, work_};
-    // Little light comes through a mirror that looks very narrow: it deserves no more care.
-    constexpr double LEAST = 0.25;
-    const double spread =
-        std::clamp(params.mirror_share * chain.width, LEAST * params.spread, params.spread);
-    return DeltaAreas(params, spread, chain.last(), quad_, sight, work_).sum();
-  }
-
-  const Eye& eye_;
-  const Vertex& vertex_;
-  const Patch& patch_;
-  const Quad quad_;
-  Work& work_;
-};
+  return total;
+}
 
 }  // namespace
 
 Rgb eval_mirrored_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
-  return Mirroring(eye, vertex, patch, work).sum(Chain({vertex.lit, vertex.normal}));
+  return sum_chains({eye, vertex, patch, Quad(patch), Chain({vertex.lit, vertex.normal}), work});
 }
 
 }  // namespace radiosity

@@ -114,8 +114,8 @@ struct LitRoom {
 
 struct LightParams {
   MeshParams mesh;
-  /// MeshParams::refine, 1 to 1000, of a coarser mesh whose patches send the light to the vertices
-  /// of the mesh; 0: those of the mesh itself do.
+  /// MeshParams::refine, 1 to 1000, of a coarser mesh that sends the light to the vertices of this
+  /// one; 0: the mesh itself sends it.
   int senders = 0;
   SolveParams solve;
   bool ambient = true;  ///< whether eval_ambient(), an estimate of the unsent light, is added

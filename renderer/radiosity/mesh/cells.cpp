@@ -18,6 +18,16 @@ constexpr double STRAIGHT = 0.17;
 
 using Loop = std::vector<std::uint32_t>;
 
+// The two parts of a loop that is cut from one of its points to another, each with both points.
+std::pair<Loop, Loop> cut_loop(Loop loop, std::uint32_t from, std::uint32_t to) {
+  std::ranges::rotate(loop, std::ranges::find(loop, from));
+  const auto at = std::ranges::find(loop, to);
+  Loop left(at, loop.end());
+  left.push_back(from);
+  loop.erase(at + 1, loop.end());
+  return {std::move(loop), std::move(left)};
+}
+
 // The ends of a line across a cell: at a point, or on the edge from it to `next`.
 struct Chord {
   struct End {
@@ -26,220 +36,6 @@ struct Chord {
   };
   std::array<End, 2> ends;
 };
-
-// Cells may have straight corners where a neighbour is cut and they are not.
-class Cells {
- public:
-  // Cells are the quads of a division; equal points become one, the others keep their order.
-  Cells(const Division& division, const Vec& normal);
-
-  // The point will not be moved.
-  void fix(std::uint32_t point) { line_[point] = FIXED; }
-  void move_points(std::span<const Crease> creases, double reach);
-  void cut(const Crease& crease, double touch);
-  Division make_quads() const;
-
- private:
-  static constexpr std::int32_t FREE = -1, FIXED = -2;
-
-  bool move(std::uint32_t point, const Vec& to);
-  void move_to_end(const Vec& end, double reach);
-  std::optional<Chord> find_chord(std::size_t cell, std::span<const double> heights) const;
-  std::uint32_t split_edge(std::uint32_t a, std::uint32_t b, double share);
-  void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
-                      std::vector<double>& heights);
-  void own(std::size_t cell);
-
-  Vec normal_;
-  std::vector<Vec> points_;
-  std::vector<std::int32_t> line_;  // the crease that a point was moved to, FREE or FIXED
-  std::vector<Loop> cells_;
-  std::vector<Loop> around_;  // cells around each point, before the first cut
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner_;  // the cell on the left
-};
-
-Cells::Cells(const Division& division, const Vec& normal) : normal_(normal) {
-  Welder welder(renderer::make_bounds(division.points));
-  Loop index;
-  for (const Vec& point : division.points) {
-    index.push_back(welder.weld(point, {}, 0));
-    if (index.back() == points_.size()) points_.push_back(point);
-  }
-  line_.assign(points_.size(), FREE);
-  around_.resize(points_.size());
-  for (const auto& [a, b, c, d] : division.quads) {
-    cells_.push_back({index[a], index[b], index[c], index[d]});
-    own(cells_.size() - 1);
-    for (const auto point : cells_.back())
-      around_[point].push_back(static_cast<std::uint32_t>(cells_.size() - 1));
-  }
-  for (const auto& [edge, cell] : owner_)
-    if (!owner_.contains({edge.second, edge.first})) {
-      fix(edge.first);
-      fix(edge.second);
-    }
-}
-
-void Cells::own(std::size_t cell) {
-  const Loop& loop = cells_[cell];
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    owner_[{loop[i], loop[(i + 1) % loop.size()]}] = cell;
-}
-
-bool Cells::move(std::uint32_t point, const Vec& to) {
-  const Vec back = std::exchange(points_[point], to);
-  for (const auto cell : around_[point]) {
-    const Loop& loop = cells_[cell];
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec here = points_[loop[i]];
-      const Vec ahead = points_[loop[(i + 1) % 4]] - here;
-      const Vec behind = points_[loop[(i + 3) % 4]] - here;
-      if (dot(normal_, cross(ahead, behind)) < WELL_SHAPED * length(ahead) * length(behind)) {
-        points_[point] = back;
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-void Cells::move_to_end(const Vec& end, double reach) {
-  std::optional<std::uint32_t> nearest;
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    const double distance = length(points_[i] - end);
-    if (distance >= reach || line_[i] == FIXED) continue;
-    reach = distance;
-    nearest = i;
-  }
-  if (nearest && move(*nearest, end)) fix(*nearest);
-}
-
-void Cells::move_points(std::span<const Crease> creases, double reach) {
-  for (const Crease& crease : creases)
-    for (const Vec& end : {crease.a, crease.b}) move_to_end(end, reach);
-  for (std::size_t k = 0; k < creases.size(); ++k) {
-    const Vec a = creases[k].a, along = normalize(creases[k].b - a);
-    const Vec across = cross(normal_, along);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (line_[i] == FIXED) continue;
-      const Vec here = points_[i];
-      const double height = dot(across, here - a);
-      if (std::abs(height) >= reach) continue;
-      Vec to = here - height * across;
-      if (line_[i] != FREE) {  // along the crease that it is on
-        const Crease& other = creases[static_cast<std::size_t>(line_[i])];
-        const Vec way = normalize(other.b - other.a);
-        const double slope = dot(across, way);
-        if (std::abs(height) >= reach * std::abs(slope)) continue;
-        to = here - (height / slope) * way;
-      }
-      const double t = dot(to - a, along);
-      if (t < 0 || t > length(creases[k].b - a) || !move(i, to)) continue;
-      line_[i] = line_[i] == FREE ? static_cast<std::int32_t>(k) : FIXED;
-    }
-  }
-}
-
-std::optional<Chord> Cells::find_chord(std::size_t cell, std::span<const double> heights) const {
-  const Loop& loop = cells_[cell];
-  const std::size_t count = loop.size();
-  std::size_t start = 0;
-  while (start < count && heights[loop[start]] == 0) ++start;
-  if (start == count) return std::nullopt;
-  Chord chord;
-  std::size_t found = 0;
-  std::uint32_t last = loop[start];  // that is not on the line
-  for (std::size_t i = 1; i <= count; ++i) {
-    const std::uint32_t before = loop[(start + i - 1) % count], here = loop[(start + i) % count];
-    if (heights[here] == 0) continue;
-    if ((heights[here] > 0) != (heights[last] > 0)) {
-      if (found == 2) return std::nullopt;
-      // The last point on the line, if there is one between.
-      const double share = before == last ? heights[last] / (heights[last] - heights[here]) : 0;
-      chord.ends[found++] = {before, here, share};
-    }
-    last = here;
-  }
-  if (found < 2) return std::nullopt;
-  return chord;
-}
-
-std::uint32_t Cells::split_edge(std::uint32_t a, std::uint32_t b, double share) {
-  const auto point = static_cast<std::uint32_t>(points_.size());
-  points_.push_back(lerp(points_[a], points_[b], share));
-  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    const auto owner = owner_.find({from, to});
-    if (owner == owner_.end()) continue;
-    const std::size_t cell = owner->second;
-    owner_.erase(owner);
-    Loop& loop = cells_[cell];
-    const auto at = std::find(loop.begin(), loop.end(), from);
-    loop.insert(at + 1, point);
-    owner_[{from, point}] = owner_[{point, to}] = cell;
-  }
-  return point;
-}
-
-void Cells::cut(const Crease& crease, double touch) {
-  const double size = length(crease.b - crease.a);
-  const Vec along = (1 / size) * (crease.b - crease.a), across = cross(normal_, along);
-  std::vector<double> heights;
-  const auto measure = [&](const Vec& point) {
-    const double height = dot(across, point - crease.a);
-    heights.push_back(std::abs(height) <= touch ? 0 : height);
-  };
-  for (const Vec& point : points_) measure(point);
-
-  const std::size_t count = cells_.size();
-  for (std::size_t cell = 0; cell < count; ++cell) {
-    const auto chord = find_chord(cell, heights);
-    if (!chord) continue;
-    // Places on the crease, from 0 to its size, at which the chord begins and ends.
-    double t[2];
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto& [point, next, share] = chord->ends[i];
-      t[i] = dot(lerp(points_[point], points_[next], share) - crease.a, along);
-    }
-    if (std::min(size, std::max(t[0], t[1])) - std::max(0.0, std::min(t[0], t[1])) <= touch)
-      continue;
-    const auto make = [&](const Chord::End& end) {
-      if (end.share == 0) return end.point;
-      heights.push_back(0);
-      return split_edge(end.point, end.next, end.share);
-    };
-    const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
-    Loop loop = cells_[cell];
-    std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), p), loop.end());
-    const auto at = std::find(loop.begin(), loop.end(), q);
-    const Loop right(loop.begin(), at + 1);
-    Loop left(at, loop.end());
-    left.push_back(p);
-    cells_[cell] = right;
-    cells_.push_back(left);
-    own(cell);
-    own(cells_.size() - 1);
-  }
-  // The crease's ends become points of the edges that it lies on.
-  for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
-}
-
-// Puts a point at the distance `end` from `origin` on every edge that lies on the line `along`:
-// where both heights are 0.
-void Cells::split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
-                           std::vector<double>& heights) {
-  const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const auto& [edge, cell] : owner_) {
-    const auto& [a, b] = edge;
-    if (heights[a] != 0 || heights[b] != 0 || (a > b && owner_.contains({b, a}))) continue;
-    if (std::min(place(a), place(b)) + touch < end && end < std::max(place(a), place(b)) - touch)
-      edges.push_back(edge);
-  }
-  for (const auto& [a, b] : edges) {
-    split_edge(a, b, (end - place(a)) / (place(b) - place(a)));
-    heights.push_back(0);
-  }
-}
 
 // Points and quads so far, and the middles of edges.
 struct Quads {
@@ -285,29 +81,26 @@ double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t
 
 // Cuts a cell from a straight corner to the other corner that makes the best angles, and so on with
 // its parts; adds these to `parts`.
-void cut_straight_corners(const Quads& quads, Loop loop, const Vec& normal,
+void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& normal,
                           std::vector<Loop>& parts) {
-  std::size_t from = 0, to = 0;
+  std::uint32_t from = 0, to = 0;
   double best = 0;
   for (std::size_t i = 0; i < loop.size() && loop.size() > 3; ++i) {
     if (!is_straight(quads, loop, i, normal)) continue;
     for (std::size_t k = i + 2; k + 1 < i + loop.size(); ++k)
       if (const double sine = eval_way(quads, loop, i, k % loop.size(), normal); sine > best) {
-        from = i;
-        to = k - i;
+        from = loop[i];
+        to = loop[k % loop.size()];
         best = sine;
       }
   }
   if (best == 0) {
-    parts.push_back(std::move(loop));
+    parts.push_back(loop);
     return;
   }
-  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(from), loop.end());
-  const auto at = loop.begin() + static_cast<std::ptrdiff_t>(to);
-  Loop left(at, loop.end());
-  left.push_back(loop[0]);
-  cut_straight_corners(quads, {loop.begin(), at + 1}, normal, parts);
-  cut_straight_corners(quads, std::move(left), normal, parts);
+  const auto [right, left] = cut_loop(loop, from, to);
+  cut_straight_corners(quads, right, normal, parts);
+  cut_straight_corners(quads, left, normal, parts);
 }
 
 // Adds a quad at every corner of a convex polygon: (corner, middle, centre, middle).
@@ -323,14 +116,208 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop) {
   }
 }
 
-Division Cells::make_quads() const {
-  Quads quads;
-  quads.division.points = points_;
-  std::vector<Loop> parts;
-  for (const Loop& loop : cells_) cut_straight_corners(quads, loop, normal_, parts);
-  for (const Loop& part : parts) add_corners(quads, part);
-  return std::move(quads.division);
-}
+// Cells may have straight corners where a neighbour is cut and they are not.
+class Cells {
+ public:
+  // Cells are the quads of a division; equal points become one, the others keep their order.
+  Cells(const Division& division, const Vec& normal) : normal_(normal) {
+    Welder welder(renderer::make_bounds(division.points));
+    Loop index;
+    for (const Vec& point : division.points) {
+      index.push_back(welder.weld(point, {}, 0));
+      if (index.back() == points_.size()) points_.push_back(point);
+    }
+    line_.assign(points_.size(), FREE);
+    around_.resize(points_.size());
+    for (const auto& [a, b, c, d] : division.quads) {
+      cells_.push_back({index[a], index[b], index[c], index[d]});
+      own(cells_.size() - 1);
+      for (const auto point : cells_.back())
+        around_[point].push_back(static_cast<std::uint32_t>(cells_.size() - 1));
+    }
+    for (const auto& [edge, cell] : owner_)
+      if (!owner_.contains({edge.second, edge.first})) {
+        fix(edge.first);
+        fix(edge.second);
+      }
+  }
+
+  // The point will not be moved.
+  void fix(std::uint32_t point) { line_[point] = FIXED; }
+
+  void move_points(std::span<const Crease> creases, double reach) {
+    for (const Crease& crease : creases)
+      for (const Vec& end : {crease.a, crease.b}) move_to_end(end, reach);
+    for (std::size_t k = 0; k < creases.size(); ++k) {
+      const Vec a = creases[k].a, along = normalize(creases[k].b - a);
+      const Vec across = cross(normal_, along);
+      for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        if (line_[i] == FIXED) continue;
+        const Vec here = points_[i];
+        const double height = dot(across, here - a);
+        if (std::abs(height) >= reach) continue;
+        Vec to = here - height * across;
+        if (line_[i] != FREE) {  // along the crease that it is on
+          const Crease& other = creases[static_cast<std::size_t>(line_[i])];
+          const Vec way = normalize(other.b - other.a);
+          const double slope = dot(across, way);
+          if (std::abs(height) >= reach * std::abs(slope)) continue;
+          to = here - (height / slope) * way;
+        }
+        const double t = dot(to - a, along);
+        if (t < 0 || t > length(creases[k].b - a) || !move(i, to)) continue;
+        line_[i] = line_[i] == FREE ? static_cast<std::int32_t>(k) : FIXED;
+      }
+    }
+  }
+
+  void cut(const Crease& crease, double touch) {
+    const double size = length(crease.b - crease.a);
+    const Vec along = (1 / size) * (crease.b - crease.a), across = cross(normal_, along);
+    std::vector<double> heights;
+    for (const Vec& point : points_) {
+      const double height = dot(across, point - crease.a);
+      heights.push_back(std::abs(height) <= touch ? 0 : height);
+    }
+    const std::size_t count = cells_.size();
+    for (std::size_t cell = 0; cell < count; ++cell) {
+      const auto chord = find_chord(cell, heights);
+      if (!chord) continue;
+      // Places on the crease, from 0 to its size, at which the chord begins and ends.
+      double t[2];
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto& [point, next, share] = chord->ends[i];
+        t[i] = dot(lerp(points_[point], points_[next], share) - crease.a, along);
+      }
+      if (std::min(size, std::max(t[0], t[1])) - std::max(0.0, std::min(t[0], t[1])) <= touch)
+        continue;
+      const auto make = [&](const Chord::End& end) {
+        if (end.share == 0) return end.point;
+        heights.push_back(0);
+        return split_edge(end.point, end.next, end.share);
+      };
+      const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
+      const auto [right, left] = cut_loop(cells_[cell], p, q);
+      cells_[cell] = right;
+      cells_.push_back(left);
+      own(cell);
+      own(cells_.size() - 1);
+    }
+    // The crease's ends become points of the edges that it lies on.
+    for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
+  }
+
+  Division make_quads() const {
+    Quads quads;
+    quads.division.points = points_;
+    std::vector<Loop> parts;
+    for (const Loop& loop : cells_) cut_straight_corners(quads, loop, normal_, parts);
+    for (const Loop& part : parts) add_corners(quads, part);
+    return std::move(quads.division);
+  }
+
+ private:
+  static constexpr std::int32_t FREE = -1, FIXED = -2;
+
+  void own(std::size_t cell) {
+    const Loop& loop = cells_[cell];
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      owner_[{loop[i], loop[(i + 1) % loop.size()]}] = cell;
+  }
+
+  bool move(std::uint32_t point, const Vec& to) {
+    const Vec back = std::exchange(points_[point], to);
+    for (const auto cell : around_[point]) {
+      const Loop& loop = cells_[cell];
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vec here = points_[loop[i]];
+        const Vec ahead = points_[loop[(i + 1) % 4]] - here;
+        const Vec behind = points_[loop[(i + 3) % 4]] - here;
+        if (dot(normal_, cross(ahead, behind)) < WELL_SHAPED * length(ahead) * length(behind)) {
+          points_[point] = back;
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void move_to_end(const Vec& end, double reach) {
+    std::optional<std::uint32_t> nearest;
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      const double distance = length(points_[i] - end);
+      if (distance >= reach || line_[i] == FIXED) continue;
+      reach = distance;
+      nearest = i;
+    }
+    if (nearest && move(*nearest, end)) fix(*nearest);
+  }
+
+  std::optional<Chord> find_chord(std::size_t cell, std::span<const double> heights) const {
+    const Loop& loop = cells_[cell];
+    const std::size_t count = loop.size();
+    std::size_t start = 0;
+    while (start < count && heights[loop[start]] == 0) ++start;
+    if (start == count) return std::nullopt;
+    Chord chord;
+    std::size_t found = 0;
+    std::uint32_t last = loop[start];  // that is not on the line
+    for (std::size_t i = 1; i <= count; ++i) {
+      const std::uint32_t before = loop[(start + i - 1) % count], here = loop[(start + i) % count];
+      if (heights[here] == 0) continue;
+      if ((heights[here] > 0) != (heights[last] > 0)) {
+        if (found == 2) return std::nullopt;
+        // The last point on the line, if there is one between.
+        const double share = before == last ? heights[last] / (heights[last] - heights[here]) : 0;
+        chord.ends[found++] = {before, here, share};
+      }
+      last = here;
+    }
+    if (found < 2) return std::nullopt;
+    return chord;
+  }
+
+  std::uint32_t split_edge(std::uint32_t a, std::uint32_t b, double share) {
+    const auto point = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(lerp(points_[a], points_[b], share));
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+      const auto owner = owner_.find({from, to});
+      if (owner == owner_.end()) continue;
+      const std::size_t cell = owner->second;
+      owner_.erase(owner);
+      Loop& loop = cells_[cell];
+      const auto at = std::find(loop.begin(), loop.end(), from);
+      loop.insert(at + 1, point);
+      owner_[{from, point}] = owner_[{point, to}] = cell;
+    }
+    return point;
+  }
+
+  // Puts a point at the distance `end` from `origin` on every edge that lies on the line `along`:
+  // where both heights are 0.
+  void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
+                      std::vector<double>& heights) {
+    const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& [edge, cell] : owner_) {
+      const auto& [a, b] = edge;
+      if (heights[a] != 0 || heights[b] != 0 || (a > b && owner_.contains({b, a}))) continue;
+      if (std::min(place(a), place(b)) + touch < end && end < std::max(place(a), place(b)) - touch)
+        edges.push_back(edge);
+    }
+    for (const auto& [a, b] : edges) {
+      split_edge(a, b, (end - place(a)) / (place(b) - place(a)));
+      heights.push_back(0);
+    }
+  }
+
+  Vec normal_;
+  std::vector<Vec> points_;
+  std::vector<std::int32_t> line_;  // the crease that a point was moved to, FREE or FIXED
+  std::vector<Loop> cells_;
+  std::vector<Loop> around_;  // cells around each point, before the first cut
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner_;  // the cell on the left
+};
 
 }  // namespace
 

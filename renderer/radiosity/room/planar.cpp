@@ -69,15 +69,19 @@ std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& nor
   return planes;
 }
 
+bool Interval::keep_positive(double here, double there) {
+  if (here < 0 && there < 0) return false;
+  if (here < 0) from = std::max(from, here / (here - there));
+  if (there < 0) to = std::min(to, here / (here - there));
+  return true;
+}
+
 std::optional<Interval> clip_segment(const Vec& a, const Vec& b, std::span<const Plane> planes,
                                      double margin) {
   Interval part;
-  for (const Plane& plane : planes) {
-    const double at_a = eval_height(plane, a) - margin, at_b = eval_height(plane, b) - margin;
-    if (at_a < 0 && at_b < 0) return std::nullopt;
-    if (at_a < 0) part.from = std::max(part.from, at_a / (at_a - at_b));
-    if (at_b < 0) part.to = std::min(part.to, at_a / (at_a - at_b));
-  }
+  for (const Plane& plane : planes)
+    if (!part.keep_positive(eval_height(plane, a) - margin, eval_height(plane, b) - margin))
+      return std::nullopt;
   if (part.from >= part.to) return std::nullopt;
   return part;
 }

@@ -42,6 +42,10 @@ std::optional<std::array<Vec, 2>> cut(std::span<const Vec> polygon, const Plane&
 /// A part of a segment, as shares of its length.
 struct Interval {
   double from = 0, to = 1;
+
+  /// Cuts off where a linear function is negative that is `here` at 0 and `there` at 1. False if
+  /// it is negative throughout.
+  bool keep_positive(double here, double there);
 };
 
 /// Planes across the polygon through its edges; above them is its inside. Edges of no length have

@@ -21,17 +21,17 @@ struct LineError {
   int shift = 0;
 };
 
-// Compares value(x, false), of the picture, with value(x, true), of the reference.
+// Compares value(pixel, false), of the picture, with value(pixel, true), of the reference.
 template <class Value>
 LineError compare_lines(int width, const Compared& where, const Value& value) {
   Squares squares;
   double peak = 0, reference_peak = 0;
   int at = 0, reference_at = 0;
   for (int x = 0; x < width; ++x) {
-    if (where.left_out[static_cast<std::size_t>(where.line) * static_cast<std::size_t>(width) +
-                       static_cast<std::size_t>(x)])
-      continue;
-    const double found = value(x, false), expected = value(x, true);
+    const auto pixel = static_cast<std::size_t>(where.line) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(x);
+    if (where.left_out[pixel]) continue;
+    const double found = value(pixel, false), expected = value(pixel, true);
     squares.add(found, expected);
     if ((x + 0.5) / width < where.peak_from || (x + 0.5) / width > where.peak_to) continue;
     if (found > peak) peak = found, at = x;
@@ -52,16 +52,14 @@ PictureError compare_pictures(const Picture& picture, const Picture& reference,
     squares.add(p.r, q.r), squares.add(p.g, q.g), squares.add(p.b, q.b);
   }
   const auto shown = make_rgb8(picture, display), expected = make_rgb8(reference, display);
-  const auto pixel = [&](int x) {
-    return static_cast<std::size_t>(where.line) * static_cast<std::size_t>(picture.width) +
-           static_cast<std::size_t>(x);
-  };
-  const auto linear = compare_lines(picture.width, where, [&](int x, bool of_reference) {
-    return (of_reference ? reference : picture).pixels[pixel(x)].r;
-  });
-  const auto displayed = compare_lines(picture.width, where, [&](int x, bool of_reference) {
-    return double((of_reference ? expected : shown)[3 * pixel(x)]);
-  });
+  const auto linear =
+      compare_lines(picture.width, where, [&](std::size_t pixel, bool of_reference) {
+        return (of_reference ? reference : picture).pixels[pixel].r;
+      });
+  const auto displayed =
+      compare_lines(picture.width, where, [&](std::size_t pixel, bool of_reference) {
+        return double((of_reference ? expected : shown)[3 * pixel]);
+      });
   return {squares.eval(), displayed.error, displayed.peak, linear.error, linear.peak, linear.shift};
 }
 

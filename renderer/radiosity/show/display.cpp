@@ -6,10 +6,8 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStdIO.h>
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 
 #include "base/whole_file.hpp"
 #include "renderer/image/image.hpp"
@@ -61,10 +59,14 @@ base::Fields<Display> display_fields() {
                     "exponent of a pixel's value: see exposure")};
 }
 
-double find_exposure(const Picture& picture, double share) {
-  if (picture.pixels.empty()) return 1;
-  std::vector<double> values;
-  for (const Rgb& pixel : picture.pixels) values.push_back(max_component(pixel));
+double find_exposure(const Picture& picture, const std::vector<bool>& left_out, double share) {
+  std::vector<double> all, kept;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    all.push_back(max_component(picture.pixels[i]));
+    if (left_out.empty() || !left_out[i]) kept.push_back(all.back());
+  }
+  std::vector<double>& values = kept.empty() ? all : kept;
+  if (values.empty()) return 1;
   std::ranges::sort(values);
   const double last = std::ceil(share * static_cast<double>(values.size())) - 1;
   const auto rank =
@@ -73,22 +75,16 @@ double find_exposure(const Picture& picture, double share) {
   return white > 0 ? 1 / white : 1;
 }
 
-double find_exposure(const Picture& picture, const std::vector<bool>& left_out, double share) {
-  Picture kept;
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    if (!left_out[i]) kept.pixels.push_back(picture.pixels[i]);
-  return find_exposure(kept.pixels.empty() ? picture : kept, share);
-}
-
 Display fit(Display display, const Picture& picture, const std::vector<bool>& left_out) {
   if (display.exposure == 0) display.exposure = find_exposure(picture, left_out);
   return display;
 }
 
 Picture make_difference(const Picture& a, const Picture& b, double factor) {
-  if (a.width != b.width || a.height != b.height)
-    throw BadInput(fmt::format("found pictures of {} x {} and {} x {} pixels, expected equal sizes",
-                               a.width, a.height, b.width, b.height));
+  renderer::require(
+      a.width == b.width && a.height == b.height,
+      fmt::format("pictures of {} x {} and {} x {} pixels", a.width, a.height, b.width, b.height),
+      "equal sizes");
   Picture difference{a.width, a.height, {}};
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const Rgb &p = a.pixels[i], &q = b.pixels[i];
@@ -122,8 +118,7 @@ void save_png(const std::string& path, const Picture& picture, const Display& di
 }
 
 void save_exr(const std::string& path, const Picture& picture) {
-  if (picture.pixels.empty())
-    throw BadInput("save_exr: found a picture of no pixels, expected 1 or more");
+  renderer::require(!picture.pixels.empty(), "save_exr", "a picture of no pixels", "1 or more");
   base::save_whole(path, make_exr(picture));
 }
 

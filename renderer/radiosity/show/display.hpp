@@ -16,10 +16,9 @@ struct Display {
 base::Fields<Display> display_fields();
 
 /// The exposure at which the brightest of a share of the pixels is just not cut off: its largest
-/// component becomes 1. If these are black, the exposure of the whole picture; 1 if it is black.
-double find_exposure(const Picture& picture, double share = 0.99);
-/// The exposure of the pixels that are not `left_out` (find_emitters), or of all if every one is.
-double find_exposure(const Picture& picture, const std::vector<bool>& left_out,
+/// component becomes 1. If these are black, the brightest of all counts; 1 if it is black. Pixels
+/// that are `left_out` (find_emitters) do not count, unless all are; none are if it is empty.
+double find_exposure(const Picture& picture, const std::vector<bool>& left_out = {},
                      double share = 0.99);
 
 /// `display` with the exposure that shows best what is not `left_out`, where it has none.

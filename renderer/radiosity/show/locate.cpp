@@ -1,7 +1,5 @@
 #include "renderer/radiosity/show/locate.hpp"
 
-#include "renderer/scene/kernels.hpp"
-
 namespace radiosity {
 
 namespace {
@@ -15,12 +13,9 @@ const renderer::Polygon& get_polygon(const Mesh& mesh, std::uint32_t object) {
   return mesh.blockers.polygons[mesh.blockers.objects[object].index()];
 }
 
-std::array<Corner, 4> project(const Mesh& mesh, const Patch& patch, const renderer::Polygon& on) {
+std::array<Corner, 4> project(const Patch& patch, const renderer::Polygon& on) {
   std::array<Corner, 4> corners;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec& at = mesh.vertices[patch.corners[k]].at;
-    corners[k] = {at[on.u], at[on.v]};
-  }
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = {patch.at[k][on.u], patch.at[k][on.v]};
   return corners;
 }
 
@@ -32,38 +27,30 @@ struct Box {
   }
 };
 
-Box make_box(const std::array<Corner, 4>& corners) {
-  Box box;
-  for (const Corner& c : corners) box.add(c);
-  return box;
+// The numbers, along u and v, of the cell of a side's grid that a point is in or nearest to.
+std::array<int, 2> find_cell(const Side& side, const Corner& at) {
+  const auto find = [&](double from_lo, double cell) {
+    return static_cast<int>(std::clamp(from_lo / cell, 0.0, side.across - 1.0));
+  };
+  return {find(at.u - side.lo.u, side.cell.u), find(at.v - side.lo.v, side.cell.v)};
 }
 
-// The number of the cell along one coordinate; the nearest one if `at` is outside.
-int find_cell(double at, double lo, double cell, int across) {
-  return static_cast<int>(std::clamp((at - lo) / cell, 0.0, across - 1.0));
-}
-
-void make_grid(const Mesh& mesh, Sides::Side& side, const renderer::Polygon& polygon) {
-  std::vector<Box> boxes;
+void make_grid(const Mesh& mesh, Side& side, const renderer::Polygon& polygon) {
+  std::vector<Box> boxes(side.patches.size());
   Box all;
-  for (const auto patch : side.patches) {
-    boxes.push_back(make_box(project(mesh, mesh.patches[patch], polygon)));
-    all.add(boxes.back().lo);
-    all.add(boxes.back().hi);
-  }
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (const Corner& corner : project(mesh.patches[side.patches[i]], polygon)) {
+      boxes[i].add(corner);
+      all.add(corner);
+    }
   side.across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(boxes.size()))));
   side.lo = all.lo;
   side.cell = (1.0 / side.across) * (all.hi - all.lo);
   side.cells.resize(static_cast<std::size_t>(side.across) * static_cast<std::size_t>(side.across));
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const auto u = [&](const Corner& c) {
-      return find_cell(c.u, side.lo.u, side.cell.u, side.across);
-    };
-    const auto v = [&](const Corner& c) {
-      return find_cell(c.v, side.lo.v, side.cell.v, side.across);
-    };
-    for (int y = v(boxes[i].lo); y <= v(boxes[i].hi); ++y)
-      for (int x = u(boxes[i].lo); x <= u(boxes[i].hi); ++x)
+    const auto lo = find_cell(side, boxes[i].lo), hi = find_cell(side, boxes[i].hi);
+    for (int y = lo[1]; y <= hi[1]; ++y)
+      for (int x = lo[0]; x <= hi[0]; ++x)
         side.cells[static_cast<std::size_t>(y * side.across + x)].push_back(side.patches[i]);
   }
 }
@@ -87,42 +74,39 @@ Corner invert_bilinear(const std::array<Corner, 4>& corners, const Corner& point
 }
 
 Sides make_sides(const Mesh& mesh) {
-  Sides made;
-  made.sides.resize(2 * object_count(mesh.blockers));
-  const auto side_of = [&](std::uint32_t object, const Vec& normal) -> Sides::Side& {
+  Sides sides(2 * object_count(mesh.blockers));
+  const auto side_of = [&](std::uint32_t object, const Vec& normal) -> Side& {
     const bool back = dot(normal, get_polygon(mesh, object).normal) < 0;
-    return made.sides[2 * object + (back ? 1 : 0)];
+    return sides[2 * object + (back ? 1 : 0)];
   };
-  for (std::uint32_t i = 0; i < mesh.mirrors.size(); ++i) {
-    auto& side = side_of(mesh.mirrors[i].object, mesh.mirrors[i].normal);
-    side.kind = Sides::Kind::mirror;
-    side.mirror = i;
+  for (const Mirror& mirror : mesh.mirrors) {
+    auto& side = side_of(mirror.object, mirror.normal);
+    side.kind = Side::Kind::mirror;
+    side.material = mirror.material;
   }
   for (std::uint32_t i = 0; i < mesh.patches.size(); ++i) {
     auto& side = side_of(mesh.patches[i].object, mesh.patches[i].normal);
-    side.kind = Sides::Kind::patches;
+    side.kind = Side::Kind::patches;
     side.patches.push_back(i);
   }
-  for (std::uint32_t i = 0; i < made.sides.size(); ++i)
-    if (made.sides[i].kind == Sides::Kind::patches)
-      make_grid(mesh, made.sides[i], get_polygon(mesh, i / 2));
-  return made;
+  for (std::uint32_t i = 0; i < sides.size(); ++i)
+    if (sides[i].kind == Side::Kind::patches) make_grid(mesh, sides[i], get_polygon(mesh, i / 2));
+  return sides;
 }
 
-Spot locate(const Mesh& mesh, const Sides::Side& side, std::uint32_t object, const Vec& point,
+Spot locate(const Mesh& mesh, const Side& side, std::uint32_t object, const Vec& point,
             renderer::Work& work) {
   constexpr double SLACK = 1e-9;
   const auto& polygon = get_polygon(mesh, object);
   const Corner at{point[polygon.u], point[polygon.v]};
-  const int x = find_cell(at.u, side.lo.u, side.cell.u, side.across);
-  const int y = find_cell(at.v, side.lo.v, side.cell.v, side.across);
+  const auto [x, y] = find_cell(side, at);
   const auto& near = side.cells[static_cast<std::size_t>(y * side.across + x)];
   Spot best;
   double least = renderer::NO_HIT;  // how far outside
   // (A cell that no patch touches is beyond the border of a face that is no rectangle.)
   for (const auto patch : near.empty() ? side.patches : near) {
     work[renderer::Op::polygon_edges] += 1;
-    const auto [s, t] = invert_bilinear(project(mesh, mesh.patches[patch], polygon), at);
+    const auto [s, t] = invert_bilinear(project(mesh.patches[patch], polygon), at);
     const double outside = std::max({0.0, -s, s - 1, -t, t - 1});
     if (!(outside < least)) continue;
     best = {patch, std::clamp(s, 0.0, 1.0), std::clamp(t, 0.0, 1.0)};

@@ -35,7 +35,7 @@ struct Tracer {
   // where the first shows nothing, another is looked for a little further on.
   std::optional<renderer::Hit> meet_side(const renderer::Ray& ray) {
     const auto is_nothing = [&](const renderer::Hit& hit) {
-      return get_side(sides, hit.object, hit.inside).kind == Sides::Kind::nothing;
+      return get_side(sides, hit.object, hit.inside).kind == Side::Kind::nothing;
     };
     auto hit = meet(ray);
     if (!hit || !is_nothing(*hit)) return hit;
@@ -51,15 +51,14 @@ struct Tracer {
     for (int mirrors = 0;; ++mirrors) {
       const auto hit = meet_side(ray);
       if (!hit) return {};
-      const Sides::Side& side = get_side(sides, hit->object, hit->inside);
-      if (side.kind == Sides::Kind::patches) {
+      const Side& side = get_side(sides, hit->object, hit->inside);
+      if (side.kind == Side::Kind::patches) {
         const Spot spot = locate(mesh, side, hit->object, hit->point, work);
         return ray.influence * eval_illumination(illumination, spot.patch, spot.s, spot.t);
       }
       if (mirrors == depth) return {};
       work[Op::ray_reflected] += 1;
-      ray.influence =
-          ray.influence * mesh.materials[mesh.mirrors[side.mirror].material].reflectance;
+      ray.influence = ray.influence * mesh.materials[side.material].reflectance;
       ray.origin = hit->point;
       ray.direction = renderer::reflect(ray.direction, hit->normal);
       ray.from = hit->object;
@@ -126,7 +125,7 @@ class ZBuffer {
   };
   using Triangle = std::array<Point, 3>;
 
-  // The pixels whose centres the triangle may cover.
+  // The pixels with centres that the triangle may cover.
   Rectangle bound(const Triangle& points) const {
     double far = 0;
     for (const Point& p : points) far = std::max(far, max_abs(p.at));

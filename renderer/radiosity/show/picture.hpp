@@ -1,5 +1,5 @@
 #pragma once
-// The second pass: a picture of a room whose illumination is known (thesis, 1.2.3 and 3.2.4).
+// The second pass: a picture of a room that has been lit (thesis, 1.2.3 and 3.2.4).
 
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/reconstruct.hpp"

@@ -132,117 +132,114 @@ Fans make_fans(const Mesh& mesh) {
 
 namespace {
 
-// The slopes so far; they are found inside first, then on straight borders, then at corners.
+// The mean of the planes in which a vertex's patches lie; change(neighbour, inner) is the change
+// towards a neighbour, along an inner edge or a border.
+template <class T, class Change>
+Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vertex,
+                          const Change& change) {
+  const Vertex& v = mesh.vertices[vertex];
+  MeanPlane<T> mean;
+  for (const Wedge& w : fans.at(vertex))
+    mean.add(v.normal, unfold(v, mesh.vertices[w.next].at), change(w.next, w.next_inner),
+             unfold(v, mesh.vertices[w.prev].at), change(w.prev, w.prev_inner), w.trust);
+  return mean.get();
+}
+
+// Finds the slopes inside first, then on straight borders, then at corners.
 struct Finder {
   const Mesh& mesh;
   const Fans& fans;
   std::span<const Rgb> vertices;
-  std::vector<Slopes<Rgb>> slopes;
-};
+  std::vector<Slopes<Rgb>> slopes;  // so far
 
-Rgb difference(const Finder& f, std::uint32_t from, std::uint32_t to) {
-  return f.vertices[to] + -1.0 * f.vertices[from];
-}
-
-// The change along an edge, at its beginning, of the parabola through both ends with the slope m at
-// the far one: 2 (B_1 - B_0) - m. `back` is -m, the slope towards here.
-Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
-
-// The change along an edge that leads inside, at its beginning.
-Rgb find_inner_change(const Finder& f, std::uint32_t vertex, std::uint32_t neighbour) {
-  const Rgb whole = difference(f, vertex, neighbour);
-  if (f.fans.places[neighbour] >= f.fans.places[vertex]) return whole;
-  const Vec way = unfold(f.mesh.vertices[neighbour], f.mesh.vertices[vertex].at);
-  return bend(whole, along(f.slopes[neighbour], way));
-}
-
-// The change along a border to a neighbour, if it passes the vertex, or a twin of it, straight.
-std::optional<Rgb> find_straight_change(const Finder& f, std::uint32_t vertex,
-                                        std::uint32_t neighbour) {
-  const Vertex& to = f.mesh.vertices[neighbour];
-  std::uint32_t v = vertex;
-  do {
-    if (f.fans.places[v] == Place::straight) {
-      const Border border = *find_border(f.fans.at(v));
-      for (const std::uint32_t n : {border.after, border.before})
-        if (are_twins(f.mesh.vertices[n], to))
-          return along(f.slopes[v], unfold(f.mesh.vertices[v], to.at));
-    }
-    v = f.fans.twins[v];
-  } while (v != vertex);
-  return std::nullopt;
-}
-
-// The change along a border, from its own vertices only: the same on both sides of a crease.
-Rgb find_border_change(const Finder& f, std::uint32_t vertex, std::uint32_t neighbour) {
-  if (const auto known = find_straight_change(f, vertex, neighbour)) return *known;
-  const Rgb whole = difference(f, vertex, neighbour);
-  const auto back = find_straight_change(f, neighbour, vertex);
-  return back ? bend(whole, *back) : whole;
-}
-
-// Replaces the slope along a straight border by that of the parabola through its three vertices.
-void follow_border(const Finder& f, std::uint32_t vertex, const Border& border,
-                   Slopes<Rgb>& slopes) {
-  const Vertex& v = f.mesh.vertices[vertex];
-  const Vec a = unfold(v, f.mesh.vertices[border.after].at);
-  const Vec b = unfold(v, f.mesh.vertices[border.before].at);
-  const double la = length(a), lb = length(b);
-  const double share_a = find_trust(la, lb) / (la * la), share_b = find_trust(lb, la) / (lb * lb);
-  const Vec way = share_a * a + -share_b * b;
-  const Rgb change = share_a * difference(f, vertex, border.after) +
-                     -share_b * difference(f, vertex, border.before);
-  const Rgb missing = 1 / dot(way, way) * (change + -1.0 * along(slopes, way));
-  slopes = slopes + Slopes<Rgb>{way.x * missing, way.y * missing, way.z * missing};
-}
-
-// Replaces the slopes at a corner by those along its two borders, if these can tell.
-void follow_borders(const Finder& f, std::uint32_t vertex, const Border& border,
-                    Slopes<Rgb>& slopes) {
-  const Vertex& v = f.mesh.vertices[vertex];
-  const Vec a = unfold(v, f.mesh.vertices[border.after].at);
-  const Vec b = unfold(v, f.mesh.vertices[border.before].at);
-  const double sine = dot(v.normal, cross(a, b)) / std::sqrt(dot(a, a) * dot(b, b));
-  if (!(std::abs(sine) > 0.5)) return;
-  const Rgb to_a = find_border_change(f, vertex, border.after);
-  const Rgb to_b = find_border_change(f, vertex, border.before);
-  MeanPlane<Rgb> plane;
-  sine > 0 ? plane.add(v.normal, a, to_a, b, to_b) : plane.add(v.normal, b, to_b, a, to_a);
-  slopes = plane.get();
-}
-
-Slopes<Rgb> find_at(const Finder& f, std::uint32_t vertex) {
-  const Vertex& v = f.mesh.vertices[vertex];
-  const Place place = f.fans.places[vertex];
-  const std::span wedges = f.fans.at(vertex);
-  const auto find_change = [&](std::uint32_t neighbour, bool inner_edge) {
-    if (inner_edge) return find_inner_change(f, vertex, neighbour);
-    return place == Place::corner ? find_border_change(f, vertex, neighbour)
-                                  : difference(f, vertex, neighbour);
-  };
-  MeanPlane<Rgb> mean;
-  for (const Wedge& w : wedges)
-    mean.add(v.normal, unfold(v, f.mesh.vertices[w.next].at), find_change(w.next, w.next_inner),
-             unfold(v, f.mesh.vertices[w.prev].at), find_change(w.prev, w.prev_inner), w.trust);
-  Slopes<Rgb> slopes = mean.get();
-  if (const auto border = find_border(wedges)) {
-    if (place == Place::straight)
-      follow_border(f, vertex, *border, slopes);
-    else
-      follow_borders(f, vertex, *border, slopes);
+  Rgb difference(std::uint32_t from, std::uint32_t to) const {
+    return vertices[to] + -1.0 * vertices[from];
   }
-  return slopes;
-}
+  Vec way(std::uint32_t from, std::uint32_t to) const {
+    return unfold(mesh.vertices[from], mesh.vertices[to].at);
+  }
+
+  // The change along an edge, at its beginning, of the parabola through both ends with the slope m
+  // at the far one: 2 (B_1 - B_0) - m. `back` is -m, the slope towards here.
+  static Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
+
+  // The change along an edge that leads inside, at its beginning.
+  Rgb find_inner_change(std::uint32_t vertex, std::uint32_t neighbour) const {
+    const Rgb whole = difference(vertex, neighbour);
+    if (fans.places[neighbour] >= fans.places[vertex]) return whole;
+    return bend(whole, along(slopes[neighbour], way(neighbour, vertex)));
+  }
+
+  // The change along a border to a neighbour, if it passes the vertex, or a twin of it, straight.
+  std::optional<Rgb> find_straight_change(std::uint32_t vertex, std::uint32_t neighbour) const {
+    const Vertex& to = mesh.vertices[neighbour];
+    std::uint32_t v = vertex;
+    do {
+      if (fans.places[v] == Place::straight) {
+        const Border border = *find_border(fans.at(v));
+        for (const std::uint32_t n : {border.after, border.before})
+          if (are_twins(mesh.vertices[n], to)) return along(slopes[v], way(v, neighbour));
+      }
+      v = fans.twins[v];
+    } while (v != vertex);
+    return std::nullopt;
+  }
+
+  // The change along a border, from its own vertices only: the same on both sides of a crease.
+  Rgb find_border_change(std::uint32_t vertex, std::uint32_t neighbour) const {
+    if (const auto known = find_straight_change(vertex, neighbour)) return *known;
+    const Rgb whole = difference(vertex, neighbour);
+    const auto back = find_straight_change(neighbour, vertex);
+    return back ? bend(whole, *back) : whole;
+  }
+
+  // Replaces the slope along a straight border by that of the parabola through its three vertices.
+  void follow_border(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
+    const Vec a = way(vertex, border.after), b = way(vertex, border.before);
+    const double la = length(a), lb = length(b);
+    const double share_a = find_trust(la, lb) / (la * la), share_b = find_trust(lb, la) / (lb * lb);
+    const Vec whole = share_a * a + -share_b * b;
+    const Rgb change =
+        share_a * difference(vertex, border.after) + -share_b * difference(vertex, border.before);
+    const Rgb missing = 1 / dot(whole, whole) * (change + -1.0 * along(at, whole));
+    at = at + Slopes<Rgb>{whole.x * missing, whole.y * missing, whole.z * missing};
+  }
+
+  // Replaces the slopes at a corner by those along its two borders, if these can tell.
+  void follow_borders(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
+    const Vec& normal = mesh.vertices[vertex].normal;
+    const Vec a = way(vertex, border.after), b = way(vertex, border.before);
+    const double sine = dot(normal, cross(a, b)) / std::sqrt(dot(a, a) * dot(b, b));
+    if (!(std::abs(sine) > 0.5)) return;
+    const Rgb to_a = find_border_change(vertex, border.after);
+    const Rgb to_b = find_border_change(vertex, border.before);
+    MeanPlane<Rgb> plane;
+    sine > 0 ? plane.add(normal, a, to_a, b, to_b) : plane.add(normal, b, to_b, a, to_a);
+    at = plane.get();
+  }
+
+  Slopes<Rgb> find_at(std::uint32_t vertex) const {
+    const Place place = fans.places[vertex];
+    auto found = eval_mean_plane<Rgb>(mesh, fans, vertex, [&](std::uint32_t to, bool inner_edge) {
+      if (inner_edge) return find_inner_change(vertex, to);
+      return place == Place::corner ? find_border_change(vertex, to) : difference(vertex, to);
+    });
+    if (const auto border = find_border(fans.at(vertex)))
+      place == Place::straight ? follow_border(vertex, *border, found)
+                               : follow_borders(vertex, *border, found);
+    return found;
+  }
+};
 
 }  // namespace
 
 std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
                                      std::span<const Rgb> vertices) {
-  Finder f{mesh, fans, vertices, std::vector<Slopes<Rgb>>(mesh.vertices.size())};
+  Finder finder{mesh, fans, vertices, std::vector<Slopes<Rgb>>(mesh.vertices.size())};
   for (const Place place : {Place::inner, Place::straight, Place::corner})
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
-      if (fans.places[v] == place) f.slopes[v] = find_at(f, v);
-  return std::move(f.slopes);
+      if (fans.places[v] == place) finder.slopes[v] = finder.find_at(v);
+  return std::move(finder.slopes);
 }
 
 namespace {
@@ -260,16 +257,10 @@ Slopes<Rgb> turn(const Slopes<Rgb>& slopes, const Vec& from, const Vec& to) {
 
 Slopes<Slopes<Rgb>> find_bend(const Mesh& mesh, const Fans& fans,
                               std::span<const Slopes<Rgb>> slopes, std::uint32_t vertex) {
-  const Vertex& v = mesh.vertices[vertex];
-  const auto change = [&](std::uint32_t neighbour) {
-    return turn(slopes[neighbour], mesh.vertices[neighbour].normal, v.normal) +
+  return eval_mean_plane<Slopes<Rgb>>(mesh, fans, vertex, [&](std::uint32_t to, bool) {
+    return turn(slopes[to], mesh.vertices[to].normal, mesh.vertices[vertex].normal) +
            -1.0 * slopes[vertex];
-  };
-  MeanPlane<Slopes<Rgb>> mean;
-  for (const Wedge& w : fans.at(vertex))
-    mean.add(v.normal, unfold(v, mesh.vertices[w.next].at), change(w.next),
-             unfold(v, mesh.vertices[w.prev].at), change(w.prev), w.trust);
-  return mean.get();
+  });
 }
 
 Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,

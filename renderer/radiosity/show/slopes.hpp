@@ -107,7 +107,7 @@ Slopes<Slopes<Rgb>> find_bend(const Mesh& mesh, const Fans& fans,
                               std::span<const Slopes<Rgb>> slopes, std::uint32_t vertex);
 
 /// The mixed derivative at a patch's corner along its edges to `next` and `prev`, for a step of
-/// both. In an uneven quad, whose sides turn from one end to the other, it includes what the
+/// both. In an uneven quad, where sides turn from one end to the other, it includes what the
 /// tangent plane adds: a linear function stays one.
 Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
                const Slopes<Slopes<Rgb>>& bend);

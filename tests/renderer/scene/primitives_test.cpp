@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/scene/kernels.hpp"
+#include "renderer/scene/primitives.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace renderer::test {

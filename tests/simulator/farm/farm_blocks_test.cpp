@@ -7,6 +7,7 @@
 #include "simulator/farm/measured.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace farm {
 namespace {

@@ -9,6 +9,7 @@
 #include "renderer/scene/generators.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace farm {
 namespace {

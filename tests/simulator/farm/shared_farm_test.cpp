@@ -10,6 +10,7 @@
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/machine/faults.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace farm {
 namespace {

@@ -34,7 +34,7 @@ inline Plan make_plan(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const char* const specs[] = {"line:5",    "ring:6",      "tree:10", "mesh:3x4",
                                "torus:3x3", "hypercube:4", "star:5"};
-  Plan plan{topologies::make_generated(specs[seed % std::size(specs)]), {}};
+  Plan plan{topologies::make_topology(specs[seed % std::size(specs)]), {}};
   const auto routes = topologies::make_routes(plan.topology);
   const auto neighbours = topologies::neighbours(plan.topology);
   std::map<std::pair<int, int>, bool> taken;

@@ -3,6 +3,7 @@
 
 #include "simulator/network/network.hpp"
 #include "tests/support/lab.hpp"
+#include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace network {

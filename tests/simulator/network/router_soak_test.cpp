@@ -5,6 +5,7 @@
 
 #include "tests/simulator/network/router_support.hpp"
 #include "tests/simulator/programs/run_program.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace network {
 
@@ -109,7 +110,7 @@ TEST(RouterSoak, FailuresLoseNothingUnsaid) {
 TEST(RouterSoak, TheNaiveRouterDeadlocksAndSaysHow) {
   const auto text = isolated([] {
     try {
-      run_soak(topologies::make_generated("ring:5"), {{"method", "naive"}, {"pause_s", 1e-4}});
+      run_soak(topologies::make_topology("ring:5"), {{"method", "naive"}, {"pause_s", 1e-4}});
     } catch (const machine::Deadlock& deadlock) {
       return std::string(deadlock.what());
     }

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "tests/simulator/network/router_support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace network {
 
@@ -32,7 +33,7 @@ TEST(Router, AddressesThatDoNotExistComeBackWithTheReason) {
     expect_in_child([&] {
       Params params = with(method);
       params.processes.assign(4, {0b11});  // processes 0 and 1 only
-      Bench bench(topologies::make_generated("line:4"), params);
+      Bench bench(topologies::make_topology("line:4"), params);
       for (int id = 1; id < 4; ++id) bench.start_sink(id);
       std::vector<Returned> reasons;
       bench.start(0, [&](Client& client) {
@@ -56,7 +57,7 @@ TEST(Router, TwoClientsOfOneProcessorHaveTheirOwnMessages) {
     expect_in_child([&] {
       Params params = with(method);
       params.processes = {{1}, {0b10, 0b100}};
-      Bench bench(topologies::make_generated("line:2"), params);
+      Bench bench(topologies::make_topology("line:2"), params);
       std::vector<int> got;
       for (int n = 0; n < 2; ++n)
         bench.machine.processors()[1]->start("application", occam::Priority::low, [&, n] {
@@ -105,7 +106,7 @@ TEST(Router, InPathToIsOfferedOnTheWay) {
       Params params = with(method);
       params.processes.assign(6, {1});
       params.processes[2] = {0b10};  // has no process 0: is passed without a question
-      Bench bench(topologies::make_generated("line:6"), params);
+      Bench bench(topologies::make_topology("line:6"), params);
       std::vector<int> asked;
       for (int id = 1; id < 6; ++id)
         bench.start(id, [&, id](Client& client) {
@@ -128,7 +129,7 @@ TEST(Router, NoRoomIsAFaultThatNamesTheRouter) {
     const auto text = isolated([&] {
       Params params = with(method);
       params.buffers = 3;
-      Bench bench(topologies::make_generated("line:2"), params);
+      Bench bench(topologies::make_topology("line:2"), params);
       bench.start(0, [](Client& client) {
         for (int i = 0; i < 20; ++i) client.send(make_message({1, 0}));
       });
@@ -149,7 +150,7 @@ TEST(Router, BuffersAndMessagesMustFitTheMemory) {
     Params params;
     params.longest = 1 << 20;
     try {
-      Bench bench(topologies::make_generated("line:2"), params);
+      Bench bench(topologies::make_topology("line:2"), params);
     } catch (const base::BadInput& wrong) {
       return std::string(wrong.what());
     }
@@ -163,7 +164,7 @@ TEST(Router, BuffersAndMessagesMustFitTheMemory) {
 TEST(Router, GoesAroundACutLinkOrSaysThatNoWayIsLeft) {
   for (const Method method : METHODS)
     expect_in_child([&] {
-      Bench bench(topologies::make_generated("ring:4"), with(method));
+      Bench bench(topologies::make_topology("ring:4"), with(method));
       auto& p = bench.machine.processors();
       bench.machine.cut_link(*p[0], *p[1], {0.01});
       bench.machine.cut_link(*p[0], *p[3], {0.02});
@@ -188,7 +189,7 @@ TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
   for (const Method method : METHODS)
     for (int at_us = 300; at_us < 3000; at_us += 130)
       expect_in_child([&] {
-        Bench bench(topologies::make_generated("ring:4"), with(method));
+        Bench bench(topologies::make_topology("ring:4"), with(method));
         auto& p = bench.machine.processors();
         bench.machine.cut_link(*p[0], *p[1], {1e-6 * at_us});
         std::vector<std::multiset<std::uint64_t>> got(4);
@@ -216,7 +217,7 @@ TEST(Router, CopiesCostMemoryCyclesAByte) {
       Params params = with(Method::green);
       params.pointers = pointers;
       params.longest = bytes;
-      Bench bench(topologies::make_generated("line:2"), params);
+      Bench bench(topologies::make_topology("line:2"), params);
       double arrived = 0;
       bench.start(0, [bytes](Client& client) { client.send(make_message({1, 0}, 0, bytes)); });
       bench.start(1, [&](Client& client) {

@@ -14,6 +14,7 @@
 #include "tests/simulator/programs/run_program.hpp"
 #include "tests/support/lab.hpp"
 #include "topologies/graph/metrics.hpp"
+#include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace programs {

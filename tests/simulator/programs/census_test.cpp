@@ -3,6 +3,7 @@
 
 #include "tests/simulator/programs/run_program.hpp"
 #include "tests/topologies/support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace programs {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "tests/simulator/programs/run_program.hpp"
 #include "tests/support/lab.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace programs {
 namespace {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "simulator/programs/programs.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace programs {
 

@@ -10,6 +10,7 @@
 #include "simulator/radiosity/messages.hpp"
 #include "tests/renderer/radiosity/support.hpp"
 #include "tests/simulator/network/router_support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace amp {
 namespace {

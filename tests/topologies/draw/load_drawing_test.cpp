@@ -11,6 +11,7 @@
 
 #include "tests/topologies/support.hpp"
 #include "topologies/draw/layout.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {

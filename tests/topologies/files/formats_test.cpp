@@ -2,6 +2,7 @@
 
 #include "tests/topologies/support.hpp"
 #include "topologies/draw/graphviz.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {

@@ -2,6 +2,7 @@
 #include "topologies/make/amp.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/graph/metrics.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {

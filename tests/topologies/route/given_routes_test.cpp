@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "tests/topologies/support.hpp"
-#include "topologies/route/tree_links.hpp"
+#include "topologies/make/generators.hpp"
+#include "topologies/route/routes.hpp"
 
 namespace topologies {
 namespace {

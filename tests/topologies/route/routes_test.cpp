@@ -1,6 +1,7 @@
 #include "topologies/route/routes.hpp"
 
 #include "tests/topologies/support.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace topologies {
 namespace {

@@ -1,6 +1,7 @@
 #include "topologies/route/up_down.hpp"
 
 #include "tests/topologies/support.hpp"
+#include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace topologies {

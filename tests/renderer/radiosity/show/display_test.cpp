@@ -61,7 +61,7 @@ TEST(Display, ExposureCutsOffTheShareThatIsLeft) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Picture picture = make_random_picture(seed);
     for (const double share : {0.0, 0.3, 0.5, 0.99, 1.0}) {
-      const double exposure = find_exposure(picture, share);
+      const double exposure = find_exposure(picture, {}, share);
       int above = 0, white = 0;
       for (const Rgb& pixel : picture.pixels) {
         const double light = exposure * max_component(pixel);
@@ -74,7 +74,7 @@ TEST(Display, ExposureCutsOffTheShareThatIsLeft) {
     }
   }
   EXPECT_EQ(find_exposure({2, 1, {{}, {}}}), 1);
-  EXPECT_EQ(find_exposure({2, 1, {{}, {0, 4, 1}}}, 0.5), 0.25);
+  EXPECT_EQ(find_exposure({2, 1, {{}, {0, 4, 1}}}, {}, 0.5), 0.25);
 }
 
 TEST(Display, DifferencesAreNeverNegative) {
