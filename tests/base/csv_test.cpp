@@ -1,7 +1,7 @@
 #include "base/csv.hpp"
 
 #include "base/errors.hpp"
-#include "tests/laboratory/support/support.hpp"
+#include "tests/support/files.hpp"
 
 namespace base {
 namespace {
@@ -46,7 +46,7 @@ TEST(Csv, CommentsBlankLinesAndEmptyCells) {
 
 TEST(Csv, MistakesAreNamedWithTheirLine) {
   const auto told = [](const char* text) {
-    return laboratory::message_of<BadInput>([&] {
+    return test::message_of<BadInput>([&] {
       CsvReader reader(text, "x.csv");
       while (!reader.take().empty()) continue;
     });

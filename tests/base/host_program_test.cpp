@@ -1,6 +1,6 @@
 #include "base/host_program.hpp"
 
-#include "tests/laboratory/support/support.hpp"
+#include "tests/support/files.hpp"
 
 namespace base {
 namespace {
@@ -14,7 +14,7 @@ HostProgram shell(const std::string& script, const std::string& input = "") {
 }
 
 std::string failure_of(const HostProgram& program) {
-  return laboratory::message_of<std::runtime_error>([&] { run_program(program); });
+  return test::message_of<std::runtime_error>([&] { run_program(program); });
 }
 
 TEST(HostProgram, ReadsItsInputAndArgumentsAsTheyAre) {

@@ -10,15 +10,15 @@
 #include <thread>
 
 #include "base/errors.hpp"
-#include "tests/laboratory/support/support.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/isolated.hpp"
 
 namespace base {
 namespace {
 
 namespace fs = std::filesystem;
-using laboratory::message_of;
-using laboratory::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 using Names = std::vector<std::string>;
 
 std::string write_error(const fs::path& path) {

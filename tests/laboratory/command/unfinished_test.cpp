@@ -1,8 +1,6 @@
 // Runs that are cut short, and runs that are watched.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -57,7 +55,7 @@ TEST(ExperimentsUntil, TheLimitIsInSimulatedSecondsAndTheResultsSayThatTheyAreIn
   }
 }
 
-TEST(ExperimentsUntil, APatternThatIsCutShortHasNoNumbersAndChecksPassItOver) {
+TEST(ExperimentsUntil, AProgramThatIsCutShortHasNoNumbersAndChecksPassItOver) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml")
       << "[program]\nname = \"message\"\n[sweep]\nbytes = [10, 1000000]\n[[check]]\n"
@@ -71,29 +69,15 @@ TEST(ExperimentsUntil, APatternThatIsCutShortHasNoNumbersAndChecksPassItOver) {
   EXPECT_NE(done.out.find("at 1 point(s)"), std::string::npos) << done.out;
 }
 
-// Starts tlab, interrupts it, and returns its exit code.
-int interrupt(const fs::path& folder, const std::vector<std::string>& arguments) {
-  const pid_t pid = fork();
-  if (pid == 0) {
-    if (chdir(folder.c_str()) != 0) _exit(99);
-    std::vector<std::string> all{"tlab"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (auto& a : all) argv.push_back(a.data());
-    freopen("out.txt", "w", stdout);
-    freopen("err.txt", "w", stderr);
-    const int code = run_tlab(static_cast<int>(argv.size()), argv.data());
-    std::fflush(nullptr);
-    _exit(code);
-  }
+// Starts tlab and interrupts it.
+Outcome interrupt(const fs::path& folder, const std::vector<std::string>& arguments) {
+  const pid_t pid = start_tlab(folder, arguments);
   // When the first point has begun: its folder is there, and some time has passed.
   for (int i = 0; i < 500 && !fs::exists(folder / (".r.partial-" + std::to_string(pid))); ++i)
     usleep(10'000);
   usleep(300'000);
   kill(pid, SIGINT);
-  int status = 0;
-  waitpid(pid, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return wait_for_tlab(folder, pid);
 }
 
 // Points that would take hours: those begun are kept, marked; the third is not begun.
@@ -102,8 +86,8 @@ TEST(ExperimentsInterrupt, WhatWasMeasuredIsKeptAndMarked) {
   std::ofstream(folder.path / "e.toml")
       << "[image]\nwidth = 4000\nheight = 200\n[machine]\ndatabase_memory_bytes = 1000000000\n"
          "[sweep]\nworkers = [1, 2, 3]\n";
-  EXPECT_EQ(interrupt(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"}), 130)
-      << read_file(folder.path / "err.txt");
+  const auto ended = interrupt(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"});
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
   const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
   ASSERT_EQ(table.rows.size(), 2u);
   for (std::size_t row : {0, 1}) EXPECT_EQ(cell(table, "ended", row), "interrupt");
@@ -162,12 +146,13 @@ TEST(ExperimentsTimed, TheHostsSpeedIsRecorded) {
   const auto run = json::parse(read_file(folder.path / "r/run.json"));
   const auto& speed = run["host_speed"]["t805-25"];
   EXPECT_GT(speed["cycles_per_host_s"].get<double>(), 0);
-  EXPECT_GE(speed["spread"].get<double>(), 0);
+  EXPECT_GE(speed["repeats"].get<int>(), 3);
   EXPECT_NE(done.out.find("cycles a second of host CPU"), std::string::npos);
 }
 
-// Whole-image times of both cost modes, printed; the host's speed is only trusted where told so.
+// No test depends on the host's speed, unless it is asked for.
 TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
+  if (!std::getenv("TLAB_IDLE_HOST")) GTEST_SKIP() << "set TLAB_IDLE_HOST=1 on an idle host";
   const TemporaryFolder folder;
   const auto time_with = [&](const std::string& cost) {
     const auto done =
@@ -178,12 +163,7 @@ TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
     const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
     return *as_number(table.rows[0][*table.find("time_s")]);
   };
-  const double ratio = time_with("timed") / time_with("counted");
-  fmt::print("spheres:800, timed over counted: {:.3f}\n", ratio);
-  EXPECT_GT(ratio, 0);
-  if (std::getenv("TLAB_IDLE_HOST")) {
-    EXPECT_NEAR(ratio, 1, 0.25);
-  }
+  EXPECT_NEAR(time_with("timed") / time_with("counted"), 1, 0.25);
 }
 
 TEST(ExperimentsDeadlock, IsReportedWithItsCycleAndExitCode3) {

@@ -18,27 +18,34 @@ struct Outcome {
   std::string out, err;
 };
 
-// Runs tlab with `folder` as its current folder.
-inline Outcome tlab(const std::filesystem::path& folder, std::vector<std::string> arguments) {
+/// Starts tlab with `folder` as its current folder; what it prints goes to the files .out and .err there.
+inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "tlab");
-  const std::filesystem::path out = folder / ".out", err = folder / ".err";
   std::fflush(nullptr);
   const pid_t pid = fork();
-  if (pid == 0) {
-    std::vector<char*> argv;
-    for (auto& a : arguments) argv.push_back(a.data());
-    if (!freopen(out.c_str(), "w", stdout) || !freopen(err.c_str(), "w", stderr)) _exit(99);
-    std::filesystem::current_path(folder);
-    const int code = run_tlab(static_cast<int>(argv.size()), argv.data());
-    std::fflush(nullptr);
-    _exit(code);
-  }
+  if (pid != 0) return pid;
+  std::vector<char*> argv;
+  for (auto& a : arguments) argv.push_back(a.data());
+  std::filesystem::current_path(folder);
+  if (!freopen(".out", "w", stdout) || !freopen(".err", "w", stderr)) _exit(99);
+  const int code = run_tlab(static_cast<int>(argv.size()), argv.data());
+  std::fflush(nullptr);
+  _exit(code);
+}
+
+/// Waits for what start_tlab() started in `folder`; the files go.
+inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
   int status = 0;
   waitpid(pid, &status, 0);
+  const auto out = folder / ".out", err = folder / ".err";
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
   std::filesystem::remove(out);
   std::filesystem::remove(err);
   return outcome;
+}
+
+inline Outcome tlab(const std::filesystem::path& folder, std::vector<std::string> arguments) {
+  return wait_for_tlab(folder, start_tlab(folder, std::move(arguments)));
 }
 
 }  // namespace laboratory
