@@ -54,6 +54,7 @@ inline std::span<const std::string_view> op_names() {
       "polygon_edges", "cone_test",      "ray_intersected", "hit_made",       "surface_shaded",
       "feeler_made",   "ray_reflected",  "ray_refracted",   "sample_updated", "factor_begun",
       "delta_area",    "light_mirrored", "vertex_lit",      "patch_lit",      "patch_compared"};
+  static_assert(!NAMES.back().empty(), "an Op has no name here");
   return NAMES;
 }
 

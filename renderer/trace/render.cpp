@@ -67,6 +67,11 @@ Block render_block(const Scene& scene, const Params& params, const Area& area, A
   return block;
 }
 
+void add_block(Samples& image, const Block& block, Work& work) {
+  image.add(block.area.x, block.area.y, block.samples);
+  work[Op::sample_updated] += block.samples.sums.size();
+}
+
 Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {
   check(params);
   require(threads >= 1 && threads <= MAX_THREADS, "threads", threads,

@@ -39,6 +39,9 @@ struct Block {
 Block render_block(const Scene& scene, const Params& params, const Area& area,
                    Access* access = nullptr);
 
+/// Adds the sums of `block` to those of the image, and counts one Op::sample_updated a sum.
+void add_block(Samples& image, const Block& block, Work& work);
+
 /// Is called after every row, by one thread at a time.
 using Progress = std::function<void(int done, int rows)>;
 

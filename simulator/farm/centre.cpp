@@ -60,10 +60,7 @@ void Visualisation::run(Channel<Answer>& inp) {
           samples.add(found.ray.sample,
                       eval_contribution(scene, params, found.ray, found.hit, work));
         },
-        [&](const RenderedBlock& block) {
-          samples.add(block->area.x, block->area.y, block->samples);
-          work[renderer::Op::sample_updated] += block->samples.sums.size();
-        },
+        [&](const RenderedBlock& block) { add_block(samples, *block, work); },
         [&](KeepImage) {
           key_images.push_back({this_process().now(), samples});
         },

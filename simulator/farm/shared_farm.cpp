@@ -199,8 +199,7 @@ class SharedFarm {
       feed(message.from.processor);
       progress_.rays += block.rays;
       renderer::Work work;
-      samples_.add(block.area.x, block.area.y, block.samples);
-      work[renderer::Op::sample_updated] = block.samples.sums.size();
+      add_block(samples_, block, work);
       this_process().charge(central_cost_(work.counts));
     }
     progress_.end();

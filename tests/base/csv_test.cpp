@@ -1,6 +1,8 @@
 #include "base/csv.hpp"
 
+#include <gtest/gtest.h>
 #include "base/errors.hpp"
+
 #include "tests/support/files.hpp"
 
 namespace base {

@@ -1,5 +1,7 @@
 #include "base/host_program.hpp"
 
+#include <gtest/gtest.h>
+
 #include "tests/support/files.hpp"
 
 namespace base {

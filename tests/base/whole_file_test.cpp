@@ -9,7 +9,9 @@
 #include <system_error>
 #include <thread>
 
+#include <gtest/gtest.h>
 #include "base/errors.hpp"
+
 #include "tests/support/files.hpp"
 #include "tests/support/isolated.hpp"
 

@@ -11,7 +11,6 @@
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/display.hpp"
-#include "renderer/radiosity/show/display.hpp"
 
 namespace laboratory {
 namespace {

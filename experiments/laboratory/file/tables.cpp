@@ -204,7 +204,7 @@ const Bindings<ReportSpec>& report_bindings() {
       {"all", "all"}, {"largest", "largest"}, {"none", "none"}};
   static const Bindings<ReportSpec> all = {
       bind_name("networks", &ReportSpec::networks, NETWORKS,
-                "networks to draw with their load: all, largest or none"),
+                "networks of a farm to draw with their load: all, largest or none"),
   };
   return all;
 }

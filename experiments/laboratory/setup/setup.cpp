@@ -38,7 +38,11 @@ Topology make_network(const Experiment& experiment) {
   }
   // The smallest rings are lines.
   if (name == "ring" && n < 3) return topologies::make_topology(fmt::format("line:{}", n));
-  return topologies::make_topology(fmt::format("{}:{}", name, n));
+  auto topology = topologies::make_topology(fmt::format("{}:{}", name, n));
+  require(topology.processors == n, "network.workers",
+          "found {}, but {} has {} processors: give its size in network.topology", n, topology.name,
+          topology.processors);
+  return topology;
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Starts tlab with `folder` as its current folder; what it prints goes to the files .out and .err there.
+/// Starts tlab with `folder` as its current folder; what it prints goes to the files .out and .err
+/// there.
 inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "tlab");
   std::fflush(nullptr);
