@@ -1,6 +1,5 @@
 // A farm over any topology, the skeleton for tasks of your own: they go down a spanning tree to
-// whoever is ready, and results come up. On every processor, with a sender a way (worker,
-// children):
+// whoever is ready, and results come up. On every processor, with a sender for each way down:
 //                +--------+ ready  +--------+                +--------+
 //   parent ----->| router |<-------| sender |---> worker --->| merger |----> parent
 //                |        |------->|        |   children --->|        |
