@@ -7,7 +7,6 @@
 
 #include "base/errors.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
-#include "renderer/radiosity/files/load_room.hpp"
 #include "tests/renderer/support.hpp"
 
 namespace radiosity::test {
