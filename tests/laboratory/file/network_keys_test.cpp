@@ -25,7 +25,7 @@ std::optional<topologies::TreeLinks> tree_of(const std::string& keys) {
   return find_tree(e, topologies::make_topology("ring:4"));
 }
 
-// Of a file that holds [[fault]] only, on a ring of four.
+// The faults of a file that holds [[fault]] only, on a ring of four.
 std::vector<programs::PlannedFault> faults_of(const std::string& text) {
   const auto file = toml::parse(text, std::string_view("e.toml"));
   Experiment experiment;
@@ -40,6 +40,21 @@ TEST(ExperimentsNetworkKeys, TheTreeIsPerRootUnlessSaid) {
   const topologies::TreeLinks given{{0, 3}, {1, 2}, {2, 3}};
   EXPECT_EQ(tree_of("tree = \"single\"\ntree_links = [[3, 2], [1, 2], [0, 3]]\n"), given);
   EXPECT_EQ(tree_of("tree_links = [[3, 2], [1, 2], [0, 3]]\n"), given);
+}
+
+TEST(ExperimentsNetworkKeys, ResultsOfANetworkFromAFileAreTheSameFromAnyFolder) {
+  const TemporaryFolder folder;
+  for (const char* place : {"one", "two/three"}) {
+    std::filesystem::create_directories(folder.path / place);
+    write_file(folder.path / place / "net.dot", "graph { 0 -- 1 -- 2; }\n");
+    write_file(folder.path / place / "e.toml",
+               "[program]\nname = \"census\"\n[network]\ntopology = \"net.dot\"\n");
+  }
+  ASSERT_EQ(tlab(folder.path, {"run", "one/e.toml", "-o", "r"}).exit_code, 0);
+  ASSERT_EQ(tlab(folder.path / "two/three", {"run", "e.toml", "-o", "r"}).exit_code, 0);
+  const auto results = read_file(folder.path / "r/results.csv");
+  EXPECT_EQ(results, read_file(folder.path / "two/three/r/results.csv"));
+  EXPECT_NE(results.find("net.dot,"), std::string::npos) << results;
 }
 
 TEST(ExperimentsNetworkKeys, MistakesInTreesAreNamed) {

@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-// Three points whose results are as given here, whatever the pattern would say.
+// Three points whose results are as given here, whatever the program would say.
 struct Case {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -35,6 +35,16 @@ struct Case {
 
 std::string check(const std::string& rest) {
   return "[[check]]\nname = \"c\"\nof = \"latency_s\"\n" + rest;
+}
+
+TEST(ExperimentsChecks, ColumnsThatWereRenamedAreToldByTheirNewName) {
+  EXPECT_EQ(nearest_column("hit_local", {"hit_total", "local"}), "local");
+  EXPECT_EQ(nearest_column("messages", {"message", "messages_sent"}), "messages_sent");
+  EXPECT_EQ(nearest_column("hit_local", {"hit_total", "time_s"}), "hit_total");
+  EXPECT_NE(Case("[[check]]\nname = \"c\"\nof = \"latenzy_s\"\nat_least = 0\n")
+                .message()
+                .find("latency_s"),
+            std::string::npos);
 }
 
 TEST(ExperimentsChecks, RelativeErrorsDecide) {
