@@ -13,7 +13,7 @@ namespace {
 
 void source(network::StoreAndForward& network, int id, const std::vector<int>& destinations) {
   for (const int to : destinations)
-    out(network.into(id), network::Pointer{{id, to, MESSAGE_BYTES, 0, {}}});
+    out(network.into(id), network::Pointer{{id, to, MESSAGE_BYTES}});
 }
 
 void sink(network::StoreAndForward& network, int id, int messages) {

@@ -30,7 +30,7 @@ struct Exchange {
     for (int round = 0; round < ROUNDS; ++round) {
       if (round > 0) in(computed);
       for (const auto& neighbour : around)
-        out(network.into(id), {Packet{id, neighbour.processor, MESSAGE_BYTES, 0, {}}});
+        out(network.into(id), {Packet{id, neighbour.processor, MESSAGE_BYTES}});
     }
   }
   void sink(StoreAndForward& network, int id, std::size_t neighbours) {
