@@ -21,8 +21,9 @@ struct Limits {
   bool operator==(const Limits&) const = default;
 };
 
-/// Image cells: the image is tiled with squares of `max_cell` pixels (a power of two), each divided
-/// in four again and again; a sample belongs to the largest cell whose upper-left corner it is.
+/// Image cells: squares of `max_cell` pixels (a power of two) tile the image, and each cell is
+/// divided into four smaller ones, down to single pixels. A sample lies at the upper-left corners
+/// of one or several cells, and belongs to the largest of them.
 struct Cells {
   int width = 100;  ///< width of the image, pixels
   int max_cell = 16;

@@ -39,9 +39,9 @@ struct Guard {
 };
 
 /// Waits until a guard is ready, and returns its index; the input is still to be done, with
-/// Channel::in(). At least one condition must hold. Source: the instructions alt, enbc, altwt,
-/// disc, altend, with timers talt, enbt, taltwt, dist. A guard whose link is cut is never ready;
-/// the link of the chosen one can be cut before the input, or during it.
+/// Channel::in(). At least one condition must hold. Charges the instructions alt, enbc, altwt, disc
+/// and altend; where a guard waits for a time, talt, enbt, taltwt and dist too. A guard whose link
+/// is cut is never ready; the link of the chosen one can be cut before the input, or during it.
 std::size_t select(std::span<const Guard> guards);
 
 /// The guards of an ALT; more than 16 of them cost the host an allocation.
