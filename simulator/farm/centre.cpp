@@ -35,7 +35,7 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
     case_of(
         request,
         [&](const renderer::Ray& ray) {
-          memory.allocate(bytes.ray, "the ray database", this_process().now());
+          memory.allocate(bytes.ray, "the ray database", this_process().own_time());
           stores.add(ray, work);
           spend_work();
         },
@@ -70,11 +70,6 @@ void Visualisation::run(Channel<Answer>& inp) {
 }
 
 namespace {
-
-machine::Seconds sync_now() {
-  this_process().sync();
-  return this_process().now();
-}
 
 template <class Content>
 void wait_for(Channel<Command>& from_interaction) {
@@ -263,7 +258,7 @@ void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages
 }
 
 void Progress::begin() {
-  begun = interactive_ended = last_task = sync_now();
+  begun = interactive_ended = last_task = this_process().now();
   before = observe::collect(observed);
   phase = Phase::interactive;
 }
@@ -275,12 +270,12 @@ void Progress::note_task(std::size_t in_farm) {
 }
 
 void Progress::end_interactive() {
-  interactive_ended = sync_now();
+  interactive_ended = this_process().now();
   phase = Phase::non_interactive;
 }
 
 void Progress::end() {
-  ended = sync_now();
+  ended = this_process().now();
   phase = Phase::ended;
   after = observe::collect(observed);
 }

@@ -21,7 +21,7 @@ void start(machine::Processor& on, const char* name, machine::Priority priority,
 template <class Body>
 auto with_memory(std::uint64_t bytes, const char* what, Body body) {
   auto& self = machine::this_process();
-  self.processor().memory().allocate(bytes, what, self.now());
+  self.processor().memory().allocate(bytes, what, self.own_time());
   auto result = body();
   self.processor().memory().release(bytes);
   return result;

@@ -131,7 +131,7 @@ void Cpu::release(Process& process, Seconds free_at) {
     interrupted_ = nullptr;
     high_.preempting = false;
     --use_.preemptions;
-    running_->charge({-model_.scheduler.preemption.value});
+    running_->debt_ += {-model_.scheduler.preemption.value};
     return;
   }
   running_ = nullptr;
@@ -152,7 +152,7 @@ void Cpu::preempt(Process& high) {
   }
   ++use_.preemptions;
   high_.preempting = true;
-  high.charge(model_.scheduler.preemption);
+  high.debt_ += model_.scheduler.preemption;
   engine_.soon([this, &high] { execute(high); });
 }
 

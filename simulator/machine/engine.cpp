@@ -229,6 +229,8 @@ void Engine::add_link(int a, int b, LinkRates rates) {
 
 Seconds Engine::now() const { return {impl_->now}; }
 
+Seconds Engine::until() const { return {impl_->until}; }
+
 void Engine::at(Seconds date, Callback callback) {
   impl_->ask(date.value, impl_->asked++, callback);
 }

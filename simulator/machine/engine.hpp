@@ -59,6 +59,7 @@ class Engine {
   void add_link(int a, int b, LinkRates rates);
 
   Seconds now() const;
+  Seconds until() const;  ///< the limit given to run(); infinity before
   /// Calls back at simulated time `date` (not before now). Callbacks never nest.
   void at(Seconds date, Callback callback);
   /// The same, before all that at() has asked for at that instant.

@@ -27,4 +27,9 @@ struct OutOfMemory : Fault {
   using Fault::Fault;
 };
 
+/// The program asks the machine for what no transputer does, such as a second writer on a channel.
+struct Misuse : Fault {
+  using Fault::Fault;
+};
+
 }  // namespace machine

@@ -2,6 +2,15 @@
 
 namespace machine {
 
+void LinkDirection::carry(const std::string& channel) {
+  if (carries_)
+    throw Misuse(from_.name(), engine_.now(),
+                 fmt::format("channel {} is placed on link {}, which carries channel {}: each "
+                             "direction of a link carries one",
+                             channel, name(), *carries_));
+  carries_ = channel;
+}
+
 void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
                              Engine::Callback arrived) {
   if (std::exchange(busy_, true))

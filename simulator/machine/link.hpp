@@ -2,6 +2,7 @@
 // Links: two directions, each with a DMA engine that moves one message at a time.
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "simulator/machine/processor.hpp"
 
@@ -45,6 +46,8 @@ class LinkDirection {
                 Seconds delay)
       : engine_(engine), from_(from), to_(to), cable_(std::move(cable)), delay_(delay) {}
 
+  /// The direction is this channel's. Throws Misuse if it is another's.
+  void carry(const std::string& channel);
   /// Both processes have been descheduled; calls back when the last byte has been acknowledged.
   /// `channel`, the name of the message's channel, must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
@@ -72,6 +75,7 @@ class LinkDirection {
   Seconds delay_;
   LinkUse use_;
   bool busy_ = false, cut_ = false;
+  std::optional<std::string> carries_;  // a channel
   // The transfer under way:
   Seconds since_{};
   std::uint64_t bytes_ = 0;

@@ -126,11 +126,12 @@ Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::s
 }
 
 void Machine::connect(Processor& a, Processor& b, int switches) {
+  if (&a == &b) throw Misuse(a.name(), now(), a.name() + " would be joined to itself by a link");
   if (link_of_.contains({a.id(), b.id()}))
-    throw base::InvariantBroken(fmt::format("{} and {} are joined already", a.name(), b.name()));
+    throw Misuse(a.name(), now(), fmt::format("{} and {} are joined already", a.name(), b.name()));
   for (const Processor* p : {&a, &b})
     if (ports_.at(p->id()) >= MAX_LINKS)
-      throw base::InvariantBroken(p->name() + " would have more than four links");
+      throw Misuse(p->name(), now(), p->name() + " would have more than four links");
   const auto rates = rates_through(model_.link, switches);
   const double steal = model_.memory.steal_word / WORD_BYTES / model_.cpu.clock.value;
   const auto cable = std::make_shared<Cable>(
@@ -147,7 +148,7 @@ void Machine::connect(Processor& a, Processor& b, int switches) {
 LinkDirection& Machine::link(const Processor& from, const Processor& to) {
   const auto found = link_of_.find({from.id(), to.id()});
   if (found != link_of_.end()) return *found->second;
-  throw base::InvariantBroken("no link joins " + from.name() + " and " + to.name());
+  throw Misuse(from.name(), now(), "no link joins " + from.name() + " and " + to.name());
 }
 
 void Machine::set_observer(Observer& observer) {

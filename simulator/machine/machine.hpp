@@ -31,9 +31,10 @@ class Machine {
 
   /// `memory` in bytes; `role` as Processor::role().
   Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {});
-  /// Joins two processors, through a number of C004 link switches. Throws InvariantBroken beyond
-  /// four links a processor, and for a second link between two.
+  /// Joins two processors, through a number of C004 link switches. Throws Misuse beyond four links
+  /// a processor, for a second link between two, and for a processor and itself.
   void connect(Processor& a, Processor& b, int switches = 0);
+  /// Throws Misuse if no link joins them.
   LinkDirection& link(const Processor& from, const Processor& to);
 
   /// From the date on the link carries nothing, in either direction: a message under way is lost.

@@ -1,5 +1,7 @@
 #include "simulator/machine/process.hpp"
 
+#include <cmath>
+
 #include "simulator/machine/processor.hpp"
 
 // The address sanitizer must be told when the stack changes; no effect on any result.
@@ -114,6 +116,10 @@ void Process::suspend() {
   if (cancelled_) throw Cancelled{};
 }
 
+void Process::charge(Seconds duration) {
+  charge(Cycles{std::llround(duration.value * processor_.clock().value)});
+}
+
 void Process::sync() {
   if (debt_.value > 0 || processor_.cpu().is_interrupted(*this)) suspend();
 }
@@ -121,7 +127,7 @@ void Process::sync() {
 void Process::block(Wait& wait) {
   wait_ = &wait;
   waits_for_ = wait.kind();
-  blocked_since_ = now();
+  blocked_since_ = own_time();
   ++waits_;
   state_ = State::blocked;
   suspend();
@@ -134,7 +140,23 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-Seconds Process::now() const {
+// A process that only computes would not let the run end at its limit; nor, if there is none, at a
+// failure, or when the user wants.
+void Process::sync_if_much() {
+  const Seconds earliest = processor_.now() + debt_ / processor_.clock();
+  if (executing == this && (debt_ > MOST_DEBT || earliest > processor_.engine().until())) sync();
+}
+
+Seconds Process::now() {
+  if (executing != this)
+    throw Misuse(name_, processor_.now(),
+                 fmt::format("now() of {} on {} was not called by itself at {:.6f} s", name_,
+                             processor_.name(), processor_.now().value));
+  sync();
+  return processor_.now();
+}
+
+Seconds Process::own_time() const {
   const Seconds clock = processor_.now();
   return debt_.value == 0 ? clock : clock + processor_.duration(debt_);
 }

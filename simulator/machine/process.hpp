@@ -34,11 +34,10 @@ struct Wait {
   ~Wait() = default;
 };
 
-/// Cycles are charged into a debt, so that a process's own time (now) may be ahead of the clock.
-/// The debt is paid when the process blocks, or asks for it (sync). A high-priority process cannot
-/// lose the CPU, so its own time is certain: it meets others by time stamps and seldom needs to
-/// sync. A low-priority one can lose it at any instant, so it syncs before anything that others
-/// could see.
+/// Cycles are charged into a debt, so that a process's own time may be ahead of the clock. The debt
+/// is paid when the process blocks, or asks for it (sync, now). A high-priority process cannot lose
+/// the CPU, so its own time is certain: it meets others by time stamps and seldom needs to sync. A
+/// low-priority one can lose it at any instant, so it syncs before anything that others could see.
 class Process {
  public:
   enum class State : std::uint8_t { ready, running, blocked, ended };
@@ -50,8 +49,13 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   // --- called by the process itself ---------------------------------------------------------
-  /// Spends cycles; simulated time passes at the next sync or block.
-  void charge(Cycles cycles) { debt_ += cycles; }
+  /// Spends cycles, or a duration rounded to whole cycles, of the CPU by itself: what pre-empts the
+  /// process and the links' DMA come on top. Simulated time passes at the next sync, now or block.
+  void charge(Cycles cycles) {
+    debt_ += cycles;
+    if (debt_ > MUCH_DEBT) sync_if_much();
+  }
+  void charge(Seconds duration);
   /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
   void sync();
   void sync_if_low() {
@@ -64,8 +68,11 @@ class Process {
   }
   /// Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(Wait& wait);
-  /// The process's own time: the clock plus its debt.
-  Seconds now() const;
+  /// Pays the debt, and returns the time. Throws Misuse outside of this process.
+  Seconds now();
+  /// The clock plus the debt, as the CPU would pay it if nothing pre-empted the process and the
+  /// links' DMA went on as now. What a process that has no debt is told is exact.
+  Seconds own_time() const;
 
   Processor& processor() { return processor_; }
   const Processor& processor() const { return processor_; }
@@ -88,7 +95,7 @@ class Process {
   }
   /// From now on the blocked process waits for something else.
   void wait_instead_for(Wait& wait) { wait_ = &wait; }
-  Seconds blocked_since() const { return blocked_since_; }  ///< in its last wait, its own time
+  Seconds blocked_since() const { return blocked_since_; }  ///< in its last wait, its own_time()
   /// How long it has been blocked so far in waits of this kind, the one under way included.
   Seconds blocked(Wait::Kind kind) const;
   std::uint32_t trace_id() const { return trace_id_; }  ///< see Observer
@@ -96,7 +103,8 @@ class Process {
  private:
   friend class Cpu;
   friend class Processor;
-  static constexpr Cycles LONG_DEBT{1000};
+  static constexpr Cycles LONG_DEBT{1000}, MUCH_DEBT{1 << 20}, MOST_DEBT{1 << 30};
+  void sync_if_much();
   void resume();   // the CPU enters the body, until it suspends or ends
   void suspend();  // the body returns to the CPU
 

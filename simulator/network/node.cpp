@@ -148,7 +148,7 @@ void Node::charge_step(const Message& message) const {
 void Node::hold(const Message& message) {
   charge_step(message);
   if (++held > buffers)
-    throw Overflow(processor->name(), occam::this_process().now(),
+    throw Overflow(processor->name(), occam::this_process().own_time(),
                    fmt::format("the router of {} has no room for another message: it holds {}",
                                processor->name(), buffers));
   use.most_held = std::max(use.most_held, held);

@@ -66,11 +66,14 @@ void wait_for_any(Process& self, std::span<const Guard> guards) {
     if (guard.kind == Kind::timer)
       self.processor().wake_at(date_of(self, guard.tick), self, self.waits() + 1);
   }
-  if (!some_open) throw base::InvariantBroken(self.name() + ": an ALT without an open guard");
+  if (!some_open)
+    throw machine::Misuse(self.name(), self.own_time(),
+                          fmt::format("{} on {} is in an ALT without an open guard at {:.6f} s",
+                                      self.name(), self.processor().name(), self.own_time().value));
   AltWait wait(guards);
   self.block(wait);
   for (const Guard& guard : guards)
-    if (guard.channel) guard.channel->disable();
+    if (guard.condition && guard.channel) guard.channel->disable();
 }
 
 // The guards are disabled again in order, and the first that is ready when its turn comes is taken;
@@ -108,25 +111,29 @@ std::size_t select(std::span<const Guard> guards) {
   const auto& costs = self.processor().model().alternative;
   // An output on a link can come from a processor whose time is behind this process's own: whether
   // it waits is certain only when the clock has come so far.
-  const bool looks_at_links = std::ranges::any_of(
-      guards, [](const Guard& g) { return g.condition && g.channel && g.channel->hard(); });
+  bool looks_at_links = false;
+  for (const Guard& guard : guards) {
+    if (!guard.condition || !guard.channel) continue;
+    guard.channel->take_input(self);
+    looks_at_links |= guard.channel->hard();
+  }
   auto settle = [&] {
     if (looks_at_links) self.sync();
     self.sync_if_long();
   };
   auto some_ready = [&] {
     return std::ranges::any_of(
-        guards, [&, now = self.now()](const Guard& g) { return is_ready(self, g, now); });
+        guards, [&, now = self.own_time()](const Guard& g) { return is_ready(self, g, now); });
   };
 
   settle();
   // An output may come while the guards are enabled: what that adds is spent when it is known.
-  const Seconds begin = self.now();
+  const Seconds begin = self.own_time();
   Cycles enabled{};
   const auto spend_enabling = [&] {
     const Cycles known = cost_to_enable_all(self, guards, begin);
     if (known < enabled && any_cut(guards)) return;  // what was ready is not any more
-    charge({known.value - enabled.value});
+    charge(Cycles{known.value - enabled.value});
     enabled = known;
   };
   spend_enabling();
@@ -146,10 +153,14 @@ std::size_t select(std::span<const Guard> guards) {
   for (;; ready = false) {
     if (!ready && !some_ready()) wait_for_any(self, guards);
     spend_enabling();
-    const Seconds from = self.now();
+    const Seconds from = self.own_time();
     charge(disabling);
     settle();
-    if (const auto chosen = choose(self, guards, from)) return *chosen;
+    const auto chosen = choose(self, guards, from);
+    if (!chosen) continue;
+    for (const Guard& guard : guards)
+      if (guard.condition && guard.channel) guard.channel->leave_input();
+    return *chosen;
   }
 }
 

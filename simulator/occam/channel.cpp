@@ -9,11 +9,45 @@ using machine::Seconds;
 void charge(Cycles instructions) {
   Process& self = this_process();
   const double factor = self.processor().software_factor();
-  self.charge({std::llround(factor * static_cast<double>(instructions.value))});
+  self.charge(Cycles{std::llround(factor * static_cast<double>(instructions.value))});
 }
+
+void charge(Seconds duration) { this_process().charge(duration); }
 
 void charge(std::string_view instruction) {
   charge(get_instruction(this_process().processor().model(), instruction));
+}
+
+ChannelBase::ChannelBase(std::string name, machine::LinkDirection& link)
+    : name_(std::move(name)), link_(&link) {
+  link.carry(name_);
+  ends_[writer].place = &link.from();
+  ends_[reader].place = &link.to();
+}
+
+void ChannelBase::check_may_take(Side side, Process& self) {
+  End& end = ends_[side];
+  const machine::Processor& here = self.processor();
+  if (!end.place) ends_[writer].place = ends_[reader].place = &here;  // a soft channel's first user
+  const bool is_here = end.place == &here;
+  const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
+  if (is_here && is_free()) return;
+  const Seconds at = self.now();
+  if (is_here && is_free()) return;  // by its own time
+  std::string why;
+  if (is_here)
+    why = fmt::format("while {} on {} does: a channel has one writer and one reader",
+                      end.taken_by->name(), here.name());
+  else if (hard())
+    why = fmt::format("which is on link {}: only processes on {} do", link_->name(),
+                      end.place->name());
+  else
+    why = fmt::format("which is not on a link and has been used on {}: it leads nowhere else",
+                      end.place->name());
+  throw machine::Misuse(
+      self.name(), at,
+      fmt::format("{} on {} {} channel {} at {:.6f} s, {}", self.name(), here.name(),
+                  side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
 void ChannelBase::pay(Cycles cost) {
@@ -26,7 +60,6 @@ void ChannelBase::pay(Cycles cost) {
 void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& partner) {
   Process& self = this_process();
   const auto& costs = self.processor().model().channel;
-  ends_[side].user = self.id();
   const auto copy = [&] {
     return costs.soft_setup + static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
   };
@@ -58,11 +91,8 @@ void ChannelBase::communicate(Side side, const std::uint64_t& bytes) {
   Party &own = ends_[side].waiting, &partner = ends_[1 - side].waiting;
   arrive(side, bytes, partner);
   if (cut()) return refuse(self, side);
-  if (own.process)
-    throw base::InvariantBroken(
-        fmt::format("two processes {} on channel {}", side == writer ? "output" : "input", name_));
   if (partner.process) return meet(std::exchange(partner, {}), bytes);
-  own = {&self, self.now()};
+  own = {&self, self.own_time()};
   if (side == reader) return wait(self, reader, "in");
   bytes_ = bytes;
   if (alternative_.process) wake_alternative(own.since);
@@ -77,14 +107,14 @@ void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
   use_.bytes += bytes;
   if (!hard()) {
     move_message();
-    processor.make_ready(*partner.process, self.now());
+    processor.make_ready(*partner.process, self.own_time());
     self.sync_if_low();  // a high-priority partner has taken the CPU
     return;
   }
   bytes_ = bytes;
   transfer_[0] = partner.process;
   transfer_[1] = &self;
-  const Seconds start = std::max(self.now(), partner.since);
+  const Seconds start = std::max(self.own_time(), partner.since);
   if (start > processor.now())
     processor.engine().at(start, [this] { start_transfer(); });
   else
@@ -107,8 +137,7 @@ void ChannelBase::end_transfer() {
 
 void ChannelBase::enable(Process& process) {
   const Party& output = ends_[writer].waiting;
-  alternative_ = {&process, process.now()};
-  ends_[reader].user = process.id();
+  alternative_ = {&process, process.own_time()};
   alternative_wait_ = process.waits() + 1;                       // the wait about to begin
   if (output.process && !cut()) wake_alternative(output.since);  // it is ahead of the clock
 }

@@ -32,8 +32,8 @@ struct ChannelUse {
 class ChannelBase : machine::Wait {
  public:
   explicit ChannelBase(std::string name) : name_(std::move(name)) {}
-  ChannelBase(std::string name, machine::LinkDirection& link)
-      : name_(std::move(name)), link_(&link) {}
+  /// Throws Misuse if the link's direction has a channel already.
+  ChannelBase(std::string name, machine::LinkDirection& link);
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
 
@@ -56,8 +56,22 @@ class ChannelBase : machine::Wait {
   /// For ALT: the next output wakes the process, which waits since its own time.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
+  /// For ALT: from here to leave_input() nobody else inputs; see take().
+  void take_input(Process& process) { take(reader, process); }
+  void leave_input() { leave(reader); }
 
  protected:
+  enum Side { writer, reader };
+  /// Before the operation of a process, and after. take() throws Misuse while another process is
+  /// at this end, and for a process that is on the wrong processor: with a hard channel, on
+  /// another than its end of the link; with a soft one, than those that used it before.
+  void take(Side side, Process& process) {
+    End& end = ends_[side];
+    if (end.place != &process.processor() || end.taken_by) check_may_take(side, process);
+    end.taken_by = &process;
+    end.user = process.id();
+  }
+  void leave(Side side) { ends_[side].taken_by = nullptr; }
   /// Each returns when the message has been moved; `move_message` has run in one of the two ends.
   void output(std::uint64_t bytes) { communicate(writer, bytes); }
   void input() { communicate(reader, bytes_); }
@@ -69,7 +83,6 @@ class ChannelBase : machine::Wait {
   virtual ~ChannelBase() = default;
 
  private:
-  enum Side { writer, reader };
   struct Party {
     Process* process = nullptr;
     machine::Seconds since{};  // own time of its arrival; may be ahead of the clock
@@ -77,11 +90,14 @@ class ChannelBase : machine::Wait {
   struct End {
     Party waiting;                // for its partner
     machine::ProcessId user = 0;  // the process that used this end last, for a deadlock report
+    const Process* taken_by = nullptr;
+    const machine::Processor* place = nullptr;  // where its processes are, once that is known
     bool may_fail = false, failed = false;
     std::shared_ptr<machine::Wait> for_ever = {};  // once the link is cut
   };
   struct WaitForEver;
 
+  void check_may_take(Side side, Process& process);
   void communicate(Side side, const std::uint64_t& bytes);
   void pay(Cycles cost);
   void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
@@ -126,28 +142,36 @@ class Channel : public ChannelBase {
   /// `channel ! message`: blocks until the partner has it. The message's bytes are those after the
   /// tag; those of a counted array include its size.
   void out(Message message) {
+    take(writer, this_process());
     const Parts parts = prepare(std::move(message));
     if (parts.first > 0) output(parts.first);
     if (parts.first == 0 || parts.rest > 0) output(parts.rest);
+    leave(writer);
   }
   /// The same, but false if the link is cut before the partner has all of it: the partner does not
   /// get it. (InputOrFail and OutputOrFail of occam's library.)
   bool out_or_fail(Message message) {
+    take(writer, this_process());
     const Parts parts = prepare(std::move(message));
-    if (parts.first > 0 && !output_or_fail(parts.first)) return false;
-    return (parts.first > 0 && parts.rest == 0) || output_or_fail(parts.rest);
+    const bool sent = (parts.first == 0 || output_or_fail(parts.first)) &&
+                      ((parts.first > 0 && parts.rest == 0) || output_or_fail(parts.rest));
+    leave(writer);
+    return sent;
   }
   /// `channel ? message`
   Message in() {
+    take(reader, this_process());
     input();
     if (std::exchange(tag_alone_, false)) input();
+    leave(reader);
     return std::move(incoming_);
   }
   /// The same; returns nothing if the link is cut before all of the message is here.
   std::optional<Message> in_or_fail() {
-    if (!input_or_fail()) return {};
-    if (std::exchange(tag_alone_, false) && !input_or_fail()) return {};
-    return std::move(incoming_);
+    take(reader, this_process());
+    const bool is_here = input_or_fail() && (!std::exchange(tag_alone_, false) || input_or_fail());
+    leave(reader);
+    return is_here ? std::optional(std::move(incoming_)) : std::nullopt;
   }
 
  private:
@@ -199,6 +223,8 @@ template <class Message>
 
 /// Spends the cycles of instructions of compiled occam, times the machine's software factor.
 void charge(Cycles instructions);
+/// Spends a duration, whatever the software factor; see Process::charge.
+void charge(machine::Seconds duration);
 /// The same for an instruction by its name in the model file's [instruction]: charge("lend").
 void charge(std::string_view instruction);
 

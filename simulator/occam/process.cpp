@@ -58,7 +58,7 @@ void par(std::span<const Branch> branches) {
       charge(costs.end_process);
       this_process().sync();
       if (--join.running == 0 && join.parent_waits)
-        processor.make_ready(self, this_process().now());
+        processor.make_ready(self, this_process().own_time());
     });
     join.branches.push_back(&started);
     self.sync_if_low();  // a high-priority branch has taken the CPU
@@ -84,7 +84,6 @@ std::int64_t read_timer() {
   Process& self = this_process();
   const auto& model = self.processor().model();
   charge(model.timer.read);
-  self.sync();
   return whole_ticks(self.now() / tick_of(self, model));
 }
 
@@ -97,8 +96,7 @@ void wait_until(std::int64_t tick) {
   machine::Processor& processor = self.processor();
   const auto& model = processor.model();
   const Seconds date = date_of(self, tick);
-  charge(self.now() >= date ? model.timer.wait_past : model.timer.wait_future);
-  self.sync();
+  charge(self.own_time() >= date ? model.timer.wait_past : model.timer.wait_future);
   if (self.now() >= date) return;
   processor.wake_at(date, self, self.waits() + 1);
   TimerWait timer;

@@ -93,7 +93,7 @@ DataCosts::DataCosts(const machine::Model& model)
 void DataManager::take(Message message) {
   if (message.to.process != DATA_PROCESS) return others_.push_back(std::move(message));
   if (message.returned != network::Returned::no)
-    throw machine::Fault(this_process().name(), this_process().now(),
+    throw machine::Fault(this_process().name(), this_process().own_time(),
                          fmt::format("a request for data of processor {} came back: {}",
                                      client_.processor(), to_string(message.returned)));
   occam::case_of(
@@ -119,11 +119,11 @@ void DataManager::look() {
 // An idle process looks every period: it finds what is there by then. (Looks that find nothing are
 // not simulated.)
 void DataManager::wait_for_message(Seconds period) {
-  const Seconds since = this_process().now();
+  const Seconds since = this_process().own_time();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};
   occam::select(guards);
   if (period.value <= 0) return;
-  const double periods = std::ceil((this_process().now() - since) / period);
+  const double periods = std::ceil((this_process().own_time() - since) / period);
   occam::wait_until(occam::ticks(since + periods * period));
 }
 
@@ -148,11 +148,11 @@ void DataManager::send(network::Address to, std::uint64_t bytes, const DataMessa
 
 void DataManager::fetch(std::size_t record, network::Address to) {
   ++use_.requests;
-  const Seconds since = this_process().now();
+  const Seconds since = this_process().own_time();
   has_reply_ = false;
   send(to, costs_.request_bytes, DataMessage(DataRequest{record}));
   while (!has_reply_) take(client_.receive());
-  use_.waited += this_process().now() - since;
+  use_.waited += this_process().own_time() - since;
 }
 
 void DataManager::reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level,

@@ -25,7 +25,7 @@ SceneItems::SceneItems(const machine::Model& model, const renderer::Scene& scene
 
 void SceneReader::charge(const renderer::Work& done) {
   const Cycles all = costs_(done.counts);
-  machine::this_process().charge({all.value - charged_.value});
+  machine::this_process().charge(machine::Cycles{all.value - charged_.value});
   charged_ = all;
 }
 

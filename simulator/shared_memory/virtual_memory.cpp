@@ -76,7 +76,6 @@ struct DiskWait : machine::Wait {
 // The coordinator asks the host's disk for a record over the host link, and waits for it.
 void read_disk(std::uint64_t bytes) {
   auto& self = this_process();
-  self.sync();
   const auto& disk = self.processor().model().disk;
   const Seconds time{disk.seek + static_cast<double>(bytes) / disk.rate};
   self.processor().wake_at(self.now() + time, self, self.waits() + 1);

@@ -34,7 +34,7 @@ Sample preemptions() {
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   processor.start("low", Priority::low, [&] {
     const auto period = static_cast<std::int64_t>(model().cpu.clock.value * 1e-6) * PERIOD_US;
-    this_process().charge({period * PREEMPTIONS});
+    this_process().charge(occam::Cycles{period * PREEMPTIONS});
     this_process().sync();
   });
   processor.start("high", Priority::high, [] {

@@ -19,7 +19,7 @@ int main() {
   right.start("receiver", machine::Priority::low, [&] {
     Word word;
     in(hello, word);
-    std::printf("%d came after %.3f us\n", word.value, 1e6 * machine.now().value);
+    std::printf("%d came after %.3f us\n", word.value, 1e6 * occam::this_process().now().value);
   });
   machine.run();
 }

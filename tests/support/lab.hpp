@@ -58,7 +58,7 @@ inline double own_cycles() {
   return this_process().now().value * this_process().processor().clock().value;
 }
 
-inline void compute(std::int64_t cycles) { this_process().charge({cycles}); }
+inline void compute(std::int64_t cycles) { this_process().charge(Cycles{cycles}); }
 
 inline void wait_until_cycle(std::int64_t cycle) {
   wait_until(ticks(Cycles{cycle} / this_process().processor().clock()));

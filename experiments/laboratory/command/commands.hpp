@@ -12,7 +12,7 @@ void add_verify_command(CLI::App& app);
 
 /// Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a
 /// check did not hold or a simulation broke down, 2 bad input or usage, 3 the simulated program
-/// deadlocked or ran out of simulated memory, 130 interrupted.
+/// deadlocked, ran out of simulated memory or did what the machine refuses, 130 interrupted.
 int run_tlab(int argc, char** argv);
 
 }  // namespace laboratory

@@ -23,7 +23,6 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   auto meet = [&](bool reads, bool is_second) {
     if (is_second) {
       wait_for_start();
-      this_process().sync();
       second_came = now();
     }
     if (reads)

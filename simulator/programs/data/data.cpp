@@ -39,7 +39,6 @@ class Test {
       Mark& mark = pass[id];
       mark.start = now();
       if (makes_accesses(id)) make_accesses(data, random);
-      this_process().sync();
       mark.end = now();
       if (load_.together && is_coordinator) wait_for_others(data);
       mark.use = data.use();

@@ -163,30 +163,43 @@ TEST(Examples, FarmReturnsEachTaskOnceOnAnyTopology) {
   }
 }
 
-TEST(Examples, GuideShowsADeadlockReportAsItIs) {
+using Body =
+    std::function<void(occam::Channel<occam::Words>& there, occam::Channel<occam::Words>& back)>;
+// What the machine says of the processes ada, on left, and bob.
+std::string failure_of(bool bob_is_right, const Body& ada, const Body& bob) {
   using namespace occam;
-  const auto report = laboratory::message_of<test::ChildThrew>([] {
-    isolated([] {
+  return laboratory::message_of<test::ChildThrew>([&] {
+    isolated([&] {
       machine::Machine machine(machine::load_model("t805-25"));
       auto& left = machine.add_processor("left", 1 << 20);
       auto& right = machine.add_processor("right", 1 << 20);
       machine.connect(left, right);
       Channel<Words> there("there", machine.link(left, right));
       Channel<Words> back("back", machine.link(right, left));
-      Words word;
-      left.start("ada", Priority::low, [&] {
-        out(there, word), in(back, word);
-        out(there, word), in(back, word);
-      });
-      right.start("bob", Priority::low, [&] {
-        in(there, word), out(back, word);
-        out(back, word), in(there, word);
-      });
+      left.start("ada", Priority::low, [&] { ada(there, back); });
+      (bob_is_right ? right : left).start("bob", Priority::low, [&] { bob(there, back); });
       machine.run();
       return "";
     });
   });
-  EXPECT_EQ(fenced(load_text(GUIDE), "text").at(0), report + "\n");
+}
+
+TEST(Examples, GuideShowsReportsAsTheyAre) {
+  occam::Words word;
+  const auto deadlock = failure_of(
+      true,
+      [&](auto& there, auto& back) {
+        out(there, word), in(back, word);
+        out(there, word), in(back, word);
+      },
+      [&](auto& there, auto& back) {
+        in(there, word), out(back, word);
+        out(back, word), in(there, word);
+      });
+  const auto refusal = failure_of(
+      false, [&](auto& there, auto&) { out(there, word); },
+      [&](auto& there, auto&) { occam::wait_until(1), out(there, word); });
+  EXPECT_EQ(fenced(load_text(GUIDE), "text"), (std::vector{deadlock + "\n", refusal + "\n"}));
 }
 
 }  // namespace

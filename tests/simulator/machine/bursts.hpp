@@ -35,26 +35,23 @@ struct Recorded {
   std::vector<double> burst_ends;
 };
 
-// Each burst's process then waits for a message from afar, so that it leaves the CPU ahead of the
-// clock; its start is part of the burst.
+// Each burst's process then waits for a message that never comes, so that it leaves the CPU ahead
+// of the clock; its start is part of the burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
-  Processor& afar = lab.neighbour(cpu);
-  std::vector<Channel<Words>*> releases;
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {
-    releases.push_back(&lab.hard(afar, cpu));
-    cpu.start("burst", Priority::high, [&load, &recorded, i, release = releases[i]] {
-      const auto blocked = this_process().processor().model().channel.blocked.value;
+    const auto body = [&load, &recorded, i, &never = lab.soft()] {
+      const auto& model = this_process().processor().model();
+      const auto blocked = model.channel.blocked.value;
       wait_until_cycle(load.bursts[i].date);
       compute(load.bursts[i].cycles - blocked);
-      recorded.burst_ends[i] = own_cycles() + static_cast<double>(blocked);
-      release->in();
-    });
+      const double end = this_process().own_time().value * model.cpu.clock.value;
+      recorded.burst_ends[i] = end + static_cast<double>(blocked);
+      never.in();
+    };
+    cpu.start("burst", Priority::high, body).set_server();
   }
-  afar.start("release", Priority::low, [releases] {
-    wait_until_cycle(1 << 24);  // when all is over
-    for (auto* channel : releases) out(*channel, Words{});
-  });
+  lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });  // when all is over
   cpu.start("low", Priority::low, [&load, &recorded] {
     compute(load.low);
     this_process().sync();

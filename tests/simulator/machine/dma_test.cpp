@@ -133,6 +133,39 @@ TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
   EXPECT_EQ(found.at(0), 4096 + 32 * 100);
 }
 
+// When the message has come, in the middle of the computation, its cycles are no more taken. The
+// end is C and two cycles for each word, and at low priority the two switches; a sync before now()
+// changes nothing.
+TEST(Dma, NowIsExactBesideIt) {
+  const Model model = make_stealing_model();
+  constexpr std::int64_t charges = 10, cycles = 20'000, words = 1000;
+  for (const auto priority : BOTH_PRIORITIES) {
+    const auto end_of = [&](bool syncs) {
+      return isolated_numbers([&] {
+        Lab lab(model);
+        Processor& from = lab.cpu();
+        Processor& to = lab.neighbour(from);
+        auto& channel = lab.hard(from, to);
+        Numbers ends;
+        from.start("writer", Priority::high, [&] { out(channel, {4 * words}); });
+        to.start("reader", Priority::high, [&] { channel.in(); });
+        from.start("busy", priority, [&] {
+          for (int i = 0; i < charges; ++i) compute(cycles);
+          if (syncs) this_process().sync();
+          ends.push_back(own_cycles());
+        });
+        lab.machine.run();
+        return ends;
+      });
+    };
+    const auto& s = model.scheduler;
+    const auto switches = priority == Priority::low ? s.preemption + s.return_to_low : Cycles{0};
+    const auto end = model.channel.blocked + Cycles{charges * cycles + words * STEAL_WORD};
+    EXPECT_NEAR(end_of(false).at(0), static_cast<double>((end + switches).value), ROUNDING);
+    EXPECT_EQ(end_of(false), end_of(true)) << name_of(priority);
+  }
+}
+
 // Random messages beside random computation: whatever interleaves, no cycle is lost or taken twice.
 TEST(Dma, ConservesCyclesUnderRandomTraffic) {
   const Model model = make_stealing_model();

@@ -25,6 +25,8 @@ inline std::string failure_of(const std::function<void(Lab&)>& body) {
       return fault("Deadlock", e);
     } catch (const machine::OutOfMemory& e) {
       return fault("OutOfMemory", e);
+    } catch (const machine::Misuse& e) {
+      return fault("Misuse", e);
     } catch (const base::InvariantBroken& e) {
       return fmt::format("base::InvariantBroken\n{}", e.what());
     } catch (const std::runtime_error& e) {

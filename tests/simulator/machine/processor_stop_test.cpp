@@ -196,7 +196,7 @@ TEST(ProcessorStop, MayBeAfterTheEnd) {
 TEST(ProcessorStop, BadDatesAndLinksAreRefused) {
   expect_failure("base::InvariantBroken", {"a failure at -1 s was asked for at 0 s"},
                  [](Lab& lab) { lab.machine.stop_processor(lab.cpu(), {-1}); });
-  expect_failure("base::InvariantBroken", {"no link joins cpu 0 and cpu 1"}, [](Lab& lab) {
+  expect_failure("Misuse of cpu 0 at 0", {"no link joins cpu 0 and cpu 1"}, [](Lab& lab) {
     Processor& a = lab.cpu();
     lab.machine.cut_link(a, lab.cpu(), {});
   });

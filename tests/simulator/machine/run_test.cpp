@@ -53,6 +53,42 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
+// It never syncs nor blocks.
+void start_computing(Processor& cpu, Priority priority, std::int64_t step) {
+  cpu.start("busy", priority, [step] {
+    for (;;) compute(step);
+  });
+}
+
+TEST(Run, EndsAtItsLimitThoughAProcessOnlyComputes) {
+  for (const auto priority : BOTH_PRIORITIES)
+    for (const std::int64_t step : {1, 1000, 1 << 30})
+      for (const std::int64_t limit : {1000, 5'000'000}) {
+        const auto found = isolated_numbers([&] {
+          Lab lab;
+          auto& cpu = lab.cpu();
+          start_computing(cpu, priority, step);
+          const End end = lab.machine.run(date_of_cycle(lab, limit));
+          return Numbers{static_cast<double>(end == End::limit), lab.cycles(),
+                         lab.busy_cycles(cpu)};
+        });
+        const auto cycles = static_cast<double>(limit);
+        EXPECT_EQ(found, (Numbers{1, cycles, cycles})) << "step " << step;
+      }
+}
+
+TEST(Run, WithoutALimitEndsThoughAProcessOnlyComputes) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    Processor& cpu = lab.cpu();
+    start_computing(cpu, Priority::low, 1000);
+    lab.machine.stop_processor(cpu, date_of_cycle(lab, 12'345));
+    const End end = lab.machine.run();
+    return Numbers{static_cast<double>(end == End::done), lab.cycles(), lab.busy_cycles(cpu)};
+  });
+  EXPECT_EQ(found, (Numbers{1, 12'345, 12'345}));
+}
+
 // The same run, seen at a limit or beyond it: what has happened by then is the same.
 TEST(Run, LimitDoesNotChangeWhatHappensBefore) {
   const auto seen = [](std::int64_t limit, std::int64_t until) {
@@ -91,6 +127,7 @@ TEST(Run, StopsWhenTheUserWants) {
   const auto found = isolated_numbers([] {
     Lab lab;
     start_endless(lab);
+    start_computing(lab.cpu(), Priority::high, 1000);
     Processor& cpu = lab.cpu();
     cpu.start("user", Priority::high, [] {
       wait_until_cycle(40'000);
