@@ -63,41 +63,65 @@ struct Event {
 // What the callback of a deadlock throws, see Engine::run.
 struct AllWait {};
 
-// A body on an actor of SimGrid. Actors go on when SimGrid's maestro lets them, one after the
-// other; a semaphore for each side makes the two run by turns.
+class ActorCoroutine;
+
+// An actor of SimGrid that runs bodies, one after the other: the branches of a PAR come and go, and
+// SimGrid frees actors that have ended only when its clock advances.
+struct Hand {
+  s4u::SemaphorePtr own_turn = s4u::Semaphore::create(0), others_turn = s4u::Semaphore::create(0);
+  ActorCoroutine* works_for = nullptr;
+};
+using Hands = std::vector<std::shared_ptr<Hand>>;
+
+// A body on an actor. Actors go on when SimGrid's maestro lets them, one after the other; a
+// semaphore for each side makes the two run by turns.
 class ActorCoroutine final : public Coroutine {
  public:
-  ActorCoroutine(s4u::Engine& engine, s4u::Host* host, std::string name, Body body)
-      : engine_(engine), host_(host), name_(std::move(name)), body_(std::move(body)) {}
+  // `idle` are the host's. The actor has the name of the first body that it runs.
+  ActorCoroutine(s4u::Engine& engine, s4u::Host* host, Hands& idle, std::string name, Body body)
+      : engine_(engine), host_(host), idle_(idle), name_(std::move(name)), body_(std::move(body)) {}
 
   void resume() override {
-    if (std::exchange(has_begun_, true))
-      own_turn_->release();
-    else
-      s4u::Actor::create(name_, host_, [this, others_turn = others_turn_] {
-        std::exchange(body_, {})();
-        has_ended_ = true;
-        others_turn->release();  // from here on this object may be gone
-      });
+    if (hand_) {
+      hand_->own_turn->release();
+    } else if (idle_.empty()) {
+      hand_ = std::make_shared<Hand>();
+      hand_->works_for = this;
+      s4u::Actor::create(name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
+    } else {
+      hand_ = std::move(idle_.back());
+      idle_.pop_back();
+      hand_->works_for = this;
+      hand_->own_turn->release();
+    }
     if (s4u::Actor::is_maestro())  // after the run
       engine_.run_until(s4u::Engine::get_clock());
     else
-      others_turn_->acquire();
+      hand_->others_turn->acquire();
   }
 
   void suspend() override {
-    others_turn_->release();
-    own_turn_->acquire();
+    hand_->others_turn->release();
+    hand_->own_turn->acquire();
   }
 
  private:
+  static void work(const std::shared_ptr<Hand>& hand, Hands& idle) {
+    while (auto* coroutine = std::exchange(hand->works_for, nullptr)) {
+      std::exchange(coroutine->body_, {})();
+      coroutine->has_ended_ = true;
+      idle.push_back(hand);
+      hand->others_turn->release();  // from here on the coroutine may be gone
+      hand->own_turn->acquire();
+    }
+  }
+
   s4u::Engine& engine_;
   s4u::Host* host_;
+  Hands& idle_;
   std::string name_;
   Body body_;
-  s4u::SemaphorePtr own_turn_ = s4u::Semaphore::create(0);
-  s4u::SemaphorePtr others_turn_ = s4u::Semaphore::create(0);
-  bool has_begun_ = false;
+  std::shared_ptr<Hand> hand_;
 };
 
 }  // namespace
@@ -139,6 +163,7 @@ struct Engine::Impl {
   // With actors our scheduler is an actor, too, since it has to wait for their turns to end: it
   // does what SimGrid calls back for.
   bool has_actors = false;
+  std::deque<Hands> idle;    // by processor
   s4u::SemaphorePtr called;  // as often as there are calls; once more to end it
   std::deque<Callback> calls;
   std::exception_ptr failure;  // of a call
@@ -169,6 +194,8 @@ struct Engine::Impl {
   ~Impl() {
     if (!called) return;
     called->release();
+    for (const auto& hands : idle)
+      for (const auto& hand : hands) hand->own_turn->release();
     engine->run_until(s4u::Engine::get_clock());
   }
 
@@ -310,6 +337,7 @@ Engine::~Engine() = default;
 int Engine::add_processor(const std::string& name) {
   impl_->hosts.push_back(impl_->zone->create_host(name, "1f")->seal());
   impl_->leaving.emplace_back();
+  impl_->idle.emplace_back();
   return static_cast<int>(impl_->hosts.size()) - 1;
 }
 
@@ -333,9 +361,10 @@ void Engine::add_link(int a, int b, LinkRates rates) {
 
 std::unique_ptr<Coroutine> Engine::make_coroutine(int processor, const std::string& name,
                                                   Coroutine::Body body) {
-  if (!impl_->has_actors) return make_fiber(std::move(body));
-  return std::make_unique<ActorCoroutine>(*impl_->engine, impl_->hosts.at(processor), name,
-                                          std::move(body));
+  Impl& impl = *impl_;
+  if (!impl.has_actors) return make_fiber(std::move(body));
+  return std::make_unique<ActorCoroutine>(*impl.engine, impl.hosts.at(processor),
+                                          impl.idle.at(processor), name, std::move(body));
 }
 
 Seconds Engine::now() const { return {impl_->now}; }
