@@ -33,7 +33,7 @@ inline void compute(Cycles cycles) { this_process().charge(cycles); }
 /// A machine of the processors p0, p1, ..., not yet joined.
 struct Machine : machine::Machine {
   Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY)
-      : machine::Machine(setup.model) {
+      : machine::Machine(setup.model, 1, setup.processes) {
     for (int id = 0; id < count; ++id) add_processor(fmt::format("p{}", id), memory);
   }
   machine::Processor& operator[](int id) const { return *processors()[id]; }

@@ -209,7 +209,7 @@ void check(const Params& params) {
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,
                 const renderer::Scene& scene, const Params& params) {
   check(params);
-  Machine machine(model, model.software.occam_factor);
+  Machine machine(model, model.software.occam_factor, params.processes);
   Wires wires;
   Centre centre(machine, scene, params);
   Kernel kernel = make_kernel(model, scene, params);

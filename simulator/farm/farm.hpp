@@ -30,7 +30,8 @@ struct Params {
   std::optional<std::uint64_t> worker_memory, database_memory;  ///< bytes; else the model's
   /// Intersections are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
-  bool profile = false;             ///< measure the host time spent in kernels
+  bool profile = false;  ///< measure the host time spent in kernels
+  machine::Processes processes = machine::Processes::fibers;
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 

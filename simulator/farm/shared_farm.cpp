@@ -139,7 +139,7 @@ class SharedFarm {
         scene_(scene),
         items_(model, scene),
         data_params_(make_data_params(data, {model, size_of(scene)})),
-        machine_(model, model.software.occam_factor),
+        machine_(model, model.software.occam_factor, params.processes),
         pixel_bytes_(kernels::record_bytes(model).pixel),
         central_cost_(model, "central", renderer::op_names()),
         block_cost_(kernels::tree_costs(model)),

@@ -5,6 +5,7 @@
 #include <simgrid/version.h>
 #include <simgrid/kernel/Timer.hpp>
 #include <simgrid/s4u.hpp>
+#include <simgrid/simix.hpp>
 
 #include <algorithm>
 #include <csignal>
@@ -59,6 +60,70 @@ struct Event {
   }
 };
 
+// What the callback of a deadlock throws, see Engine::run.
+struct AllWait {};
+
+class ActorCoroutine;
+
+// An actor of SimGrid that runs bodies, one after the other: the branches of a PAR come and go, and
+// SimGrid frees actors that have ended only when its clock advances.
+struct Hand {
+  s4u::SemaphorePtr own_turn = s4u::Semaphore::create(0), others_turn = s4u::Semaphore::create(0);
+  ActorCoroutine* works_for = nullptr;
+};
+using Hands = std::vector<std::shared_ptr<Hand>>;
+
+// A body on an actor. Actors go on when SimGrid's maestro lets them, one after the other; a
+// semaphore for each side makes the two run by turns.
+class ActorCoroutine final : public Coroutine {
+ public:
+  // `idle` are the host's. The actor has the name of the first body that it runs.
+  ActorCoroutine(s4u::Engine& engine, s4u::Host* host, Hands& idle, std::string name, Body body)
+      : engine_(engine), host_(host), idle_(idle), name_(std::move(name)), body_(std::move(body)) {}
+
+  void resume() override {
+    if (hand_) {
+      hand_->own_turn->release();
+    } else if (idle_.empty()) {
+      hand_ = std::make_shared<Hand>();
+      hand_->works_for = this;
+      s4u::Actor::create(name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
+    } else {
+      hand_ = std::move(idle_.back());
+      idle_.pop_back();
+      hand_->works_for = this;
+      hand_->own_turn->release();
+    }
+    if (s4u::Actor::is_maestro())  // after the run
+      engine_.run_until(s4u::Engine::get_clock());
+    else
+      hand_->others_turn->acquire();
+  }
+
+  void suspend() override {
+    hand_->others_turn->release();
+    hand_->own_turn->acquire();
+  }
+
+ private:
+  static void work(const std::shared_ptr<Hand>& hand, Hands& idle) {
+    while (auto* coroutine = std::exchange(hand->works_for, nullptr)) {
+      std::exchange(coroutine->body_, {})();
+      coroutine->has_ended_ = true;
+      idle.push_back(hand);
+      hand->others_turn->release();  // from here on the coroutine may be gone
+      hand->own_turn->acquire();
+    }
+  }
+
+  s4u::Engine& engine_;
+  s4u::Host* host_;
+  Hands& idle_;
+  std::string name_;
+  Body body_;
+  std::shared_ptr<Hand> hand_;
+};
+
 }  // namespace
 
 // There are two sorts of events: ours, in a heap, and the ends of SimGrid's communications. A round
@@ -83,9 +148,10 @@ struct Engine::Impl {
   // Directions of links, by the numbers of the forecast and of SimGrid's communications.
   struct Direction {
     int from, to;
-    s4u::CommPtr comm;  // under way
+    s4u::CommPtr comm = {};  // under way
     std::uint64_t bytes = 0;
-    Callback arrived;
+    double since = 0;
+    Callback arrived = {};
     bool cut = false;  // what SimGrid still tells of it is ignored
   };
   std::vector<Direction> directions;
@@ -93,6 +159,45 @@ struct Engine::Impl {
   Forecast forecast;
   std::deque<std::pair<double, std::size_t>> starts;  // to come: date, direction
   s4u::CommPtr last_ended;
+
+  // With actors our scheduler is an actor, too, since it has to wait for their turns to end: it
+  // does what SimGrid calls back for.
+  bool has_actors = false;
+  std::deque<Hands> idle;    // by processor
+  s4u::SemaphorePtr called;  // as often as there are calls; once more to end it
+  std::deque<Callback> calls;
+  std::exception_ptr failure;  // of a call
+
+  template <class Call>
+  void call(Call call) {
+    if (!called) return call();
+    calls.emplace_back(call);
+    called->release();
+  }
+
+  void start_scheduler() {
+    called = s4u::Semaphore::create(0);
+    s4u::Actor::create("scheduler", hosts.front(), [this] {
+      for (called->acquire(); !calls.empty(); called->acquire()) {
+        Callback next = calls.front();
+        calls.pop_front();
+        try {
+          next();
+        } catch (...) {
+          failure = std::current_exception();
+          stopped = true;
+        }
+      }
+    });
+  }
+
+  ~Impl() {
+    if (!called) return;
+    called->release();
+    for (const auto& hands : idle)
+      for (const auto& hand : hands) hand->own_turn->release();
+    engine->run_until(s4u::Engine::get_clock());
+  }
 
   void stop(Engine::End why) {
     if (!stopped) end_reason = why;
@@ -133,20 +238,31 @@ struct Engine::Impl {
     if (heap.front().date < wake_up) {
       wake_up = heap.front().date;
       Timer::set(wake_up, [this, date = wake_up] {
-        if (date == wake_up) wake_up = std::numeric_limits<double>::infinity();
-        now = std::max(now, date);
-        run_ahead();
+        call([this, date] {
+          if (date == wake_up) wake_up = std::numeric_limits<double>::infinity();
+          start_all(date);
+          now = std::max(now, date);
+          run_ahead();
+        });
       });
     }
   }
 
+  // SimGrid tells the end of a communication if its maestro has started it.
   void start(std::size_t number) {
-    Direction& direction = directions[number];
-    if (direction.cut) return;
-    direction.comm = s4u::Comm::sendto_init(hosts[direction.from], hosts[direction.to]);
-    direction.comm->set_payload_size(direction.bytes);
-    direction.comm->set_data(reinterpret_cast<void*>(number));
-    direction.comm->start();
+    if (directions[number].cut) return;
+    simgrid::kernel::actor::simcall_answered([&, &direction = directions[number]] {
+      direction.comm = s4u::Comm::sendto_init(hosts[direction.from], hosts[direction.to]);
+      direction.comm->set_payload_size(direction.bytes);
+      direction.comm->set_data(reinterpret_cast<void*>(number));
+      direction.comm->start();
+    });
+  }
+
+  // Starts what was to start at that date, once.
+  void start_all(double date) {
+    for (; !starts.empty() && starts.front().first == date; starts.pop_front())
+      start(starts.front().second);
   }
 
   // Starts it when SimGrid's clock has come so far; those of one date in the order they were asked
@@ -155,10 +271,7 @@ struct Engine::Impl {
     const bool timer_set = !starts.empty() && starts.back().first == now;
     starts.emplace_back(now, number);
     if (timer_set) return;
-    Timer::set(now, [this, date = now] {
-      for (; !starts.empty() && starts.front().first == date; starts.pop_front())
-        start(starts.front().second);
-    });
+    Timer::set(now, [this, date = now] { call([this, date] { start_all(date); }); });
   }
 
   std::size_t number_of(int from, int to) const {
@@ -174,14 +287,24 @@ struct Engine::Impl {
     Direction& direction = directions[number];
     last_ended = std::move(direction.comm);  // SimGrid still uses it when we return
     if (stopped || direction.cut) return;
-    now = std::max(now, s4u::Engine::get_clock());
-    forecast.end(number, now);
+    const double clock = s4u::Engine::get_clock();
+    now = std::max(now, clock);
+    check_end(direction, clock, forecast.end(number, now));
     handle(direction.arrived);
     run_ahead();
   }
+
+  void check_end(const Direction& direction, double date, const Forecast::Bounds& bounds) const {
+    if (bounds.contain(date)) return;
+    throw base::InvariantBroken(fmt::format(
+        "link {} > {}: SimGrid ends the message of {} bytes that started at {:.12f} s "
+        "at {:.12f} s, expected {:.12f} to {:.12f} s",
+        hosts[direction.from]->get_name().c_str(), hosts[direction.to]->get_name().c_str(),
+        direction.bytes, direction.since, date, bounds.earliest, bounds.latest));
+  }
 };
 
-Engine::Engine() : impl_(std::make_unique<Impl>()) {
+Engine::Engine(Processes processes) : impl_(std::make_unique<Impl>()) {
   static int argc = 3;
   static char name[] = "tlab", to[] = "--log=root.app:file:/dev/null",
               only[] = "--log=root.thres:critical";
@@ -197,8 +320,16 @@ Engine::Engine() : impl_(std::make_unique<Impl>()) {
     s4u::Engine::set_config(setting);
   impl_->zone = s4u::create_full_zone("machine");
   s4u::Activity::on_completion_cb([impl = impl_.get()](const s4u::Activity& activity) {
-    impl->end(reinterpret_cast<std::size_t>(activity.get_data<void>()));
+    impl->call([impl, number = reinterpret_cast<std::size_t>(activity.get_data<void>())] {
+      impl->end(number);
+    });
   });
+  impl_->has_actors = processes == Processes::actors;
+  if (!impl_->has_actors) return;
+  const auto stack = fmt::format("contexts/stack-size:{}", Coroutine::STACK_BYTES / 1024);
+  for (const std::string& setting : {stack, std::string("contexts/guard-size:0")})
+    s4u::Engine::set_config(setting);
+  s4u::Engine::on_deadlock_cb([] { throw AllWait(); });
 }
 
 Engine::~Engine() = default;
@@ -206,6 +337,7 @@ Engine::~Engine() = default;
 int Engine::add_processor(const std::string& name) {
   impl_->hosts.push_back(impl_->zone->create_host(name, "1f")->seal());
   impl_->leaving.emplace_back();
+  impl_->idle.emplace_back();
   return static_cast<int>(impl_->hosts.size()) - 1;
 }
 
@@ -214,8 +346,8 @@ void Engine::add_link(int a, int b, LinkRates rates) {
   const std::size_t number = impl_->forecast.add_link(rates.one_way, rates.both_ways);
   impl_->leaving[a].push_back(number);
   impl_->leaving[b].push_back(number + 1);
-  impl_->directions.push_back({a, b, {}, 0, {}, false});
-  impl_->directions.push_back({b, a, {}, 0, {}, false});
+  impl_->directions.push_back({a, b});
+  impl_->directions.push_back({b, a});
   const auto name = fmt::format("{}-{}", a, b);
   const auto rate = [rates](double, int messages) {
     return messages > 1 ? rates.both_ways : rates.one_way;
@@ -225,6 +357,14 @@ void Engine::add_link(int a, int b, LinkRates rates) {
                    ->seal();
   zone.add_route(impl_->hosts[a]->get_netpoint(), impl_->hosts[b]->get_netpoint(), nullptr, nullptr,
                  {s4u::LinkInRoute(link)}, true);
+}
+
+std::unique_ptr<Coroutine> Engine::make_coroutine(int processor, const std::string& name,
+                                                  Coroutine::Body body) {
+  Impl& impl = *impl_;
+  if (!impl.has_actors) return make_fiber(std::move(body));
+  return std::make_unique<ActorCoroutine>(*impl.engine, impl.hosts.at(processor),
+                                          impl.idle.at(processor), name, std::move(body));
 }
 
 Seconds Engine::now() const { return {impl_->now}; }
@@ -245,6 +385,7 @@ void Engine::transfer(int from, int to, std::uint64_t bytes, Callback arrived) {
   Impl& impl = *impl_;
   const std::size_t number = impl.number_of(from, to);
   impl.directions[number].bytes = bytes;
+  impl.directions[number].since = impl.now;
   impl.directions[number].arrived = arrived;
   impl.forecast.start(number, static_cast<double>(bytes), impl.now);
   if (impl.now > s4u::Engine::get_clock())
@@ -267,8 +408,13 @@ Engine::End Engine::run(Seconds until) {
     impl_->zone->seal();
   }
   at({0}, [] {});  // and after it whatever was asked for soon
-  impl_->run_ahead();
-  impl_->engine->run();
+  if (impl_->has_actors && !impl_->hosts.empty()) impl_->start_scheduler();
+  impl_->call([this] { impl_->run_ahead(); });
+  try {
+    impl_->engine->run();
+  } catch (const AllWait&) {  // actors that wait when nothing can happen: SimGrid would end them
+  }
+  if (impl_->failure) std::rethrow_exception(impl_->failure);
   if (impl_->end_reason == End::no_event_left) rewind();
   return impl_->end_reason;
 }

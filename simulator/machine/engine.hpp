@@ -13,6 +13,7 @@
 #include <string>
 #include <type_traits>
 
+#include "simulator/machine/coroutine.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
@@ -38,6 +39,12 @@ class Callback {
   alignas(8) unsigned char body_[24];
 };
 
+/// What the bodies of processes run on. Results are the same, byte by byte.
+enum class Processes : std::uint8_t {
+  fibers,  ///< stacks of ours, see make_fiber; several times faster
+  actors,  ///< SimGrid's, each on the host of its processor
+};
+
 /// Ends the simulation of this host process at its next event. May be called by a signal handler.
 void request_stop();
 
@@ -49,7 +56,7 @@ class Engine {
     double both_ways;  ///< bytes/s of both directions together
   };
 
-  Engine();
+  explicit Engine(Processes processes = Processes::fibers);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -57,6 +64,9 @@ class Engine {
   /// Builds the platform; only before run(). Processors are numbered from 0 in order of creation.
   int add_processor(const std::string& name);
   void add_link(int a, int b, LinkRates rates);
+  /// A process's body, to be resumed by callbacks and, once it is to end, after run().
+  std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
+                                            Coroutine::Body body);
 
   Seconds now() const;
   Seconds until() const;  ///< the limit given to run(); infinity before

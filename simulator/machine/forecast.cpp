@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace machine {
 
@@ -26,35 +27,34 @@ void Forecast::start(std::size_t direction, double bytes, double date) {
   if (link.ways[1 - direction % 2].valid) predict(direction ^ 1);
 }
 
-void Forecast::end(std::size_t direction, double date) {
-  Link& link = links_[direction / 2];
-  advance(link, date);
-  link.ways[direction % 2] = {};
+Forecast::Bounds Forecast::end(std::size_t direction, double date) {
+  advance(links_[direction / 2], date);
+  return std::exchange(way(direction), {}).bounds;
 }
 
-// Both share the link until the shorter ends. SimGrid may round a date: a hair early, and late.
+// Both share the link until the shorter ends. SimGrid rounds dates, the later the more: a hair
+// early, and late.
 void Forecast::predict(std::size_t direction) {
   Link& link = links_[direction / 2];
   Way& own = link.ways[direction % 2];
   const Way& other = link.ways[1 - direction % 2];
   const double together = other.valid ? std::min(own.left, other.left) : 0;
   const double duration = together / link.shared + (own.left - together) / link.alone;
-  const double date = link.since + duration, hair = 1e-9 * duration + 1e-11;
+  const double date = link.since + duration, hair = 1e-9 * duration + 1e-11 + 1e-14 * date;
   own.valid = ++numbers_;
-  heap_.push_back({{date - hair, date + hair}, direction, own.valid});
+  own.bounds = {date - hair, date + hair};
+  heap_.push_back({own.bounds.earliest, direction, own.valid});
   std::ranges::push_heap(heap_, std::less<>());
 }
 
 Forecast::Bounds Forecast::next() {
-  const auto is_old = [&](const Entry& e) {
-    return links_[e.direction / 2].ways[e.direction % 2].valid != e.number;
-  };
+  const auto is_old = [&](const Entry& e) { return way(e.direction).valid != e.number; };
   while (!heap_.empty() && is_old(heap_.front())) {
     std::ranges::pop_heap(heap_, std::less<>());
     heap_.pop_back();
   }
   constexpr double NEVER = std::numeric_limits<double>::infinity();
-  return heap_.empty() ? Bounds{NEVER, NEVER} : heap_.front().bounds;
+  return heap_.empty() ? Bounds{NEVER, NEVER} : way(heap_.front().direction).bounds;
 }
 
 }  // namespace machine

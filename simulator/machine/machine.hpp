@@ -26,8 +26,9 @@ class Machine {
  public:
   /// `software_factor` multiplies the cycles of occam's channel instructions: 1 is what the data
   /// sheet says they take, model.software.occam_factor what they took the thesis's programs.
-  explicit Machine(const Model& model, double software_factor = 1)
-      : model_(model), software_factor_(software_factor) {}
+  explicit Machine(const Model& model, double software_factor = 1,
+                   Processes processes = Processes::fibers)
+      : model_(model), software_factor_(software_factor), engine_(processes) {}
 
   /// `memory` in bytes; `role` as Processor::role().
   Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {});

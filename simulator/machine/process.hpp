@@ -1,11 +1,11 @@
 #pragma once
 // A process of a simulated transputer: a body that runs on its own stack and spends cycles.
 #include <array>
-#include <boost/context/fiber.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "simulator/machine/coroutine.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
@@ -41,7 +41,7 @@ struct Wait {
 class Process {
  public:
   enum class State : std::uint8_t { ready, running, blocked, ended };
-  using Body = std::function<void()>;
+  using Body = Coroutine::Body;
 
   Process(Processor& processor, std::string name, Priority priority, Body body);
   ~Process();  ///< a body that has not ended is unwound
@@ -107,6 +107,7 @@ class Process {
   void sync_if_much();
   void resume();   // the CPU enters the body, until it suspends or ends
   void suspend();  // the body returns to the CPU
+  void live();     // the body, and its end
 
   Processor& processor_;
   ProcessId id_;
@@ -122,10 +123,10 @@ class Process {
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   Wait* wait_ = nullptr;
   int wake_ups_ = 0;  // Processor::wake_at still to come
-  boost::context::fiber fiber_, scheduler_;
+  Body body_;
+  std::unique_ptr<Coroutine> coroutine_;
   bool cancelled_ = false, is_server_ = false;
   std::uint32_t trace_id_ = 0;
-  const void* stack_ = nullptr;  // lowest address, for the address sanitizer
 };
 
 /// The process whose body is executing. Throws InvariantBroken outside of any process.

@@ -191,6 +191,7 @@ Params machine_params(const Setup& setup, const ProgramParams& params) {
   Params machine = params.machine;
   machine.solve = params.room.light.solve;
   machine.cycles_per_host_s = setup.cycles_per_host_s;
+  machine.processes = setup.processes;
   machine.watch = setup.watch;
   return machine;
 }

@@ -27,6 +27,7 @@ struct Params {
   double cache_percent = 0;
   /// Kernels are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
+  machine::Processes processes = machine::Processes::fibers;
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int WORKERS = 7, OBJECTS = 200, SIZE = 100;
 
-farm::Result run_farm(observe::Watch* watch, bool profile) {
+farm::Result run_farm(observe::Watch* watch, bool profile, machine::Processes processes) {
   static const auto scene = renderer::make_spheres(OBJECTS);
   static const auto workers = topologies::make_topology(fmt::format("tree:{}", WORKERS));
   farm::Params params;
@@ -21,6 +21,7 @@ farm::Result run_farm(observe::Watch* watch, bool profile) {
   params.image.limits.depth = 15;
   params.watch = watch;
   params.profile = profile;
+  params.processes = processes;
   return farm::run_farm(model(), workers, scene, params);
 }
 
@@ -29,7 +30,7 @@ farm::Result run_farm(observe::Watch* watch, bool profile) {
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::Watch watch{.trace = &trace};
-  run_farm(&watch, false);
+  run_farm(&watch, false, machine::Processes::fibers);
   std::vector<std::pair<double, Activity>> begun;
   for (const auto& span : trace.spans) {
     if (span.doing == observe::Trace::Doing::switching) continue;
@@ -48,9 +49,9 @@ std::vector<Activity> record() {
 }
 
 // Without the intersections that the host computes meanwhile.
-Sample simulate(std::uint64_t activities) {
+Sample simulate(std::uint64_t activities, machine::Processes processes) {
   farm::Result result;
-  const double cpu_s = time_of([&] { result = run_farm(nullptr, true); });
+  const double cpu_s = time_of([&] { result = run_farm(nullptr, true, processes); });
   return {activities, cpu_s - result.kernel_host_s, result.time_s + result.setup_s, 0};
 }
 
@@ -64,9 +65,12 @@ const std::vector<Activity>& activities() {
 
 void add_farm() {
   const char* name = "activities of the farm, 7 workers";
-  add(name, "tlab", [](benchmark::State&) {
-    return in_child([count = activities().size()] { return simulate(count); });
-  });
+  const std::pair<const char*, machine::Processes> kinds[] = {
+      {"tlab", machine::Processes::fibers}, {"tlab actors", machine::Processes::actors}};
+  for (const auto& [who, kind] : kinds)
+    add(name, who, [processes = kind](benchmark::State&) {
+      return in_child([=, count = activities().size()] { return simulate(count, processes); });
+    });
   add(name, "simgrid", [](benchmark::State&) {
     return in_child([&all = activities()] { return raw_activities(model(), all); });
   });

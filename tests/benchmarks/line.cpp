@@ -25,8 +25,8 @@ void relay(Channel* before, Channel* after) {
 }
 
 // A line of processors; each but the last sends to the next, each but the first receives.
-Sample line() {
-  Machine machine(model());
+Sample line(machine::Processes processes) {
+  Machine machine(model(), 1, processes);
   std::deque<Channel> channels;
   const auto& processors = machine.processors();
   for (int id = 0; id <= LINE_HOPS; ++id)
@@ -45,7 +45,7 @@ Sample line() {
 }  // namespace
 
 void add_line() {
-  add_simulation("hops of 80 bytes, line of 4", "tlab", line);
+  add_on_both("hops of 80 bytes, line of 4", line);
   add_simulation("hops of 80 bytes, line of 4", "simgrid", [] { return raw_line(model()); });
 }
 

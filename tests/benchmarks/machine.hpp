@@ -17,6 +17,15 @@ inline Sample run(machine::Machine& machine, std::uint64_t count) {
   return {count, cpu_s, machine.now() / machine::Seconds{1}, 0};
 }
 
+/// Adds what `run` does with processes on fibers, as "tlab", and on SimGrid's actors, as "tlab
+/// actors".
+template <class Run>
+void add_on_both(const std::string& what, Run run) {
+  using machine::Processes;
+  add_simulation(what, "tlab", [run] { return run(Processes::fibers); });
+  add_simulation(what, "tlab actors", [run] { return run(Processes::actors); });
+}
+
 void add_line();          // a line of store-and-forward hops
 void add_mesh();          // routers on an 8 x 8 mesh
 void add_farm();          // the farm of chapter 4

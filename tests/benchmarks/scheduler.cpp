@@ -16,8 +16,8 @@ constexpr int MEETINGS = 200'000, PREEMPTIONS = 50'000;
 constexpr std::int64_t PERIOD_US = 100;  // between pre-emptions
 constexpr machine::Cycles INTERRUPTION{1000};
 
-Sample rendezvous() {
-  Machine machine(model());
+Sample rendezvous(machine::Processes processes) {
+  Machine machine(model(), 1, processes);
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   occam::Channel<Signal> channel("channel");
   processor.start("out", Priority::high, [&] {
@@ -29,8 +29,8 @@ Sample rendezvous() {
   return run(machine, MEETINGS);
 }
 
-Sample preemptions() {
-  Machine machine(model());
+Sample preemptions(machine::Processes processes) {
+  Machine machine(model(), 1, processes);
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   processor.start("low", Priority::low, [&] {
     const auto period = static_cast<std::int64_t>(model().cpu.clock.value * 1e-6) * PERIOD_US;
@@ -51,10 +51,10 @@ Sample preemptions() {
 }  // namespace
 
 void add_scheduler() {
-  add_simulation("soft-channel rendezvous", "tlab", rendezvous);
+  add_on_both("soft-channel rendezvous", rendezvous);
   add_simulation("soft-channel rendezvous", "simgrid",
                  [] { return raw_rendezvous(model(), MEETINGS); });
-  add_simulation("pre-emptions", "tlab", preemptions);
+  add_on_both("pre-emptions", preemptions);
   add_simulation("pre-emptions", "simgrid", [] {
     return raw_preemptions(model(), PREEMPTIONS, 1e-6 * PERIOD_US,
                            static_cast<double>(INTERRUPTION.value));

@@ -55,6 +55,8 @@ const Bindings<Experiment>& bindings() {
   using E = Experiment;
   static const base::Names<std::string> TREES = {{"per_root", "per_root"}, {"single", "single"}};
   static const base::Names<bool> COSTS = {{"counted", false}, {"timed", true}};
+  static const base::Names<machine::Processes> PROCESSES = {{"fibers", machine::Processes::fibers},
+                                                            {"actors", machine::Processes::actors}};
   static const Bindings<E> all = {
       bind_key("title", &E::title, "what the experiment is called"),
       bind_key("question", &E::question, "what it answers"),
@@ -74,6 +76,8 @@ const Bindings<Experiment>& bindings() {
       {"network.tree_links", "the links of the single tree, [[a, b], ...]", read_tree_links},
       bind_name("run.cost", &E::is_timed, COSTS,
                 "counted: operations times their cycles; timed: host time, scaled"),
+      bind_name("run.processes", &E::processes, PROCESSES,
+                "fibers; or actors of SimGrid: the same results, more host time"),
       {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
        [](E& e, const Place& at) { e.faults = read_faults(at); }},
       bind_to_file("let", "[let]: names for expressions, to be used in checks"),

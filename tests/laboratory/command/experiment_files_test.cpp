@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tests/laboratory/support/tlab.hpp"
+#include "tests/support/isolated.hpp"
 
 namespace laboratory {
 namespace {
@@ -91,26 +92,65 @@ TEST(ExperimentFiles, HaveNamesOfTheirOwn) {
   }
 }
 
+// tlab verify or run, of an experiment in its reduced size.
+Outcome tlab_reduced(const fs::path& folder, const std::string& command,
+                     const std::string& experiment, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{command,
+                                     TLAB_SOURCE_DIR "/experiments/" + experiment + ".toml"};
+  if (const auto reduced = reductions().find(experiment); reduced != reductions().end())
+    for (const auto& set : reduced->second) arguments.insert(arguments.end(), {"--set", set});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return tlab(folder, arguments);
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& at) {
+  std::string name = at.param;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
 class Experiments : public testing::TestWithParam<std::string> {};
 
 TEST_P(Experiments, ChecksHold) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments{"verify",
-                                     TLAB_SOURCE_DIR "/experiments/" + GetParam() + ".toml"};
-  if (const auto reduced = reductions().find(GetParam()); reduced != reductions().end())
-    for (const auto& set : reduced->second) arguments.insert(arguments.end(), {"--set", set});
-  const auto done = tlab(folder.path, arguments);
+  const auto done = tlab_reduced(folder.path, "verify", GetParam());
   EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
   EXPECT_NE(done.out.find(" hold, 0 do not\n"), std::string::npos) << done.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()),
-                         [](const auto& at) {
-                           std::string name = at.param;
-                           for (char& c : name)
-                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()), name_of);
+
+struct ExperimentsOnActors : testing::TestWithParam<std::string> {
+  void SetUp() override {
+    if (test::IS_SANITIZED) GTEST_SKIP();
+  }
+};
+
+TEST_P(ExperimentsOnActors, GiveTheBytesThatFibersGive) {
+  const TemporaryFolder folder;
+  for (const std::string processes : {"fibers", "actors"}) {
+    const auto done = tlab_reduced(folder.path, "run", GetParam(),
+                                   {"-o", processes, "--set", "run.processes=" + processes});
+    EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+  }
+  const auto on_fibers = read_file(folder.path / "fibers/results.csv");
+  EXPECT_NE(on_fibers.find('\n'), on_fibers.rfind('\n')) << "no rows: " << on_fibers;
+  EXPECT_EQ(read_file(folder.path / "actors/results.csv"), on_fibers);
+}
+
+std::vector<std::string> find_formulas() {
+  auto all = find_experiments();
+  std::erase_if(all, [](const auto& name) { return !name.starts_with("formulas/"); });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formulas, ExperimentsOnActors, testing::ValuesIn(find_formulas()),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Systems, ExperimentsOnActors,
+                         testing::Values("farm", "studies/soak", "studies/faults",
+                                         "studies/shared-scene", "studies/radiosity-scaling"),
+                         name_of);
 
 }  // namespace
 }  // namespace laboratory

@@ -167,7 +167,9 @@ TEST(ExperimentsFile, MistakesAreNamed) {
            {"[scene\nobjects = 3\n", "e.toml:1: "},
            {"stage = 3\n", "expected one or more [[stage]]"},
            {"[[stage]]\ncell = 3\n", "unknown key \"cell\", the nearest valid key is \"min_cell\""},
-           {"[run]\ncost = \"guessed\"\n", "expected one of counted"}}) {
+           {"[run]\ncost = \"guessed\"\n", "expected one of counted"},
+           {"[run]\nprocesses = \"threads\"\n",
+            "run.processes: found 'threads', expected one of fibers, actors"}}) {
     const auto told = message_of<base::BadInput>([&, text = text] { load(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }

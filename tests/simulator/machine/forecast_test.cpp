@@ -2,8 +2,13 @@
 #include "simulator/machine/forecast.hpp"
 
 #include <gtest/gtest.h>
+#include <simgrid/s4u/Engine.hpp>
 
+#include <cmath>
 #include <limits>
+#include <regex>
+
+#include "tests/simulator/machine/failures.hpp"
 
 namespace machine {
 
@@ -61,6 +66,59 @@ TEST(Forecast, LinksDoNotDisturbEachOther) {
   expect_next(forecast, 20 / (ALONE / 2));
   forecast.end(second, 20 / (ALONE / 2));
   expect_next(forecast, 80 / ALONE);
+}
+
+TEST(Forecast, TellsTheBoundsOfAMessageThatEnds) {
+  Forecast forecast;
+  const auto there = forecast.add_link(ALONE, BOTH);
+  forecast.start(there, 80, 2);
+  forecast.start(there + 1, 80, 2);
+  for (const auto way : {there, there + 1}) {
+    const auto bounds = forecast.end(way, 2 + 80 / SHARED);
+    EXPECT_TRUE(bounds.contain(2 + 80 / SHARED));
+    EXPECT_FALSE(bounds.contain(2 + 80 / SHARED - HAIR_S));
+    EXPECT_FALSE(bounds.contain(2 + 80 / SHARED + HAIR_S));
+  }
+}
+
+// In a second a double resolves 10^-16 s, after ten days 10^-10 s.
+TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
+  for (const double start_s : {0., 1e3, 1e6}) {
+    Forecast forecast;
+    const auto there = forecast.add_link(ALONE, BOTH);
+    forecast.start(there, 80, start_s);
+    const double end_s = start_s + 80 / ALONE;
+    const auto bounds = forecast.end(there, end_s);
+    EXPECT_TRUE(bounds.contain(std::nextafter(end_s, 0)));
+    EXPECT_TRUE(bounds.contain(std::nextafter(end_s, 2 * end_s)));
+    EXPECT_FALSE(bounds.contain(end_s + 1e-9 + 1e-13 * end_s));
+  }
+}
+
+// SimGrid's own factor of all bandwidths, changed behind the machine's back: a message of 100 bytes
+// at 2^20 bytes/s, of which SimGrid moves half, or a tenth more.
+TEST(Forecast, SimGridMustKeepIt) {
+  for (const double factor : {0.5, 1.1}) {
+    const auto failure = occam::failure_of([factor](occam::Lab& lab) {
+      auto& from = lab.cpu();
+      auto& to = lab.neighbour(from);
+      auto& channel = lab.hard(from, to);
+      from.start("from", Priority::high, [&] { out(channel, {100}); });
+      to.start("to", Priority::high, [&] { channel.in(); });
+      simgrid::s4u::Engine::set_config(fmt::format("network/bandwidth-factor:{}", factor));
+    });
+    std::smatch dates;
+    ASSERT_TRUE(std::regex_match(
+        failure, dates,
+        std::regex(
+            "base::InvariantBroken\nlink cpu 0 > cpu 1: SimGrid ends the message of 100 bytes "
+            "that started at (.*) s at (.*) s, expected (.*) to (.*) s")))
+        << failure;
+    const double started_s = std::stod(dates[1]), duration_s = 100 * 0x1p-20;
+    EXPECT_NEAR(std::stod(dates[2]), started_s + duration_s / factor, HAIR_S);
+    EXPECT_NEAR(std::stod(dates[3]), started_s + duration_s, HAIR_S);
+    EXPECT_NEAR(std::stod(dates[4]), started_s + duration_s, HAIR_S);
+  }
 }
 
 }  // namespace machine
