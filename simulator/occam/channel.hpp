@@ -83,7 +83,7 @@ class ChannelBase : machine::Wait {
   struct WaitForEver;
 
   void communicate(Side side, const std::uint64_t& bytes);
-  void pay(Cycles cost);
+  void pay(Cycles instructions, Cycles copy);
   void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
@@ -197,7 +197,9 @@ template <class Message>
   return channel.in_or_fail();
 }
 
-/// Spends the cycles of instructions of compiled occam, times the machine's software factor.
+/// The cycles of instructions of compiled occam: times the machine's software factor.
+Cycles compiled(Cycles instructions);
+/// Spends them.
 void charge(Cycles instructions);
 /// The same for an instruction by its name in the model file's [instruction]: charge("lend").
 void charge(std::string_view instruction);
