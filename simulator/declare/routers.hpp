@@ -70,10 +70,17 @@ inline network::Routing routing_of(const Setup& setup, network::Method method) {
   return network::make_routing(method, setup.topology, setup.routes, setup.tree);
 }
 
-/// A machine of the topology's processors, with the model's memory, and its faults.
-struct RouterMachine : Machine {
+/// A machine for programs of compiled occam, with the model's memory.
+struct CompiledMachine : Machine {
+  CompiledMachine(const Setup& setup, int count)
+      : Machine(setup, count, get_bytes(setup.model, "worker_memory"),
+                setup.model.software.occam_factor) {}
+};
+
+/// One of the topology's processors, with its faults.
+struct RouterMachine : CompiledMachine {
   RouterMachine(const Setup& setup, const network::Params& params)
-      : Machine(setup, setup.topology.processors, get_bytes(setup.model, "worker_memory")) {
+      : CompiledMachine(setup, setup.topology.processors) {
     base::require(params.method != network::Method::acyclic || !setup.tree, "network.tree",
                   "found a tree for all senders, expected none with program.method = "
                   "\"acyclic\", which has its own");

@@ -32,8 +32,9 @@ inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
 /// A machine of the processors p0, p1, ..., not yet joined.
 struct Machine : machine::Machine {
-  Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY)
-      : machine::Machine(setup.model, 1, setup.processes) {
+  /// `software_factor` as machine::Machine has it.
+  Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY, double software_factor = 1)
+      : machine::Machine(setup.model, software_factor, setup.processes) {
     for (int id = 0; id < count; ++id) add_processor(fmt::format("p{}", id), memory);
   }
   machine::Processor& operator[](int id) const { return *processors()[id]; }

@@ -27,11 +27,13 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
       reply.size = bytes.ray;
       memory.release(bytes.ray);
     }
+    this_process().charge(message.made);
     spend_work();
     out(into_coord, reply);
   };
-  for (bool active = true; active;) {
+  for (bool active = true; turn(active);) {
     in(from_coord, request);
+    this_process().charge(message.read);
     case_of(
         request,
         [&](const renderer::Ray& ray) {
@@ -50,12 +52,13 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
 
 // Figure 4.17.
 void Visualisation::run(Channel<Answer>& inp) {
-  Answer message;
-  for (bool active = true; active;) {
-    in(inp, message);
+  Answer answer;
+  for (bool active = true; turn(active);) {
+    in(inp, answer);
+    this_process().charge(message.read);
     renderer::Work work;
     case_of(
-        message,
+        answer,
         [&](const Intersection& found) {
           samples.add(found.ray.sample,
                       eval_contribution(scene, params, found.ray, found.hit, work));
@@ -137,7 +140,7 @@ class Coordinator {
       in(to_.from_sender, dummy);
       sender_is_ready_ = true;
     }
-    while (mode_ == phase) {
+    while (turn(mode_ == phase)) {
       pri_alt(when(to_.from_interaction, user_message, [&] { obey(user_message); }),
               when(!sender_is_ready_, to_.from_sender, dummy, [&] { sender_is_ready_ = true; }),
               otherwise(!rays_db_is_empty_ && sender_is_ready_, [&] { feed_sender(); }),
@@ -161,11 +164,13 @@ class Coordinator {
   void feed_sender() {
     DatabaseRequest ask{AskAny{}};
     if (mode_ == Mode::interactive) ask.content = AskInteractive{};
+    this_process().charge(setup_.message.made + setup_.message.read);
     out(to_.into_database, ask);
     DatabaseReply reply;
     in(to_.from_database, reply);
     rays_db_is_empty_ = !reply.ray;
     if (!reply.ray) return;
+    this_process().charge(setup_.message.made);
     out(to_.into_sender, Task{*reply.ray, setup_.bytes.ray});
     sender_is_ready_ = false;
     progress_.note_task(++rays_in_farm_);
@@ -175,6 +180,7 @@ class Coordinator {
     const auto& [ray, hit] = std::get<Intersection>(answer.content);
     --rays_in_farm_;
     progress_.rays.add(ray.kind, hit.has_value());
+    this_process().charge(setup_.message.read + setup_.message.made);
     out(to_.into_visualisation, answer);
     if (!hit) return;
     renderer::Work work;
@@ -185,6 +191,7 @@ class Coordinator {
   }
 
   void deposit(const renderer::Ray& ray) {
+    this_process().charge(setup_.message.made);
     out(to_.into_database, DatabaseRequest{ray, setup_.bytes.ray});
     rays_db_is_empty_ = false;
   }
@@ -239,7 +246,7 @@ void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages
   bool sender_is_ready = false;
   Signal dummy;
   Answer found;
-  while (next < blocks.size() || in_farm > 0)
+  while (turn(next < blocks.size() || in_farm > 0))
     pri_alt(when(!sender_is_ready, to.from_sender, dummy, [&] { sender_is_ready = true; }),
             otherwise(sender_is_ready && next < blocks.size(),
                       [&] {

@@ -19,6 +19,7 @@ struct RayDatabase {
   RayStores stores;
   machine::OperationCosts cost;
   kernels::RecordBytes bytes;
+  kernels::MessageCosts message;
   void run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord);
 };
 
@@ -33,6 +34,7 @@ struct Visualisation {
   const renderer::Scene& scene;
   const renderer::Params& params;
   machine::OperationCosts cost;
+  kernels::MessageCosts message;
   renderer::Samples samples;
   std::vector<KeyImage> key_images;
   void run(Channel<Answer>& inp);
@@ -87,6 +89,7 @@ struct CoordinationSetup {
   const renderer::Params& params;
   machine::OperationCosts cost;
   kernels::RecordBytes bytes;
+  kernels::MessageCosts message;
   Cells cells;
   std::uint64_t seed;  ///< for the order of the initial rays
   SceneMessages load;

@@ -119,6 +119,7 @@ class Centre {
             .params = params_.image,
             .cost = cost_,
             .bytes = bytes_,
+            .message = message_,
             .cells = make_cells(params_),
             .seed = params_.seed,
             .load = scene_messages(workers),
@@ -129,6 +130,7 @@ class Centre {
   const Params& params_;
   const renderer::Scene& scene_;
   kernels::RecordBytes bytes_;
+  kernels::MessageCosts message_;
   CentralProcessors on_;
   machine::OperationCosts cost_;
   std::vector<Order> script_;
@@ -147,14 +149,17 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       params_(params),
       scene_(scene),
       bytes_(kernels::record_bytes(machine.model())),
+      message_(kernels::message_costs(machine.model())),
       on_(add_central_processors(machine, params)),
       cost_(machine.model(), "central", renderer::op_names()),
       script_(make_script(params)),
       rays_{RayStores(make_cells(params), params.stages[0]),
-            machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_},
+            machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
+            message_},
       visualisation_{scene,
                      params.image,
                      cost_,
+                     message_,
                      renderer::Samples(params.image.width, params.image.height),
                      {}},
       progress_(machine),
@@ -182,10 +187,12 @@ void load_scene(Processor& worker, const renderer::Scene& scene) {
 Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
                    const Params& params) {
   const auto& host = params.cycles_per_host_s;
-  return {scene, params.image,
+  return {scene,
+          params.image,
           kernels::KernelCost(kernels::intersection_costs(model), host, params.profile),
           kernels::KernelCost(kernels::tree_costs(model), host, params.profile),
-          kernels::record_bytes(model)};
+          kernels::record_bytes(model),
+          kernels::message_costs(model)};
 }
 
 }  // namespace

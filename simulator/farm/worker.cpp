@@ -2,6 +2,7 @@
 
 #include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
+#include "simulator/occam/process.hpp"
 
 namespace farm {
 
@@ -10,7 +11,7 @@ using namespace occam;
 // Figure 4.13.
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination) {
   Task message;
-  for (bool active = true; active; active = !message.stop()) {
+  for (bool active = true; turn(active); active = !message.stop()) {
     out(sender_to_main, Signal{});
     in(from_main, message);
     out(destination, message);
@@ -23,7 +24,7 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
   const std::size_t n_ways_out = from_sender.size();
   std::size_t favourite = 0;
   Task message;
-  for (bool active = true; active; active = !message.stop()) {
+  for (bool active = true; turn(active); active = !message.stop()) {
     in(from_left, message);
     if (message.is_for_all())
       for (std::size_t i = 0; i < n_ways_out; ++i) {
@@ -31,7 +32,7 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
         out(*into_sender[i], message);
       }
     else
-      pri_alt(each(from_sender, favourite, [&](std::size_t sender_ready, Signal) {
+      pri_alt(fair_each(from_sender, favourite, [&](std::size_t sender_ready, Signal) {
         out(*into_sender[sender_ready], message);
         favourite = (favourite + 1) % n_ways_out;
       }));
@@ -42,8 +43,8 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
 void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output) {
   const std::size_t n_ways_in = inputs.size();
   std::size_t favourite = 0, active = n_ways_in;
-  while (active > 0)
-    pri_alt(each(inputs, favourite, [&](std::size_t k, Answer message) {
+  while (turn(active > 0))
+    pri_alt(fair_each(inputs, favourite, [&](std::size_t k, Answer message) {
       const bool stop = message.stop();
       if (stop) --active;
       if (!stop || active == 0) out(output, std::move(message));
@@ -82,8 +83,9 @@ Answer find_block(Kernel& kernel, const renderer::Area& area) {
 
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results) {
   Task task;
-  for (bool active = true; active;) {
+  for (bool active = true; turn(active);) {
     in(from_router, task);
+    this_process().charge(kernel.message.read + kernel.message.made);
     case_of(
         task, [&](const renderer::Ray& ray) { out(results, find_intersection(kernel, ray)); },
         [&](const renderer::Area& area) { out(results, find_block(kernel, area)); },

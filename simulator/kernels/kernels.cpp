@@ -22,6 +22,10 @@ RecordBytes record_bytes(const machine::Model& model) {
   return {get("ray"), get("hit"), get("pixel")};
 }
 
+MessageCosts message_costs(const machine::Model& model) {
+  return {get_compiled(model, "message_made"), get_compiled(model, "message_read")};
+}
+
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene) {
   return object_count(scene) * get_bytes(model, "object") +
          box_count(scene) * get_bytes(model, "box");

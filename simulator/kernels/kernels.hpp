@@ -33,6 +33,12 @@ struct RecordBytes {
 };
 RecordBytes record_bytes(const machine::Model& model);
 
+/// What a process does around a message: it writes what the message is, or looks at what it is.
+struct MessageCosts {
+  machine::Cycles made, read;
+};
+MessageCosts message_costs(const machine::Model& model);
+
 /// Bytes of a copy of the scene: its objects and their hierarchy.
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
 

@@ -11,8 +11,8 @@ constexpr std::size_t MAX_LINKS = 4, WORD_BYTES = 4;
 // With link switches a byte's period is longer, since the next byte waits for the acknowledge of
 // the one before, and both pass every switch.
 Engine::LinkRates rates_through(const Model::Link& link, int switches) {
-  const double period = link.byte_bits + switches * link.switch_byte_bits;
-  const double rate = switches > 0 ? link.bit_rate / period : link.one_way_rate;
+  const double period = link.bit_rate / link.one_way_rate + switches * link.switch_byte_bits;
+  const double rate = link.bit_rate / period;
   return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
 }
 

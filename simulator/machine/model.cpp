@@ -53,7 +53,7 @@ Cycles get_operation(const Model& model, std::string_view name) {
 
 Cycles get_compiled(const Model& model, std::string_view name) {
   const auto cycles = static_cast<double>(get_operation(model, name).value);
-  return {std::llround(cycles * model.software.occam_factor)};
+  return {std::llround(cycles * get(model, model.scale, "scale", "router"))};
 }
 
 std::string to_text(double value) {

@@ -41,7 +41,7 @@ struct Model {
     double least_share;  // share of the memory's cycles that the CPU keeps however much moves
   } memory;
   struct Link {
-    double bit_rate, byte_bits;           // bits/s; bits of a byte's packet on the wire
+    double bit_rate;                      // bits/s
     double one_way_rate, both_ways_rate;  // bytes/s, see Engine::LinkRates
     double switch_bits;       // delay of a C004 link switch, in bit times, each time it is passed
     double switch_byte_bits;  // what each switch adds to the period of a byte, in bit times
@@ -68,6 +68,9 @@ struct Model {
     Cycles wait_ready, wait_not;                  // altwt
     Cycles timer_wait_ready, timer_wait_not;      // taltwt
     Cycles disable, disable_skip, disable_timer;  // disc, diss, dist
+    // Replicated guards: the replicator's turn for each, at either; an index taken modulo their
+    // number, each time; the chosen channel's address; and the next favourite.
+    Cycles replicated, modulo, taken, favourite;
   } alternative;
   struct Timer {
     Cycles read, wait_past, wait_future;  // ldtimer, tin
@@ -75,6 +78,7 @@ struct Model {
   } timer;
   struct Software {
     double occam_factor;  // what the thesis's compiled occam adds to channel instructions
+    Cycles turn;          // of a WHILE
     double idle_period;   // s; an application without work looks for messages so often; 0: at once
   } software;
   struct Disk {

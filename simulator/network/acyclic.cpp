@@ -62,7 +62,6 @@ class Router {
 
   // Gives the message to the senders of its ways, over the channels that `as` has into them.
   void hand_on(Message message, int came_by, int as) {
-    node_.charge_shared_buffer();
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);
     const bool turns_back = came_by >= 0 && came_by < CLIENT && message.returned != before;

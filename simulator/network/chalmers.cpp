@@ -16,7 +16,7 @@ class Router {
   }
 
   void run() {
-    for (;;)
+    while (occam::turn(true))
       if (buffer_.empty())
         pri_alt(each(inputs_, favourite_,
                      [&](std::size_t k, std::optional<Message> y) { memorise(k, std::move(y)); }));
@@ -59,13 +59,13 @@ class Router {
     };
     const auto memorise_all = [&] {
       Signal dummy;
-      for (bool sending = true; sending;)
+      for (bool sending = true; occam::turn(sending);)
         pri_alt(when(to_handle_input, dummy, [&] { sending = false; }),
                 each(inputs_, favourite_,
                      [&](std::size_t k, std::optional<Message> y) { memorise(k, std::move(y)); }));
     };
-    occam::par({{sender_, machine::Priority::high, pass_all},
-                {"", machine::Priority::high, memorise_all}});
+    occam::par(
+        {{sender_, machine::Priority::high, pass_all}, {"", machine::Priority::low, memorise_all}});
   }
 
   void memorise(std::size_t k, std::optional<Message> message) {
@@ -92,7 +92,8 @@ class Router {
 }  // namespace
 
 void start_chalmers(Node& node) {
-  start_server(node, "router", [&node] { Router(node).run(); });
+  start_server(
+      node, "router", [&node] { Router(node).run(); }, machine::Priority::low);
 }
 
 }  // namespace network

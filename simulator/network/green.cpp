@@ -3,6 +3,7 @@
 // place; messages for a busy sender wait in its FIFO. On a link to a higher number the router waits
 // itself: such waiting climbs the numbers, and ends.
 #include "simulator/network/routers.hpp"
+#include "simulator/occam/process.hpp"
 
 namespace network {
 
@@ -24,7 +25,7 @@ class Router {
 
   // Figure 5.14: the senders' protocol goes first, then the inputs in turns.
   void run() {
-    for (std::size_t favourite = 0;;)
+    for (std::size_t favourite = 0; occam::turn(true);)
       pri_alt(each(from_senders_, 0, [&](std::size_t k, Signal) { serve(senders_[k]); }),
               each(inputs_, favourite, [&](std::size_t i, std::optional<Message> message) {
                 favourite = (favourite + 1) % inputs_.size();
@@ -46,7 +47,7 @@ class Router {
 
   // Figure 5.13.
   void send(Sender& sender) {
-    for (;;) {
+    while (occam::turn(true)) {
       out(sender.ready_signal, Signal{});
       const Message message = sender.into.in().message;
       if (!node_.pass(sender.way, message)) sender.failed.push_back(message);
@@ -58,7 +59,7 @@ class Router {
     for (auto& message : std::exchange(sender.failed, {}))
       for (auto& again : node_.send_around(std::move(message), sender.way)) route(again, NO_WAY);
     sender.ready = sender.fifo.empty();
-    if (sender.ready) return;
+    if (sender.ready) return node_.charge_empty_fifo();
     const Message message = std::move(sender.fifo.front());
     sender.fifo.pop_front();
     node_.release(message);
@@ -66,8 +67,8 @@ class Router {
   }
 
   void route(Message message, int came_by) {
-    node_.charge_shared_buffer();
     for (const int way : node_.find_ways_out(message, came_by)) {
+      occam::this_process().charge(node_.costs.way_served);
       Sender* sender = sender_of_.at(way);
       if (!sender) {
         if (!node_.pass(way, message))

@@ -36,11 +36,7 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   node.routing = &routing_;
   node.buffers = params.buffers;
   node.pointers = params.pointers;
-  node.look_up = get_compiled(model, "route_found");
-  node.fifo_step = get_compiled(model, "fifo_step");
-  node.buffer_step = get_compiled(model, "buffer_shared");
-  node.copy_setup = get_instruction(model, "move_setup");
-  node.copy_word = model.channel.copy_word;
+  node.costs = RouterCosts(model);
   node.processes = params.processes.empty() ? std::vector{~0U} : params.processes.at(id);
   base::check_equal("at most MAX_CLIENTS clients", node.processes.size() <= MAX_CLIENTS, true);
   auto& clients = clients_.emplace_back();

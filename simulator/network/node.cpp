@@ -18,6 +18,16 @@ RouterUse& RouterUse::operator+=(const RouterUse& other) {
   return *this;
 }
 
+RouterCosts::RouterCosts(const machine::Model& model)
+    : route_found(get_compiled(model, "route_found")),
+      tree_way_looked_at(get_compiled(model, "tree_way_looked_at")),
+      way_served(get_compiled(model, "way_served")),
+      fifo_looked_at(get_compiled(model, "fifo_looked_at")),
+      fifo_step(get_compiled(model, "fifo_step")),
+      buffer_shared(get_compiled(model, "buffer_shared")),
+      copy_setup(get_instruction(model, "move_setup")),
+      copy_word(model.channel.copy_word) {}
+
 occam::ChannelBase& channel_of(const WayIn& input) {
   const Node& node = *input.node;
   if (input.way < CLIENT) return *node.link_in[input.way];
@@ -71,7 +81,16 @@ void Node::turn_back(Message& message, Returned reason) {
 }
 
 WaysOut Node::find_ways_out(Message& message, int came_by) {
-  occam::this_process().charge(look_up);
+  occam::Cycles spent = costs.route_found;
+  if (message.to.mode == Mode::global) spent += topologies::PORTS * costs.tree_way_looked_at;
+  const WaysOut ways = determine_ways(message, came_by);
+  const auto n = static_cast<std::int64_t>(std::max<std::size_t>(1, ways.count));
+  if (pointers) spent += 2 * n * costs.buffer_shared;
+  occam::this_process().charge(spent);
+  return ways;
+}
+
+WaysOut Node::determine_ways(Message& message, int came_by) {
   const bool from_link = came_by >= 0 && came_by < CLIENT;
   WaysOut ways;
   if (message.to.mode == Mode::global) {
@@ -134,15 +153,13 @@ std::vector<Message> Node::send_around(Message message, int way) {
   return instead;
 }
 
-void Node::charge_shared_buffer() const {
-  if (pointers) occam::this_process().charge(buffer_step + buffer_step);
-}
+void Node::charge_empty_fifo() const { occam::this_process().charge(costs.fifo_looked_at); }
 
 void Node::charge_step(const Message& message) const {
-  occam::this_process().charge(fifo_step);
+  occam::this_process().charge(costs.fifo_step);
   if (pointers) return;
   const auto words = static_cast<std::int64_t>((message.bytes() + 3) / 4);
-  occam::this_process().charge(copy_setup + words * copy_word);
+  occam::this_process().charge(costs.copy_setup + words * costs.copy_word);
 }
 
 void Node::hold(const Message& message) {

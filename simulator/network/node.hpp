@@ -90,6 +90,15 @@ struct RouterUse {
   RouterUse& operator+=(const RouterUse& other);  ///< sums; the larger most_held
 };
 
+/// Cycles of what a router's code executes, as compiled: the model's [operation].
+struct RouterCosts {
+  RouterCosts() = default;
+  explicit RouterCosts(const machine::Model& model);
+  occam::Cycles route_found, tree_way_looked_at, way_served;
+  occam::Cycles fifo_looked_at, fifo_step, buffer_shared;
+  occam::Cycles copy_setup, copy_word;
+};
+
 /// The ways that a message takes from a processor.
 struct WaysOut {
   std::array<std::int8_t, WAYS> way{};
@@ -113,7 +122,7 @@ struct Node {
   const Routing* routing = nullptr;
   std::size_t buffers = 0;  ///< messages that there is room for in queues
   bool pointers = true;     ///< see Params
-  occam::Cycles look_up{}, fifo_step{}, buffer_step{}, copy_setup{}, copy_word{};
+  RouterCosts costs;
   std::array<Channel<Message>*, topologies::PORTS> link_in{}, link_out{};
   std::vector<Channel<Handed>*> client_in, client_out;
   std::vector<std::uint32_t> processes;  ///< by client, a bit for each process
@@ -129,6 +138,7 @@ struct Node {
   bool pass(int way, const Message& message);
   /// determ.ways.out of figure 5.14: where the message that came by this way goes from here. A
   /// message that cannot be delivered turns back to its sender; if that has no way, none is left.
+  /// With pointers, a buffer is claimed for each way and given back: that is charged here too.
   WaysOut find_ways_out(Message& message, int came_by);
   /// Messages to be sent from here next (they will turn back): one for each processor that a GLOBAL
   /// message of this processor does not reach by any tree.
@@ -139,10 +149,11 @@ struct Node {
   /// Takes room for one more message, which is copied unless pointers are used. Throws Overflow.
   void hold(const Message& message);
   void release(const Message& message);
-  /// With pointers: a buffer is taken from those that all processes share, and given back.
-  void charge_shared_buffer() const;
+  /// For a queue in which nothing waits.
+  void charge_empty_fifo() const;
 
  private:
+  WaysOut determine_ways(Message& message, int came_by);
   int client_of(int process) const;  // a way, or NO_WAY
   void turn_back(Message& message, Returned reason);
   void charge_step(const Message& message) const;

@@ -15,10 +15,10 @@ void start_acyclic(Node& node);
 
 /// Starts a router's process "processor.NAME".
 template <class Body>
-void start_server(Node& node, const std::string& name, Body body) {
+void start_server(Node& node, const std::string& name, Body body,
+                  machine::Priority priority = machine::Priority::high) {
   node.processor
-      ->start(fmt::format("{}.{}", node.processor->name(), name), machine::Priority::high,
-              std::move(body))
+      ->start(fmt::format("{}.{}", node.processor->name(), name), priority, std::move(body))
       .set_server();
 }
 

@@ -16,14 +16,15 @@ bool is_ready(const Process& self, const Guard& guard, Seconds at) {
 }
 
 Cycles cost_to_enable(const Costs& costs, const Guard& guard, bool ready) {
-  if (guard.kind == Kind::skip) return costs.enable_skip;
-  if (guard.kind == Kind::timer) return costs.enable_timer;
-  return ready ? costs.enable_ready : costs.enable_not;
+  if (guard.kind == Kind::skip) return compiled(costs.enable_skip);
+  if (guard.kind == Kind::timer) return compiled(costs.enable_timer);
+  return compiled(guard.turn + (ready ? costs.enable_ready : costs.enable_not)) + guard.modulo;
 }
 
 Cycles cost_to_disable(const Costs& costs, const Guard& guard) {
-  if (guard.kind == Kind::skip) return costs.disable_skip;
-  return guard.kind == Kind::timer ? costs.disable_timer : costs.disable;
+  if (guard.kind == Kind::skip) return compiled(costs.disable_skip);
+  if (guard.kind == Kind::timer) return compiled(costs.disable_timer);
+  return compiled(guard.turn + costs.disable) + guard.modulo;
 }
 
 bool has_timer(std::span<const Guard> guards) {
@@ -81,12 +82,10 @@ void wait_for_any(Process& self, std::span<const Guard> guards) {
 std::optional<std::size_t> choose(const Process& self, std::span<const Guard> guards,
                                   Seconds from) {
   const auto& costs = self.processor().model().alternative;
-  const double factor = self.processor().software_factor();
   Cycles spent{};
   for (std::size_t i = 0; i < guards.size(); ++i) {
     spent += cost_to_disable(costs, guards[i]);
-    const Seconds turn = self.processor().duration(spent);
-    if (is_ready(self, guards[i], from + factor * turn)) return i;
+    if (is_ready(self, guards[i], from + self.processor().duration(spent))) return i;
   }
   if (any_cut(guards)) return {};
   throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
@@ -95,10 +94,9 @@ std::optional<std::size_t> choose(const Process& self, std::span<const Guard> gu
 // The cost of alt, and of enabling each guard at its own turn.
 Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Seconds from) {
   const auto& costs = self.processor().model().alternative;
-  const double factor = self.processor().software_factor();
-  Cycles spent = has_timer(guards) ? costs.timer_setup : costs.setup;
+  Cycles spent = compiled(has_timer(guards) ? costs.timer_setup : costs.setup);
   for (const Guard& guard : guards) {
-    const Seconds turn = from + factor * self.processor().duration(spent);
+    const Seconds turn = from + self.processor().duration(spent);
     spent += cost_to_enable(costs, guard, is_ready(self, guard, turn));
   }
   return spent;
@@ -133,7 +131,7 @@ std::size_t select(std::span<const Guard> guards) {
   const auto spend_enabling = [&] {
     const Cycles known = cost_to_enable_all(self, guards, begin);
     if (known < enabled && any_cut(guards)) return;  // what was ready is not any more
-    charge(Cycles{known.value - enabled.value});
+    self.charge(Cycles{known.value - enabled.value});
     enabled = known;
   };
   spend_enabling();
@@ -148,13 +146,13 @@ std::size_t select(std::span<const Guard> guards) {
   else
     charge(ready ? costs.wait_ready : costs.wait_not);
   settle();
-  Cycles disabling = costs.end;
+  Cycles disabling = compiled(costs.end);
   for (const Guard& guard : guards) disabling += cost_to_disable(costs, guard);
   for (;; ready = false) {
     if (!ready && !some_ready()) wait_for_any(self, guards);
     spend_enabling();
     const Seconds from = self.own_time();
-    charge(disabling);
+    self.charge(disabling);
     settle();
     const auto chosen = choose(self, guards, from);
     if (!chosen) continue;

@@ -35,7 +35,8 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
-  std::int64_t tick = 0;  ///< the guard is ready from then on, as wait_until() counts
+  std::int64_t tick = 0;    ///< the guard is ready from then on, as wait_until() counts
+  Cycles turn{}, modulo{};  ///< of its replicator, when it is enabled and again when it is disabled
 };
 
 /// Waits until a guard is ready, and returns its index; the input is still to be done, with
@@ -109,20 +110,33 @@ template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
   std::size_t favourite;
+  bool is_fair;  // the program itself takes the indices modulo their number
   Then then;
 
   std::size_t size() const { return inputs.size(); }
   std::size_t index(std::size_t i) const { return (favourite + i) % size(); }
-  void take(std::size_t i) { then(index(i), input_from(inputs[index(i)])); }
+  void take(std::size_t i) {
+    const auto& costs = this_process().processor().model().alternative;
+    charge(is_fair ? costs.taken + costs.favourite : costs.taken);
+    if (is_fair) this_process().charge(2 * costs.modulo);
+    then(index(i), input_from(inputs[index(i)]));
+  }
 };
 
-/// ALT i = favourite FOR SIZE inputs, indices taken modulo their number: `favourite` is the first
-/// to be looked at. `then` gets the index of the input that was ready, and its message. It costs
-/// what a guard written out for each input does. The inputs, pointers to channels as a rule, stay
-/// where they are until the ALT is over.
+/// ALT i = 0 FOR SIZE inputs. `then` gets the index of the input that was ready, and its message.
+/// Which of several is taken is open in occam: here the first from `first` on, which costs nothing.
+/// Beside what a guard written out for each input does, it costs the replicator's turns. The
+/// inputs, pointers to channels as a rule, stay where they are until the ALT is over.
 template <class Inputs, class Then>
-auto each(const Inputs& inputs, std::size_t favourite, Then then) {
-  return Replicated<Inputs, Then>{inputs, favourite, std::move(then)};
+auto each(const Inputs& inputs, std::size_t first, Then then) {
+  return Replicated<Inputs, Then>{inputs, first, false, std::move(then)};
+}
+
+/// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (figures 4.12 and 4.14):
+/// the program sees to it itself that all have their turn, and pays for the divisions.
+template <class Inputs, class Then>
+auto fair_each(const Inputs& inputs, std::size_t favourite, Then then) {
+  return Replicated<Inputs, Then>{inputs, favourite, true, std::move(then)};
 }
 
 inline std::size_t add_guards(const Guard& guard, Guards& guards) {
@@ -131,8 +145,13 @@ inline std::size_t add_guards(const Guard& guard, Guards& guards) {
 }
 template <class Inputs, class Then>
 std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guards) {
-  for (std::size_t i = 0; i < replicated.size(); ++i)
-    guards.push_back(Guard(&channel_of(replicated.inputs[replicated.index(i)])));
+  const auto& costs = this_process().processor().model().alternative;
+  for (std::size_t i = 0; i < replicated.size(); ++i) {
+    Guard guard(&channel_of(replicated.inputs[replicated.index(i)]));
+    guard.turn = costs.replicated;
+    if (replicated.is_fair) guard.modulo = costs.modulo;
+    guards.push_back(guard);
+  }
   return replicated.size();
 }
 
@@ -157,7 +176,7 @@ template <class Message>
 std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> channels,
                      Message& message) {
   std::size_t chosen = 0;
-  pri_alt(each(channels, favourite, [&](std::size_t i, Message input) {
+  pri_alt(fair_each(channels, favourite, [&](std::size_t i, Message input) {
     chosen = i;
     message = std::move(input);
   }));

@@ -6,11 +6,12 @@ namespace occam {
 
 using machine::Seconds;
 
-void charge(Cycles instructions) {
-  Process& self = this_process();
-  const double factor = self.processor().software_factor();
-  self.charge(Cycles{std::llround(factor * static_cast<double>(instructions.value))});
+Cycles compiled(Cycles instructions) {
+  const double factor = this_process().processor().software_factor();
+  return Cycles{std::llround(factor * static_cast<double>(instructions.value))};
 }
+
+void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
 
 void charge(Seconds duration) { this_process().charge(duration); }
 
@@ -50,8 +51,9 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-void ChannelBase::pay(Cycles cost) {
-  charge(cost);
+void ChannelBase::pay(Cycles instructions, Cycles copy) {
+  charge(instructions);
+  this_process().charge(copy);
   this_process().sync_if_long();
 }
 
@@ -60,15 +62,14 @@ void ChannelBase::pay(Cycles cost) {
 void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& partner) {
   Process& self = this_process();
   const auto& costs = self.processor().model().channel;
-  const auto copy = [&] {
-    return costs.soft_setup + static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
-  };
+  const auto copy = [&] { return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word; };
   const bool is_outword = side == writer && bytes == 4;
   const Cycles before = is_outword ? costs.operands + costs.out_word : costs.operands;
   const bool came_second = partner.process;
-  pay(before + (!hard() && came_second ? copy() : costs.blocked));
-  if (!hard() && !came_second && partner.process)
-    pay({std::max<std::int64_t>(0, copy().value - costs.blocked.value)});
+  if (!hard() && came_second) return pay(before + costs.soft_setup, copy());
+  pay(before + costs.blocked, {});
+  if (!hard() && partner.process)  // it came meanwhile
+    pay({std::max<std::int64_t>(0, costs.soft_setup.value - costs.blocked.value)}, copy());
 }
 
 // `doing` is for the deadlock report. Where both ends wait, both wait for the transfer.

@@ -99,7 +99,7 @@ class ChannelBase : machine::Wait {
 
   void check_may_take(Side side, Process& process);
   void communicate(Side side, const std::uint64_t& bytes);
-  void pay(Cycles cost);
+  void pay(Cycles instructions, Cycles copy);
   void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
@@ -221,7 +221,9 @@ template <class Message>
   return channel.in_or_fail();
 }
 
-/// Spends the cycles of instructions of compiled occam, times the machine's software factor.
+/// The cycles of instructions of compiled occam: times the machine's software factor.
+Cycles compiled(Cycles instructions);
+/// Spends them.
 void charge(Cycles instructions);
 /// Spends a duration, whatever the software factor; see Process::charge.
 void charge(machine::Seconds duration);

@@ -80,6 +80,11 @@ void par(std::initializer_list<Branch> branches) {
   par(std::span(branches.begin(), branches.size()));
 }
 
+bool turn(bool condition) {
+  charge(this_process().processor().model().software.turn);
+  return condition;
+}
+
 std::int64_t read_timer() {
   Process& self = this_process();
   const auto& model = self.processor().model();

@@ -25,6 +25,10 @@ struct Branch {
 void par(std::initializer_list<Branch> branches);
 void par(std::span<const Branch> branches);
 
+/// A turn of WHILE condition: what it takes to look at the condition, at what the loop has read,
+/// and to jump back. Returns the condition.
+bool turn(bool condition);
+
 /// TIMER ? now: the clock as this process's priority sees it, in whole ticks (1 us or 64 us).
 std::int64_t read_timer();
 /// Blocks until the clock is at `tick` or later; occam's TIMER ? AFTER t is wait_until(t + 1).

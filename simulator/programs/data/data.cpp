@@ -107,7 +107,7 @@ class Test {
 std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routing,
                                const DataLoad& load) {
   const int n = routing.processors();
-  Machine machine(setup, n, get_bytes(setup.model, "worker_memory"));
+  CompiledMachine machine(setup, n);
   const auto catalogue = shared_memory::make_catalogue(load.items, load.item_bytes);
   auto params = load.network;
   params.longest = longest_message(setup.model, catalogue, load.data);

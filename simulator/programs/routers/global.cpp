@@ -1,4 +1,5 @@
-// GLOBAL messages from the root, each answered by every other processor (table 5.3).
+// A sequence of GLOBAL messages from the root, until every other processor has answered
+// (table 5.3): once, when it has the last of them, or each of them.
 #include "simulator/declare/routers.hpp"
 
 namespace programs {
@@ -7,10 +8,14 @@ namespace {
 
 using network::Client;
 
+enum class Answers { last, each };
+const base::Names<Answers> ANSWERS = {{"last", Answers::last}, {"each", Answers::each}};
+
 struct Params {
   RouterParams routers;
   std::uint64_t bytes = 4;
   std::int64_t messages = 10000, window = 8;
+  Answers answers = Answers::last;
 };
 
 struct Global {
@@ -20,8 +25,13 @@ struct Global {
   // Sends while not too many are unanswered, and takes answers.
   void ask(Client& client) const {
     std::int64_t sent = 0;
-    for (std::int64_t answers = 0; answers < params.messages * others;) {
-      if (sent < params.messages && sent - answers / others < params.window) {
+    const std::int64_t rounds = params.answers == Answers::each ? params.messages : 1;
+    const auto may_send = [&](std::int64_t answers) {
+      return sent < params.messages &&
+             (params.answers == Answers::last || sent - answers / others < params.window);
+    };
+    for (std::int64_t answers = 0; answers < rounds * others;) {
+      if (may_send(answers)) {
         compute("message_made");
         client.send({.to = network::make_global(0), .length = params.bytes});
         ++sent;
@@ -34,9 +44,10 @@ struct Global {
   }
 
   void answer(Client& client) const {
-    for (std::int64_t i = 0; i < params.messages; ++i) {
+    for (std::int64_t i = 1; i <= params.messages; ++i) {
       const auto asking = client.receive().from;
       compute("message_read");
+      if (params.answers == Answers::last && i < params.messages) continue;
       compute("message_made");
       client.send({.to = asking, .length = 4});
     }
@@ -73,13 +84,15 @@ Program make_global() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "global",
-       .help = "GLOBAL messages from the root, until every other processor has answered each",
+       .help = "GLOBAL messages from the root, until every other processor has answered",
        .uses = {.network = true, .routes = true},
        .fields = with_routers<Params>(
            {message_bytes_field<Params>(&Params::bytes),
             D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),
+            D::choice("answers", &Params::answers, ANSWERS,
+                      "the others answer once, when they have the last message, or each of them"),
             D::whole("window", &Params::window, 1, 1e6, "",
-                     "messages that may be unanswered before the next is sent")}),
+                     "where each is answered: messages that may be unanswered before the next")}),
        .columns = {column("time_s_per_10000", &Measured::time_s_per_10000,
                           "time of ten thousand messages at this rate"),
                    column("time_s", &Measured::time, "time until all have been answered"),

@@ -46,7 +46,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   auto on_network = network_params(params.routers, 0);
   on_network.processes.assign(static_cast<std::size_t>(n) + 1, {1U << ASKED});
   on_network.processes.front() = {1U << ASKING};
-  Machine machine(setup, n + 1, get_bytes(setup.model, "worker_memory"));
+  CompiledMachine machine(setup, n + 1);
   network::Network network(
       machine, network::make_routing(on_network.method, line, topologies::make_routes(line)),
       on_network);
