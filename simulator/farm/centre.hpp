@@ -32,9 +32,10 @@ struct KeyImage {
 struct Visualisation {
   const renderer::Scene& scene;
   const renderer::Params& params;
-  machine::OperationCosts cost;
+  kernels::KernelCost cost;
   renderer::Samples samples;
   std::vector<KeyImage> key_images;
+  renderer::Samples scratch = {};  ///< as large as samples, where costs are timed
   void run(Channel<Answer>& inp);
 };
 
@@ -85,7 +86,7 @@ struct CoordinationChannels {
 struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;
-  machine::OperationCosts cost;
+  kernels::KernelCost& cost;  ///< of shading
   kernels::RecordBytes bytes;
   Cells cells;
   std::uint64_t seed;  ///< for the order of the initial rays

@@ -27,6 +27,7 @@ struct Kernel {
   const renderer::Params& params;
   kernels::KernelCost ray, block;
   kernels::RecordBytes bytes;
+  renderer::BlockBuffer scratch = {};
 };
 
 /// Finds the first intersection of each ray it is given, or all that a block of pixels shows. The

@@ -1,5 +1,7 @@
 #include "simulator/shared_memory/scene_items.hpp"
 
+#include <cmath>
+
 namespace shared_memory {
 
 namespace {
@@ -24,7 +26,8 @@ SceneItems::SceneItems(const machine::Model& model, const renderer::Scene& scene
 }
 
 void SceneReader::charge(const renderer::Work& done) {
-  const Cycles all = costs_(done.counts);
+  Cycles all = costs_(done.counts);
+  if (scale_ != 1) all = {std::llround(scale_ * static_cast<double>(all.value))};
   machine::this_process().charge({all.value - charged_.value});
   charged_ = all;
 }
