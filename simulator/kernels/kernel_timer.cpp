@@ -89,9 +89,7 @@ double KernelTimer::eval(std::function<void()> replay, double weight) {
 }
 
 void KernelTimer::measure() {
-  const double once_s = std::max(time_batch(1), 1e-9);  // fills the caches, too
-  const double batch_s =
-      eval_batch_s(static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6)));
+  const double batch_s = eval_batch_s(std::max(time_batch(1), 1e-9));
   longest_batch_s_ = std::max(longest_batch_s_, batch_s);
   most_calls_ = std::max(most_calls_, batch_.size());
   s_per_weight_ = batch_s / weight_;
@@ -100,11 +98,13 @@ void KernelTimer::measure() {
   full_ = std::min(4 * full_, MOST_CALLS);
 }
 
-// The time of the batch, run so many times without a pause.
-double KernelTimer::eval_batch_s(int passes) const {
+// The time of the batch, which took about `once_s` before.
+double KernelTimer::eval_batch_s(double once_s) const {
+  const int passes = static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6));
   std::vector<double> in_yardsticks;
   double before_s = time_yardstick();
   for (int i = 0; i < REPEATS; ++i) {
+    run_batch(1);
     const double s = time_batch(passes);
     const double after_s = time_yardstick();
     in_yardsticks.push_back(s / (0.5 * (before_s + after_s)));
@@ -120,14 +120,17 @@ double KernelTimer::time(const std::function<void()>& run) const {
   return std::max(host_.now_s() - start_s - host_.interval_s, 0.0);
 }
 
-double KernelTimer::time_batch(int passes) const {
-  return time([&] {
-    for (int pass = 0; pass < passes; ++pass)
-      for (const auto& replay : batch_) replay();
-  });
+void KernelTimer::run_batch(int passes) const {
+  for (int pass = 0; pass < passes; ++pass)
+    for (const auto& replay : batch_) replay();
 }
 
-// Its second run at once: the caches are as they always are then.
+double KernelTimer::time_batch(int passes) const {
+  return time([&] { run_batch(passes); });
+}
+
+// The second of two runs is timed, of a batch as well: caches and branch predictors are then as
+// that kernel leaves them, not as the last one has.
 double KernelTimer::time_yardstick() const {
   host_.yardstick();
   return time(host_.yardstick);

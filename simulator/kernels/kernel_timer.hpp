@@ -3,7 +3,7 @@
 // reading of the clock; after the events of a simulation it finds caches that others have filled;
 // and what else runs on the host makes it slower, now more and now less. So
 // - calls are kept, as functions that do the same again, and measured in batches: as many as last
-//   0.4 ms, or 32; a call that lasts as long by itself is a batch;
+//   0.4 ms, or 256; a call that lasts as long by itself is a batch;
 // - a batch is run several times, each time between two runs of a yardstick, a kernel that does
 //   always the same: the median of their ratios is what the batch takes in yardsticks.
 #include <cstdint>
@@ -34,8 +34,8 @@ class KernelTimer {
  public:
   explicit KernelTimer(const Host& host) : host_(host) {}
 
-  static constexpr double BATCH_S = 400e-6;      ///< a batch lasts so long, unless
-  static constexpr std::size_t MOST_CALLS = 32;  ///< it has so many calls
+  static constexpr double BATCH_S = 400e-6;       ///< a batch lasts so long, unless
+  static constexpr std::size_t MOST_CALLS = 256;  ///< it has so many calls
   static constexpr int REPEATS = 5;
   /// An interval that is measured lasts at least so many of the clock's own.
   static constexpr double LEAST_INTERVALS = 50;
@@ -54,8 +54,9 @@ class KernelTimer {
  private:
   double least_s() const { return LEAST_INTERVALS * host_.interval_s; }
   void measure();
-  double eval_batch_s(int passes) const;
+  double eval_batch_s(double once_s) const;
   double time(const std::function<void()>& run) const;
+  void run_batch(int passes) const;
   double time_batch(int passes) const;
   double time_yardstick() const;
 
