@@ -5,7 +5,6 @@
 #include <mutex>
 
 #include "renderer/scene/require.hpp"
-#include "renderer/trace/shade.hpp"
 
 namespace renderer {
 
@@ -18,10 +17,10 @@ struct Tracer {
   const Scene& scene;
   const Params& params;
   Samples& samples;
+  RayCounts& rays;
+  Work& work;
+  Children& stack;           // empty between pixels
   Access* access = nullptr;  // is told what is read, unless null
-  RayCounts rays{};
-  Work work{};
-  Children stack{};
 
   // Traces a pixel's shading tree, depth first, into the sample `at`.
   void trace(int x, int y, std::uint32_t at) {
@@ -57,14 +56,25 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 }
 
 Block render_block(const Scene& scene, const Params& params, const Area& area, Access* access) {
-  Block block{area, Samples(area.width, area.height), {}, {}};
-  Tracer tracer{scene, params, block.samples, access};
+  BlockBuffer buffer;
+  render_block(scene, params, area, buffer, access);
+  return std::move(buffer.block);
+}
+
+void render_block(const Scene& scene, const Params& params, const Area& area, BlockBuffer& buffer,
+                  Access* access) {
+  Block& block = buffer.block;
+  block.area = area;
+  block.samples.width = area.width;
+  block.samples.height = area.height;
+  block.samples.sums.assign(
+      static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), {});
+  block.rays = {};
+  block.work = {};
+  Tracer tracer{scene, params, block.samples, block.rays, block.work, buffer.pending, access};
   std::uint32_t at = 0;
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x) tracer.trace(x, y, at++);
-  block.rays = tracer.rays;
-  block.work = tracer.work;
-  return block;
 }
 
 void add_block(Samples& image, const Block& block, Work& work) {
@@ -83,7 +93,10 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
   std::mutex one_by_one;
   int done = 0;
   const auto trace_rows = [&] {
-    Tracer tracer{scene, params, result.samples};
+    RayCounts rays;
+    Work work;
+    Children stack;
+    Tracer tracer{scene, params, result.samples, rays, work, stack};
     try {
       for (int row = next++; row < area.height; row = next++) {
         const int y = area.y + row;
@@ -98,8 +111,8 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
       throw;
     }
     const std::lock_guard lock(one_by_one);
-    result.rays += tracer.rays;
-    result.work += tracer.work;
+    result.rays += rays;
+    result.work += work;
   };
   std::vector<std::future<void>> helpers;
   for (int i = 1; i < std::min(threads, area.height); ++i)

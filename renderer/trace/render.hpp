@@ -5,6 +5,7 @@
 
 #include "renderer/image/image.hpp"
 #include "renderer/trace/params.hpp"
+#include "renderer/trace/shade.hpp"
 
 namespace renderer {
 
@@ -38,6 +39,15 @@ struct Block {
 /// render() finds there. `access`, unless null, is told of every part of the scene that is read.
 Block render_block(const Scene& scene, const Params& params, const Area& area,
                    Access* access = nullptr);
+
+/// A block, and the memory that rendering needs, for one block after the other.
+struct BlockBuffer {
+  Block block;
+  Children pending;  ///< rays
+};
+/// The same into a buffer, whose block before is overwritten.
+void render_block(const Scene& scene, const Params& params, const Area& area, BlockBuffer& buffer,
+                  Access* access = nullptr);
 
 /// Adds the sums of `block` to those of the image, and counts one Op::sample_updated a sum.
 void add_block(Samples& image, const Block& block, Work& work);

@@ -66,8 +66,9 @@ struct Extras {
   bool is_saturated = false;              ///< queues grow without bound
   std::optional<observe::Use> use = {};   ///< what was busy, for run.json
   std::vector<Load> loads = {};
-  std::uint64_t events = 0;                  ///< simulated, where they are counted
-  std::optional<double> kernel_host_s = {};  ///< with Setup::profile
+  std::uint64_t events = 0;                      ///< simulated, where they are counted
+  std::optional<double> kernel_host_s = {};      ///< with Setup::profile
+  std::vector<observe::KernelUse> kernels = {};  ///< where costs are timed
 };
 
 /// What a run gives: a row, or several that differ in the columns of Program::parts.

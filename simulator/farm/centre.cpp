@@ -56,19 +56,22 @@ void Visualisation::run(Channel<Answer>& inp) {
   for (bool active = true; turn(active);) {
     in(inp, answer);
     this_process().charge(message.read);
-    renderer::Work work;
     case_of(
         answer,
         [&](const Intersection& found) {
-          samples.add(found.ray.sample,
-                      eval_contribution(scene, params, found.ray, found.hit, work));
+          cost(samples, scratch, [this, found](renderer::Samples& to, renderer::Work& work) {
+            to.add(found.ray.sample, eval_contribution(scene, params, found.ray, found.hit, work));
+          });
         },
-        [&](const RenderedBlock& block) { add_block(samples, *block, work); },
+        [&](const RenderedBlock& block) {
+          cost(samples, scratch, [block](renderer::Samples& to, renderer::Work& work) {
+            add_block(to, *block, work);
+          });
+        },
         [&](KeepImage) {
           key_images.push_back({this_process().now(), samples});
         },
         [](SceneReceived) {}, [&](Stop) { active = false; });
-    this_process().charge(cost(work.counts));
   }
 }
 
@@ -183,10 +186,12 @@ class Coordinator {
     this_process().charge(setup_.message.read + setup_.message.made);
     out(to_.into_visualisation, answer);
     if (!hit) return;
-    renderer::Work work;
-    new_rays_.clear();
-    make_children(setup_.scene, setup_.params, ray, *hit, new_rays_, work);
-    this_process().charge(setup_.cost(work.counts));
+    setup_.cost(
+        new_rays_, scratch_,
+        [&setup = setup_, ray = ray, hit = *hit](renderer::Children& out, renderer::Work& work) {
+          out.clear();
+          make_children(setup.scene, setup.params, ray, hit, out, work);
+        });
     for (const auto& child : new_rays_) deposit(child);
   }
 
@@ -216,7 +221,7 @@ class Coordinator {
   Mode mode_ = Mode::null;
   bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
   std::size_t rays_in_farm_ = 0, stage_ = 0;
-  renderer::Children new_rays_;
+  renderer::Children new_rays_, scratch_;
   Progress& progress_;
 };
 

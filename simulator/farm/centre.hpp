@@ -33,10 +33,11 @@ struct KeyImage {
 struct Visualisation {
   const renderer::Scene& scene;
   const renderer::Params& params;
-  machine::OperationCosts cost;
+  kernels::KernelCost cost;
   kernels::MessageCosts message;
   renderer::Samples samples;
   std::vector<KeyImage> key_images;
+  renderer::Samples scratch = {};  ///< as large as samples, where costs are timed
   void run(Channel<Answer>& inp);
 };
 
@@ -87,7 +88,7 @@ struct CoordinationChannels {
 struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;
-  machine::OperationCosts cost;
+  kernels::KernelCost& cost;  ///< of shading
   kernels::RecordBytes bytes;
   kernels::MessageCosts message;
   Cells cells;

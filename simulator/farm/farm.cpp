@@ -96,6 +96,11 @@ class Centre {
                    [this] { visualisation_.run(into_visualisation_); });
   }
 
+  // What is computed here beside the workers.
+  std::pair<const kernels::KernelCost*, const kernels::KernelCost*> kernels() const {
+    return {&shading_, &visualisation_.cost};
+  }
+
   // The result without the workers' part.
   Result take_result(machine::End end) {
     if (end == machine::End::done)
@@ -114,10 +119,10 @@ class Centre {
     return {kernels::scene_bytes(machine_.model(), scene_), params_.scene_message, workers};
   }
 
-  CoordinationSetup make_ray_setup(std::size_t workers) const {
+  CoordinationSetup make_ray_setup(std::size_t workers) {
     return {.scene = scene_,
             .params = params_.image,
-            .cost = cost_,
+            .cost = shading_,
             .bytes = bytes_,
             .message = message_,
             .cells = make_cells(params_),
@@ -132,7 +137,7 @@ class Centre {
   kernels::RecordBytes bytes_;
   kernels::MessageCosts message_;
   CentralProcessors on_;
-  machine::OperationCosts cost_;
+  kernels::KernelCost shading_;
   std::vector<Order> script_;
   RayDatabase rays_;
   Visualisation visualisation_;
@@ -151,14 +156,14 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       bytes_(kernels::record_bytes(machine.model())),
       message_(kernels::message_costs(machine.model())),
       on_(add_central_processors(machine, params)),
-      cost_(machine.model(), "central", renderer::op_names()),
+      shading_(central_cost("shading", machine.model(), params)),
       script_(make_script(params)),
       rays_{RayStores(make_cells(params), params.stages[0]),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
             message_},
       visualisation_{scene,
                      params.image,
-                     cost_,
+                     central_cost("display", machine.model(), params),
                      message_,
                      renderer::Samples(params.image.width, params.image.height),
                      {}},
@@ -170,6 +175,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      occam::Protocol::variant),
       into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
                           occam::Protocol::variant) {
+  if (params.cycles_per_host_s) visualisation_.scratch = visualisation_.samples;
   if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
   allocate_image(on_.display, params.image);
 }
@@ -189,8 +195,8 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
   const auto& host = params.cycles_per_host_s;
   return {scene,
           params.image,
-          kernels::KernelCost(kernels::intersection_costs(model), host, params.profile),
-          kernels::KernelCost(kernels::tree_costs(model), host, params.profile),
+          kernels::KernelCost("ray", kernels::intersection_costs(model), host, params.profile),
+          kernels::KernelCost("block", kernels::tree_costs(model), host, params.profile),
           kernels::record_bytes(model),
           kernels::message_costs(model)};
 }
@@ -232,9 +238,16 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   result.topology = workers.topology;
   result.mean_depth = workers.mean_depth;
   result.events = machine.events();
-  result.kernel_host_s = kernel.ray.host_s() + kernel.block.host_s();
+  result.kernel_host_s = kernel.ray.profile_s() + kernel.block.profile_s();
   result.kernel_cycles = kernel.ray.charged() + kernel.block.charged();
+  const auto [shading, display] = centre.kernels();
+  result.kernels = kernels::uses_of({&kernel.ray, &kernel.block, shading, display});
   return result;
+}
+
+kernels::KernelCost central_cost(const char* name, const machine::Model& model,
+                                 const Params& params) {
+  return {name, {model, "central", renderer::op_names()}, params.cycles_per_host_s};
 }
 
 std::uint64_t worker_memory(const machine::Model& model, const Params& params) {

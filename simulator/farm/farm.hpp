@@ -28,7 +28,8 @@ struct Params {
   /// acknowledged before the first task; 0: they have it, as in the thesis's measurements.
   std::uint32_t scene_message = 0;
   std::optional<std::uint64_t> worker_memory, database_memory;  ///< bytes; else the model's
-  /// Intersections are charged the host time they take, times this; else their counts.
+  /// Intersections, shading and what the display adds up are charged the host time they take, times
+  /// this; else their counts. The ray database's operations are counted in any case.
   std::optional<double> cycles_per_host_s;
   bool profile = false;  ///< measure the host time spent in kernels
   machine::Processes processes = machine::Processes::fibers;
@@ -45,14 +46,15 @@ struct Result {
   RayStores::Peaks peaks;    ///< the most rays in the database's stores
   std::uint64_t tasks = 0;   ///< rays, or blocks
   std::size_t peak_tasks_in_farm = 0;
-  double drain_s = 0;                     ///< part of time_s after the last task was handed out
-  topologies::Topology topology;          ///< the workers' topology, as wired
-  double mean_depth = 0;                  ///< links from the coordinator to a worker, on average
-  observe::Use use;                       ///< what was busy over time_s
-  machine::End end = machine::End::done;  ///< else all this is what was measured until then
-  std::uint64_t events = 0;               ///< simulated
-  machine::Cycles kernel_cycles{};        ///< charged for the workers' tasks
-  double kernel_host_s = 0;               ///< with Params::profile
+  double drain_s = 0;                       ///< part of time_s after the last task was handed out
+  topologies::Topology topology;            ///< the workers' topology, as wired
+  double mean_depth = 0;                    ///< links from the coordinator to a worker, on average
+  observe::Use use;                         ///< what was busy over time_s
+  machine::End end = machine::End::done;    ///< else all this is what was measured until then
+  std::uint64_t events = 0;                 ///< simulated
+  machine::Cycles kernel_cycles{};          ///< charged for the workers' tasks
+  double kernel_host_s = 0;                 ///< with Params::profile
+  std::vector<kernels::KernelUse> kernels;  ///< of all processors, those that were called
 };
 
 /// Throws base::BadInput naming the field, what was found and what was expected.
@@ -65,6 +67,9 @@ Result run_farm(const machine::Model& model, const topologies::Topology& workers
 
 // The parts that farms of every kind have.
 
+/// What a kernel of the coordinator or of the display costs.
+kernels::KernelCost central_cost(const char* name, const machine::Model& model,
+                                 const Params& params);
 std::uint64_t worker_memory(const machine::Model& model, const Params& params);    ///< bytes
 std::uint64_t database_memory(const machine::Model& model, const Params& params);  ///< bytes
 /// Adds a processor and takes the program's part of its memory.

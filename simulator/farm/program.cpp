@@ -271,6 +271,10 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   outcome.use = result.use;
   outcome.loads = measured.loads;
   outcome.events = result.events;
+  if (setup.cycles_per_host_s) {
+    outcome.notes = kernels::note_short(result.kernels);
+    outcome.kernels = std::move(result.kernels);
+  }
   if (setup.profile && !measured.is_shared) outcome.kernel_host_s = result.kernel_host_s;
   outcome.rows.push_back(std::move(measured));
   return outcome;

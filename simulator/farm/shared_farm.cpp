@@ -71,10 +71,6 @@ void check_percent(const char* key, double percent, const SceneBytes& scene,
 void check_farm(const Params& params) {
   check(params);
   check_task(params);
-  if (params.cycles_per_host_s)
-    base::refuse("run.cost",
-                 "found timed, expected counted: a kernel that waits for data ([data]) cannot be "
-                 "timed, other processes run meanwhile");
   if (params.scene_message > 0)
     base::refuse("farm.scene_message_bytes",
                  "found {}, expected 0: workers that read the scene through data managers ([data]) "
@@ -141,9 +137,10 @@ class SharedFarm {
         data_params_(make_data_params(data, {model, size_of(scene)})),
         machine_(model, model.software.occam_factor, params.processes),
         pixel_bytes_(kernels::record_bytes(model).pixel),
-        central_cost_(model, "central", renderer::op_names()),
-        block_cost_(kernels::tree_costs(model)),
+        display_cost_(central_cost("display", model, params)),
+        block_cost_("block", kernels::tree_costs(model), params.cycles_per_host_s),
         samples_(params.image.width, params.image.height),
+        scratch_(params.cycles_per_host_s ? samples_ : renderer::Samples()),
         progress_(machine_) {
     add_processors(machine_, params, workers_.processors);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
@@ -198,9 +195,10 @@ class SharedFarm {
       --in_farm;
       feed(message.from.processor);
       progress_.rays += block.rays;
-      renderer::Work work;
-      add_block(samples_, block, work);
-      this_process().charge(central_cost_(work.counts));
+      display_cost_(samples_, scratch_,
+                    [kept = message.contents, &block](renderer::Samples& to, renderer::Work& work) {
+                      add_block(to, block, work);
+                    });
     }
     progress_.end();
     send(manager, network::make_global(FARM_PROCESS), FarmMessage(Stop{}), TAG_BYTES);
@@ -223,7 +221,9 @@ class SharedFarm {
   // The block's sums have their place in the worker's memory as long as it needs them.
   renderer::Block render(DataManager& manager, const renderer::Area& area) {
     return kernels::with_memory(block_bytes(pixel_bytes_, area), "a block of pixels", [&] {
-      shared_memory::SceneReader reader(items_, manager, block_cost_);
+      const double scale = block_cost_.eval_scale(
+          block_scratch_, kernels::block_kernel(scene_, params_.image, area));
+      shared_memory::SceneReader reader(items_, manager, block_cost_.counted(), scale);
       auto block = render_block(scene_, params_.image, area, &reader);
       reader.charge(block.work);
       charged_ += reader.charged();
@@ -239,6 +239,7 @@ class SharedFarm {
       result.mean_depth += network_->routing().distance(0, id);
     result.mean_depth /= workers_.processors;
     result.kernel_cycles = charged_;
+    result.kernels = kernels::uses_of({&block_cost_, &display_cost_});
     result.events = machine_.events();
     return result;
   }
@@ -252,9 +253,10 @@ class SharedFarm {
   std::optional<network::Network> network_;
   std::optional<shared_memory::VirtualMemory> memory_;
   const std::uint32_t pixel_bytes_;
-  const machine::OperationCosts central_cost_, block_cost_;
+  kernels::KernelCost display_cost_, block_cost_;
   machine::Cycles charged_{};  // for all blocks of all workers
-  renderer::Samples samples_;
+  renderer::Samples samples_, scratch_;
+  renderer::BlockBuffer block_scratch_;
   Progress progress_;
 };
 

@@ -55,9 +55,9 @@ void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& o
 namespace {
 
 Answer find_intersection(Kernel& kernel, const renderer::Ray& ray) {
-  renderer::Work work;
   const auto hit =
-      kernel.ray([&] { return intersect(kernel.scene, ray, kernel.params.traversal, work); }, work);
+      kernel.ray([&scene = kernel.scene, traversal = kernel.params.traversal,
+                  ray](renderer::Work& work) { return intersect(scene, ray, traversal, work); });
   return {Intersection{ray, hit}, kernel.bytes.ray + (hit ? kernel.bytes.hit : 0)};
 }
 
@@ -65,15 +65,10 @@ Answer find_intersection(Kernel& kernel, const renderer::Ray& ray) {
 Answer find_block(Kernel& kernel, const renderer::Area& area) {
   const std::uint64_t bytes =
       kernel.bytes.pixel * static_cast<std::uint64_t>(area.width) * area.height;
-  renderer::Work work;
   auto block = kernels::with_memory(bytes, "a block of pixels", [&] {
-    return kernel.block(
-        [&] {
-          auto rendered = render_block(kernel.scene, kernel.params, area);
-          work = rendered.work;
-          return rendered;
-        },
-        work);
+    renderer::BlockBuffer buffer;
+    kernel.block(buffer, kernel.scratch, kernels::block_kernel(kernel.scene, kernel.params, area));
+    return std::move(buffer.block);
   });
   return {std::make_shared<const renderer::Block>(std::move(block)),
           BLOCK_BYTES + static_cast<std::uint32_t>(bytes)};

@@ -28,6 +28,7 @@ struct Kernel {
   kernels::KernelCost ray, block;
   kernels::RecordBytes bytes;
   kernels::MessageCosts message;
+  renderer::BlockBuffer scratch = {};
 };
 
 /// Finds the first intersection of each ray it is given, or all that a block of pixels shows. The

@@ -1,7 +1,7 @@
 #include "simulator/kernels/kernels.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace kernels {
 
@@ -31,19 +31,52 @@ std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& sc
          box_count(scene) * get_bytes(model, "box");
 }
 
-double host_cpu_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+std::vector<KernelUse> uses_of(std::initializer_list<const KernelCost*> kernels) {
+  std::vector<KernelUse> uses;
+  for (const auto* kernel : kernels)
+    if (auto use = kernel->use(); use.calls > 0) uses.push_back(std::move(use));
+  return uses;
 }
 
-void KernelCost::charge(double host_s, const renderer::Work& work) {
-  const auto cycles = cycles_per_host_s_
-                          ? machine::Cycles{std::llround(host_s * *cycles_per_host_s_)}
-                          : counted_(work.counts);
-  host_s_ += host_s;
-  charged_ += cycles;
-  machine::this_process().charge(cycles);
+std::vector<std::string> note_short(const std::vector<KernelUse>& uses) {
+  std::vector<std::string> notes;
+  const double interval_us = 1e6 * clock_interval_s();
+  for (const auto& use : uses)
+    if (use.is_short)
+      notes.push_back(fmt::format(
+          "timed: the kernel \"{}\", {} calls of {:.3g} us, is too short for the host's clock: the "
+          "longest batch of calls took {:.3g} us, a measure needs {:.3g} us ({:.2g} us a reading); "
+          "calls were repeated on their own inputs, which may take up to a third less",
+          use.name, use.calls, 1e6 * use.host_s / static_cast<double>(use.calls),
+          1e6 * use.longest_batch_s, KernelTimer::LEAST_INTERVALS * interval_us, interval_us));
+  return notes;
+}
+
+KernelUse KernelCost::use() const {
+  KernelUse use = use_;
+  if (timed_ && use.calls > 0) {
+    use.is_short = timed_->timer.is_short();
+    use.longest_batch_s = timed_->timer.longest_batch_s();
+  }
+  return use;
+}
+
+machine::Cycles KernelCost::eval(machine::Cycles counted, std::function<void()> replay) {
+  machine::Cycles cycles = counted;
+  if (timed_) {
+    const double weight = std::max(1.0, static_cast<double>(counted.value));
+    const double host_s = timed_->timer.eval(std::move(replay), weight);
+    cycles = {std::llround(host_s * *cycles_per_host_s_)};
+    use_.host_s += host_s;
+  }
+  ++use_.calls;
+  use_.counted += counted;
+  use_.charged += cycles;
+  return cycles;
+}
+
+void KernelCost::charge(const renderer::Work& work, std::function<void()> replay) {
+  machine::this_process().charge(eval(counted_(work.counts), std::move(replay)));
 }
 
 machine::OperationCosts intersection_costs(const machine::Model& model) {

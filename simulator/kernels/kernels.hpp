@@ -1,14 +1,19 @@
 #pragma once
 // What the programs that compute with the renderer's kernels share: the program's place on a
 // processor, the sizes of the records that are stored and sent, and the cost of a kernel's call:
-// its counted operations times their cycles, or the host time it took, scaled.
+// its counted operations times their cycles, or the host time it takes, scaled.
+#include <algorithm>
+#include <memory>
 #include <optional>
 
-#include "renderer/scene/scene.hpp"
-#include "renderer/scene/work.hpp"
+#include "renderer/trace/render.hpp"
+#include "simulator/kernels/kernel_timer.hpp"
 #include "simulator/machine/machine.hpp"
+#include "simulator/observe/use.hpp"
 
 namespace kernels {
+
+using observe::KernelUse;
 
 /// Takes the program's part of a processor's memory.
 void load_program(machine::Processor& processor);
@@ -42,39 +47,109 @@ MessageCosts message_costs(const machine::Model& model);
 /// Bytes of a copy of the scene: its objects and their hierarchy.
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
 
-/// CPU time of this thread, s.
-double host_cpu_s();
+/// A sentence for each kernel that was too short for the host's clock.
+std::vector<std::string> note_short(const std::vector<KernelUse>& uses);
 
+/// What the calls of one kernel cost: their counted operations times their cycles, or the host time
+/// they take, scaled. The processes that call it may share it.
 class KernelCost {
  public:
   /// With `cycles_per_host_s` host time is charged instead of counts; with `profile` it is measured
-  /// in any case.
-  KernelCost(machine::OperationCosts counted, std::optional<double> cycles_per_host_s, bool profile)
-      : counted_(std::move(counted)),
-        cycles_per_host_s_(cycles_per_host_s),
-        measures_(profile || cycles_per_host_s) {}
-
-  /// Calls `kernel`, which counts into `work` what it does, and charges this_process().
-  template <class Kernel>
-  auto operator()(Kernel kernel, const renderer::Work& work) {
-    const double start_s = measures_ ? host_cpu_s() : 0;
-    auto result = kernel();
-    charge(measures_ ? host_cpu_s() - start_s : 0, work);
-    return result;
+  /// in any case, roughly: each call by itself.
+  KernelCost(std::string name, machine::OperationCosts counted,
+             std::optional<double> cycles_per_host_s, bool profile = false)
+      : counted_(std::move(counted)), cycles_per_host_s_(cycles_per_host_s), profile_(profile) {
+    if (cycles_per_host_s) timed_ = std::make_unique<Timed>();
+    use_.name = std::move(name);
   }
 
-  double host_s() const { return host_s_; }  ///< host time of all calls, if it was measured
-  machine::Cycles charged() const { return charged_; }  ///< for all calls
+  /// Calls `kernel`, which counts into a renderer::Work what it does, and charges this_process().
+  /// Where costs are timed, copies of it are called again later: it changes nothing that matters,
+  /// and holds its inputs, or references to what stays.
+  template <class Kernel>
+  auto operator()(Kernel kernel) {
+    renderer::Work work;
+    const double start_s = profile_ ? host_cpu_s() : 0;
+    auto result = kernel(work);
+    note_profile(start_s);
+    charge(work, timed_ ? make_replay(std::move(kernel)) : nullptr);
+    return result;
+  }
+  /// The same with a kernel that changes a state: calls it with `state`, later with `scratch`, on
+  /// which it does as much. (Both stay where they are.) Returns what it counted.
+  template <class State, class Kernel>
+  renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
+    renderer::Work work;
+    const double start_s = profile_ ? host_cpu_s() : 0;
+    kernel(state, work);
+    note_profile(start_s);
+    charge(work, timed_ ? make_replay(std::move(kernel), scratch) : nullptr);
+    return work;
+  }
+
+  /// For a kernel that waits for data now and then, and is charged its counts before: what they are
+  /// to be multiplied by. Where costs are timed `kernel` is called as above to find it: it has all
+  /// data here, and waits for none. Else 1, and it is not called.
+  template <class State, class Kernel>
+  double eval_scale(State& scratch, Kernel kernel) {
+    if (!timed_) return 1;
+    renderer::Work work;
+    kernel(scratch, work);
+    const auto counted = counted_(work.counts);
+    const auto charged = eval(counted, make_replay(std::move(kernel), scratch));
+    return static_cast<double>(charged.value) / static_cast<double>(counted.value);
+  }
+
+  const machine::OperationCosts& counted() const { return counted_; }
+  machine::Cycles charged() const { return use_.charged; }  ///< for all calls
+  double profile_s() const { return profile_s_; }           ///< host time of all calls
+  KernelUse use() const;
 
  private:
-  void charge(double host_s, const renderer::Work& work);
+  // Where replays count; it stays when this moves.
+  struct Timed {
+    KernelTimer timer{this_host()};
+    renderer::Work counts_of_replays;
+  };
+
+  template <class Kernel>
+  std::function<void()> make_replay(Kernel kernel) {
+    return [kernel = std::move(kernel), &work = timed_->counts_of_replays] {
+      const auto result = kernel(work);
+      asm volatile("" : : "r"(&result) : "memory");  // or the compiler might leave it out
+    };
+  }
+  template <class State, class Kernel>
+  std::function<void()> make_replay(Kernel kernel, State& scratch) {
+    return [kernel = std::move(kernel), &scratch, &work = timed_->counts_of_replays] {
+      kernel(scratch, work);
+    };
+  }
+  machine::Cycles eval(machine::Cycles counted, std::function<void()> replay);
+  void charge(const renderer::Work& work, std::function<void()> replay);
+  void note_profile(double start_s) {
+    if (profile_) profile_s_ += std::max(0.0, host_cpu_s() - start_s - clock_interval_s());
+  }
 
   machine::OperationCosts counted_;
   std::optional<double> cycles_per_host_s_;
-  bool measures_;
-  double host_s_ = 0;
-  machine::Cycles charged_{};
+  bool profile_;
+  double profile_s_ = 0;
+  std::unique_ptr<Timed> timed_;  // where costs are timed
+  KernelUse use_;
 };
+
+/// The use of those that were called.
+std::vector<KernelUse> uses_of(std::initializer_list<const KernelCost*> kernels);
+
+/// Renders a block of pixels, as a kernel for KernelCost.
+inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& params,
+                         const renderer::Area& area) {
+  return [&scene, &params, area](renderer::BlockBuffer& buffer, renderer::Work& work) {
+    render_block(scene, params, area, buffer);
+    work += buffer.block.work;
+  };
+}
 
 /// Costs of finding intersections, and of a whole shading tree: its shading has the scale of the
 /// centre, which shades where tasks are rays.

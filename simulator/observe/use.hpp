@@ -36,6 +36,16 @@ struct Use {
   std::vector<ProcessRow> processes;
 };
 
+/// What the calls of a kernel took on the host and were charged, where costs are timed.
+struct KernelUse {
+  std::string name;
+  std::uint64_t calls = 0;
+  double host_s = 0;  ///< of all calls
+  machine::Cycles counted{}, charged{};
+  double longest_batch_s = 0;  ///< calls measured at once took so long, at most
+  bool is_short = false;       ///< and that was too short for the host's clock
+};
+
 /// Everything up to now. Throws base::InvariantBroken if a resource was busier than time allows.
 Use collect(const machine::Machine& machine);
 /// What happened from `before` to `after`.

@@ -7,6 +7,7 @@ namespace amp {
 using network::Message;
 using occam::case_of;
 using radiosity::Shot;
+using radiosity::State;
 using renderer::Work;
 
 namespace {
@@ -15,13 +16,22 @@ const AmpMessage::Content& read(const Message& message) {
   return static_cast<const AmpMessage&>(*message.contents).content;
 }
 
+kernels::KernelCost make_cost(const char* name, const machine::Model& model, const Params& params) {
+  return {name, {model, "radiosity", renderer::op_names()}, params.cycles_per_host_s};
+}
+
 }  // namespace
 
+Kernels::Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params)
+    : choose(make_cost("choose", model, params)),
+      receive(make_cost("receive", model, params)),
+      settle(make_cost("settle", model, params)),
+      draw(make_cost("draw", model, params)) {
+  if (params.cycles_per_host_s) scratch = make_state(mesh);
+}
+
 Application::Application(const Common& common, const Node& node)
-    : common_(common),
-      node_(node),
-      state_(make_state(common.mesh)),
-      kernel_(common.costs, common.params.cycles_per_host_s, false) {}
+    : common_(common), node_(node), state_(make_state(common.mesh)) {}
 
 void Application::run() {
   for (bool going = true; going;) {
@@ -59,27 +69,27 @@ Candidate Application::reduce() {
 
 Candidate Application::find_best() {
   Candidate best;
-  const auto& patches = node_.share.patches;
-  charge([&](Work& work) {
-    best.shot = find_shot(common_.mesh, state_, patches, work);
-    best.unshot = sum_unshot(common_.mesh, state_, patches);
+  auto& kernels = common_.kernels;
+  charge(kernels.choose, best, kernels.scratch_candidate, [this](Candidate& found, Work& work) {
+    const auto& patches = node_.share.patches;
+    found.shot = find_shot(common_.mesh, state_, patches, work);
+    found.unshot = sum_unshot(common_.mesh, state_, patches);
   });
   return best;
 }
 
 void Application::shoot(const Shot& shot) {
-  const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
+  auto& kernels = common_.kernels;
   if (common_.items)
     shoot_at_shared(shot);
   else
-    charge([&](Work& work) {
-      const radiosity::Eye eye{common_.mesh, common_.params.solve.factor};
-      light(eye, sender, shot.radiosity, work);
+    charge(kernels.receive, state_, kernels.scratch, [this, shot](State& state, Work& work) {
+      light({common_.mesh, common_.params.solve.factor}, shot, state, work);
     });
   give();
   wait_for_borders();
-  charge([&](Work& work) {
-    settle(common_.mesh, shot, node_.share.patches, common_.params.solve.mean, state_, work);
+  charge(kernels.settle, state_, kernels.scratch, [this, shot](State& state, Work& work) {
+    settle(common_.mesh, shot, node_.share.patches, common_.params.solve.mean, state, work);
   });
   charged_.emplace_back();
 }
@@ -110,20 +120,25 @@ void Application::wait_for_borders() {
   borders_.clear();
 }
 
-void Application::light(const radiosity::Eye& eye, const radiosity::Patch& sender,
-                        const radiosity::Rgb& radiosity, Work& work) {
-  receive(eye, sender, radiosity, node_.share.vertices, state_, work);
+void Application::light(const radiosity::Eye& eye, const Shot& shot, State& state,
+                        Work& work) const {
+  const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
+  receive(eye, sender, shot.radiosity, node_.share.vertices, state, work);
   if (common_.params.solve.mean == radiosity::Mean::simpson)
-    receive_in_centres(eye, sender, radiosity, node_.share.patches, state_, work);
+    receive_in_centres(eye, sender, shot.radiosity, node_.share.patches, state, work);
 }
 
 // The same with geometry that may be on other processors: work is charged between accesses.
 void Application::shoot_at_shared(const Shot& shot) {
-  const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
+  auto& kernels = common_.kernels;
+  const double scale =
+      kernels.receive.eval_scale(kernels.scratch, [this, shot](State& state, Work& work) {
+        light({common_.mesh, common_.params.solve.factor}, shot, state, work);
+      });
   Work work;
-  shared_memory::SceneReader reader(*common_.items, *node_.manager, common_.costs);
-  const radiosity::Eye eye{common_.mesh, common_.params.solve.factor, &reader};
-  light(eye, sender, shot.radiosity, work);
+  shared_memory::SceneReader reader(*common_.items, *node_.manager, kernels.receive.counted(),
+                                    scale);
+  light({common_.mesh, common_.params.solve.factor, &reader}, shot, state_, work);
   reader.charge(work);
   charged_.back() += reader.charged();
   work_ += work;
@@ -138,13 +153,12 @@ Shown Application::show(const Show& asked) const {
   return shown;
 }
 
-template <class Kernel>
-void Application::charge(Kernel kernel) {
-  Work work;
-  const Cycles before = kernel_.charged();
-  kernel_([&] { return kernel(work), 0; }, work);
-  charged_.back() += Cycles{kernel_.charged().value - before.value};
-  work_ += work;
+template <class Changed, class Kernel>
+void Application::charge(kernels::KernelCost& cost, Changed& state, Changed& scratch,
+                         Kernel kernel) {
+  const Cycles before = cost.charged();
+  work_ += cost(state, scratch, kernel);
+  charged_.back() += Cycles{cost.charged().value - before.value};
 }
 
 // Charges a message's identification, and the colours that go into it or out of it.
@@ -202,6 +216,8 @@ void Root::take_frame(const Candidate& best) {
   frame.ambient = eval_ambient(common_.mesh, best.unshot);
   frame.vertices.resize(common_.mesh.vertices.size());
   for (const Node& node : nodes_) take_vertices(node, frame.vertices);
+  if (common_.params.draw)
+    common_.kernels.draw([&draw = common_.params.draw, frame](Work&) { return draw(frame), 0; });
   frame.at_s = machine::this_process().now().value;
   frames_.push_back(std::move(frame));
 }

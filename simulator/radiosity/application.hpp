@@ -19,12 +19,20 @@ namespace amp {
 
 using machine::Cycles;
 
+/// The kernels of all processes, and where costs are timed a state to run them again on.
+struct Kernels {
+  Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params);
+  kernels::KernelCost choose, receive, settle, draw;
+  Candidate scratch_candidate;
+  radiosity::State scratch;
+};
+
 /// What all processes know.
 struct Common {
   const radiosity::Mesh& mesh;
   const Params& params;
   MessageBytes bytes;
-  machine::OperationCosts costs;
+  Kernels& kernels;
   std::optional<shared_memory::SceneItems> items;  ///< where geometry is shared
   int root = 0;
   Cycles message_made, message_read;  ///< by an application
@@ -50,7 +58,6 @@ class Application {
   const Node& node() const { return node_; }
   const radiosity::State& state() const { return state_; }
   const renderer::Work& work() const { return work_; }
-  double host_s() const { return kernel_.host_s(); }
   /// Cycles charged, by shot.
   const std::vector<Cycles>& charged() const { return charged_; }
 
@@ -70,15 +77,14 @@ class Application {
   Candidate find_best();
   void shoot_at_shared(const radiosity::Shot& shot);
   Shown show(const Show& asked) const;
-  void light(const radiosity::Eye& eye, const radiosity::Patch& sender,
-             const radiosity::Rgb& radiosity, renderer::Work& work);
+  void light(const radiosity::Eye& eye, const radiosity::Shot& shot, radiosity::State& state,
+             renderer::Work& work) const;
   void give();
   void wait_for_borders();
   void keep(const network::Message& message);
-  template <class Kernel>
-  void charge(Kernel kernel);
+  template <class Changed, class Kernel>
+  void charge(kernels::KernelCost& cost, Changed& state, Changed& scratch, Kernel kernel);
 
-  kernels::KernelCost kernel_;
   renderer::Work work_;
   std::vector<Cycles> charged_{1};
   // Messages that came before they were waited for, of children and of those that share vertices.

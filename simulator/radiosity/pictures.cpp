@@ -35,15 +35,19 @@ std::vector<Image> make_previews(const ProgramParams& params, const renderer::Vi
   std::vector<Image> images;
   for (const auto& frame : frames) {
     if (&frame == &frames.back()) break;
-    const auto light = reconstruct(mesh, light_of(params, mesh, frame), params.room.reconstruction);
     images.push_back(make_image(fmt::format("{}-shots", frame.shots),
-                                preview_picture(mesh, light, view, params.room.picture), display,
-                                frame.at_s));
+                                draw(params, view, mesh, frame), display, frame.at_s));
   }
   return images;
 }
 
 }  // namespace
+
+Picture draw(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
+             const Frame& frame) {
+  const auto light = reconstruct(mesh, light_of(params, mesh, frame), params.room.reconstruction);
+  return preview_picture(mesh, light, view, params.room.picture);
+}
 
 std::pair<PictureSummary, std::vector<Image>> show(const ProgramParams& params,
                                                    const renderer::View& view,

@@ -13,6 +13,10 @@ struct PictureSummary {
   std::optional<radiosity::PictureError> error;  ///< the same
 };
 
+/// The picture of a frame on the way: its light reconstructed, and drawn with a z-buffer.
+radiosity::Picture draw(const ProgramParams& params, const renderer::View& view,
+                        const radiosity::Mesh& mesh, const Frame& frame);
+
 /// Pictures "N-shots" of all frames but the last, "picture", and with a reference "reference" and
 /// "difference": figures 3.16 (c) and 3.18 (c) show the difference of what is displayed.
 std::pair<PictureSummary, std::vector<programs::Image>> show(const ProgramParams& params,

@@ -187,11 +187,14 @@ std::string describe_loss(const Loss& loss, bool has_data) {
                      100 * loss.useful, 100 * share, what);
 }
 
-Params machine_params(const Setup& setup, const ProgramParams& params) {
+Params machine_params(const Setup& setup, const ProgramParams& params, const renderer::View& view,
+                      const radiosity::Mesh& mesh) {
   Params machine = params.machine;
   machine.solve = params.room.light.solve;
   machine.cycles_per_host_s = setup.cycles_per_host_s;
   machine.processes = setup.processes;
+  if (setup.cycles_per_host_s)
+    machine.draw = [&](const Frame& frame) { draw(params, view, mesh, frame); };
   machine.watch = setup.watch;
   return machine;
 }
@@ -199,7 +202,8 @@ Params machine_params(const Setup& setup, const ProgramParams& params) {
 Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   const auto room = load_scene(params.room);
   const auto mesh = make_mesh(room, params.room.light.mesh);
-  auto result = run_radiosity(setup.model, setup.topology, mesh, machine_params(setup, params));
+  auto result = run_radiosity(setup.model, setup.topology, mesh,
+                              machine_params(setup, params, room.view, mesh));
   if (result.end != machine::End::done)
     throw programs::Unfinished(
         "machine", {result.total_s},
@@ -207,9 +211,12 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   auto [shown, images] = show(params, room.view, mesh, result.frames);
   const bool has_data = params.machine.cache_percent > 0;
   const auto note = describe_loss(result.loss, has_data);
+  auto kernels = std::move(result.kernels);
   Outcome<Measured> outcome(Measured{mesh.patches.size(), mesh.vertices.size(), std::move(result),
                                      has_data, std::move(shown)});
   outcome.notes = {note};
+  for (auto& sentence : kernels::note_short(kernels)) outcome.notes.push_back(std::move(sentence));
+  outcome.kernels = std::move(kernels);
   outcome.images = std::move(images);
   return outcome;
 }

@@ -99,10 +99,11 @@ class Amp {
       : model_(model),
         mesh_(mesh),
         params_(params),
+        kernels_(model, mesh, params),
         common_{mesh,
                 params,
                 MessageBytes(model),
-                {model, "radiosity", renderer::op_names()},
+                kernels_,
                 {},
                 topology.root,
                 get_compiled(model, "message_made"),
@@ -192,11 +193,12 @@ class Amp {
     result.loss = eval_loss(model_, mesh_, params_, applications_, result.time_s);
     for (const auto& application : applications_) {
       result.work += application->work();
-      result.kernel_host_s += application->host_s();
       for (const auto cycles : application->charged()) result.kernel_cycles += cycles;
       result.vertices_done_max = std::max<std::uint64_t>(result.vertices_done_max,
                                                          application->node().share.vertices.size());
     }
+    result.kernels =
+        kernels::uses_of({&kernels_.choose, &kernels_.receive, &kernels_.settle, &kernels_.draw});
     if (memory_) result.data = memory_->use();
     result.routers = network_->use();
     result.events = machine_.events();
@@ -206,6 +208,7 @@ class Amp {
   const machine::Model& model_;
   const Mesh& mesh_;
   const Params& params_;
+  Kernels kernels_;
   Common common_;
   machine::Machine machine_;
   std::optional<network::Network> network_;
@@ -228,9 +231,6 @@ void check(const machine::Model& model, const Mesh& mesh, int processors, const 
   constexpr auto key = "program.cache_percent";
   base::require(params.cache_percent > 0 && params.cache_percent <= 100, key,
                 "found {}, expected 0 to 100", params.cache_percent);
-  base::require(!params.cycles_per_host_s, "run.cost",
-                "found timed, expected counted: a kernel that waits for data "
-                "(program.cache_percent) cannot be timed, other processes run meanwhile");
   const auto largest = std::max(get_bytes(model, "object"), get_bytes(model, "box"));
   const auto bytes = data_params(model, mesh, params, 0).cache_bytes;
   base::require(bytes >= largest, key,

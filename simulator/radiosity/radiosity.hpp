@@ -5,15 +5,26 @@
 // updates are done where the receivers are. The topology's root is the tree's, and the display's.
 //
 // Not charged: how the patches came to the processors, what it took to share them out, candidates
-// compared on their way up, pictures drawn at the display.
+// compared on their way up; and unless costs are timed, pictures drawn at the display.
+#include <functional>
 #include <optional>
 
+#include "simulator/kernels/kernels.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
 #include "simulator/radiosity/distribution.hpp"
 #include "simulator/shared_memory/virtual_memory.hpp"
 
 namespace amp {
+
+/// The illumination as the display has it, after a number of shots.
+struct Frame {
+  int shots = 0;
+  double at_s = 0;  ///< when it was complete at the display
+  double unshot = 0;
+  std::vector<radiosity::Rgb> vertices;  ///< radiosity, by vertex, without ambient
+  radiosity::Rgb ambient;
+};
 
 struct Params {
   radiosity::SolveParams solve;  ///< its tolerance, shots and form factors
@@ -28,16 +39,10 @@ struct Params {
   /// Kernels are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
   machine::Processes processes = machine::Processes::fibers;
+  /// Draws the picture of a frame, if it is to be charged the host time that it takes: it counts no
+  /// operations.
+  std::function<void(const Frame&)> draw;
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
-};
-
-/// The illumination as the display has it, after a number of shots.
-struct Frame {
-  int shots = 0;
-  double at_s = 0;  ///< when it was complete at the display
-  double unshot = 0;
-  std::vector<radiosity::Rgb> vertices;  ///< radiosity, by vertex, without ambient
-  radiosity::Rgb ambient;
 };
 
 /// Where the processors' time went: shares of it, which add up to 1.
@@ -56,12 +61,12 @@ struct Result {
   int shots = 0;
   std::vector<Frame> frames;  ///< the last one is the solution
   Loss loss;
-  renderer::Work work;                  ///< all processors' work
-  std::uint64_t vertices_done_max = 0;  ///< most vertices that a processor finds in a shot
-  machine::Cycles kernel_cycles{};      ///< charged, to all
-  double kernel_host_s = 0;             ///< taken on the host, where cycles_per_host_s is given
-  observe::Use use;                     ///< over time_s
-  shared_memory::DataUse data;          ///< where cache_percent > 0
+  renderer::Work work;                      ///< all processors' work
+  std::uint64_t vertices_done_max = 0;      ///< most vertices that a processor finds in a shot
+  machine::Cycles kernel_cycles{};          ///< charged, to all
+  std::vector<kernels::KernelUse> kernels;  ///< of all processors, those that were called
+  observe::Use use;                         ///< over time_s
+  shared_memory::DataUse data;              ///< where cache_percent > 0
   network::RouterUse routers;
   machine::End end = machine::End::done;  ///< else all this is what was measured until then, and
                                           ///< there may be no frame

@@ -1,5 +1,7 @@
 #include "simulator/shared_memory/scene_items.hpp"
 
+#include <cmath>
+
 namespace shared_memory {
 
 namespace {
@@ -24,8 +26,9 @@ SceneItems::SceneItems(const machine::Model& model, const renderer::Scene& scene
 }
 
 void SceneReader::charge(const renderer::Work& done) {
-  const Cycles all = costs_(done.counts);
-  machine::this_process().charge(machine::Cycles{all.value - charged_.value});
+  Cycles all = costs_(done.counts);
+  if (scale_ != 1) all = Cycles{std::llround(scale_ * static_cast<double>(all.value))};
+  machine::this_process().charge(Cycles{all.value - charged_.value});
   charged_ = all;
 }
 

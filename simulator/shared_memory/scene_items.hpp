@@ -33,8 +33,10 @@ class SceneItems {
 /// before each: time passes as in a program that computes between its accesses.
 class SceneReader : public renderer::Access {
  public:
-  SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs)
-      : items_(items), manager_(manager), costs_(costs) {}
+  /// `scale` multiplies the costs of what is counted: a timed kernel takes as long as it takes.
+  SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs,
+              double scale)
+      : items_(items), manager_(manager), costs_(costs), scale_(scale) {}
 
   void box(std::uint32_t index, const renderer::Work& done) override {
     charge(done);
@@ -52,6 +54,7 @@ class SceneReader : public renderer::Access {
   const SceneItems& items_;
   DataManager& manager_;
   const machine::OperationCosts& costs_;
+  const double scale_;
   Cycles charged_{};
 };
 

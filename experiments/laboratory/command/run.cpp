@@ -63,8 +63,10 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   print_notes(s);
   if (options.profile && s.table.find("rays")) print_profile(s);
   for (const auto& [model, speed] : s.host_speeds)
-    fmt::print("\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % of {} repeats\n",
-               speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
+    fmt::print(
+        "\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % between rays, blocks "
+        "and radiosity, {} repeats each\n",
+        speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
   if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.results.size());
   fmt::print("\nEnded: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());

@@ -89,6 +89,7 @@ ordered_json to_json(const PointResult& r) {
                          {"events", r.host.events}}}};
   if (r.is_failed()) json.update({{"message", r.message}, {"exit_code", r.exit_code}});
   if (!r.use.is_null()) json["use"] = r.use;
+  if (!r.kernels.is_null()) json["kernels"] = r.kernels;
   return json;
 }
 
@@ -111,6 +112,7 @@ PointResult to_result(const ordered_json& json) {
   r.host = {host.at("total_s").get<double>(), host.at("run_s").get<double>(),
             to_number(host.at("kernel_s")), host.at("events").get<std::uint64_t>()};
   if (json.contains("use")) r.use = json["use"];
+  if (json.contains("kernels")) r.kernels = json["kernels"];
   return r;
 }
 

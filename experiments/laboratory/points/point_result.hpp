@@ -39,6 +39,7 @@ struct PointResult {
   std::vector<std::string> notes;
   std::vector<SavedImage> images;
   nlohmann::ordered_json use;  ///< of processors and links, as run.json shows it; only in records
+  nlohmann::ordered_json kernels;  ///< the same of kernels, where costs are timed
   HostCost host;
 
   bool is_there() const { return !ended.empty(); }

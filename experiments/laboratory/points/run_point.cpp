@@ -101,6 +101,18 @@ ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   return {{"loads", loads}, {"cpus", cpus}, {"links", links}};
 }
 
+ordered_json make_kernels(const std::vector<observe::KernelUse>& uses) {
+  ordered_json kernels;
+  for (const auto& use : uses)
+    kernels[use.name] = {{"calls", use.calls},
+                         {"host_s", use.host_s},
+                         {"cycles_counted", use.counted.value},
+                         {"cycles_charged", use.charged.value},
+                         {"longest_batch_s", use.longest_batch_s},
+                         {"too_short", use.is_short}};
+  return kernels;
+}
+
 // Returns null for an unknown ending.
 Save find_format(const std::string& file) {
   const auto ending = fs::path(file).extension();
@@ -143,6 +155,7 @@ PointResult run(const Experiment& experiment, const fs::path& images, bool profi
     result.ended = is_done && outcome.is_saturated ? "saturated" : machine::to_string(outcome.end);
     result.images = save_images(outcome.images, images);
     result.use = make_use(outcome);
+    result.kernels = make_kernels(outcome.kernels);
     result.host.kernel_s = outcome.kernel_host_s;
     result.host.events = outcome.events;
     result.rows = std::move(outcome.rows);

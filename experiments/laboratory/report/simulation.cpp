@@ -45,10 +45,16 @@ ordered_json inputs_json(const ExperimentFile& file) {
 
 ordered_json speeds_json(const HostSpeeds& speeds) {
   ordered_json all = ordered_json::object();
-  for (const auto& [model, speed] : speeds)
+  for (const auto& [model, speed] : speeds) {
+    ordered_json workloads;
+    for (const auto& of : speed.workloads)
+      workloads[of.name] = {{"cycles_per_host_s", of.cycles_per_host_s}, {"spread", of.spread}};
     all[model] = {{"cycles_per_host_s", speed.cycles_per_host_s},
                   {"spread", speed.spread},
-                  {"repeats", speed.repeats}};
+                  {"repeats", speed.repeats},
+                  {"workloads", workloads},
+                  {"clock_interval_s", speed.clock_interval_s}};
+  }
   return all;
 }
 
@@ -59,7 +65,7 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   for (std::size_t c = 0; c < axes.size(); ++c) at[axes[c]] = to_string(row[c]);
   ordered_json point = {{"at", at}, {"record", s.records[i].string()}};
   auto record = to_json(load_record(folder / s.records[i]));
-  for (const char* key : {"topology", "host", "ended", "message", "notes", "use"})
+  for (const char* key : {"topology", "host", "ended", "message", "notes", "use", "kernels"})
     if (record.contains(key) && !record[key].empty()) point[key] = std::move(record[key]);
   for (const auto& image : s.results[i].images) {
     ordered_json placed = {{"path", image.path}, {"caption", image.caption}};

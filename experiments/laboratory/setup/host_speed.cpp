@@ -3,44 +3,117 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
-#include <vector>
 
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "renderer/files/nff.hpp"
 #include "simulator/farm/farm.hpp"
+#include "simulator/radiosity/radiosity.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace laboratory {
 namespace {
 
 constexpr const char* SCENE = "spheres:800";
-constexpr int SIZE = 32, REPEATS = 5;  // pixels a side
+constexpr int SIZE = 32, SHOTS = 3, REPEATS = 5;  // SIZE: pixels a side
 
-// Runs a farm of one worker: the kernel is measured where it will run, between the events of a
-// simulation, which share the host's caches with it.
-std::string measure_once(const machine::Model& model) {
+using Kernels = std::vector<kernels::KernelUse>;
+
+// Each workload runs on a machine of one worker: kernels are measured where they will run, between
+// the events of a simulation, which share the host's caches with them.
+Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) {
   farm::Params params;
   params.image.width = params.image.height = SIZE;
-  params.profile = true;
-  const auto result = farm::run_farm(model, topologies::make_topology("line:1"),
-                                     renderer::load_scene(SCENE), params);
-  return fmt::format("{}", static_cast<double>(result.kernel_cycles.value) / result.kernel_host_s);
+  params.block = block;
+  params.cycles_per_host_s = 1;
+  const auto worker = topologies::make_topology("line:1");
+  return farm::run_farm(model, worker, renderer::load_scene(SCENE), params).kernels;
 }
 
+// A box of 2 x 2 x 2 m with a lamp below its ceiling, which is a face as well, and a screen.
+radiosity::Room make_room() {
+  radiosity::Room room;
+  room.materials = {{"wall", {0.6, 0.6, 0.6}, {}}, {"lamp", {}, {10, 10, 10}}};
+  const auto add = [&](std::vector<renderer::Vec> corners, std::uint32_t material, int divide) {
+    auto& face = room.faces.emplace_back();
+    face.corners = std::move(corners);
+    face.material = material;
+    face.along = face.across = divide;
+  };
+  constexpr int WALL = 8;
+  add({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 0, WALL);
+  add({{0, 0, 2}, {0, 2, 2}, {2, 2, 2}, {2, 0, 2}}, 0, WALL);
+  add({{0, 0, 0}, {0, 0, 2}, {2, 0, 2}, {2, 0, 0}}, 0, WALL);
+  add({{0, 2, 0}, {2, 2, 0}, {2, 2, 2}, {0, 2, 2}}, 0, WALL);
+  add({{0, 0, 0}, {0, 2, 0}, {0, 2, 2}, {0, 0, 2}}, 0, WALL);
+  add({{2, 0, 0}, {2, 0, 2}, {2, 2, 2}, {2, 2, 0}}, 0, WALL);
+  add({{0.7, 0.7, 1.9}, {0.7, 1.3, 1.9}, {1.3, 1.3, 1.9}, {1.3, 0.7, 1.9}}, 1, 2);
+  add({{0.4, 0.4, 1}, {1.2, 0.4, 1}, {1.2, 1.2, 1}, {0.4, 1.2, 1}}, 0, 4);
+  room.faces.back().two_sided = true;
+  return room;
+}
+
+Kernels run_radiosity(const machine::Model& model) {
+  amp::Params params;
+  params.solve.shots = SHOTS;
+  params.cycles_per_host_s = 1;
+  const auto worker = topologies::make_topology("line:1");
+  return amp::run_radiosity(model, worker, make_mesh(make_room(), {}), params).kernels;
+}
+
+double eval_speed(const Kernels& kernels) {
+  double cycles = 0, host_s = 0;
+  for (const auto& kernel : kernels) {
+    cycles += static_cast<double>(kernel.counted.value);
+    host_s += kernel.host_s;
+  }
+  return cycles / host_s;
+}
+
+struct Workload {
+  const char* name;
+  Kernels (*run)(const machine::Model& model);
+};
+constexpr Workload WORKLOADS[] = {
+    {"rays", [](const machine::Model& model) { return run_farm(model, {}); }},
+    {"blocks",
+     [](const machine::Model& model) {
+       return run_farm(model, farm::Block{8, 8});
+     }},
+    {"radiosity", &run_radiosity}};
+
+// In turns, so that a host that is slow for a while is slow for all workloads.
 HostSpeed measure(const machine::Model& model) {
-  std::vector<double> speeds;
+  HostSpeed host;
+  host.repeats = REPEATS;
+  host.clock_interval_s = kernels::this_host().interval_s;  // before any job: they share this host
+  std::vector<double> speeds[std::size(WORKLOADS)];
   for_each_job(
-      REPEATS, 1, [&](std::size_t) { return measure_once(model); },
+      REPEATS * std::size(WORKLOADS), 1,
+      [&](std::size_t i) {
+        return fmt::format("{}", eval_speed(WORKLOADS[i % std::size(WORKLOADS)].run(model)));
+      },
       [&](const JobEnd& end) {
         if (!end.died.empty()) throw Failure("measuring the host: " + end.died, 1);
-        speeds.push_back(std::strtod(end.result.c_str(), nullptr));
+        speeds[end.index % std::size(WORKLOADS)].push_back(
+            std::strtod(end.result.c_str(), nullptr));
       });
   if (was_interrupted()) throw Interrupted();
-  std::ranges::sort(speeds);
-  const double median = speeds[REPEATS / 2];
-  return {median, (speeds.back() - speeds.front()) / median, REPEATS};
+  double logarithms = 0;
+  for (std::size_t w = 0; w < std::size(WORKLOADS); ++w) {
+    auto& all = speeds[w];
+    std::ranges::sort(all);
+    const double median = all[REPEATS / 2];
+    host.workloads.push_back({WORKLOADS[w].name, median, (all.back() - all.front()) / median});
+    logarithms += std::log(median);
+  }
+  host.cycles_per_host_s = std::exp(logarithms / std::size(WORKLOADS));
+  const auto [least, most] =
+      std::ranges::minmax(host.workloads, {}, &HostSpeed::Workload::cycles_per_host_s);
+  host.spread = (most.cycles_per_host_s - least.cycles_per_host_s) / host.cycles_per_host_s;
+  return host;
 }
 
 }  // namespace

@@ -2,16 +2,25 @@
 // cost = "timed": how many cycles of a machine model a second of this host's CPU stands for.
 #include <map>
 #include <string>
+#include <vector>
 
 #include "experiments/laboratory/file/experiment.hpp"
 
 namespace laboratory {
 
-/// The counted cycles of the kernel over a fixed workload, by the host time they take; repeated.
+/// The counted cycles of three workloads' kernels by the host time that they take: a farm's rays,
+/// its blocks of pixels, and shots of radiosity.
 struct HostSpeed {
-  double cycles_per_host_s = 0;  ///< the median
-  double spread = 0;             ///< largest less smallest, over the median
+  struct Workload {
+    std::string name;
+    double cycles_per_host_s = 0;  ///< the median of the repeats
+    double spread = 0;             ///< of the repeats: largest less smallest, over the median
+  };
+  double cycles_per_host_s = 0;  ///< the geometric mean of the workloads'
+  double spread = 0;             ///< of the workloads: largest less smallest, over the mean
   int repeats = 0;
+  std::vector<Workload> workloads;
+  double clock_interval_s = 0;  ///< between two readings of the host's clock
 };
 using HostSpeeds = std::map<std::string, HostSpeed>;  ///< by model_key
 

@@ -147,6 +147,19 @@ TEST(ExperimentsTimed, TheHostsSpeedIsRecorded) {
   const auto& speed = run["host_speed"]["t805-25"];
   EXPECT_GT(speed["cycles_per_host_s"].get<double>(), 0);
   EXPECT_GE(speed["repeats"].get<int>(), 3);
+  EXPECT_GT(speed["clock_interval_s"].get<double>(), 0);
+  double least = 1e99, most = 0;
+  for (const char* workload : {"rays", "blocks", "radiosity"}) {
+    const double cycles = speed["workloads"][workload]["cycles_per_host_s"].get<double>();
+    least = std::min(least, cycles);
+    most = std::max(most, cycles);
+  }
+  const double mean = speed["cycles_per_host_s"].get<double>();
+  EXPECT_LE(least, mean);
+  EXPECT_LE(mean, most);
+  EXPECT_NEAR(speed["spread"].get<double>(), (most - least) / mean, 1e-9);
+  for (const char* kernel : {"ray", "shading", "display"})
+    EXPECT_GT(run["points"][0]["kernels"][kernel]["calls"].get<int>(), 0) << kernel;
   EXPECT_NE(done.out.find("cycles a second of host CPU"), std::string::npos);
 }
 

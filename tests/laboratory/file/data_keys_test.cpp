@@ -32,8 +32,6 @@ TEST_F(DataKeys, AreRefusedWithWhatIsExpected) {
            {blocks + "[data]\nscheme = \"page\"\n", "one of items, pages"},
            {blocks + "[data]\nmethod = \"naive\"\n", "one of green, chalmers, acyclic"},
            {blocks + "[data]\ncache_percen = 10\n", "data.cache_percent"},
-           {blocks + "[data]\ncache_percent = 10\n[run]\ncost = \"timed\"\n",
-            "run.cost: found timed, expected counted"},
            {blocks + "scene_message_bytes = 99\n[data]\ncache_percent = 10\n",
             "farm.scene_message_bytes: found 99"},
            {blocks + "[machine]\nworker_memory_bytes = 132000\n[data]\ncache_percent = 10\n",
@@ -54,6 +52,13 @@ TEST_F(DataKeys, AddColumnsWhereWorkersShareTheScene) {
   const auto swept = run(blocks + "[sweep]\ncache_percent = [0, 20, 100]\n");
   ASSERT_EQ(swept.exit_code, 0) << swept.err;
   EXPECT_TRUE(contains(results(), ",local,on_path,by_queue,at_coordinator,on_disk,"));
+}
+
+TEST_F(DataKeys, MayBeTimed) {
+  const auto timed = std::string(BLOCKS) + "[data]\ncache_percent = 20\n[run]\ncost = \"timed\"\n";
+  const auto done = run(timed);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(contains(done.out, "timed: ")) << done.out;
 }
 
 // With a memory for a part of the scene.

@@ -185,9 +185,6 @@ TEST(SharedFarm, NamesBadInput) {
   auto rays = good;
   rays.block.reset();
   expect("farm.task: ", rays, shared_params(10));
-  auto timed = good;
-  timed.cycles_per_host_s = 1e9;
-  expect("run.cost: ", timed, shared_params(10));
   auto sent = good;
   sent.scene_message = 100;
   expect("farm.scene_message_bytes: ", sent, shared_params(10));

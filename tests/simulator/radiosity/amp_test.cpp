@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "simulator/radiosity/messages.hpp"
@@ -184,9 +185,28 @@ TEST(Amp, RefusesWhatCannotBe) {
   params.cache_percent = 0.01;
   EXPECT_NE(refusal("line:2", params).find("program.cache_percent: found 0.01 %"),
             std::string::npos);
-  params.cache_percent = 50;
-  params.cycles_per_host_s = 1e9;
-  EXPECT_NE(refusal("line:2", params).find("run.cost: found timed"), std::string::npos);
+}
+
+// Kernels that are timed are run again, on a state of their own.
+TEST(Amp, TimedKernelsComputeTheSame) {
+  const Mesh mesh = make_room(1, 2);
+  for (const double cache_percent : {0.0, 50.0})
+    run_isolated([&] {
+      Params params = make_params(6);
+      params.cache_percent = cache_percent;
+      params.show_every = 2;
+      params.cycles_per_host_s = 1e9;
+      int drawn = 0;
+      params.draw = [&](const Frame&) { ++drawn; };
+      const auto result = run("line:3", mesh, params);
+      EXPECT_TRUE(are_equal(result.frames.back(), solve(mesh, params.solve)));
+      std::map<std::string, std::uint64_t> calls;
+      for (const auto& kernel : result.kernels) calls[kernel.name] = kernel.calls;
+      const std::map<std::string, std::uint64_t> expected{
+          {"choose", 21}, {"receive", 18}, {"settle", 18}, {"draw", result.frames.size()}};
+      EXPECT_EQ(calls, expected);
+      EXPECT_GT(drawn, int(result.frames.size()));
+    });
 }
 
 TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {

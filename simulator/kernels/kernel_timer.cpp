@@ -1,0 +1,139 @@
+#include "simulator/kernels/kernel_timer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "renderer/scene/generators.hpp"
+#include "renderer/trace/intersect.hpp"
+#include "renderer/trace/shade.hpp"
+
+namespace kernels {
+
+namespace {
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+// The median time of `run`, with the clock's own.
+template <class Run>
+double time_often(int times, Run run) {
+  std::vector<double> all;
+  for (int i = 0; i < times; ++i) {
+    const double start_s = host_cpu_s();
+    run();
+    all.push_back(host_cpu_s() - start_s);
+  }
+  return median(std::move(all));
+}
+
+// 200 rays through 800 spheres.
+std::function<void()> make_yardstick() {
+  const auto scene = std::make_shared<const renderer::Scene>(renderer::make_spheres(800));
+  renderer::Params params;
+  params.width = params.height = 20;
+  std::vector<renderer::Ray> rays;
+  for (int y = 5; y < 15; ++y)
+    for (int x = 0; x < 20; ++x) rays.push_back(make_primary(scene->view, params, x, y));
+  return [scene, rays = std::move(rays), work = renderer::Work()]() mutable {
+    for (const auto& ray : rays) intersect(*scene, ray, renderer::Traversal::exhaustive, work);
+  };
+}
+
+// Replays that only read what they hold, as much as a ray and what it hits.
+double measure_call(double interval_s) {
+  std::vector<std::function<void()>> batch;
+  double sum = 0;
+  for (std::size_t i = 0; i < KernelTimer::MOST_CALLS; ++i)
+    batch.emplace_back([held = std::array<double, 24>{}, &sum] { sum += held[0] + held[12]; });
+  const double all_s = time_often(101, [&] {
+    for (const auto& replay : batch) replay();
+  });
+  return std::max(0.0, all_s - interval_s) / static_cast<double>(batch.size());
+}
+
+Host measure_host() {
+  Host host{&host_cpu_s, make_yardstick()};
+  host.interval_s = clock_interval_s();
+  host.call_s = measure_call(host.interval_s);
+  host.yardstick_s = time_often(101, host.yardstick) - host.interval_s;
+  return host;
+}
+
+}  // namespace
+
+double host_cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double clock_interval_s() {
+  static const double interval_s = time_often(1001, [] {});
+  return interval_s;
+}
+
+const Host& this_host() {
+  static const Host host = measure_host();
+  return host;
+}
+
+double KernelTimer::eval(std::function<void()> replay, double weight) {
+  batch_.push_back(std::move(replay));
+  weight_ += weight;
+  if (batch_.size() >= full_ || weight_ * s_per_weight_ >= BATCH_S) measure();
+  return weight * s_per_weight_;
+}
+
+void KernelTimer::measure() {
+  const double batch_s = eval_batch_s(std::max(time_batch(1), 1e-9));
+  longest_batch_s_ = std::max(longest_batch_s_, batch_s);
+  most_calls_ = std::max(most_calls_, batch_.size());
+  s_per_weight_ = batch_s / weight_;
+  batch_.clear();
+  weight_ = 0;
+  full_ = std::min(4 * full_, MOST_CALLS);
+}
+
+// The time of the batch, which took about `once_s` before.
+double KernelTimer::eval_batch_s(double once_s) const {
+  const int passes = static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6));
+  std::vector<double> in_yardsticks;
+  double before_s = time_yardstick();
+  for (int i = 0; i < REPEATS; ++i) {
+    run_batch(1);
+    const double s = time_batch(passes);
+    const double after_s = time_yardstick();
+    in_yardsticks.push_back(s / (0.5 * (before_s + after_s)));
+    before_s = after_s;
+  }
+  const double s = median(std::move(in_yardsticks)) * host_.yardstick_s / passes;
+  return std::max(0.0, s - static_cast<double>(batch_.size()) * host_.call_s);
+}
+
+double KernelTimer::time(const std::function<void()>& run) const {
+  const double start_s = host_.now_s();
+  run();
+  return std::max(host_.now_s() - start_s - host_.interval_s, 0.0);
+}
+
+void KernelTimer::run_batch(int passes) const {
+  for (int pass = 0; pass < passes; ++pass)
+    for (const auto& replay : batch_) replay();
+}
+
+double KernelTimer::time_batch(int passes) const {
+  return time([&] { run_batch(passes); });
+}
+
+// The second of two runs is timed, of a batch as well: caches and branch predictors are then as
+// that kernel leaves them, not as the last one has.
+double KernelTimer::time_yardstick() const {
+  host_.yardstick();
+  return time(host_.yardstick);
+}
+
+}  // namespace kernels

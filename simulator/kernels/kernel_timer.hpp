@@ -1,0 +1,72 @@
+#pragma once
+// How long a kernel takes on the host. Three things are in the way. A call is often shorter than a
+// reading of the clock; after the events of a simulation it finds caches that others have filled;
+// and what else runs on the host makes it slower, now more and now less. So
+// - calls are kept, as functions that do the same again, and measured in batches: as many as last
+//   0.4 ms, or 256; a call that lasts as long by itself is a batch;
+// - a batch is run several times, each time between two runs of a yardstick, a kernel that does
+//   always the same: the median of their ratios is what the batch takes in yardsticks.
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace kernels {
+
+/// What kernels are timed with.
+struct Host {
+  std::function<double()> now_s;    ///< clock
+  std::function<void()> yardstick;  ///< a kernel that does always the same
+  double interval_s = 0;            ///< between two readings with nothing between
+  double call_s = 0;                ///< a call of a replay that does nothing, in a batch
+  double yardstick_s = 0;           ///< a run of the yardstick, when it was measured
+};
+/// CPU time of this thread, s, which stands still while other programs run.
+double host_cpu_s();
+/// Between two readings of it with nothing between.
+double clock_interval_s();
+/// This host: host_cpu_s(), and rays through a scene of spheres. Its speed is measured at the first
+/// call, and the same for processes that are forked after it: their times compare.
+const Host& this_host();
+
+/// Times the calls of one kernel. A call takes its weight times what a unit of weight took in the
+/// last batch, in its own if it ends one: the sum over many calls is what all take.
+class KernelTimer {
+ public:
+  explicit KernelTimer(const Host& host) : host_(host) {}
+
+  static constexpr double BATCH_S = 400e-6;       ///< a batch lasts so long, unless
+  static constexpr std::size_t MOST_CALLS = 256;  ///< it has so many calls
+  static constexpr int REPEATS = 5;
+  /// An interval that is measured lasts at least so many of the clock's own.
+  static constexpr double LEAST_INTERVALS = 50;
+
+  /// The time of a call, s of a host as fast as it was when Host::yardstick_s was measured.
+  /// `replay` does the same work again as often as it is called; `weight` > 0 says how much that is
+  /// beside other calls: counted cycles, or 1.
+  double eval(std::function<void()> replay, double weight);
+
+  /// The longest batch took so long, s.
+  double longest_batch_s() const { return longest_batch_s_; }
+  /// No batch had MOST_CALLS, or was as long as the clock needs: calls were repeated on the inputs
+  /// of a few, which caches and branch predictors knew then.
+  bool is_short() const { return most_calls_ < MOST_CALLS && longest_batch_s_ < least_s(); }
+
+ private:
+  double least_s() const { return LEAST_INTERVALS * host_.interval_s; }
+  void measure();
+  double eval_batch_s(double once_s) const;
+  double time(const std::function<void()>& run) const;
+  void run_batch(int passes) const;
+  double time_batch(int passes) const;
+  double time_yardstick() const;
+
+  const Host& host_;
+  std::vector<std::function<void()>> batch_;
+  double weight_ = 0;        // of the batch
+  std::size_t full_ = 1;     // calls of a full batch: the first is measured at once
+  double s_per_weight_ = 0;  // in the last batch
+  double longest_batch_s_ = 0;
+  std::size_t most_calls_ = 0;
+};
+
+}  // namespace kernels

@@ -1,0 +1,127 @@
+// How kernels are timed, with a clock that only moves as these tests say.
+#include "simulator/kernels/kernel_timer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "simulator/kernels/kernels.hpp"
+
+namespace kernels {
+namespace {
+
+constexpr double INTERVAL_S = 0.7e-6;
+
+constexpr double CALL_S = 3e-9, YARDSTICK_S = 40e-6;
+
+// Every reading takes the clock's own interval. Other programs make all else slower.
+struct FakeHost {
+  double at_s = 0, slowness = 1;
+  int readings = 0;
+  Host host{[this] { return ++readings, at_s += INTERVAL_S; },
+            [this] { at_s += slowness * YARDSTICK_S; }, INTERVAL_S, CALL_S, YARDSTICK_S};
+
+  // A call that takes so long.
+  std::function<void()> take(double s) {
+    return [this, s] { at_s += slowness * (s + CALL_S); };
+  }
+};
+
+TEST(KernelTimer, ALongCallTakesWhatItTakesWithoutTheClock) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  for (const double s : {3e-3, 1e-3, 7e-3}) EXPECT_NEAR(timer.eval(host.take(s), 1), s, 1e-12);
+  EXPECT_FALSE(timer.is_short());
+}
+
+// Two of the five repetitions are disturbed.
+TEST(KernelTimer, WhatOtherProgramsAddNowAndThenIsMetByRepetition) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  int run = 0;
+  const auto replay = [&] { host.at_s += (++run % 3 == 0 ? 1.5e-3 : 1e-3) + CALL_S; };
+  for (int i = 0; i < 10; ++i) EXPECT_NEAR(timer.eval(replay, 1), 1e-3, 1e-12);
+}
+
+// What slows the host for long slows the yardstick, too.
+TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  for (const double slowness : {1.0, 1.4, 0.9, 3.0}) {
+    host.slowness = slowness;
+    EXPECT_NEAR(timer.eval(host.take(1e-3), 1), 1e-3, 1e-12);
+  }
+}
+
+// Calls shorter than a reading of the clock: their sum is right, for fewer readings than calls.
+TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  const int calls = 20000;
+  double sum_s = 0;
+  for (int i = 0; i < calls; ++i) sum_s += timer.eval(host.take(0.1e-6), 1);
+  EXPECT_NEAR(sum_s, calls * 0.1e-6, 1e-9);
+  EXPECT_LT(host.readings, calls);
+  EXPECT_FALSE(timer.is_short());
+  EXPECT_NEAR(timer.longest_batch_s(), KernelTimer::MOST_CALLS * 0.1e-6, 1e-9);
+}
+
+// A call is a share of its batch by its weight; a batch ends when it lasts long enough.
+TEST(KernelTimer, CallsOfABatchShareItByWeight) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  double sum_s = 0;
+  int calls = 0;
+  for (; calls < 3000; ++calls) {
+    const int weight = 1 + calls % 3;
+    const double s = timer.eval(host.take(40e-6 * weight), weight);
+    EXPECT_NEAR(s, 40e-6 * weight, 1e-11);
+    sum_s += s;
+  }
+  EXPECT_NEAR(sum_s, calls * 80e-6, 1e-8);
+  EXPECT_LT(timer.longest_batch_s(), KernelTimer::BATCH_S + 120e-6);
+}
+
+// Calls that begin to take twice as long are noticed within a batch.
+TEST(KernelTimer, FollowsWhatCallsTake) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  for (int i = 0; i < 5000; ++i) timer.eval(host.take(1e-6), 1);
+  double s = 0;
+  for (std::size_t i = 0; i < 2 * KernelTimer::MOST_CALLS; ++i) s = timer.eval(host.take(2e-6), 1);
+  EXPECT_NEAR(s, 2e-6, 1e-12);
+}
+
+// Too few calls for a batch that lasts as long as the clock needs: measured all the same.
+TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  for (int i = 0; i < 21; ++i) EXPECT_NEAR(timer.eval(host.take(1e-6), 1), 1e-6, 1e-9);
+  EXPECT_TRUE(timer.is_short());
+  EXPECT_NEAR(timer.longest_batch_s(), 16e-6, 1e-9);
+}
+
+TEST(KernelTimer, ThisHostsClockMovesWithItsThread) {
+  const auto& host = this_host();
+  EXPECT_GT(host.interval_s, 0);
+  EXPECT_GT(host.yardstick_s, 0);
+  const double start_s = host.now_s();
+  double end_s = start_s;
+  for (int i = 0; i < 1'000'000 && end_s == start_s; ++i) end_s = host.now_s();
+  EXPECT_GT(end_s, start_s);
+}
+
+TEST(KernelUse, ThoseTooShortAreNamed) {
+  KernelUse good{.name = "ray", .calls = 1000, .host_s = 1e-3};
+  KernelUse brief{.name = "settle", .calls = 4, .host_s = 8e-6};
+  brief.is_short = true;
+  brief.longest_batch_s = 6e-6;
+  const auto notes = note_short({good, brief});
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(notes[0].starts_with("timed: the kernel \"settle\", 4 calls of 2 us, is too short"))
+      << notes[0];
+  EXPECT_NE(notes[0].find("the longest batch of calls took 6 us"), std::string::npos) << notes[0];
+}
+
+}  // namespace
+}  // namespace kernels
