@@ -103,10 +103,11 @@ struct Lab {
 
 enum class Side { writer, reader };
 
-// t805-25 with everything on chip, as the instruction tables count.
+// t805-25 with everything on chip, and without the fetch of code, as the instruction tables count.
 inline Model make_on_chip_model() {
-  return machine::override_model("t805-25", {{"memory.data_word", "\"memory.on_chip_word\""}},
-                                 "tests");
+  return machine::override_model(
+      "t805-25", {{"memory.data_word", "\"memory.on_chip_word\""}, {"instruction.fetch", "0"}},
+      "tests");
 }
 
 // The exact model, with the operands that it leaves out.

@@ -9,13 +9,13 @@ namespace {
 using network::Client;
 
 enum class Answers { last, each };
-const base::Names<Answers> ANSWERS = {{"last", Answers::last}, {"each", Answers::each}};
+const base::Names<Answers> ANSWERS = {{"each", Answers::each}, {"last", Answers::last}};
 
 struct Params {
   RouterParams routers;
   std::uint64_t bytes = 4;
   std::int64_t messages = 10000, window = 8;
-  Answers answers = Answers::last;
+  Answers answers = Answers::each;
 };
 
 struct Global {
@@ -90,7 +90,8 @@ Program make_global() {
            {message_bytes_field<Params>(&Params::bytes),
             D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),
             D::choice("answers", &Params::answers, ANSWERS,
-                      "the others answer once, when they have the last message, or each of them"),
+                      "the others answer each message; or once, when they have the last: then no "
+                      "message waits for an answer, and routers need as many buffers"),
             D::whole("window", &Params::window, 1, 1e6, "",
                      "where each is answered: messages that may be unanswered before the next")}),
        .columns = {column("time_s_per_10000", &Measured::time_s_per_10000,

@@ -26,7 +26,7 @@ std::vector<Row> make_rows(const Model& model) {
       {"in, out, blocked", c.blocked, 20},
       {"in, out, no word", c.soft_setup, 19},
       {"in, out, of 10 words", c.soft_setup + 10 * c.copy_word, 2 * 10 + 19},
-      {"outword less out, in the Compiler Writer's Guide", c.out_word, 25 - 22},
+      {"outword less out, in the data book", c.out_word, 23 - 21},
       {"startp", s.start_process, 12},
       {"endp", s.end_process, 13},
       {"runp", s.run_process, 10 + PREFIX},
@@ -55,13 +55,39 @@ std::vector<Row> make_rows(const Model& model) {
 TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
     const Model model =
-        machine::override_model(name, {{"memory.data_word", "\"memory.on_chip_word\""}}, "tests");
+        machine::override_model(name,
+                                {{"memory.data_word", "\"memory.on_chip_word\""},
+                                 {"instruction.fetch", "0"}},  // in no table
+                                "tests");
     for (const Row& row : make_rows(model))
       EXPECT_EQ(row.found.value, row.published) << name << ": " << row.instruction;
     EXPECT_EQ(model.timer.high_tick, 1e-6) << name;
     EXPECT_EQ(model.timer.low_tick, 64e-6) << name;
     EXPECT_EQ(model.memory.steal_word, 1) << name;
   }
+}
+
+// What the tables leave out: the fetch of a word of code, wherever the stream of instructions breaks.
+TEST(InstructionTable, BreaksOfTheStreamFetchTheNextInstructions) {
+  const Model without_fetch = make_on_chip_model(), on_chip = machine::override_model(
+      "t805-25", {{"memory.data_word", "1"}, {"memory.code_word", "1"}}, "tests");
+  const Model off_chip = machine::load_model("t805-25");
+  EXPECT_EQ(machine::get_instruction(on_chip, "fetch").value, 2);
+  EXPECT_EQ(machine::get_instruction(off_chip, "fetch").value, 4);
+  for (const char* instruction : {"j", "lend", "call", "ret"})
+    EXPECT_EQ(machine::get_instruction(on_chip, instruction),
+              machine::get_instruction(without_fetch, instruction) + Cycles{2})
+        << instruction;
+  const std::pair<Cycles, Cycles> broken[] = {
+      {on_chip.channel.blocked, without_fetch.channel.blocked},
+      {on_chip.scheduler.end_process, without_fetch.scheduler.end_process},
+      {on_chip.alternative.wait_not, without_fetch.alternative.wait_not},
+      {on_chip.alternative.timer_wait_not, without_fetch.alternative.timer_wait_not},
+      {on_chip.alternative.end, without_fetch.alternative.end},
+      {on_chip.timer.wait_future, without_fetch.timer.wait_future}};
+  for (const auto& [found, without] : broken) EXPECT_EQ(found, without + Cycles{2});
+  EXPECT_EQ(on_chip.channel.soft_setup, without_fetch.channel.soft_setup);
+  EXPECT_EQ(on_chip.scheduler.preemption, without_fetch.scheduler.preemption);
 }
 
 TEST(InstructionTable, ClocksAndSlices) {

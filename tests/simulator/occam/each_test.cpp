@@ -46,40 +46,55 @@ Numbers run(std::uint64_t seed, Priority priority, const Reader& reader) {
 }
 
 // PRI ALT: the first input before all others, which take turns.
+template <bool fair>
 void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto rest = inputs.subspan(1);
   std::size_t favourite = 0;
   Words message;
+  const auto take = [&](std::size_t i, const Words& input) {
+    note(seen, i + 1, input);
+    favourite = (i + 1) % rest.size();
+  };
+  auto first = when(*inputs[0], message, [&] { note(seen, 0, message); });
   for (std::size_t left = INPUTS * MESSAGES; left > 0; --left)
-    pri_alt(when(*inputs[0], message, [&] { note(seen, 0, message); }),
-            each(rest, favourite,
-                 [&](std::size_t i, const Words& input) {
-                   note(seen, i + 1, input);
-                   favourite = (i + 1) % rest.size();
-                 }),
-            otherwise(false, [] {}));
+    if constexpr (fair)
+      pri_alt(first, fair_each(rest, favourite, take), otherwise(false, [] {}));
+    else
+      pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
+// The same, guard by guard: each of the rest has the replicator's turn, and its channel's address
+// once more when it is taken; if the choice is fair, a division each time, and for the next favourite.
+template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
+  const auto& costs = this_process().processor().model().alternative;
   const std::size_t n = INPUTS - 1;
   std::size_t favourite = 0;
   for (std::size_t left = INPUTS * MESSAGES; left > 0; --left) {
     std::vector<Guard> guards{Guard(inputs[0])};
-    for (std::size_t i = 0; i < n; ++i) guards.emplace_back(inputs[1 + (favourite + i) % n]);
+    for (std::size_t i = 0; i < n; ++i) {
+      guards.emplace_back(inputs[1 + (favourite + i) % n]);
+      guards.back().turn = costs.replicated;
+      if (fair) guards.back().modulo = costs.modulo;
+    }
     guards.emplace_back(nullptr, false);
     const std::size_t chosen = select(guards);
     const std::size_t input = chosen == 0 ? 0 : 1 + (favourite + chosen - 1) % n;
+    if (chosen > 0) charge(fair ? costs.taken + costs.favourite : costs.taken);
+    if (chosen > 0 && fair) this_process().charge(2 * costs.modulo);
     note(seen, input, inputs[input]->in());
     if (chosen > 0) favourite = input % n;
   }
 }
 
-TEST(Each, ChoosesAndCostsWhatGuardsWrittenOutDo) {
+TEST(Each, ChoosesAsGuardsWrittenOutDoAndCostsTheReplicatorsTurnsToo) {
   for (std::uint64_t seed = 0; seed < 30; ++seed)
     for (const auto priority : BOTH_PRIORITIES) {
-      const auto found = run(seed, priority, read_by_each);
+      const auto found = run(seed, priority, read_by_each<false>);
       EXPECT_EQ(found.size(), 3 * INPUTS * MESSAGES);
-      EXPECT_EQ(found, run(seed, priority, read_by_guards)) << seed;
+      EXPECT_EQ(found, run(seed, priority, read_by_guards<false>)) << seed;
+      EXPECT_EQ(run(seed, priority, read_by_each<true>), run(seed, priority, read_by_guards<true>))
+          << seed;
     }
 }
 
