@@ -53,12 +53,16 @@ struct Progress {
   machine::Seconds last_task;  ///< handed out
   std::uint64_t tasks = 0;     ///< handed out
   std::size_t peak_tasks_in_farm = 0;
-  observe::Use before, after;  ///< use of the machine until `begun`, until `ended`
+  std::size_t orders = 0;          ///< of the user, that have come
+  std::vector<std::string> notes;  ///< which of them had no effect, and why
+  observe::Use before, after;      ///< use of the machine until `begun`, until `ended`
 
   // Called by the process: the first task is at hand, one more is in the farm, the interactive
   // phase is over, all is shown.
   void begin();
   void note_task(std::size_t in_farm);
+  /// One more order of the user's has come. Returns whether it is to be obeyed.
+  bool note_order(bool is_set_already = false);
   void end_interactive();
   void end();
   /// The run has been cut short: what has not come yet came now.

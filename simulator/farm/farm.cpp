@@ -274,6 +274,7 @@ Result make_result(Progress& progress, machine::End end) {
   result.peak_tasks_in_farm = progress.peak_tasks_in_farm;
   result.drain_s = (progress.ended - progress.last_task).value;
   result.use = between(progress.before, progress.after);
+  result.notes = std::move(progress.notes);
   return result;
 }
 

@@ -52,6 +52,7 @@ struct Result {
   std::uint64_t events = 0;               ///< simulated
   machine::Cycles kernel_cycles{};        ///< charged for the workers' tasks
   double kernel_host_s = 0;               ///< with Params::profile
+  std::vector<std::string> notes;         ///< on the user's orders without an effect
 };
 
 /// Throws base::BadInput naming the field, what was found and what was expected.

@@ -270,6 +270,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   outcome.use = result.use;
   outcome.loads = measured.loads;
   outcome.events = result.events;
+  outcome.notes = std::move(result.notes);
   if (setup.profile && !measured.is_shared) outcome.kernel_host_s = result.kernel_host_s;
   outcome.rows.push_back(std::move(measured));
   return outcome;
