@@ -8,11 +8,16 @@ namespace farm {
 
 using namespace occam;
 
-void interaction(const std::vector<Order>& script, Channel<Command>& into_coordination) {
+void interaction(const std::vector<Order>& script, const Progress& progress,
+                 Channel<Command>& into_coordination) {
+  out(into_coordination, Command{Begin{}});
+  // The second is taken when the first task is at hand.
+  if (!script.empty()) out(into_coordination, Command{Begin{}});
   for (const Order& order : script) {
-    if (order.at.value > 0) wait_until(ticks(order.at));
+    if (order.at.value > 0) wait_until(ticks(progress.begun + order.at));
     out(into_coordination, order.command);
   }
+  out(into_coordination, Command{Quit{}});
 }
 
 // Figure 4.16.

@@ -7,12 +7,11 @@
 
 namespace farm {
 
-/// The user, scripted: an order sent at a simulated date.
+/// What the user orders, some time after the first task was at hand.
 struct Order {
   machine::Seconds at;
   Command command;
 };
-void interaction(const std::vector<Order>& script, Channel<Command>& into_coordination);
 
 /// Stores rays, and gives them back by priority (figure 4.16).
 struct RayDatabase {
@@ -68,6 +67,10 @@ struct Progress {
   /// The run has been cut short: what has not come yet came now.
   void cut();
 };
+
+/// The user, scripted: begins, orders and quits when the image is complete.
+void interaction(const std::vector<Order>& script, const Progress& progress,
+                 Channel<Command>& into_coordination);
 
 /// How the scene goes to the workers before the first task.
 struct SceneMessages {

@@ -62,6 +62,20 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
+// The scene is sent first, which takes longer than the order's time.
+TEST(Farm, OrdersCountFromTheFirstTask) {
+  run_isolated([] {
+    Params params = small_params();
+    params.scene_message = 1;
+    params.script = {{{0.05}, {NonInteractive{}}}};
+    const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+                            make_glass_scene(), params);
+    EXPECT_GT(r.setup_s, 0.05);
+    EXPECT_GT(r.time_s, 0.1);
+    EXPECT_NEAR(r.interactive_s, 0.05, 0.005);
+  });
+}
+
 // The second order is obeyed; the others come to nothing.
 TEST(Farm, OrdersWithoutAnEffectAreNamed) {
   run_isolated([] {
