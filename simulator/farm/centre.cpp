@@ -8,11 +8,16 @@ namespace farm {
 
 using namespace occam;
 
-void interaction(const std::vector<Order>& script, Channel<Command>& into_coordination) {
+void interaction(const std::vector<Order>& script, const Progress& progress,
+                 Channel<Command>& into_coordination) {
+  out(into_coordination, Command{Begin{}});
+  // The second is taken when the first task is at hand.
+  if (!script.empty()) out(into_coordination, Command{Begin{}});
   for (const Order& order : script) {
-    if (order.at.value > 0) wait_until(ticks(order.at));
+    if (order.at.value > 0) wait_until(ticks(progress.begun + order.at));
     out(into_coordination, order.command);
   }
+  out(into_coordination, Command{Quit{}});
 }
 
 // Figure 4.16.
@@ -114,7 +119,7 @@ enum class Mode { null, interactive, non_interactive };
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
-      : setup_(setup), to_(channels), progress_(progress) {}
+      : setup_(setup), to_(channels), progress_(progress), limits_(setup.stages[0]) {}
 
   void run() {
     wait_for<Begin>(to_.from_interaction);
@@ -127,7 +132,11 @@ class Coordinator {
     progress_.end_interactive();
     serve(Mode::non_interactive);
     progress_.end();
-    if (!quitting_) wait_for<Quit>(to_.from_interaction);
+    Command late;
+    while (!quitting_) {
+      in(to_.from_interaction, late);
+      obey(late);
+    }
     stop_all(to_, sender_is_ready_);
   }
 
@@ -156,10 +165,10 @@ class Coordinator {
     case_of(
         command, [](Begin) {},
         [&](NonInteractive) {
-          if (mode_ == Mode::interactive) mode_ = Mode::null;
+          if (progress_.note_order()) mode_ = Mode::null;
         },
         [&](const Limits& limits) {
-          if (mode_ == Mode::interactive) set_limits(limits);
+          if (progress_.note_order(limits == limits_)) set_limits(limits);
         },
         [&](Quit) { quitting_ = true; });
   }
@@ -202,6 +211,7 @@ class Coordinator {
   }
 
   void set_limits(const Limits& limits) {
+    limits_ = limits;
     out(to_.into_database, DatabaseRequest{limits, LIMITS_BYTES});
     rays_db_is_empty_ = false;
   }
@@ -223,6 +233,7 @@ class Coordinator {
   std::size_t rays_in_farm_ = 0, stage_ = 0;
   renderer::Children new_rays_, scratch_;
   Progress& progress_;
+  Limits limits_;  // that are set
 };
 
 }  // namespace
@@ -279,6 +290,22 @@ void Progress::note_task(std::size_t in_farm) {
   ++tasks;
   last_task = this_process().now();
   peak_tasks_in_farm = std::max(peak_tasks_in_farm, in_farm);
+}
+
+bool Progress::note_order(bool is_set_already) {
+  ++orders;
+  const auto note = [&](const std::string& why) {
+    notes.push_back(fmt::format("order {} had no effect: {}", orders, why));
+  };
+  const auto since_begun = [&](machine::Seconds at) { return (at - begun).value; };
+  if (phase == Phase::ended)
+    note(fmt::format("it came after the end, at {:.4g} s", since_begun(ended)));
+  else if (phase != Phase::interactive)
+    note(fmt::format("it came after the interactive phase, which ended at {:.4g} s",
+                     since_begun(interactive_ended)));
+  else if (is_set_already)
+    note("its limits were set already");
+  return phase == Phase::interactive;
 }
 
 void Progress::end_interactive() {

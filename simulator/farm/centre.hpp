@@ -7,12 +7,11 @@
 
 namespace farm {
 
-/// The user, scripted: an order sent at a simulated date.
+/// What the user orders, some time after the first task was at hand.
 struct Order {
   machine::Seconds at;
   Command command;
 };
-void interaction(const std::vector<Order>& script, Channel<Command>& into_coordination);
 
 /// Stores rays, and gives them back by priority (figure 4.16).
 struct RayDatabase {
@@ -54,17 +53,25 @@ struct Progress {
   machine::Seconds last_task;  ///< handed out
   std::uint64_t tasks = 0;     ///< handed out
   std::size_t peak_tasks_in_farm = 0;
-  observe::Use before, after;  ///< use of the machine until `begun`, until `ended`
+  std::size_t orders = 0;          ///< of the user, that have come
+  std::vector<std::string> notes;  ///< which of them had no effect, and why
+  observe::Use before, after;      ///< use of the machine until `begun`, until `ended`
 
   // Called by the process: the first task is at hand, one more is in the farm, the interactive
   // phase is over, all is shown.
   void begin();
   void note_task(std::size_t in_farm);
+  /// One more order of the user's has come. Returns whether it is to be obeyed.
+  bool note_order(bool is_set_already = false);
   void end_interactive();
   void end();
   /// The run has been cut short: what has not come yet came now.
   void cut();
 };
+
+/// The user, scripted: begins, orders and quits when the image is complete.
+void interaction(const std::vector<Order>& script, const Progress& progress,
+                 Channel<Command>& into_coordination);
 
 /// How the scene goes to the workers before the first task.
 struct SceneMessages {

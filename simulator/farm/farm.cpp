@@ -48,13 +48,6 @@ CentralProcessors add_central_processors(machine::Machine& machine, const Params
 
 Cells make_cells(const Params& params) { return {params.image.width, params.max_cell}; }
 
-std::vector<Order> make_script(const Params& params) {
-  std::vector<Order> script = params.script;
-  script.insert(script.begin(), Order{{0}, {Begin{}}});
-  script.push_back({{0}, {Quit{}}});
-  return script;
-}
-
 // The initial rays are all deposited before the first is taken: a memory that they do not fit is
 // refused at once.
 void check_initial_rays(Processor& database, const renderer::Params& image, std::uint64_t ray) {
@@ -81,7 +74,7 @@ class Centre {
         into_database_,    from_database_, into_visualisation_};
     const std::size_t n = workers.processors.size();
     kernels::start(on_.coordinator, "interaction", Priority::low,
-                   [this] { interaction(script_, from_interaction_); });
+                   [this] { interaction(params_.script, progress_, from_interaction_); });
     kernels::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
       if (params_.block)
         block_coordination(make_blocks(params_.image, *params_.block), scene_messages(n), channels,
@@ -138,7 +131,6 @@ class Centre {
   kernels::MessageCosts message_;
   CentralProcessors on_;
   kernels::KernelCost shading_;
-  std::vector<Order> script_;
   RayDatabase rays_;
   Visualisation visualisation_;
   Progress progress_;
@@ -157,7 +149,6 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       message_(kernels::message_costs(machine.model())),
       on_(add_central_processors(machine, params)),
       shading_(central_cost("shading", machine.model(), params)),
-      script_(make_script(params)),
       rays_{RayStores(make_cells(params), params.stages[0]),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
             message_},
@@ -287,6 +278,7 @@ Result make_result(Progress& progress, machine::End end) {
   result.peak_tasks_in_farm = progress.peak_tasks_in_farm;
   result.drain_s = (progress.ended - progress.last_task).value;
   result.use = between(progress.before, progress.after);
+  result.notes = std::move(progress.notes);
   return result;
 }
 

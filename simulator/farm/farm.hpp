@@ -55,6 +55,7 @@ struct Result {
   machine::Cycles kernel_cycles{};          ///< charged for the workers' tasks
   double kernel_host_s = 0;                 ///< with Params::profile
   std::vector<kernels::KernelUse> kernels;  ///< of all processors, those that were called
+  std::vector<std::string> notes;           ///< on the user's orders without an effect
 };
 
 /// Throws base::BadInput naming the field, what was found and what was expected.

@@ -126,7 +126,9 @@ Columns<Result> time_columns() {
           column<R>(
               "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s"),
           column("drain_s", &R::drain_s, "part of time_s after the last task was handed out"),
-          {"stage{}_s", "time when the limits of a stage were reached", &stage_cells, true}};
+          {"stage{}_s",
+           "when the limits of a stage were reached, counted as time_s from the first task",
+           &stage_cells, true}};
 }
 
 Columns<Result> message_columns() {

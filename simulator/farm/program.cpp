@@ -166,18 +166,19 @@ base::Fields<OrderRecord> order_fields() {
     return r.limits ? *r.limits : r.limits.emplace();
   };
   return base::join(
-      base::Fields<OrderRecord>{D::number("at_s", &OrderRecord::at_s, 0, 1e9, "s",
-                                          "when the user orders it, from the start of the program"),
-                                D::flag("non_interactive", &OrderRecord::non_interactive,
-                                        "true: the user leaves the interactive phase")},
+      base::Fields<OrderRecord>{
+          D::number("at_s", &OrderRecord::at_s, 0, 1e9, "s",
+                    "when the user orders it, counted as time_s from the first task"),
+          D::flag("non_interactive", &OrderRecord::non_interactive,
+                  "true: the user leaves the interactive phase")},
       {base::lift_all<OrderRecord>(limit_fields(), limits)});
 }
 
 std::vector<programs::RecordList> make_lists() {
   return {make_list("stage", "limits of the interactive phase, one set after the other",
                     limit_fields(), &Params::stages, [](const Limits& limits) { return limits; }),
-          make_list("order", "what the user orders, at_s seconds into the run", order_fields(),
-                    &Params::script, &make_order)};
+          make_list("order", "what the user orders, at_s seconds after the first task",
+                    order_fields(), &Params::script, &make_order)};
 }
 
 // Whether the scene says its size itself, so that `objects` is void.
@@ -271,8 +272,9 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   outcome.use = result.use;
   outcome.loads = measured.loads;
   outcome.events = result.events;
+  outcome.notes = std::move(result.notes);
   if (setup.cycles_per_host_s) {
-    outcome.notes = kernels::note_short(result.kernels);
+    for (auto& note : kernels::note_short(result.kernels)) outcome.notes.push_back(std::move(note));
     outcome.kernels = std::move(result.kernels);
   }
   if (setup.profile && !measured.is_shared) outcome.kernel_host_s = result.kernel_host_s;

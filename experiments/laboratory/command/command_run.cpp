@@ -80,9 +80,15 @@ void add_run_command(CLI::App& app) {
       ->excludes(list);
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
-  command->add_option("--until", o->until_s, "simulated seconds after which a point is cut short")
+  command
+      ->add_option(
+          "--until", o->until_s,
+          "simulated seconds from the start of the program after which a point is cut short")
       ->check(SECONDS);
-  command->add_option("--from", o->from_s, "simulated seconds at which trace and time line begin")
+  command
+      ->add_option(
+          "--from", o->from_s,
+          "simulated seconds from the start of the program at which trace and time line begin")
       ->check(SECONDS);
   command->add_option("--trace", o->trace,
                       "a file for what every processor and link did in the one point: .json for "

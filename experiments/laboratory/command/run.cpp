@@ -12,6 +12,7 @@
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
+#include "experiments/laboratory/points/singles.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
@@ -176,6 +177,7 @@ void run_chosen_points(const RunOptions& options) {
   for (const auto i : numbers)
     if (!results[i].is_there()) missing.push_back(i);
   run_points(plan, missing, results);
+  measure_singles(plan, results, Singles::run);
   if (missing.size() < numbers.size()) save_origin(folder, plan.origin);
   judge_chosen(plan, numbers, results);
 }

@@ -15,6 +15,7 @@
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/points/singles.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
@@ -88,6 +89,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   PointsPlan plan(options, s.file, inspect_names(checks, s.file));
   plan.lone = folder.working() / lone_records_folder();
   s.results = make_results(plan, missing, s.there);
+  measure_singles(plan, s.results, missing == Missing::run ? Singles::run : Singles::find);
   carry_files(results / records_folder(), folder.working() / records_folder());
   place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
   keep_points_that_ran(s, plan);

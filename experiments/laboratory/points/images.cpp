@@ -140,8 +140,8 @@ void place_images(const ExperimentFile& file, Results& results, const fs::path& 
                   const fs::path& folder) {
   check_images(file, results);
   const auto shared = find_shared(file, results);
-  for (auto& result : results)
-    for (auto& image : result.images) {
+  for (std::size_t i = 0; i < results.size(); ++i)
+    for (auto& image : results[i].images) {
       const Shared& placed = shared.at(key_of(image));
       const auto place = [&](const std::string& source, const char* extension) {
         const auto name = placed.stem + extension;
@@ -150,8 +150,10 @@ void place_images(const ExperimentFile& file, Results& results, const fs::path& 
       };
       image.path = place(image.file, ".png");
       if (!image.exr.empty()) image.exr = place(image.exr, ".exr");
-      image.caption = image.at_s ? fmt::format("{}, after {:.2f} s", placed.caption, *image.at_s)
-                                 : placed.caption;
+      image.caption = placed.caption;
+      if (!image.at_s) continue;
+      image.caption += fmt::format(", after {:.2f} s", *image.at_s);
+      if (placed.points.size() > 1) image.caption += fmt::format(" at {}", name_of(file.points[i]));
     }
 }
 

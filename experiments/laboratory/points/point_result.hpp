@@ -41,6 +41,9 @@ struct PointResult {
   nlohmann::ordered_json use;  ///< of processors and links, as run.json shows it; only in records
   nlohmann::ordered_json kernels;  ///< the same of kernels, where costs are timed
   HostCost host;
+  /// Time of a single worker of the same machine, where the network says its size itself; not in
+  /// records.
+  std::optional<double> single_s = {};
 
   bool is_there() const { return !ended.empty(); }
   /// Whether the point came to its end.

@@ -104,6 +104,21 @@ bool is_base(const Table& table, const std::vector<Value>& base, const std::vect
   return true;
 }
 
+// Fills the columns that are still empty, where a single worker was run for the point.
+void add_speedups(Table& table, const Results& results, const std::string& processors) {
+  const auto workers = table.find(processors), time = table.find("time_s");
+  const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");
+  if (!workers || !time || !speedup || !efficiency) return;
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    auto& row = table.rows[r];
+    const auto& single_s = results[table.points[r]].single_s;
+    if (!single_s || row[*speedup] != Value()) continue;
+    const double s = *single_s / *as_number(row[*time]);
+    row[*speedup] = s;
+    row[*efficiency] = s / *as_number(row[*workers]);
+  }
+}
+
 }  // namespace
 
 bool is_farm(const ExperimentFile& file) {
@@ -198,6 +213,7 @@ Table make_table(const ExperimentFile& file, const Results& results) {
     table.rows[r].emplace_back(results[table.points[r]].ended);
   const auto processors = programs_of(file)[0]->processors;
   add_speedups(table, processors);
+  add_speedups(table, results, processors);
   add_serial_fractions(table, processors);
   if (programs_of(file)[0]->shows_parameters || programs_of(file).size() > 1) make_whole(table);
   return table;

@@ -19,7 +19,8 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 /// shows them and they are no axes; what was measured; and how the point ended. Where the sweep's
 /// points run several programs, the columns are those of all of them, empty where they do not
 /// apply. Speed-up and efficiency are relative to the row with one processor and otherwise the same
-/// axes; they stay empty where there is none, and beside them the serial fractions of laws.hpp.
+/// axes, or to PointResult::single_s; they stay empty where there is neither, and beside them the
+/// serial fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
 
 /// Whether the row's point came to its end.

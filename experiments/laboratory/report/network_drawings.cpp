@@ -37,14 +37,21 @@ void keep_links_of(topologies::Topology& topology, const ordered_json& links) {
   });
 }
 
-std::string draw(const Point& point, const ordered_json& use) {
+// Names a point by its network and its axes: "topology = ring:3, workers = 3, objects = 9".
+std::string make_caption(const Simulation& s, std::size_t point) {
+  const auto& row = s.table.rows[s.table.row_of(point)];
+  std::vector<std::string> parts;
+  for (const auto& column : axis_columns(s.file))
+    parts.push_back(fmt::format("{} = {}", column, to_string(row[*s.table.find(column)])));
+  return join_texts(parts, ", ");
+}
+
+std::string draw(const Point& point, const std::string& caption, const ordered_json& use) {
   auto topology = make_workers(point.experiment);
   const auto &cpus = use.at("cpus"), &links = use.at("links");
   keep_links_of(topology, links);
   topologies::Loads loads;
-  for (const auto& at : point.at)
-    loads.title +=
-        fmt::format("{}{} {}", loads.title.empty() ? "" : ", ", at.axis, to_string(to_value(at)));
+  loads.title = caption;
   for (int id = 0; id < topology.processors; ++id) {
     loads.processors.push_back(busy(cpus, worker(id)));
     loads.labels.push_back(std::to_string(id + 1));
@@ -102,9 +109,10 @@ std::vector<Report::Drawing> draw_networks(const fs::path& folder, const Simulat
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;
     const Point& point = s.file.points[i];
-    const auto svg = draw(point, load_record(folder / s.records[i]).use);
+    const auto caption = make_caption(s, i);
+    const auto svg = draw(point, caption, load_record(folder / s.records[i]).use);
     base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
-    if (is_largest[i]) drawings.push_back({name_of(point), svg});
+    if (is_largest[i]) drawings.push_back({caption, svg});
   }
   return drawings;
 }

@@ -30,6 +30,12 @@ namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
+// Adds the texts that are not there yet.
+void append(Texts& to, const Texts& from) {
+  for (const auto& text : from)
+    if (std::ranges::find(to, text) == to.end()) to.push_back(text);
+}
+
 // ---- What is shown of a program ----
 
 // Lists the values that an axis takes, or the one value of a key that is not swept.
@@ -43,32 +49,98 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   return values.empty() ? value : join_texts(values, ", ");
 }
 
-// Adds the parameters of the program: all, or only those that are axes or differ from their
-// defaults.
+// Whether another key makes this parameter void.
+bool is_void(const Experiment& e, const programs::Parameter& p) {
+  return e.program->voids && !e.program->voids(e.params, programs::key_of(p)).empty();
+}
+
+// Adds the parameters of the program that are not there yet: all, or only those that are axes or
+// differ from their defaults.
 void add_parameters(Facts& facts, const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   for (const auto& p : e.program->parameters) {
     const auto axis = p.name.substr(p.name.rfind('.') + 1);
+    const bool is_there = std::ranges::find(facts, axis, &Facts::value_type::first) != facts.end();
+    if (is_there || is_void(e, p)) continue;
     const auto values = values_of(file, axis.c_str(), base::to_text(p.get(e.params)));
     if (e.program->shows_parameters || values != base::to_text(p.get(e.program->defaults)))
       facts.push_back({p.name, fmt::format("{} ({})", values, p.help)});
   }
 }
 
-Facts make_facts(const ExperimentFile& file) {
+// Lists the values that a column has, each once.
+std::string values_in(const Table& table, const std::string& column) {
+  Texts values;
+  if (const auto c = table.find(column))
+    for (const auto& row : table.rows) append(values, {to_string(row[*c])});
+  std::erase(values, "");
+  return join_texts(values, ", ");
+}
+
+// The model, the network and the scene as the points had them, whatever the file leaves to
+// defaults.
+Facts make_facts(const Simulation& s) {
+  const ExperimentFile& file = s.file;
   const Experiment& e = file.points[0].experiment;
   Facts facts{{"Program",
                fmt::format("{}: {}", values_of(file, "program", e.program->name), e.program->help)},
               {"Machine", values_of(file, "model", e.model.text)}};
-  if (e.program->uses.network)
+  for (const auto& [entry, value] : e.model_overrides)
+    facts.push_back({"model." + entry, values_of(file, ("model." + entry).c_str(), value)});
+  if (e.program->uses.network) {
     facts.push_back(
-        {"Network", fmt::format("{}, {}: {}", values_of(file, "topology", e.topology.text),
-                                e.program->processors,
-                                has_own_workers(e)
-                                    ? "its own number"
-                                    : values_of(file, "workers", fmt::format("{}", e.workers)))});
+        {"Network", fmt::format("{}, {}: {}", values_in(s.table, "topology"), e.program->processors,
+                                values_in(s.table, e.program->processors))});
+    if (e.switches > 0)
+      facts.push_back(
+          {"Switches on a link", values_of(file, "switches", std::to_string(e.switches))});
+  }
+  if (e.program->uses.timed)
+    facts.push_back({"Cost", values_of(file, "cost", e.is_timed ? "timed" : "counted")});
+  for (const auto& [name, cell] : s.results[0].described)
+    facts.push_back({name, values_in(s.table, name)});
   add_parameters(facts, file);
   return facts;
+}
+
+std::string quote(const std::string& text) { return "\"" + text + "\""; }
+
+// A parameter's value as the file spells it.
+std::string spell(const programs::Parameter& p, const std::any& params) {
+  const auto value = p.get(params);
+  const auto text = base::to_text(value);
+  if (p.domain.kind == base::Domain::Kind::flag) return text == "0" ? "false" : "true";
+  const bool is_text = std::holds_alternative<std::string>(value) ||
+                       (std::holds_alternative<base::Source>(value) && text != "none");
+  if (std::holds_alternative<std::vector<double>>(value)) return "[" + text + "]";
+  return is_text ? quote(text) : text;
+}
+
+// The experiment as TOML, and in comments what it leaves to defaults.
+std::string make_settings(const ExperimentFile& file) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& key, const std::string& value) {
+    const bool is_given = file.settings.contains(key) ||
+                          std::ranges::find(file.axis_keys, key) != file.axis_keys.end();
+    if (!is_given) append(lines, {fmt::format("# {} = {}", key, value)});
+  };
+  std::set<const programs::Program*> known;
+  for (const auto& point : file.points) {
+    const Experiment& e = point.experiment;
+    if (!known.insert(e.program).second) continue;
+    add("machine.model", quote(e.model.text));
+    if (e.program->uses.network) {
+      add("network.topology", quote(e.topology.text));
+      if (!has_own_workers(e)) add("network.workers", std::to_string(e.workers));
+      add("network.switches", std::to_string(e.switches));
+    }
+    if (e.program->uses.timed) add("run.cost", quote(e.is_timed ? "timed" : "counted"));
+    for (const auto& p : e.program->parameters)
+      if (!is_void(e, p)) add(programs::key_of(p), spell(p, e.params));
+  }
+  return lines.empty()
+             ? file.resolved
+             : fmt::format("{}\n\n# By default:\n{}", file.resolved, join_texts(lines, "\n"));
 }
 
 // Chooses the axes, and those of the names that are columns.
@@ -117,12 +189,6 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
     for (const auto& image : result.images)
       if (shown.insert(image.path).second)
         report.images.push_back({image.caption, folder / image.path});
-}
-
-// Adds the texts that are not there yet, since two figures may say the same.
-void append(Texts& to, const Texts& from) {
-  for (const auto& text : from)
-    if (std::ranges::find(to, text) == to.end()) to.push_back(text);
 }
 
 void save_unless_empty(const fs::path& file, const Table& table) {
@@ -197,7 +263,7 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   report.table = s.table;
   report.shown_columns = shown_columns(s.file, s.table);
   report.load_columns = load_columns(s.file, s.table);
-  report.facts = make_facts(s.file);
+  report.facts = make_facts(s);
   report.facts.push_back({"Points", fmt::format("{}", s.file.points.size())});
   report.facts.push_back({"Ended", s.ended});
   auto exhibits = add_figures(report, folder, s);
@@ -208,7 +274,7 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   add_images(report, folder, s);
   report.networks = draw_networks(folder, s);
   add_checks(report, s);
-  report.settings = s.file.resolved;
+  report.settings = make_settings(s.file);
   report.command = command_line(options);
   report.model = model_rows(models_of(s.file));
   base::save_whole(folder / "report.html", make_report(report));

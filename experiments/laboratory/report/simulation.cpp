@@ -67,6 +67,7 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   auto record = to_json(load_record(folder / s.records[i]));
   for (const char* key : {"topology", "host", "ended", "message", "notes", "use", "kernels"})
     if (record.contains(key) && !record[key].empty()) point[key] = std::move(record[key]);
+  if (const auto& single_s = s.results[i].single_s) point["single_worker_s"] = *single_s;
   for (const auto& image : s.results[i].images) {
     ordered_json placed = {{"path", image.path}, {"caption", image.caption}};
     if (image.at_s) placed["at_s"] = *image.at_s;
@@ -103,6 +104,7 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
     auto result = load_record(folder / s.records.back());
     result.use = nullptr;
     result.images = read_images(json);
+    if (json.contains("single_worker_s")) result.single_s = json["single_worker_s"].get<double>();
     s.file.points.push_back(*points.at(result.at));
     s.results.push_back(std::move(result));
   }

@@ -73,8 +73,9 @@ TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   Results results;
   for (const std::string stage : {"one-0", "one-3", "two", "two"}) {
     const auto bytes = stage.substr(0, 3);
-    results.emplace_back().images =
-        save_images({named(bytes + "-stage1", stage), named(bytes, bytes)}, records);
+    auto early = named(bytes + "-stage1", stage);
+    early.at_s = static_cast<double>(results.size());
+    results.emplace_back().images = save_images({early, named(bytes, bytes)}, records);
   }
   place_images(file, results, records, placed);
   const auto path = [&](int i, int k) {
@@ -82,7 +83,9 @@ TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   };
   EXPECT_EQ(path(0, 0), "image-one-stage1-0.png");
   EXPECT_EQ(path(1, 0), "image-one-stage1-3.png");
-  EXPECT_EQ(results[1].images[0].caption, "one-stage1, switches = 3");
+  EXPECT_EQ(results[1].images[0].caption, "one-stage1, switches = 3, after 1.00 s");
+  EXPECT_EQ(results[3].images[0].caption, "two-stage1, after 3.00 s at bytes = 2, switches = 3");
+  EXPECT_EQ(results[3].images[1].caption, "two");
   EXPECT_EQ(path(0, 1), "image-one.png");
   EXPECT_EQ(path(2, 0), "image-two-stage1.png");
   EXPECT_EQ(path(3, 0), path(2, 0));

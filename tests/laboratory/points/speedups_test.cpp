@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "tests/laboratory/support/tlab.hpp"
+
 namespace laboratory {
 namespace {
 
@@ -35,6 +39,41 @@ TEST(ExperimentsSpeedups, NeedAnAxisOfProcessors) {
   table.axes = 1;
   add_speedups(table, "processors");
   EXPECT_EQ(table.rows[0][3], Value());
+}
+
+// The column of a run's results, a text for each row.
+std::vector<std::string> run_column(const TemporaryFolder& folder, const std::string& network,
+                                    const std::string& column) {
+  std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"
+                                        << network;
+  EXPECT_EQ(tlab(folder.path, {"run", "e.toml", "-o", "r"}).exit_code, 0);
+  const auto table = parse_csv(read_file(folder.path / "r" / "results.csv"), "results.csv");
+  std::vector<std::string> cells;
+  for (const auto& row : table.rows) cells.push_back(to_string(row[*table.find(column)]));
+  return cells;
+}
+
+// A single worker is run once more where the sweep has none, and not otherwise.
+TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
+  const TemporaryFolder folder;
+  const auto records = [&] {
+    std::size_t n = 0;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(folder.path / "r" / "points"))
+      n += entry.path().extension() == ".json" && entry.path().stem() != "experiment";
+    return n;
+  };
+  const auto of_workers =
+      run_column(folder, "[network]\ntopology = \"ring\"\n[sweep]\nworkers = [1, 3]\n", "speedup");
+  ASSERT_EQ(of_workers.size(), 2u);
+  std::filesystem::remove_all(folder.path / "r");
+  const std::vector<std::string> alone{of_workers[1]};
+  EXPECT_EQ(run_column(folder, "[network]\ntopology = \"ring:3\"\n", "speedup"), alone);
+  EXPECT_EQ(records(), 2u);
+  std::filesystem::remove_all(folder.path / "r");
+  EXPECT_EQ(run_column(folder, "[sweep]\ntopology = [\"line:1\", \"ring:3\"]\n", "speedup"),
+            of_workers);
+  EXPECT_EQ(records(), 2u);
 }
 
 }  // namespace

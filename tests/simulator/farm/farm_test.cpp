@@ -62,6 +62,40 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
+// The scene is sent first, which takes longer than the order's time.
+TEST(Farm, OrdersCountFromTheFirstTask) {
+  run_isolated([] {
+    Params params = small_params();
+    params.scene_message = 1;
+    params.script = {{{0.05}, {NonInteractive{}}}};
+    const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+                            make_glass_scene(), params);
+    EXPECT_GT(r.setup_s, 0.05);
+    EXPECT_GT(r.time_s, 0.1);
+    EXPECT_NEAR(r.interactive_s, 0.05, 0.005);
+  });
+}
+
+// The second order is obeyed; the others come to nothing.
+TEST(Farm, OrdersWithoutAnEffectAreNamed) {
+  run_isolated([] {
+    Params params = small_params();
+    params.script = {{{0}, {Limits{}}},
+                     {{0}, {NonInteractive{}}},
+                     {{0}, {NonInteractive{}}},
+                     {{1000}, {Limits{}}}};
+    const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+                            make_glass_scene(), params);
+    ASSERT_EQ(r.notes.size(), 3u);
+    EXPECT_EQ(r.notes[0], "order 1 had no effect: its limits were set already");
+    EXPECT_EQ(r.notes[1], fmt::format("order 3 had no effect: it came after the interactive phase, "
+                                      "which ended at {:.4g} s",
+                                      r.interactive_s));
+    EXPECT_EQ(r.notes[2],
+              fmt::format("order 4 had no effect: it came after the end, at {:.4g} s", r.time_s));
+  });
+}
+
 TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
   const auto scene = renderer::make_spheres(60);
   auto run = [&] {

@@ -1,0 +1,112 @@
+#include "experiments/laboratory/points/singles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
+
+namespace laboratory {
+namespace {
+
+const base::Cell* find_cell(const PointResult& result, const std::string& column) {
+  if (result.rows.size() != 1) return nullptr;
+  const auto cell = std::ranges::find(result.rows[0], column, &base::Row::value_type::first);
+  return cell == result.rows[0].end() ? nullptr : &cell->second;
+}
+
+std::optional<double> time_of(const PointResult& result) {
+  const auto* time = find_cell(result, "time_s");
+  const auto* seconds = time ? std::get_if<double>(time) : nullptr;
+  return seconds && result.is_complete() ? std::optional(*seconds) : std::nullopt;
+}
+
+bool needs_single(const Point& point, const PointResult& result) {
+  const auto* speedup = find_cell(result, "speedup");
+  return point.experiment.program->uses.network && has_own_workers(point.experiment) &&
+         result.processors > 1 && time_of(result) && speedup && *speedup == base::Cell();
+}
+
+// Whether a key says what a network with one worker has not.
+bool is_of_network(const std::string& key) {
+  return key == "fault" || (key.starts_with("network.") && key != "network.switches");
+}
+
+// The file with the axes of the network left out, and no point yet.
+ExperimentFile without_network(const ExperimentFile& file) {
+  ExperimentFile single = file;
+  single.points.clear();
+  single.axes.clear();
+  std::erase_if(single.axis_keys, is_of_network);
+  for (std::size_t i = 0; i < file.axes.size(); ++i)
+    if (!is_of_network(file.axis_keys[i])) single.axes.push_back(file.axes[i]);
+  std::erase_if(single.settings, [](const auto& setting) { return is_of_network(setting.first); });
+  single.settings["network.topology"] = "\"line\"";
+  single.settings["network.workers"] = "1";
+  return single;
+}
+
+Point make_single(const Point& point, const ExperimentFile& file) {
+  Point single = point;
+  std::size_t axis = 0;
+  std::erase_if(single.at, [&](const auto&) { return is_of_network(file.axis_keys[axis++]); });
+  Experiment& e = single.experiment;
+  e.topology = {"line", "line"};
+  e.workers = 1;
+  e.switches_between.clear();
+  e.routes = {};
+  e.tree.clear();
+  e.tree_links.clear();
+  e.faults.clear();
+  return single;
+}
+
+void run_missing(const PointsPlan& plan, Results& results) {
+  try {
+    for (const auto& point : plan.file.points) check_point(point.experiment);
+    run_points(plan, missing_points(results), results);
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "tlab: no speed-up: a single worker of the machine: {}\n", error.what());
+  }
+}
+
+}  // namespace
+
+void measure_singles(const PointsPlan& plan, Results& results, Singles singles) {
+  ExperimentFile file = without_network(plan.file);
+  std::map<std::string, double> times;                     // of single workers, by their names
+  std::map<std::string, std::vector<std::size_t>> needed;  // the points that need one, likewise
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Point& point = plan.file.points[i];
+    const Point single = make_single(point, plan.file);
+    if (const auto time = time_of(results[i]); time && results[i].processors == 1)
+      times.emplace(name_of(single), *time);
+    if (!needs_single(point, results[i])) continue;
+    auto& points = needed[name_of(single)];
+    if (points.empty()) file.points.push_back(single);
+    points.push_back(i);
+  }
+  std::erase_if(file.points, [&](const Point& point) { return times.contains(name_of(point)); });
+  if (!file.points.empty()) {
+    RunOptions options = plan.options;
+    options.trace = options.timeline = "";
+    options.profile = false;
+    PointsPlan more(options, file);
+    more.lone = plan.lone;
+    more.origin = plan.origin;
+    Results found = find_points(more, all_points(file));
+    if (singles == Singles::run && !missing_points(found).empty() && !was_interrupted())
+      run_missing(more, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (const auto time = time_of(found[i])) times.emplace(name_of(file.points[i]), *time);
+  }
+  for (const auto& [name, points] : needed)
+    if (const auto time = times.find(name); time != times.end())
+      for (const auto i : points) results[i].single_s = time->second;
+}
+
+}  // namespace laboratory
