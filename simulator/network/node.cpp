@@ -107,7 +107,9 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
   for (;;) {
     const int to = message.to.processor, client = client_of(message.to.process);
-    const bool is_offered = message.to.mode == Mode::in_path_to && from_link;
+    // Where a link has been cut the way may lead back over the sender, which is not asked itself.
+    const bool is_offered =
+        message.to.mode == Mode::in_path_to && from_link && message.from.processor != id;
     if (client != NO_WAY && (to == id || is_offered)) {
       ways.add(client);
       return ways;

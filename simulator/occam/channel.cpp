@@ -68,8 +68,10 @@ void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& par
   const bool came_second = partner.process;
   if (!hard() && came_second) return pay(before + costs.soft_setup, copy());
   pay(before + costs.blocked, {});
-  if (!hard() && partner.process)  // it came meanwhile
-    pay({std::max<std::int64_t>(0, costs.soft_setup.value - costs.blocked.value)}, copy());
+  if (hard() || !partner.process) return;
+  // It came meanwhile.
+  const Cycles spent = compiled(costs.blocked), whole = compiled(costs.soft_setup) + copy();
+  pay({}, Cycles{std::max<std::int64_t>(0, whole.value - spent.value)});
 }
 
 // `doing` is for the deadlock report. Where both ends wait, both wait for the transfer.

@@ -30,10 +30,10 @@ struct Words {
   std::uint64_t bytes() const { return length; }
 };
 
-// t805-25 without operands' loads and DMA's stolen cycles, and with a clock, ticks and links of
-// powers of two, so that every time is a whole number of cycles and has no rounding.
+// t805-25 without operands' loads, fetches of code and DMA's stolen cycles, and with a clock, ticks
+// and links of powers of two, so that every time is a whole number of cycles and has no rounding.
 inline Model make_exact_model() {
-  Model model = machine::load_model("t805-25");
+  Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
   model.memory.steal_word = 0;
   for (machine::Cycles* beside : {&model.channel.operands, &model.channel.out_word})
     *beside = {0};  // counted in tests of their own

@@ -101,11 +101,10 @@ TEST(Examples, HaveAtMost100Lines) {
 
 // out and in of a word on four soft channels, a PAR of two, the ways back of four loops, adc.
 TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
-  const auto model =
-      machine::override_model("t800-20",
-                              {{"memory.data_word", "\"memory.on_chip_word\""},
-                               {"memory.code_word", "\"memory.on_chip_word\""}},
-                              "the test");
+  const auto model = machine::override_model("t800-20",
+                                             {{"memory.data_word", "\"memory.on_chip_word\""},
+                                              {"memory.code_word", "\"memory.on_chip_word\""}},
+                                             "the test");
   auto cycles = [&](const char* instruction) { return get_instruction(model, instruction); };
   const auto& channel = model.channel;
   const auto& par = model.scheduler;
@@ -139,8 +138,8 @@ TEST(Examples, SortSortsOnAnyNumberOfProcessors) {
   output_of("example_sort 3 4 2>&1", 2);
 }
 
-// A station holds the token for 100 ticks, and it and its link take 7.71 us more, of which whole
-// ticks count; the monitor's ALT makes that 10.
+// A station holds the token for 100 ticks, and it and its link take 8.03 us more, of which whole
+// ticks count; the monitor's ALT makes that 9.
 TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
   std::istringstream lines(output_of("example_token_ring"));
   std::vector<double> back;
@@ -151,8 +150,8 @@ TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
     if (line.ends_with("missed")) missed = at;
   }
   ASSERT_EQ(back.size(), 5u);
-  EXPECT_NEAR(back[1] - back[0], 3 * 107 + 110, 1e-6);
-  EXPECT_NEAR(back[4] - back[3], 3 * 107 + 110, 1e-6);
+  EXPECT_NEAR(back[1] - back[0], 3 * 108 + 109, 1e-6);
+  EXPECT_NEAR(back[4] - back[3], 3 * 108 + 109, 1e-6);
   EXPECT_GE(missed, back[1] + 100 + 1000);
   EXPECT_LE(missed, back[1] + 100 + 1000 + 5);
 }

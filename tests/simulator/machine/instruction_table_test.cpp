@@ -54,11 +54,10 @@ std::vector<Row> make_rows(const Model& model) {
 
 TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
-    const Model model =
-        machine::override_model(name,
-                                {{"memory.data_word", "\"memory.on_chip_word\""},
-                                 {"instruction.fetch", "0"}},  // in no table
-                                "tests");
+    const Model model = machine::override_model(name,
+                                                {{"memory.data_word", "\"memory.on_chip_word\""},
+                                                 {"instruction.fetch", "0"}},  // in no table
+                                                "tests");
     for (const Row& row : make_rows(model))
       EXPECT_EQ(row.found.value, row.published) << name << ": " << row.instruction;
     EXPECT_EQ(model.timer.high_tick, 1e-6) << name;
@@ -67,10 +66,12 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   }
 }
 
-// What the tables leave out: the fetch of a word of code, wherever the stream of instructions breaks.
+// What the tables leave out: the fetch of a word of code, wherever the stream of instructions
+// breaks.
 TEST(InstructionTable, BreaksOfTheStreamFetchTheNextInstructions) {
-  const Model without_fetch = make_on_chip_model(), on_chip = machine::override_model(
-      "t805-25", {{"memory.data_word", "1"}, {"memory.code_word", "1"}}, "tests");
+  const Model without_fetch = make_on_chip_model(),
+              on_chip = machine::override_model(
+                  "t805-25", {{"memory.data_word", "1"}, {"memory.code_word", "1"}}, "tests");
   const Model off_chip = machine::load_model("t805-25");
   EXPECT_EQ(machine::get_instruction(on_chip, "fetch").value, 2);
   EXPECT_EQ(machine::get_instruction(off_chip, "fetch").value, 4);

@@ -14,7 +14,8 @@ Model make_model(const Settings& settings, const char* base = "t805-25") {
 }
 
 Model make_waiting_model(int wait_states, bool off_chip) {
-  Settings settings{{"memory.wait_states", std::to_string(wait_states)}};
+  Settings settings{{"memory.wait_states", std::to_string(wait_states)},
+                    {"instruction.fetch", "0"}};
   if (off_chip) settings.emplace_back("memory.workspace_word", "\"memory.external_word\"");
   return make_model(settings);
 }

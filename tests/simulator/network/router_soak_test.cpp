@@ -63,7 +63,9 @@ TEST(RouterSoak, RandomNetworksLoseNothing) {
 TEST(RouterSoak, TheSameTwice) {
   for (const char* method : BY_SEED) {
     const auto once = [&] {
-      return isolated([&] { return to_text(run_soak(random_topology(7), {{"method", method}})); });
+      return isolated([&] {
+        return to_text(run_soak(random_topology(7), {{"method", method}, {"buffers", 20000}}));
+      });
     };
     EXPECT_EQ(once(), once());
   }

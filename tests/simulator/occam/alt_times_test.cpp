@@ -178,9 +178,10 @@ TEST(AltTimes, SoftwareFactorMultipliesInstructionsOnly) {
   };
   const auto& s = model.scheduler;
   const double switches = static_cast<double>((s.preemption + s.return_to_low).value);
-  const double once = cost(1) - 1000 - switches;
+  const double copy = 10 * static_cast<double>(model.channel.copy_word.value);
+  const double once = cost(1) - 1000 - switches - copy;
   for (double factor : {2.0, 4.0, 8.0})
-    EXPECT_EQ(cost(factor), 1000 + switches + factor * once) << factor;
+    EXPECT_EQ(cost(factor), 1000 + switches + copy + factor * once) << factor;
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
 }
 
 // The same, guard by guard: each of the rest has the replicator's turn, and its channel's address
-// once more when it is taken; if the choice is fair, a division each time, and for the next favourite.
+// once more when it is taken; if the choice is fair, a division each time, and for the next
+// favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto& costs = this_process().processor().model().alternative;
