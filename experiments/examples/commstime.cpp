@@ -9,10 +9,11 @@
 //        +--------| succ |<---------+         all at low priority on one T800-20
 //                 +------+
 //
-// A number goes round and grows by 1; consume gets each. A loop is 287 cycles at 20 MHz:
-//   4 channels x (out, in: operands 4 + 4, one waits 20, the other copies 21, outword 3)   208
+// A number goes round and grows by 1; consume gets each. A loop is 303 cycles at 20 MHz:
+//   4 channels x (out, in: operands 4 + 4, one waits 20, the other copies 21, outword 2)   204
 //   PAR (two branches laid out 15, startp 12, two endp 26)                                  53
 //   three WHILEs' way back (j 3, prefix 1), SEQ's (ldlp, ldc, prefix, lend 10), adc 1       26
+//   fetches of code: 4 that wait, 2 endp, 3 jumps, 1 lend, 2 each                           20
 #include <fmt/format.h>
 
 #include "simulator/occam/channel.hpp"
