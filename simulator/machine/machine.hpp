@@ -25,7 +25,7 @@ struct Failure {
 class Machine {
  public:
   /// `software_factor` multiplies the cycles of occam's channel instructions: 1 is what the data
-  /// sheet says they take, model.software.occam_factor what they took the thesis's programs.
+  /// sheet says they take, model.software.occam_factor what they take compiled programs off chip.
   explicit Machine(const Model& model, double software_factor = 1,
                    Processes processes = Processes::fibers)
       : model_(model), software_factor_(software_factor), engine_(processes) {}

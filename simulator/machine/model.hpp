@@ -77,7 +77,7 @@ struct Model {
     double high_tick, low_tick;           // s
   } timer;
   struct Software {
-    double occam_factor;  // what the thesis's compiled occam adds to channel instructions
+    double occam_factor;  // what compiled occam takes beyond its instructions, off chip
     Cycles turn;          // of a WHILE
     double idle_period;   // s; an application without work looks for messages so often; 0: at once
   } software;
@@ -97,7 +97,7 @@ struct Model {
 std::uint64_t get_bytes(const Model& model, std::string_view name);
 Cycles get_instruction(const Model& model, std::string_view name);
 Cycles get_operation(const Model& model, std::string_view name);  ///< the same; without its scale
-/// An operation of compiled occam: its cycles times software.occam_factor.
+/// An operation of routers, or of an application around its messages: times scale.router.
 Cycles get_compiled(const Model& model, std::string_view name);
 
 /// `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
