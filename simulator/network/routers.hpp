@@ -7,7 +7,8 @@ namespace network {
 using occam::each;
 using occam::pri_alt;
 
-/// Each starts the processes of one processor's router. All are servers, at high priority but for Chalmers's.
+/// Each starts the processes of one processor's router. All are servers, at high priority but for
+/// Chalmers's.
 void start_naive(Node& node);
 void start_chalmers(Node& node);
 void start_green(Node& node);
