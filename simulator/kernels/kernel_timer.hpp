@@ -8,6 +8,10 @@
 //   always the same: the median of their ratios is what the batch takes in yardsticks.
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <memory_resource>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace kernels {
@@ -28,14 +32,51 @@ double clock_interval_s();
 /// call, and the same for processes that are forked after it: their times compare.
 const Host& this_host();
 
+/// Functions that do a call's work again, one behind the other in memory: spread over it, as what a
+/// simulation allocates is, short ones would be measured with the way to them.
+class Replays {
+ public:
+  Replays() = default;
+  Replays(const Replays&) = delete;
+  Replays& operator=(const Replays&) = delete;
+  ~Replays() { clear(); }
+
+  template <class Function>
+  void add(Function function) {
+    void* place = memory_.allocate(sizeof(Function), alignof(Function));
+    calls_.push_back({::new (place) Function(std::move(function)),
+                      [](void* f) { (*static_cast<Function*>(f))(); },
+                      [](void* f) { std::destroy_at(static_cast<Function*>(f)); }});
+  }
+  void run() const {
+    for (const auto& call : calls_) call.run(call.function);
+  }
+  std::size_t size() const { return calls_.size(); }
+  void clear() {
+    for (const auto& call : calls_) call.destroy(call.function);
+    calls_.clear();
+    memory_.release();
+  }
+
+ private:
+  struct Call {
+    void* function;
+    void (*run)(void*);
+    void (*destroy)(void*);
+  };
+  std::pmr::monotonic_buffer_resource memory_{1 << 16};
+  std::vector<Call> calls_;
+};
+
 /// Times the calls of one kernel. A call takes its weight times what a unit of weight took in the
-/// last batch, in its own if it ends one: the sum over many calls is what all take.
+/// last batch, and up to a fifth more or less until all that batches took is charged: the sum over
+/// many calls is what they take.
 class KernelTimer {
  public:
   explicit KernelTimer(const Host& host) : host_(host) {}
 
-  static constexpr double BATCH_S = 400e-6;       ///< a batch lasts so long, unless
-  static constexpr std::size_t MOST_CALLS = 256;  ///< it has so many calls
+  static constexpr double BATCH_S = 2e-3;          ///< a batch lasts so long, unless
+  static constexpr std::size_t MOST_CALLS = 8192;  ///< it has so many calls
   static constexpr int REPEATS = 5;
   /// An interval that is measured lasts at least so many of the clock's own.
   static constexpr double LEAST_INTERVALS = 50;
@@ -43,7 +84,15 @@ class KernelTimer {
   /// The time of a call, s of a host as fast as it was when Host::yardstick_s was measured.
   /// `replay` does the same work again as often as it is called; `weight` > 0 says how much that is
   /// beside other calls: counted cycles, or 1.
-  double eval(std::function<void()> replay, double weight);
+  template <class Replay>
+  double eval(Replay replay, double weight) {
+    const double about_s = weight * s_per_weight_;
+    batch_.add(std::move(replay));
+    weight_ += weight;
+    batch_about_s_ += about_s;
+    if (batch_.size() >= full_ || batch_about_s_ >= BATCH_S) measure();
+    return about_s + settle(about_s);
+  }
 
   /// The longest batch took so long, s.
   double longest_batch_s() const { return longest_batch_s_; }
@@ -54,6 +103,7 @@ class KernelTimer {
  private:
   double least_s() const { return LEAST_INTERVALS * host_.interval_s; }
   void measure();
+  double settle(double about_s);
   double eval_batch_s(double once_s) const;
   double time(const std::function<void()>& run) const;
   void run_batch(int passes) const;
@@ -61,10 +111,12 @@ class KernelTimer {
   double time_yardstick() const;
 
   const Host& host_;
-  std::vector<std::function<void()>> batch_;
-  double weight_ = 0;        // of the batch
-  std::size_t full_ = 1;     // calls of a full batch: the first is measured at once
-  double s_per_weight_ = 0;  // in the last batch
+  Replays batch_;
+  double weight_ = 0;         // of the batch
+  std::size_t full_ = 1;      // calls of a full batch: the first is measured at once
+  double s_per_weight_ = 0;   // in the last batch
+  double batch_about_s_ = 0;  // what the batch was thought to take
+  double owed_s_ = 0;         // what batches took beyond what was thought, and is not charged yet
   double longest_batch_s_ = 0;
   std::size_t most_calls_ = 0;
 };

@@ -1,8 +1,5 @@
 #include "simulator/kernels/kernels.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace kernels {
 
 void load_program(machine::Processor& processor) {
@@ -61,22 +58,12 @@ KernelUse KernelCost::use() const {
   return use;
 }
 
-machine::Cycles KernelCost::eval(machine::Cycles counted, std::function<void()> replay) {
-  machine::Cycles cycles = counted;
-  if (timed_) {
-    const double weight = std::max(1.0, static_cast<double>(counted.value));
-    const double host_s = timed_->timer.eval(std::move(replay), weight);
-    cycles = {std::llround(host_s * *cycles_per_host_s_)};
-    use_.host_s += host_s;
-  }
+machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charged, double host_s) {
   ++use_.calls;
   use_.counted += counted;
-  use_.charged += cycles;
-  return cycles;
-}
-
-void KernelCost::charge(const renderer::Work& work, std::function<void()> replay) {
-  machine::this_process().charge(eval(counted_(work.counts), std::move(replay)));
+  use_.charged += charged;
+  use_.host_s += host_s;
+  return charged;
 }
 
 machine::OperationCosts intersection_costs(const machine::Model& model) {

@@ -3,6 +3,7 @@
 // processor, the sizes of the records that are stored and sent, and the cost of a kernel's call:
 // its counted operations times their cycles, or the host time it takes, scaled.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -72,7 +73,7 @@ class KernelCost {
     const double start_s = profile_ ? host_cpu_s() : 0;
     auto result = kernel(work);
     note_profile(start_s);
-    charge(work, timed_ ? make_replay(std::move(kernel)) : nullptr);
+    charge(work, [&] { return make_replay(std::move(kernel)); });
     return result;
   }
   /// The same with a kernel that changes a state: calls it with `state`, later with `scratch`, on
@@ -83,7 +84,7 @@ class KernelCost {
     const double start_s = profile_ ? host_cpu_s() : 0;
     kernel(state, work);
     note_profile(start_s);
-    charge(work, timed_ ? make_replay(std::move(kernel), scratch) : nullptr);
+    charge(work, [&] { return make_replay(std::move(kernel), scratch); });
     return work;
   }
 
@@ -96,7 +97,7 @@ class KernelCost {
     renderer::Work work;
     kernel(scratch, work);
     const auto counted = counted_(work.counts);
-    const auto charged = eval(counted, make_replay(std::move(kernel), scratch));
+    const auto charged = eval(counted, [&] { return make_replay(std::move(kernel), scratch); });
     return static_cast<double>(charged.value) / static_cast<double>(counted.value);
   }
 
@@ -113,20 +114,31 @@ class KernelCost {
   };
 
   template <class Kernel>
-  std::function<void()> make_replay(Kernel kernel) {
+  auto make_replay(Kernel kernel) {
     return [kernel = std::move(kernel), &work = timed_->counts_of_replays] {
       const auto result = kernel(work);
       asm volatile("" : : "r"(&result) : "memory");  // or the compiler might leave it out
     };
   }
   template <class State, class Kernel>
-  std::function<void()> make_replay(Kernel kernel, State& scratch) {
+  auto make_replay(Kernel kernel, State& scratch) {
     return [kernel = std::move(kernel), &scratch, &work = timed_->counts_of_replays] {
       kernel(scratch, work);
     };
   }
-  machine::Cycles eval(machine::Cycles counted, std::function<void()> replay);
-  void charge(const renderer::Work& work, std::function<void()> replay);
+  // `make` makes the replay, where costs are timed.
+  template <class Make>
+  machine::Cycles eval(machine::Cycles counted, Make make) {
+    if (!timed_) return note(counted, counted, 0);
+    const double weight = std::max(1.0, static_cast<double>(counted.value));
+    const double host_s = timed_->timer.eval(make(), weight);
+    return note(counted, {std::llround(host_s * *cycles_per_host_s_)}, host_s);
+  }
+  machine::Cycles note(machine::Cycles counted, machine::Cycles charged, double host_s);
+  template <class Make>
+  void charge(const renderer::Work& work, Make make) {
+    machine::this_process().charge(eval(counted_(work.counts), std::move(make)));
+  }
   void note_profile(double start_s) {
     if (profile_) profile_s_ += std::max(0.0, host_cpu_s() - start_s - clock_interval_s());
   }

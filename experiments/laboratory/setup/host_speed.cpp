@@ -17,7 +17,7 @@ namespace laboratory {
 namespace {
 
 constexpr const char* SCENE = "spheres:800";
-constexpr int SIZE = 32, SHOTS = 3, REPEATS = 5;  // SIZE: pixels a side
+constexpr int SIZE = 48, SHOTS = 3, REPEATS = 5;  // SIZE: pixels a side
 
 using Kernels = std::vector<kernels::KernelUse>;
 
