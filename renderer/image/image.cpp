@@ -64,6 +64,15 @@ std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
   return bytes;
 }
 
+std::array<std::uint8_t, 3> make_rgb8(const Samples& samples, std::uint32_t sample) {
+  const auto& s = samples.sums[sample];
+  return {to_byte(s.r), to_byte(s.g), to_byte(s.b)};
+}
+
+std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour) {
+  return {to_byte(to_fixed(colour.r)), to_byte(to_fixed(colour.g)), to_byte(to_fixed(colour.b))};
+}
+
 void save_png(const std::string& path, int width, int height,
               const std::vector<std::uint8_t>& rgb8) {
   require(!rgb8.empty(), "save_png", "an image of no pixels", "1 or more");

@@ -2,6 +2,7 @@
 // Samples in fixed point: integer addition is associative, so contributions may arrive in any
 // order and from anywhere, and the image is the same to the last bit.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct Samples {
 
 /// Rows from the top, 3 bytes a pixel: 0..1 becomes 0..255, rounded; what is outside is clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
+/// One of its pixels, and a colour, in the same way.
+std::array<std::uint8_t, 3> make_rgb8(const Samples& samples, std::uint32_t sample);
+std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour);
 
 /// Writes an 8-bit RGB PNG as base::save_whole does, with its errors. The bytes depend on the
 /// samples only (no date, no text). BadInput for an image of no pixels.
