@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/scene/vec.hpp"
@@ -38,6 +39,18 @@ struct Samples {
   Samples& operator+=(const Samples& other);
   Rgb get(std::uint32_t sample) const;
 };
+
+/// A picture as PNGs have it and displays show it.
+struct Bitmap {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes a pixel
+  bool operator==(const Bitmap&) const = default;
+};
+
+/// BadInput, beginning with `who`, for no pixels or another number of bytes than they need.
+void check(const Bitmap& bitmap, std::string_view who);
+
+Bitmap make_bitmap(const Samples& samples);
 
 /// Rows from the top, 3 bytes a pixel: 0..1 becomes 0..255, rounded; what is outside is clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
