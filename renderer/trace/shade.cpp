@@ -18,6 +18,8 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   child.level = static_cast<std::uint16_t>(ray.level + 1);
   child.kind = kind;
   child.through = ray.through || kind == RayKind::transmitted;
+  child.is_urgent = ray.is_urgent;
+  child.order = ray.order;
   return child;
 }
 
