@@ -35,11 +35,11 @@ class Scanner {
 
   /// Calls put(x, y, nearness, values) for each sample within a polygon, by the even-odd rule; what
   /// lies behind the eye is cut off. Values are interpolated along the edges and then along the
-  /// line (H. Gouraud, 1971), which is linear in triangles. Polygons that share an edge never share
-  /// a sample, and leave none out between them.
+  /// line (H. Gouraud, 1971), which is linear in triangles. Polygons that share an edge ahead of
+  /// the eye never share a sample, and leave none out between them.
   template <class Put>
   void scan(const std::vector<Corner>& corners, const Put& put) {
-    project(corners);
+    project(corners, find_near(corners));
     if (spots_.size() < 3) return;
     double top = spots_[0].y, bottom = top;
     for (const Spot& spot : spots_) top = std::min(top, spot.y), bottom = std::max(bottom, spot.y);
@@ -52,7 +52,7 @@ class Scanner {
   /// each row, whichever are more; what lies behind the eye is cut off.
   template <class Put>
   void draw_line(const Corner& a, const Corner& b, const Put& put) {
-    project({a, b});
+    project({a, b}, 1e-9 * std::max(max_abs(a.at), max_abs(b.at)));
     if (spots_.size() < 2) return;
     const auto [from, to] = std::minmax(spots_[0], spots_[1], [](const Spot& p, const Spot& q) {
       return p.x < q.x || (p.x == q.x && p.y < q.y);
@@ -98,17 +98,31 @@ class Scanner {
     spots_.push_back(spot);
   }
 
-  // Fills spots_ with the corners ahead of the eye, and with the ends of what is cut off.
-  void project(const std::vector<Corner>& corners) {
-    double far = 0;
-    for (const Corner& corner : corners) far = std::max(far, max_abs(corner.at));
-    const double near = 1e-9 * far;
+  // Half the least distance ahead at which a sample may meet the polygon's plane, so that what is
+  // cut off before is not seen and what is left is not so near that rounding would show; 0 if the
+  // plane is seen from its edge.
+  double find_near(const std::vector<Corner>& corners) const {
+    Vec normal, middle;
+    for (const Corner& c : corners) middle += (1.0 / static_cast<double>(corners.size())) * c.at;
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
+      normal += cross(corners[j].at - middle, corners[i].at - middle);
+    // Along the way (x, y, 1) the plane is dot(normal, middle) / dot(normal, way) ahead; the
+    // greatest divisor is that of a corner of the area.
+    double most = 0;
+    for (const int x : {area_.x, area_.x + area_.width})
+      for (const int y : {area_.y, area_.y + area_.height})
+        most = std::max(most, std::abs(dot(normal, Vec{(x - raster_.left) * raster_.step,
+                                                       (raster_.top - y) * raster_.step, 1})));
+    return most > 0 ? 0.5 * std::abs(dot(normal, middle)) / most : 0;
+  }
+
+  // Fills spots_ with the corners at least `near` ahead, and with the ends of what is cut off.
+  void project(const std::vector<Corner>& corners, double near) {
     spots_.clear();
-    if (far == 0) return;
+    if (!(near > 0)) return;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
       const Corner &a = corners[j], &b = corners[i];
       if ((a.at.z < near) != (b.at.z < near)) {
-        // From behind to ahead: polygons that share the edge cut it at the same point.
         const Corner &behind = a.at.z < near ? a : b, &ahead = a.at.z < near ? b : a;
         const double share = (near - behind.at.z) / (ahead.at.z - behind.at.z);
         Corner cut{behind.at + share * (ahead.at - behind.at), {}};

@@ -71,8 +71,8 @@ TEST(Scan, CoversWhatRaysMeet) {
         ASSERT_EQ(nearness[at] > 0, hit.has_value()) << x << ", " << y;
         if (!hit) continue;
         ++covered;
-        EXPECT_NEAR(nearness[at] * -hit->point.z, 1, 1e-6);
-        EXPECT_NEAR(found[at], hit->point.x, 1e-6 * (1 + std::abs(hit->point.x)));
+        EXPECT_NEAR(nearness[at] * -hit->point.z, 1, 1e-10);
+        EXPECT_NEAR(found[at], hit->point.x, 1e-10 * (1 + std::abs(hit->point.x)));
       }
   }
   EXPECT_GT(behind, 50);
