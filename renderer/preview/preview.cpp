@@ -306,7 +306,7 @@ class Previewer {
     const Fragment& pixel = at(x, y);
     const Ray ray = make_primary(scene_.view, params_, x, y);
     auto hit = intersect_object(scene_, ray, pixel.place, preview_.work);
-    if (!hit) {  // a facet's rim: there it is taken for the object
+    if (!hit) {  // rounding at a rim: the facet is taken for the object
       const Tag tag = visit(scene_, pixel.place, [](const auto& p) { return p.tag; });
       const double distance = 1 / (pixel.nearness * dot(ray.direction, scene_.view.ahead));
       Vec normal = normalize(to_vec(pixel.values));

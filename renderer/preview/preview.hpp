@@ -20,10 +20,11 @@ enum class PreviewStep : std::uint8_t {
 /// By their names above.
 const base::Names<PreviewStep>& preview_steps();
 
-/// What a preview did beside what Work counts: the kernels of the ray tracer are its light.
+/// What a preview did beside its light, which Work counts, since the ray tracer's kernels make it.
+/// `edges` draws facets twice: to hide, and their edges.
 struct PreviewCounts {
   std::uint64_t vertices = 0;       ///< corners of facets, taken to the image
-  std::uint64_t facets = 0;         ///< drawn, in part at least ahead of the eye or not
+  std::uint64_t facets = 0;         ///< drawn; not those on the far side of a sphere
   std::uint64_t pixels_tested = 0;  ///< compared with the z-buffer
   std::uint64_t pixels_drawn = 0;   ///< written, nearer than what was there
   bool operator==(const PreviewCounts&) const = default;

@@ -23,12 +23,6 @@ class Scanner {
     Vec at;  ///< as to_eye() gives it
     Values values{};
   };
-  /// A point of the image; values are times nearness, which makes them linear in the image.
-  struct Spot {
-    double x, y;      ///< in pixels, (0, 0) is the first sample
-    double nearness;  ///< 1 over the distance ahead
-    Values values;
-  };
 
   /// Only samples within `area` are found.
   Scanner(const Raster& raster, const Area& area) : raster_(raster), area_(area) {}
@@ -77,6 +71,13 @@ class Scanner {
   }
 
  private:
+  // A point of the image; values are times nearness, which makes them linear in the image.
+  struct Spot {
+    double x, y;      // in pixels, (0, 0) is the first sample
+    double nearness;  // 1 over the distance ahead
+    Values values;
+  };
+
   // The least whole number that is not less than `at`, between `start` and `start + length`.
   static int clip_up(double at, int start, int length) {
     return static_cast<int>(
