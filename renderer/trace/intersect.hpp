@@ -72,4 +72,7 @@ struct Access {
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access = nullptr);
 
+/// The same with one object alone, as if there were no others; no call of intersect() is counted.
+std::optional<Hit> intersect_object(const Scene& scene, const Ray& ray, Place place, Work& work);
+
 }  // namespace renderer

@@ -1,5 +1,7 @@
 #include "renderer/trace/shade.hpp"
 
+#include "renderer/trace/raster.hpp"
+
 namespace renderer {
 
 namespace {
@@ -35,15 +37,11 @@ Rgb eval_feeler_influence(const Surface& s, const Hit& hit, const Rgb& f, const 
 }  // namespace
 
 Ray make_primary(const View& view, const Params& p, int x, int y) {
-  // Numbers of pixels, or of steps between samples that span the view from edge to edge.
-  const bool lattice = p.sample == SamplePosition::lattice;
-  const double columns = lattice ? p.width - 1 : p.width, rows = lattice ? p.height - 1 : p.height;
-  const double shift = p.sample == SamplePosition::center ? 0.5 : 0;
-  const double step = 2 * view.half_height / std::max(rows, 1.0);
+  const Raster raster = make_raster(view, p);
   Ray ray;
   ray.origin = view.from;
-  ray.direction = normalize(view.ahead + (x + shift - columns / 2) * step * view.right +
-                            (rows / 2 - y - shift) * step * view.above);
+  ray.direction = normalize(view.ahead + (x - raster.left) * raster.step * view.right +
+                            (raster.top - y) * raster.step * view.above);
   ray.influence = {1, 1, 1};
   ray.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(p.width) +
                static_cast<std::uint32_t>(x);

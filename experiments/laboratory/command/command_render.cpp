@@ -3,6 +3,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/render_preview.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
@@ -15,6 +16,7 @@ struct Options {
   std::string scene, output, stats, size, area;
   renderer::Params params;
   int threads = 1;
+  std::optional<renderer::PreviewStep> preview;
 };
 
 void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
@@ -49,6 +51,7 @@ void render_scene(Options& o) {
   check_output(o.output, {".png"}, o.stats);
 
   renderer::check(o.params);
+  if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
   Clock clock;
@@ -80,6 +83,7 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
+  add_preview_option(*command, o->preview);
   command->callback([o] { render_scene(*o); });
 }
 
