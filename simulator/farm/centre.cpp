@@ -214,6 +214,10 @@ class Coordinator {
         [&](Abort) {
           heed("", [&] {
             progress_.is_aborted = true;
+            progress_.notes.push_back(fmt::format(
+                "order {} ended the run at {:.4g} s: the picture is as it was when the rays that "
+                "were under way had come",
+                progress_.orders, progress_.since_begun_s()));
             mode_ = Mode::aborted;
             rays_db_is_empty_ = true;
           });

@@ -231,10 +231,27 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
           kernels::message_costs(model)};
 }
 
+// Names of pictures that are saved are unlike each other and those that have a number.
+void check_names(const std::vector<Order>& script) {
+  std::vector<std::string> known;
+  for (const auto& order : script) {
+    const auto* save = std::get_if<Save>(&order.command.content);
+    if (!save) continue;
+    for (const char* taken : {"stage", "order", "shown", "growth"})
+      if (save->name.starts_with(taken))
+        base::refuse("order.save", "found \"{}\", expected a name that does not begin with {}",
+                     save->name, taken);
+    if (std::ranges::find(known, save->name) != known.end())
+      base::refuse("order.save", "found \"{}\" twice, expected different names", save->name);
+    known.push_back(save->name);
+  }
+}
+
 }  // namespace
 
 void check(const Params& params) {
   check(params.image);
+  check_names(params.script);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
   check_block(params);

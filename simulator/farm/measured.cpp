@@ -110,10 +110,25 @@ Columns<Result> ray_columns() {
       &Result::rays);
 }
 
+bool is_of_stage(const KeyImage& image) { return image.name.starts_with("stage"); }
+
 // The time when a stage ended, of each but the last: its key image is complete.
 std::vector<Cell> stage_cells(const Result& r) {
   std::vector<Cell> cells;
-  for (const auto& image : r.key_images) cells.emplace_back(image.at.value - r.setup_s);
+  for (const auto& image : r.key_images)
+    if (is_of_stage(image)) cells.emplace_back(image.at.value - r.setup_s);
+  return cells;
+}
+
+std::vector<Cell> lit_cells(const Result& r) {
+  std::vector<Cell> cells;
+  for (const auto& image : r.key_images) {
+    if (!is_of_stage(image)) continue;
+    std::size_t lit = 0;
+    for (std::size_t i = 0; i < image.rgb8.size(); i += 3)
+      lit += image.rgb8[i] > 0 || image.rgb8[i + 1] > 0 || image.rgb8[i + 2] > 0;
+    cells.emplace_back(static_cast<double>(3 * lit) / static_cast<double>(image.rgb8.size()));
+  }
   return cells;
 }
 
@@ -132,7 +147,9 @@ Columns<Result> time_columns() {
           column("drain_s", &R::drain_s, "part of time_s after the last task was handed out"),
           {"stage{}_s",
            "when the limits of a stage were reached, counted as time_s from the first task",
-           &stage_cells, true}};
+           &stage_cells, true},
+          {"stage{}_lit", "share of the pixels that are not black in the key image of a stage",
+           &lit_cells, true}};
 }
 
 Columns<Result> message_columns() {

@@ -57,7 +57,11 @@ class Router {
 
  private:
   void receive(int way) {
-    while (auto message = node_.take(way)) hand_on(std::move(*message), way, way);
+    for (bool is_whole = true; occam::turn(is_whole);) {
+      auto message = node_.take(way);
+      is_whole = message.has_value();
+      if (message) hand_on(std::move(*message), way, way);
+    }
   }
 
   // Gives the message to the senders of its ways, over the channels that `as` has into them.
@@ -67,8 +71,10 @@ class Router {
     const bool turns_back = came_by >= 0 && came_by < CLIENT && message.returned != before;
     if (turns_back && ways.count > 0) return send_later(std::move(message));
     for (auto& left_out : node_.take_unreached()) send_later(std::move(left_out));
-    for (const int out_by : ways)
+    for (const int out_by : ways) {
+      occam::this_process().charge(node_.costs.way_served);
       out(*outs_.at(out_by)->from.at(as), Handed{message, node_.pointers});
+    }
   }
 
   // The inputs in turns: inputs[i] ? message
@@ -81,7 +87,7 @@ class Router {
   }
 
   void send(int way) {
-    for (;;)
+    while (occam::turn(true))
       pri_alt(each_of(*outs_.at(way), [&](const Message& message) {
         if (node_.pass(way, message)) return;
         for (auto& again : node_.send_around(message, way)) send_later(std::move(again));
@@ -92,7 +98,7 @@ class Router {
     WayOut& client = *outs_.at(way);
     bool is_free = false;
     Signal dummy;
-    for (;;) {
+    while (occam::turn(true)) {
       pri_alt(when(!is_free, client.ready, dummy, [&] { is_free = true; }),
               each_of(client, [&](Message message) {
                 node_.hold(message);
@@ -109,7 +115,7 @@ class Router {
 
   void deliver(int way) {
     WayOut& client = *outs_.at(way);
-    for (;;) {
+    while (occam::turn(true)) {
       out(client.ready, Signal{});
       node_.pass(way, client.into.in().message);
     }

@@ -13,15 +13,17 @@ void route(Node& node, Message message, int came_by) {
     to_send.pop_back();
     const WaysOut ways = node.find_ways_out(next, came_by);
     for (auto& left_out : node.take_unreached()) to_send.push_back(std::move(left_out));
-    for (const int way : ways)
+    for (const int way : ways) {
+      occam::this_process().charge(node.costs.way_served);
       if (!node.pass(way, next))
         for (auto& again : node.send_around(next, way)) to_send.push_back(std::move(again));
+    }
   }
 }
 
 void run(Node& node) {
   const auto inputs = node.inputs();
-  for (std::size_t favourite = 0;; favourite = (favourite + 1) % inputs.size())
+  for (std::size_t favourite = 0; occam::turn(true); favourite = (favourite + 1) % inputs.size())
     pri_alt(each(inputs, favourite, [&](std::size_t k, std::optional<Message> message) {
       if (message) route(node, std::move(*message), inputs[k].way);
     }));
