@@ -55,7 +55,7 @@ TEST(LoadScene, ByName) {
     load_scene("cubes:3");
   } catch (const base::BadInput& bad) {
     EXPECT_STREQ(bad.what(),
-                 "found scene 'cubes:3', expected a generator (spheres:N) or a file (.nff)");
+                 "found scene 'cubes:3', expected a generator (spheres:N, room:L) or a file (.nff)");
   }
 }
 
