@@ -30,6 +30,7 @@ Program make_router_load();
 Program make_soak();
 Program make_in_path();
 Program make_data();
+Program make_progressive();
 
 const std::vector<Program>& all_programs() {
   static const std::vector<Program> all = {
@@ -45,8 +46,8 @@ const std::vector<Program>& all_programs() {
       make_deadlock(),       make_global(),
       make_random_traffic(), make_router_load(),
       make_soak(),           make_in_path(),
-      make_data(),           amp::make_radiosity(),
-      amp::make_scan_line(),
+      make_data(),           make_progressive(),
+      amp::make_radiosity(), amp::make_scan_line(),
   };
   return all;
 }
