@@ -6,14 +6,11 @@
 
 namespace renderer::progressive {
 
-namespace {
+static_assert(MAX_SIDE == 65536, "EXPECTED_SIDE says so");
 
-void check_side(std::string_view field, int side) {
-  require(side >= 1 && side <= MAX_SIDE && std::has_single_bit(static_cast<unsigned>(side)), field,
-          side, fmt::format("a power of two from 1 to {}", MAX_SIDE));
+bool is_side(int side) {
+  return side >= 1 && side <= MAX_SIDE && std::has_single_bit(static_cast<unsigned>(side));
 }
-
-}  // namespace
 
 std::vector<Step> make_steps(Growth growth, int max_cell, const Step& last) {
   std::vector<Step> steps;
@@ -28,18 +25,18 @@ std::vector<Step> make_steps(Growth growth, int max_cell, const Step& last) {
 
 base::Fields<Step> step_fields() {
   using D = base::Declare<Step>;
-  return {D::number("contrast", &Step::contrast, 0, 1, "",
-                    "contrast above which a cell is divided; 0: every cell is"),
-          D::whole("min_cell", &Step::min_cell, 1, MAX_SIDE, "pixels",
-                   "side of the smallest cells, a power of two"),
-          D::flag("pyramid", &Step::pyramid,
-                  "whether a cell is divided too that may hide an object from its samples")};
+  return {
+      D::number("contrast", &Step::contrast, 0, 1, "",
+                "contrast above which a cell is divided; 0: every cell is"),
+      side_field<Step>("min_cell", &Step::min_cell, "side of the smallest cells, a power of two"),
+      D::flag("pyramid", &Step::pyramid,
+              "whether a cell is divided too that may hide an object from its samples")};
 }
 
 void check(const Step& step, const Params& params, int max_cell) {
   require_allowed(step_fields(), step);
-  check_side("max_cell", max_cell);
-  check_side("min_cell", step.min_cell);
+  require(is_side(max_cell), "max_cell", max_cell, EXPECTED_SIDE);
+  require(is_side(step.min_cell), "min_cell", step.min_cell, EXPECTED_SIDE);
   require(step.min_cell <= max_cell, "min_cell", step.min_cell,
           fmt::format("at most max_cell, {}", max_cell));
   Params asked = params;

@@ -33,13 +33,26 @@ base::Field<P> growth_field(Access access) {
       "what grows: ever smaller cells, or ever deeper trees");
 }
 
+inline constexpr const char* EXPECTED_SIDE = "a power of two from 1 to 65536";
+/// Whether a cell may have that side.
+bool is_side(int side);
+
 /// The fields contrast, min_cell and pyramid.
 base::Fields<Step> step_fields();
-/// The field "max_cell" of P: the side of the first cells, pixels, a power of two.
+/// A field of P that holds the side of a cell.
+template <class P, class Access>
+base::Field<P> side_field(const std::string& name, Access access, const std::string& help) {
+  auto field = base::Declare<P>::whole(name, access, 1, MAX_SIDE, "pixels", help);
+  field.domain.expected = EXPECTED_SIDE;
+  field.set = [access, set = field.set](P& p, const base::Scalar& value) {
+    return set(p, value) && is_side(std::invoke(access, p));
+  };
+  return field;
+}
+/// The field "max_cell" of P: the side of the first cells.
 template <class P, class Access>
 base::Field<P> max_cell_field(Access access) {
-  return base::Declare<P>::whole("max_cell", access, 1, MAX_SIDE, "pixels",
-                                 "side of the first cells, a power of two");
+  return side_field<P>("max_cell", access, "side of the first cells, a power of two");
 }
 
 /// BadInput naming the field, what was found and what was expected.

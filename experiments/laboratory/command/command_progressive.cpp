@@ -75,6 +75,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   last.depth = task.params.limits.depth;
   last.area = task.params.area;
   check(last, task.params, o.max_cell);
+  const auto scene = renderer::load_scene(task.scene);
   if (!o.key_images.empty()) {
     std::error_code failed;
     fs::create_directories(o.key_images, failed);
@@ -82,7 +83,6 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
       throw CLI::ValidationError("--key-images", fmt::format("found \"{}\", expected a folder: {}",
                                                              o.key_images, failed.message()));
   }
-  const auto scene = renderer::load_scene(task.scene);
   const auto steps = make_steps(o.growth, o.max_cell, last);
   Progress bar("rendering");
   Clock clock;
