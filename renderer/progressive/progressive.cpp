@@ -73,7 +73,9 @@ void Progressive::trace_wanted(int depth, StepCounts& counts) {
     counts.rays += rays;
   };
   std::vector<std::future<void>> helpers;
-  for (int i = 1; i < threads_; ++i) helpers.push_back(std::async(std::launch::async, trace));
+  const auto threads = std::min(wanted_.size(), static_cast<std::size_t>(threads_));
+  for (std::size_t i = 1; i < threads; ++i)
+    helpers.push_back(std::async(std::launch::async, trace));
   trace();
   for (auto& helper : helpers) helper.get();
   for (const auto object : hits)

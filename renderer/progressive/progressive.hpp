@@ -24,17 +24,17 @@ double get_repeated_percent(const TreeRays& rays);
 
 class Progressive {
  public:
-  /// `scene` must outlive it. BadInput as renderer::check(). `params.limits.depth` and
-  /// `params.area` have no effect: a step has its own.
+  /// `scene` must outlive it; `threads` are host threads, at least 1. `params.limits.depth` and
+  /// `params.area` have no effect: a step has its own. BadInput as check().
   Progressive(const Scene& scene, const Params& params, int max_cell, int threads = 1);
 
   /// The first step takes a sample at every corner of cells of max_cell steps a side, whatever its
-  /// area. Every step makes the trees of the samples of the cells in its area as deep
-  /// as it says, unless they are already, and divides those cells until none is left that it would
-  /// divide. A cell that is neither above the contrast nor small enough is divided if it may hold
-  /// an object that no sample has hit; so every object that owns a pixel of the full image is hit.
-  /// What it does depends on the steps before, but not on the number of threads. BadInput as
-  /// check().
+  /// area. Every step makes the trees of the samples of the cells in its area as deep as it says,
+  /// unless they are already, and divides those cells until none is left that it would divide: of
+  /// those larger than min_cell, one above the contrast, or one that may hold an object that no
+  /// sample has hit. (So after a step over the whole image with min_cell 1 and the pyramid test,
+  /// every object that owns a pixel of the full image has a sample.) What a step does depends on
+  /// the steps before, but not on the number of threads. BadInput as check().
   StepCounts advance(const Step& step);
 
   /// What is displayed: samples as they are, other pixels interpolated.
