@@ -237,6 +237,8 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"nlohmann/"}, std::regex("experiments/laboratory/.*|tests/laboratory/.*")},
       {{"benchmark/", "embree3/"}, std::regex("tests/benchmarks/.*")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
+      {{"webp/"},
+       std::regex("renderer/image/animation\\.cpp|tests/renderer/image/animation_test\\.cpp")},
       {{"OpenEXR/"}, std::regex("renderer/radiosity/show/display\\.cpp|tests/renderer/.*")},
   };
   for (const Source& source : sources())

@@ -31,6 +31,15 @@ void add_fixed(Samples::Sums& sums, const Samples::Sums& others) {
                                              static_cast<std::uint64_t>(others.*colour));
 }
 
+void check_bytes(int width, int height, const std::vector<std::uint8_t>& rgb8,
+                 std::string_view who) {
+  require(!rgb8.empty(), who, "an image of no pixels", "1 or more");
+  const auto expected =
+      std::size_t{3} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
+  require(rgb8.size() == expected, who, fmt::format("{} bytes", rgb8.size()),
+          fmt::format("3 for each of {} x {} pixels", width, height));
+}
+
 }  // namespace
 
 void Samples::add(std::uint32_t sample, const Rgb& contribution) {
@@ -56,6 +65,14 @@ Rgb Samples::get(std::uint32_t sample) const {
           static_cast<double>(s.b) / ONE};
 }
 
+void check(const Bitmap& bitmap, std::string_view who) {
+  check_bytes(bitmap.width, bitmap.height, bitmap.rgb8, who);
+}
+
+Bitmap make_bitmap(const Samples& samples) {
+  return {samples.width, samples.height, make_rgb8(samples)};
+}
+
 std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * samples.sums.size());
@@ -64,13 +81,18 @@ std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
   return bytes;
 }
 
+std::array<std::uint8_t, 3> make_rgb8(const Samples& samples, std::uint32_t sample) {
+  const auto& s = samples.sums[sample];
+  return {to_byte(s.r), to_byte(s.g), to_byte(s.b)};
+}
+
+std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour) {
+  return {to_byte(to_fixed(colour.r)), to_byte(to_fixed(colour.g)), to_byte(to_fixed(colour.b))};
+}
+
 void save_png(const std::string& path, int width, int height,
               const std::vector<std::uint8_t>& rgb8) {
-  require(!rgb8.empty(), "save_png", "an image of no pixels", "1 or more");
-  const auto expected =
-      std::size_t{3} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
-  require(rgb8.size() == expected, "save_png", fmt::format("{} bytes", rgb8.size()),
-          fmt::format("3 for each of {} x {} pixels", width, height));
+  check_bytes(width, height, rgb8, "save_png");
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);

@@ -2,8 +2,10 @@
 // Samples in fixed point: integer addition is associative, so contributions may arrive in any
 // order and from anywhere, and the image is the same to the last bit.
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/scene/vec.hpp"
@@ -38,8 +40,23 @@ struct Samples {
   Rgb get(std::uint32_t sample) const;
 };
 
+/// A picture as PNGs have it and displays show it.
+struct Bitmap {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes a pixel
+  bool operator==(const Bitmap&) const = default;
+};
+
+/// BadInput, beginning with `who`, for no pixels or another number of bytes than they need.
+void check(const Bitmap& bitmap, std::string_view who);
+
+Bitmap make_bitmap(const Samples& samples);
+
 /// Rows from the top, 3 bytes a pixel: 0..1 becomes 0..255, rounded; what is outside is clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
+/// One of its pixels, and a colour, in the same way.
+std::array<std::uint8_t, 3> make_rgb8(const Samples& samples, std::uint32_t sample);
+std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour);
 
 /// Writes an 8-bit RGB PNG as base::save_whole does, with its errors. The bytes depend on the
 /// samples only (no date, no text). BadInput for an image of no pixels.

@@ -24,6 +24,8 @@ enum class Op : std::uint8_t {
   ray_reflected,    ///< a reflected ray made
   ray_refracted,    ///< a transmitted ray made
   sample_updated,   ///< a contribution to be added to a sample (Eq 4.26)
+  pixel_drawn,      ///< a pixel of a cell written into the display's memory
+  pixel_interpolated,  ///< its colour found between four samples
   factor_begun,     ///< radiosity: whether a vertex and a patch face each other
   delta_area,       ///< a delta area of such a patch: distance, cosines, quotient (Eq 3.8)
   light_mirrored,   ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
@@ -52,7 +54,7 @@ inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
       "box_test",      "sphere_test",    "sphere_root",     "polygon_test",   "patch_test",
       "polygon_edges", "cone_test",      "ray_intersected", "hit_made",       "surface_shaded",
-      "feeler_made",   "ray_reflected",  "ray_refracted",   "sample_updated", "factor_begun",
+      "feeler_made",   "ray_reflected",  "ray_refracted",   "sample_updated", "pixel_drawn", "pixel_interpolated", "factor_begun",
       "delta_area",    "light_mirrored", "vertex_lit",      "patch_lit",      "patch_compared"};
   static_assert(!NAMES.back().empty(), "an Op has no name here");
   return NAMES;

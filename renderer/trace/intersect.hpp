@@ -26,7 +26,9 @@ struct Ray {
                                    ///< deeper than the ray whose hit it leaves
   std::uint16_t light = 0;         ///< index of the light that a feeler looks for
   RayKind kind = RayKind::primary;
-  bool through = false;  ///< whether it, or an ancestor, was transmitted
+  bool through = false;     ///< whether it, or an ancestor, was transmitted
+  bool is_urgent = false;   ///< its cell shows more than its neighbours: see farm::CellOrder
+  std::uint8_t order = 0;   ///< of the user, that admitted it or an ancestor; 0: none
 };
 
 /// The influence factor that limits are compared with.

@@ -1,5 +1,8 @@
 #include "simulator/farm/centre.hpp"
 
+#include <limits>
+#include <unordered_map>
+
 #include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
@@ -47,9 +50,11 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
           spend_work();
         },
         [&](AskInteractive) { give(false); }, [&](AskAny) { give(true); },
-        [&](const Limits& limits) {
-          stores.set_limits(limits, work);
+        [&](const SetLimits& set) {
+          const auto start = this_process().now();
+          stores.set_limits(set.limits, work, set.order);
           spend_work();
+          longest_pause_s = std::max(longest_pause_s, (this_process().now() - start).value);
         },
         [&](Stop) { active = false; });
   }
@@ -62,22 +67,39 @@ void Visualisation::run(Channel<Answer>& inp) {
     in(inp, answer);
     this_process().charge(message.read);
     case_of(
-        answer,
-        [&](const Intersection& found) {
-          cost(samples, scratch, [this, found](renderer::Samples& to, renderer::Work& work) {
-            to.add(found.ray.sample, eval_contribution(scene, params, found.ray, found.hit, work));
-          });
-        },
+        answer, [&](const Intersection& found) { show(found); },
         [&](const RenderedBlock& block) {
-          cost(samples, scratch, [block](renderer::Samples& to, renderer::Work& work) {
-            add_block(to, *block, work);
+          recorder.note(progress.since_begun_s(), [&] { return look(); });
+          cost(picture, scratch, [block](FrameBuffer& to, renderer::Work& work) {
+            to.add(*block, work);
           });
+          rays += block->rays.total();
         },
-        [&](KeepImage) {
-          key_images.push_back({this_process().now(), samples});
+        [&](const KeepImage& keep) {
+          key_images.push_back({this_process().now(), keep.name, picture.rgb8()});
         },
-        [](SceneReceived) {}, [&](Stop) { active = false; });
+        [](SceneData) {}, [](SceneReceived) {}, [&](Stop) { active = false; });
   }
+}
+
+void Visualisation::show(const Intersection& found) {
+  recorder.note(progress.since_begun_s(), [&] { return look(); });
+  cost(picture, scratch, [this, found](FrameBuffer& to, renderer::Work& work) {
+    is_changed = to.add(found.ray.sample,
+                        eval_contribution(scene, params, found.ray, found.hit, work), work);
+  });
+  ++rays;
+  if (is_changed && found.ray.order > 0) progress.note_changed(found.ray.order);
+}
+
+void Visualisation::end(machine::Seconds at) {
+  recorder.end((at - progress.begun).value, [&] { return look(); });
+}
+
+Shown Visualisation::look() const {
+  return {.rays = rays,
+          .cycles = static_cast<std::uint64_t>(tasks.charged().value),
+          .rgb8 = picture.rgb8()};
 }
 
 namespace {
@@ -99,6 +121,10 @@ void send_scene(CoordinationChannels to, SceneMessages load) {
     const auto size = static_cast<std::uint32_t>(std::min<std::uint64_t>(load.message, left));
     out(to.into_sender, Task{SceneData{left <= load.message}, size});
   }
+  for (std::uint64_t sent = 0; sent < load.display_bytes; sent += load.message) {
+    const auto left = std::min<std::uint64_t>(load.message, load.display_bytes - sent);
+    out(to.into_visualisation, Answer{SceneData{}, static_cast<std::uint32_t>(left)});
+  }
   Answer acknowledgement;
   for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
 }
@@ -113,7 +139,7 @@ void stop_all(CoordinationChannels to, bool sender_is_ready) {
   out(to.into_database, DatabaseRequest{});
 }
 
-enum class Mode { null, interactive, non_interactive };
+enum class Mode { null, interactive, non_interactive, aborted, ended };
 
 // The process's variables, named as in figure 4.15, and the handling of its guards.
 class Coordinator {
@@ -128,9 +154,8 @@ class Coordinator {
          make_initial_rays(setup_.scene, setup_.params, setup_.cells, setup_.seed))
       deposit(ray);
     progress_.begin();
-    serve(Mode::interactive);
-    progress_.end_interactive();
-    serve(Mode::non_interactive);
+    mode_ = Mode::interactive;
+    while (mode_ != Mode::ended) serve(mode_);
     progress_.end();
     Command late;
     while (!quitting_) {
@@ -141,18 +166,27 @@ class Coordinator {
   }
 
  private:
-  // Figure 4.15.
-  void serve(Mode phase) {
-    mode_ = phase;
-    rays_db_is_empty_ = false;
+  // Figure 4.15, and what it leaves out: the null mode, which has no ray to look for and waits for
+  // an order; and the mode in which no more rays are looked for, since the user has had enough.
+  void serve(Mode mode) {
+    rays_db_is_empty_ = mode == Mode::aborted;
     Command user_message;
     Signal dummy;
     Answer intersection;
+    if (mode == Mode::null) {
+      if (!quitting_) {
+        in(to_.from_interaction, user_message);
+        obey(user_message);
+      }
+      if (quitting_ && mode_ == Mode::null) leave_interactive();
+      return;
+    }
     if (!sender_is_ready_) {
       in(to_.from_sender, dummy);
       sender_is_ready_ = true;
     }
-    while (turn(mode_ == phase)) {
+    if (rays_db_is_empty_ && rays_in_farm_ == 0) next_stage();
+    while (turn(mode_ == mode)) {
       pri_alt(when(to_.from_interaction, user_message, [&] { obey(user_message); }),
               when(!sender_is_ready_, to_.from_sender, dummy, [&] { sender_is_ready_ = true; }),
               otherwise(!rays_db_is_empty_ && sender_is_ready_, [&] { feed_sender(); }),
@@ -161,17 +195,51 @@ class Coordinator {
     }
   }
 
+  // An order that has an effect leaves a picture of what it found.
   void obey(const Command& command) {
+    const auto heed = [&](const std::string& why_without_effect, auto action) {
+      if (!progress_.note_order(why_without_effect)) return;
+      keep(fmt::format("order{}", progress_.orders));
+      action();
+    };
     case_of(
         command, [](Begin) {},
         [&](NonInteractive) {
-          if (progress_.note_order()) mode_ = Mode::null;
+          heed(is_interactive() ? "" : "the interactive phase was over already",
+               [&] { leave_interactive(); });
+        },
+        [&](Interactive) {
+          heed(is_interactive() ? "it was the interactive phase already" : "",
+               [&] { mode_ = Mode::interactive; });
+        },
+        [&](Abort) {
+          heed("", [&] {
+            progress_.is_aborted = true;
+            mode_ = Mode::aborted;
+            rays_db_is_empty_ = true;
+          });
+        },
+        [&](const Save& save) {
+          if (progress_.note_order()) keep(save.name);
         },
         [&](const Limits& limits) {
-          if (progress_.note_order(limits == limits_)) set_limits(limits);
+          heed(limits == limits_ ? "its limits were set already" : "", [&] {
+            set_limits(limits, static_cast<std::uint8_t>(std::min<std::size_t>(
+                                   progress_.orders, std::numeric_limits<std::uint8_t>::max())));
+            if (mode_ == Mode::null) mode_ = Mode::interactive;
+          });
         },
         [&](Quit) { quitting_ = true; });
   }
+
+  bool is_interactive() const { return mode_ == Mode::null || mode_ == Mode::interactive; }
+
+  void leave_interactive() {
+    mode_ = Mode::non_interactive;
+    progress_.end_interactive();
+  }
+
+  void keep(const std::string& name) { out(to_.into_visualisation, Answer{KeepImage{name}}); }
 
   void feed_sender() {
     DatabaseRequest ask{AskAny{}};
@@ -194,6 +262,8 @@ class Coordinator {
     progress_.rays.add(ray.kind, hit.has_value());
     this_process().charge(setup_.message.read + setup_.message.made);
     out(to_.into_visualisation, answer);
+    if (mode_ == Mode::aborted) return;
+    if (ray.level == 1 && setup_.cells.order == CellOrder::adaptive) divide(ray, hit);
     if (!hit) return;
     setup_.cost(
         new_rays_, scratch_,
@@ -210,20 +280,45 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  void set_limits(const Limits& limits) {
+  // CellOrder::adaptive: what a sample shows is compared with the samples that are a cell away, as
+  // far as they have come, and the primary rays of the cells it is divided into are made.
+  void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    const auto object = hit ? hit->object : renderer::NO_OBJECT;
+    seen_[ray.sample] = object;
+    const int width = setup_.cells.width, size = setup_.cells.size_of(ray.sample);
+    const int x = static_cast<int>(ray.sample) % width, y = static_cast<int>(ray.sample) / width;
+    bool is_urgent = false;
+    for (const auto& [dx, dy] : {std::pair{-size, 0}, {size, 0}, {0, -size}, {0, size}}) {
+      if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= setup_.params.height) continue;
+      const auto other = seen_.find(static_cast<std::uint32_t>((y + dy) * width + x + dx));
+      is_urgent = is_urgent || (other != seen_.end() && other->second != object);
+      this_process().charge(setup_.cell_judged);
+    }
+    for (const auto sample : setup_.cells.divide(ray.sample, get_area(setup_.params))) {
+      auto primary = make_primary(setup_.scene.view, setup_.params,
+                                  static_cast<int>(sample) % width,
+                                  static_cast<int>(sample) / width);
+      primary.is_urgent = is_urgent;
+      primary.order = ray.order;
+      deposit(primary);
+    }
+  }
+
+  void set_limits(const Limits& limits, std::uint8_t order = 0) {
     limits_ = limits;
-    out(to_.into_database, DatabaseRequest{limits, LIMITS_BYTES});
+    out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, LIMITS_BYTES});
     rays_db_is_empty_ = false;
   }
 
-  // No ray within the limits is left anywhere: the next limits are set, or the phase ends.
+  // No ray of the phase is left anywhere: the next limits are set, or the phase ends.
   void next_stage() {
-    if (mode_ != Mode::interactive || stage_ + 1 >= setup_.stages.size()) {
-      mode_ = Mode::null;
-      return;
+    if (mode_ == Mode::interactive && stage_ + 1 < setup_.stages.size()) {
+      ++stage_;
+      keep(fmt::format("stage{}", stage_));
+      set_limits(setup_.stages[stage_]);
+    } else {
+      mode_ = mode_ == Mode::interactive ? Mode::null : Mode::ended;
     }
-    out(to_.into_visualisation, Answer{KeepImage{}});
-    set_limits(setup_.stages[++stage_]);
   }
 
   const CoordinationSetup& setup_;
@@ -234,6 +329,7 @@ class Coordinator {
   renderer::Children new_rays_, scratch_;
   Progress& progress_;
   Limits limits_;  // that are set
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // objects at samples, to divide by
 };
 
 }  // namespace
@@ -292,20 +388,20 @@ void Progress::note_task(std::size_t in_farm) {
   peak_tasks_in_farm = std::max(peak_tasks_in_farm, in_farm);
 }
 
-bool Progress::note_order(bool is_set_already) {
+bool Progress::note_order(const std::string& why_without_effect) {
   ++orders;
-  const auto note = [&](const std::string& why) {
-    notes.push_back(fmt::format("order {} had no effect: {}", orders, why));
-  };
-  const auto since_begun = [&](machine::Seconds at) { return (at - begun).value; };
+  orders_shown.emplace_back(this_process().now(), std::nullopt);
+  std::string why = why_without_effect;
   if (phase == Phase::ended)
-    note(fmt::format("it came after the end, at {:.4g} s", since_begun(ended)));
-  else if (phase != Phase::interactive)
-    note(fmt::format("it came after the interactive phase, which ended at {:.4g} s",
-                     since_begun(interactive_ended)));
-  else if (is_set_already)
-    note("its limits were set already");
-  return phase == Phase::interactive;
+    why = fmt::format("it came after the end, at {:.4g} s", (ended - begun).value);
+  if (why.empty()) return true;
+  notes.push_back(fmt::format("order {} had no effect: {}", orders, why));
+  return false;
+}
+
+void Progress::note_changed(std::uint8_t order) {
+  auto& shown = orders_shown.at(order - 1u).second;
+  if (!shown) shown = this_process().now();
 }
 
 void Progress::end_interactive() {
@@ -315,6 +411,7 @@ void Progress::end_interactive() {
 
 void Progress::end() {
   ended = this_process().now();
+  if (phase == Phase::interactive) interactive_ended = ended;
   phase = Phase::ended;
   after = observe::collect(observed);
 }

@@ -46,7 +46,26 @@ CentralProcessors add_central_processors(machine::Machine& machine, const Params
   return on;
 }
 
-Cells make_cells(const Params& params) { return {params.image.width, params.max_cell}; }
+// From the first pixel that is rendered on.
+Cells make_cells(const Params& params) {
+  const renderer::Area area = get_area(params.image);
+  return {params.image.width, params.max_cell, area.x, area.y, params.order};
+}
+
+FrameBuffer make_picture(const Params& params) {
+  return {params.image.width, params.image.height, make_cells(params), params.cells};
+}
+
+machine::Cycles cost_of_judging(const machine::Model& model) {
+  static constexpr std::string_view NAMES[] = {"cell_judged"};
+  return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
+}
+
+// What the display keeps of the scene (4.3.6.6).
+std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene) {
+  return scene.surfaces.size() * get_bytes(model, "surface") +
+         scene.lights.size() * get_bytes(model, "light");
+}
 
 // The initial rays are all deposited before the first is taken: a memory that they do not fit is
 // refused at once.
@@ -62,7 +81,9 @@ void check_initial_rays(Processor& database, const renderer::Params& image, std:
 // (figures 4.9 to 4.11).
 class Centre {
  public:
-  Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params);
+  /// `tasks`: what the workers compute.
+  Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params,
+         const kernels::KernelCost& tasks);
   Centre(const Centre&) = delete;
 
   machine::Processor& coordinator() { return on_.coordinator; }
@@ -96,10 +117,20 @@ class Centre {
 
   // The result without the workers' part.
   Result take_result(machine::End end) {
-    if (end == machine::End::done)
+    if (end == machine::End::done && !progress_.is_aborted)
       base::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
     Result result = make_result(progress_, end);
-    result.samples = std::move(visualisation_.samples);
+    visualisation_.end(progress_.ended);
+    result.samples = visualisation_.picture.samples();
+    result.rgb8 = visualisation_.picture.rgb8();
+    result.pictures = visualisation_.recorder.pictures();
+    result.growth = visualisation_.recorder.growth();
+    result.is_aborted = progress_.is_aborted;
+    if (rays_.longest_pause_s > 0) result.reorder_pause_s = rays_.longest_pause_s;
+    for (const auto& [at, shown] : progress_.orders_shown)
+      if (shown)
+        result.order_to_pixel_s =
+            std::max(result.order_to_pixel_s.value_or(0), (*shown - at).value);
     result.key_images = std::move(visualisation_.key_images);
     result.interactive_s = (progress_.interactive_ended - progress_.begun).value;
     result.peaks = rays_.stores.peaks();
@@ -109,7 +140,9 @@ class Centre {
  private:
   SceneMessages scene_messages(std::size_t workers) const {
     if (params_.scene_message == 0) return {};
-    return {kernels::scene_bytes(machine_.model(), scene_), params_.scene_message, workers};
+    const auto& model = machine_.model();
+    return {kernels::scene_bytes(model, scene_), params_.scene_message,
+            display_bytes(model, scene_), workers};
   }
 
   CoordinationSetup make_ray_setup(std::size_t workers) {
@@ -121,7 +154,8 @@ class Centre {
             .cells = make_cells(params_),
             .seed = params_.seed,
             .load = scene_messages(workers),
-            .stages = params_.stages};
+            .stages = params_.stages,
+            .cell_judged = cost_of_judging(machine_.model())};
   }
 
   machine::Machine& machine_;
@@ -132,8 +166,8 @@ class Centre {
   CentralProcessors on_;
   kernels::KernelCost shading_;
   RayDatabase rays_;
-  Visualisation visualisation_;
   Progress progress_;
+  Visualisation visualisation_;
 
   Channel<Command> from_interaction_;
   Channel<DatabaseRequest> into_database_;
@@ -141,7 +175,8 @@ class Centre {
   Channel<Answer> into_visualisation_;
 };
 
-Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params)
+Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params,
+               const kernels::KernelCost& tasks)
     : machine_(machine),
       params_(params),
       scene_(scene),
@@ -149,16 +184,19 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       message_(kernels::message_costs(machine.model())),
       on_(add_central_processors(machine, params)),
       shading_(central_cost("shading", machine.model(), params)),
-      rays_{RayStores(make_cells(params), params.stages[0]),
+      rays_{RayStores(make_cells(params), params.stages[0], params.weights),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
             message_},
+      progress_(machine),
       visualisation_{scene,
                      params.image,
                      central_cost("display", machine.model(), params),
                      message_,
-                     renderer::Samples(params.image.width, params.image.height),
-                     {}},
-      progress_(machine),
+                     make_picture(params),
+                     params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
+                     Recorder(params.looks),
+                     progress_,
+                     tasks},
       from_interaction_("coordinator.from.interaction"),
       into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
                      occam::Protocol::variant),
@@ -166,9 +204,10 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      occam::Protocol::variant),
       into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
                           occam::Protocol::variant) {
-  if (params.cycles_per_host_s) visualisation_.scratch = visualisation_.samples;
   if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
   allocate_image(on_.display, params.image);
+  on_.display.memory().allocate(display_bytes(machine.model(), scene), "surfaces and lights",
+                                on_.display.now());
 }
 
 // Takes the memory of the worker's copy of the scene.
@@ -215,8 +254,8 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   check(params);
   Machine machine(model, model.software.occam_factor, params.processes);
   Wires wires;
-  Centre centre(machine, scene, params);
   Kernel kernel = make_kernel(model, scene, params);
+  Centre centre(machine, scene, params, params.block ? kernel.block : kernel.ray);
   const Workers workers =
       wire_workers(wires, machine, topology, centre.coordinator(), worker_memory(model, params));
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {

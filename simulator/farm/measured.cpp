@@ -122,6 +122,10 @@ Columns<Result> time_columns() {
   return {column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
           column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
           column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+          column("reorder_pause_s", &R::reorder_pause_s,
+                 "the longest while the ray database classified all rays again"),
+          column("order_to_pixel_s", &R::order_to_pixel_s,
+                 "the longest from an order of the user's to the first pixel it changed"),
           column("setup_s", &R::setup_s, "time before time_s: scene sent, first rays deposited"),
           column<R>(
               "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s"),

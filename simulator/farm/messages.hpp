@@ -23,7 +23,7 @@ struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-/// A part of the scene, for every worker.
+/// A part of the scene, for every worker; of its surfaces and lights, for visualisation.
 struct SceneData {
   bool is_last = false;  ///< to be acknowledged
 };
@@ -50,11 +50,13 @@ struct Intersection {
 };
 using RenderedBlock = std::shared_ptr<const renderer::Block>;
 struct SceneReceived {};
-struct KeepImage {};  ///< to visualisation only: keep the image as it is now
+struct KeepImage {    ///< to visualisation only: keep the picture as it is now
+  std::string name;   ///< for a file; a word where it is sent
+};
 
 /// Workers -> coordination -> visualisation.
 struct Answer {
-  std::variant<Stop, SceneReceived, KeepImage, Intersection, RenderedBlock> content;
+  std::variant<Stop, SceneReceived, SceneData, KeepImage, Intersection, RenderedBlock> content;
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
   bool stop() const { return std::holds_alternative<Stop>(content); }
@@ -67,9 +69,15 @@ struct Answer {
 struct AskInteractive {};  ///< for an RMI ray (figure 4.16: ask.interact.mode.ray)
 struct AskAny {};          ///< for any ray (ask.any.ray)
 
+/// Limits, and which of the user's orders has set them (0: none).
+struct SetLimits {
+  Limits limits;
+  std::uint8_t order = 0;
+};
+
 /// Coordination -> ray database.
 struct DatabaseRequest {
-  std::variant<Stop, AskInteractive, AskAny, renderer::Ray, Limits> content;
+  std::variant<Stop, AskInteractive, AskAny, renderer::Ray, SetLimits> content;
   std::uint32_t size = 0;
   std::uint64_t bytes() const { return size; }
 };
@@ -83,11 +91,16 @@ struct DatabaseReply {
 
 struct Begin {};           ///< deposit the initial rays, start the interactive phase
 struct NonInteractive {};  ///< leave the interactive phase now
+struct Interactive {};     ///< come back to it from the non-interactive phase
+struct Abort {};           ///< no more tasks: end with the picture as it is
+struct Save {              ///< keep the picture as it is now
+  std::string name;        ///< for a file
+};
 struct Quit {};            ///< end when the image is complete
 
 /// Interaction -> coordination: the user's orders.
 struct Command {
-  std::variant<Begin, NonInteractive, Quit, Limits> content;
+  std::variant<Begin, NonInteractive, Interactive, Abort, Save, Quit, Limits> content;
   std::uint64_t bytes() const {
     return std::holds_alternative<Limits>(content) ? LIMITS_BYTES : TAG_BYTES;
   }

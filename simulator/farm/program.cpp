@@ -58,11 +58,78 @@ base::Fields<Params> memory_fields() {
                    "memory of the ray database and of the display; else the model's")};
 }
 
-base::Fields<Params> farm_fields() {
+// `member` of P holds them.
+template <class P, class Member>
+base::Field<P> weights_field(Member member, const std::string& help) {
+  const auto set = [member](P& p, const base::Scalar& value) {
+    const auto& weights = std::get<std::vector<double>>(value);
+    const auto is_weight = [](double w) { return w >= 0 && w <= 1e6; };
+    if (weights.size() != 3 || !std::ranges::all_of(weights, is_weight)) return false;
+    p.*member = Weights{weights[0], weights[1], weights[2]};
+    return true;
+  };
+  const auto get = [member](const P& p) -> base::Scalar {
+    const std::optional<Weights> weights = p.*member;
+    if (!weights) return {};
+    return std::vector<double>{weights->influence, weights->level, weights->cell};
+  };
+  return {"weights",
+          "",
+          help,
+          {.kind = base::Domain::Kind::list,
+           .expected = "[influence, level, cell], three numbers from 0 to 1e6"},
+          set,
+          get};
+}
+
+base::Fields<Params> cell_fields() {
   using D = base::Declare<Params>;
+  static const base::Names<CellOrder> ORDERS = {{"random", CellOrder::random},
+                                                {"sequential", CellOrder::sequential},
+                                                {"recursive", CellOrder::recursive},
+                                                {"adaptive", CellOrder::adaptive}};
+  static const base::Names<CellLight> LIGHTS = {{"constant", CellLight::constant},
+                                                {"point", CellLight::point},
+                                                {"smooth", CellLight::smooth}};
   return {D::whole("max_cell", &Params::max_cell, 1, 65536, "pixels",
                    "largest image cell, a power of two"),
-          task_field(),
+          D::choice("order", &Params::order, ORDERS,
+                    "order of cells of one size; adaptive: where objects meet first"),
+          D::choice("cells", &Params::cells, LIGHTS,
+                    "what a sample shows of its cell: constant colour, one point, or a smooth "
+                    "transition to its neighbours"),
+          weights_field<Params>(&Params::weights,
+                                "what a ray's influence, level and cell weigh in its priority; "
+                                "[0, 0, 0]: they are compared one after the other")};
+}
+
+bool set_show_at(Params& p, const base::Scalar& value) {
+  const auto& times = std::get<std::vector<double>>(value);
+  if (!std::ranges::is_sorted(times) || (!times.empty() && times[0] < 0)) return false;
+  p.looks.at_s = times;
+  return true;
+}
+
+base::Fields<Params> look_fields() {
+  using D = base::Declare<Params>;
+  const auto every = [](Params & p) -> auto& { return p.looks.every_s; };
+  const auto growth = [](Params & p) -> auto& { return p.looks.growth; };
+  return {{"show_at_s",
+           "s",
+           "pictures at these times, counted as time_s",
+           {.kind = base::Domain::Kind::list,
+            .expected = "times in s, 0 or more, each after the one before"},
+           &set_show_at,
+           [](const Params& p) -> base::Scalar { return p.looks.at_s; }},
+          D::number("show_every_s", every, 0, 1e9, "s", "and at each multiple of this; 0: at none"),
+          D::whole("growth", growth, 0, 1000, "",
+                   "times, at least, at which the picture is compared with the last one, for "
+                   "growth.csv and the moving picture; 0: never")};
+}
+
+base::Fields<Params> farm_fields() {
+  using D = base::Declare<Params>;
+  return {task_field(),
           D::whole("scene_message_bytes", &Params::scene_message, 0, 1 << 24, "bytes",
                    "longest message that sends the scene to the workers, in setup_s; 0: they have "
                    "it"),
@@ -106,7 +173,9 @@ base::Fields<ProgramParams> make_fields() {
   const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
   return base::join(base::lift_all<P>(memory_fields(), &P::farm, "machine."),
                     {scene_fields(), base::lift_all<P>(renderer::param_fields(), image, "image."),
+                     base::lift_all<P>(cell_fields(), &P::farm, "farm."),
                      base::lift_all<P>(farm_fields(), &P::farm, "farm."),
+                     base::lift_all<P>(look_fields(), &P::farm, "farm."),
                      base::lift_all<P>(data_fields(), data, "data.")});
 }
 
@@ -120,7 +189,8 @@ base::Fields<Limits> limit_fields() {
                "tree level, at most, of transmitted rays and their descendants"),
       D::whole("min_cell", &Limits::min_cell, 1, 65536, "pixels",
                "size of the image cell, at least"),
-      base::lift<Limits>(renderer::area_field(), &Limits::area)};
+      base::lift<Limits>(renderer::area_field(), &Limits::area),
+      weights_field<Limits>(&Limits::weights, "as farm.weights, while these limits are set")};
 }
 
 // `append` puts a record behind the others in the list.
@@ -144,20 +214,46 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
 
 struct OrderRecord {
   double at_s = 0;
-  bool non_interactive = false;
+  bool non_interactive = false, interactive = false, abort = false;
+  std::string save;
   std::optional<Limits> limits;  // where any is given
 };
 
 Order make_order(const OrderRecord& record) {
-  if (record.non_interactive == record.limits.has_value())
-    throw base::BadInput(fmt::format(
-        "[[order]] at {} s: expected either limits or non_interactive = true", record.at_s));
-  Order order{{record.at_s}, {}};
-  if (record.limits)
-    order.command.content = *record.limits;
-  else
-    order.command.content = NonInteractive{};
-  return order;
+  std::vector<Command> commands;
+  if (record.limits) commands.push_back({*record.limits});
+  if (record.non_interactive) commands.push_back({NonInteractive{}});
+  if (record.interactive) commands.push_back({Interactive{}});
+  if (record.abort) commands.push_back({Abort{}});
+  if (!record.save.empty()) commands.push_back({Save{record.save}});
+  if (commands.size() != 1)
+    throw base::BadInput(
+        fmt::format("[[order]] at {} s: found {}, expected one of: limits, non_interactive = true, "
+                    "interactive = true, abort = true, save = \"name\"",
+                    record.at_s,
+                    commands.empty() ? "nothing to do" : "several things to do"));
+  return {{record.at_s}, commands[0]};
+}
+
+bool is_picture_name(const std::string& name) {
+  return !name.empty() && name.size() <= 40 && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) || c == '-';
+  });
+}
+
+base::Field<OrderRecord> save_field() {
+  return {"save",
+          "",
+          "the picture as it is then is saved, with this in its name",
+          {.kind = base::Domain::Kind::text,
+           .expected = "up to 40 letters, digits and dashes"},
+          [](OrderRecord& r, const base::Scalar& value) {
+            const auto& name = std::get<std::string>(value);
+            if (!is_picture_name(name)) return false;
+            r.save = name;
+            return true;
+          },
+          [](const OrderRecord& r) -> base::Scalar { return r.save; }};
 }
 
 base::Fields<OrderRecord> order_fields() {
@@ -170,7 +266,12 @@ base::Fields<OrderRecord> order_fields() {
           D::number("at_s", &OrderRecord::at_s, 0, 1e9, "s",
                     "when the user orders it, counted as time_s from the first task"),
           D::flag("non_interactive", &OrderRecord::non_interactive,
-                  "true: the user leaves the interactive phase")},
+                  "true: the user leaves the interactive phase"),
+          D::flag("interactive", &OrderRecord::interactive,
+                  "true: the user comes back from the non-interactive phase"),
+          D::flag("abort", &OrderRecord::abort,
+                  "true: the user has had enough; rays that are under way end"),
+          save_field()},
       {base::lift_all<OrderRecord>(limit_fields(), limits)});
 }
 
@@ -227,12 +328,13 @@ void check_program(const Setup& setup, const ProgramParams& params) {
   if (shares_data(params)) check(setup.model, size, make_params(setup, params), *params.data);
 }
 
-programs::Image make_image(const std::string& name, std::optional<double> at_s,
-                           renderer::Samples samples) {
-  const auto kept = std::make_shared<const renderer::Samples>(std::move(samples));
+programs::Image make_image(const ProgramParams& params, const std::string& name,
+                           std::optional<double> at_s, std::vector<std::uint8_t> rgb8) {
+  const auto kept = std::make_shared<const std::vector<std::uint8_t>>(std::move(rgb8));
+  const int width = params.farm.image.width, height = params.farm.image.height;
   return {.name = name,
           .at_s = at_s,
-          .save = [kept](const std::string& path) { renderer::save_png(path, *kept); },
+          .save = [=](const std::string& path) { renderer::save_png(path, width, height, *kept); },
           .is_named = true};
 }
 
@@ -245,11 +347,17 @@ std::string picture_name(const ProgramParams& params) {
 }
 
 // Columns do not show images: they move out of the result.
-std::vector<programs::Image> take_images(const std::string& name, Result& result) {
-  std::vector<programs::Image> images{make_image(name, std::nullopt, std::move(result.samples))};
+std::vector<programs::Image> take_images(const ProgramParams& params, Result& result) {
+  const auto name = picture_name(params);
+  std::vector<programs::Image> images;
+  const auto add = [&](const std::string& suffix, std::optional<double> at_s, auto& rgb8) {
+    images.push_back(make_image(params, name + suffix, at_s, std::move(rgb8)));
+  };
+  add("", result.is_aborted ? std::optional(result.time_s) : std::nullopt, result.rgb8);
   for (auto& key : result.key_images)
-    images.push_back(make_image(fmt::format("{}-stage{}", name, images.size()),
-                                key.at.value - result.setup_s, std::move(key.samples)));
+    add("-" + key.name, key.at.value - result.setup_s, key.rgb8);
+  for (std::size_t i = 0; i < result.pictures.size(); ++i)
+    add(fmt::format("-shown{}", i + 1), result.pictures[i].at_s, result.pictures[i].rgb8);
   return images;
 }
 
@@ -267,7 +375,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   Measured measured(run_one(setup, params), params.data.has_value(), shares_data(params));
   Result& result = measured.run.farm;
   Outcome<Measured> outcome;
-  outcome.images = take_images(picture_name(params), result);
+  outcome.images = take_images(params, result);
   outcome.end = result.end;
   outcome.use = result.use;
   outcome.loads = measured.loads;

@@ -1,56 +1,49 @@
 #include "simulator/farm/ray_stores.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <cmath>
 #include <utility>
 
-#include "base/random.hpp"
-
 namespace farm {
-
-int Cells::size_of(std::uint32_t sample) const {
-  const std::uint32_t w = static_cast<std::uint32_t>(width);
-  const std::uint32_t corner = sample % w | sample / w | static_cast<std::uint32_t>(max_cell);
-  return static_cast<int>(corner & (~corner + 1));  // lowest bit set
-}
 
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells) {
   if (ray.kind == renderer::RayKind::shadow) return true;
   const int depth = ray.through ? limits.depth_transmitted : limits.depth_reflected;
   if (ray.level > depth || renderer::max_influence(ray) < limits.min_influence) return false;
   if (cells.size_of(ray.sample) < limits.min_cell) return false;
-  const auto& area = limits.area;
-  if (area.width == 0) return true;
-  const int x = static_cast<int>(ray.sample) % cells.width;
-  const int y = static_cast<int>(ray.sample) / cells.width;
-  return x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
+  if (limits.area.width == 0) return true;
+  const auto seen = cells.area_of(ray.sample, limits.area);
+  return seen.width > 0 && seen.height > 0;
 }
 
-bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells) {
-  const double fa = renderer::max_influence(a), fb = renderer::max_influence(b);
-  if (fa != fb) return fa > fb;
-  if (a.level != b.level) return a.level < b.level;
-  return cells.size_of(a.sample) > cells.size_of(b.sample);
+namespace {
+
+int size_of_cell(const renderer::Ray& ray, const Cells& cells) {
+  constexpr int URGENCY = 4;
+  return cells.size_of(ray.sample) * (ray.is_urgent ? URGENCY : 1);
 }
 
-std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
-                                             const renderer::Params& params, const Cells& cells,
-                                             std::uint64_t seed) {
-  const renderer::Area area = renderer::get_area(params);
-  std::vector<std::tuple<int, std::uint64_t, std::uint32_t>> order;  // -cell, random, sample
-  for (int y = area.y; y < area.y + area.height; ++y)
-    for (int x = area.x; x < area.x + area.width; ++x) {
-      const auto sample = static_cast<std::uint32_t>(y * params.width + x);
-      order.emplace_back(-cells.size_of(sample), base::random_at(seed, sample), sample);
-    }
-  std::ranges::sort(order);
-  std::vector<renderer::Ray> rays;
-  rays.reserve(order.size());
-  for (const auto& [cell, random, sample] : order) {
-    const int s = static_cast<int>(sample);
-    rays.push_back(renderer::make_primary(scene.view, params, s % params.width, s / params.width));
+double eval_priority(const renderer::Ray& ray, const Cells& cells, const Weights& weights) {
+  const double largest = std::max(1.0, std::log2(cells.max_cell));
+  return weights.influence * renderer::max_influence(ray) + weights.level / ray.level +
+         weights.cell * std::log2(size_of_cell(ray, cells)) / largest;
+}
+
+}  // namespace
+
+bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
+                 const Weights& weights) {
+  if (weights != Weights{}) {
+    const double pa = eval_priority(a, cells, weights), pb = eval_priority(b, cells, weights);
+    if (pa != pb) return pa > pb;
+  } else {
+    const double fa = renderer::max_influence(a), fb = renderer::max_influence(b);
+    if (fa != fb) return fa > fb;
+    if (a.level != b.level) return a.level < b.level;
+    const int ca = size_of_cell(a, cells), cb = size_of_cell(b, cells);
+    if (ca != cb) return ca > cb;
   }
-  return rays;
+  return cells.place_of(a.sample) < cells.place_of(b.sample);
 }
 
 namespace {
@@ -88,12 +81,13 @@ std::optional<renderer::Ray> RayStores::take(bool any, DatabaseWork& work) {
   return first;
 }
 
-void RayStores::set_limits(const Limits& limits, DatabaseWork& work) {
+void RayStores::set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order) {
   limits_ = limits;
   const auto heap = std::exchange(heap_, {}), later = std::exchange(later_, {});
   auto classify = [&](const std::vector<renderer::Ray>& rays, bool was_interactive) {
-    for (const auto& ray : rays) {
+    for (auto ray : rays) {
       const bool now = is_interactive(ray, limits_, cells_);
+      if (now && !was_interactive) ray.order = order;
       ++work.ray_classified;
       if (now != was_interactive) ++work.record_stored;
       (now ? heap_ : later_).push_back(ray);

@@ -6,9 +6,18 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/trace/shade.hpp"
+#include "simulator/farm/cells.hpp"
 
 namespace farm {
+
+/// What the keys of a ray's priority weigh, at least 0 (thesis, 4.3.4: the user's choice). All 0:
+/// they are compared one after the other.
+struct Weights {
+  double influence = 0;  ///< of the largest of its influence factors
+  double level = 0;      ///< of 1 over its level
+  double cell = 0;       ///< of log2 of its cell's size, over that of the largest
+  bool operator==(const Weights&) const = default;
+};
 
 /// The user's parameters of increasing realism. A ray within all of them is "in interactive mode"
 /// (RMI); one beyond any waits for the non-interactive phase (RMNI).
@@ -17,29 +26,18 @@ struct Limits {
   int depth_reflected = 1000;    ///< level, at most, of rays with only reflections before them
   int depth_transmitted = 1000;  ///< level, at most, of transmitted rays and their descendants
   int min_cell = 1;              ///< pixels, size of the image cell, at least
-  renderer::Area area;           ///< pixels of interest; 0 x 0: the whole image
+  renderer::Area area;  ///< pixels of interest, of which a ray's cell has one; 0 x 0: all
+  std::optional<Weights> weights;  ///< of the keys; none: the farm's
   bool operator==(const Limits&) const = default;
-};
-
-/// Image cells: squares of `max_cell` pixels (a power of two) tile the image, and each cell is
-/// divided into four smaller ones, down to single pixels. A sample lies at the upper-left corners
-/// of one or several cells, and belongs to the largest of them.
-struct Cells {
-  int width = 100;  ///< width of the image, pixels
-  int max_cell = 16;
-  int size_of(std::uint32_t sample) const;
 };
 
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells);
 
-/// Whether `a` goes before `b`: larger influence factor, then lower level, then larger cell.
-bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells);
-
-/// The primary rays of the image in the order of their deposit: cells from the largest to the
-/// smallest, those of one size in a random order drawn from `seed` (thesis, 4.3.7).
-std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
-                                             const renderer::Params& params, const Cells& cells,
-                                             std::uint64_t seed);
+/// Whether `a` goes before `b`: larger influence factor, then lower level, then larger cell, as long
+/// as the keys have no weights; then by the order of cells. An urgent ray's cell counts as four times
+/// as large.
+bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
+                 const Weights& weights = {});
 
 /// The database's operations, with the names that model files use.
 struct DatabaseWork {
@@ -53,14 +51,17 @@ struct DatabaseWork {
 
 class RayStores {
  public:
-  RayStores(Cells cells, Limits limits) : cells_(cells), limits_(limits) {}
+  /// `weights` where the limits have none.
+  RayStores(Cells cells, Limits limits, Weights weights = {})
+      : cells_(cells), weights_(weights), limits_(limits) {}
 
   void add(const renderer::Ray& ray, DatabaseWork& work);
   /// A feeler if there is one, else the first ray of the heap; else, if `any`, one beyond the
   /// limits; else none.
   std::optional<renderer::Ray> take(bool any, DatabaseWork& work);
   /// Classifies all rays again, exchanges them between the stores as necessary, rebuilds the heap.
-  void set_limits(const Limits& limits, DatabaseWork& work);
+  /// Those that come within the limits belong to `order` from now on.
+  void set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order = 0);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }
   /// The most rays that each store has held at once.
@@ -73,11 +74,12 @@ class RayStores {
   void sift_up(std::size_t i, DatabaseWork& work);
   void sift_down(std::size_t i, DatabaseWork& work);
   bool before(std::size_t a, std::size_t b) const {
-    return goes_before(heap_[a], heap_[b], cells_);
+    return goes_before(heap_[a], heap_[b], cells_, limits_.weights.value_or(weights_));
   }
   void note_peaks();
 
   Cells cells_;
+  Weights weights_;
   Limits limits_;
   std::vector<renderer::Ray> feelers_, heap_, later_;
   Peaks peaks_;

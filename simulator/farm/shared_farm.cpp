@@ -139,8 +139,9 @@ class SharedFarm {
         pixel_bytes_(kernels::record_bytes(model).pixel),
         display_cost_(central_cost("display", model, params)),
         block_cost_("block", kernels::tree_costs(model), params.cycles_per_host_s),
-        samples_(params.image.width, params.image.height),
-        scratch_(params.cycles_per_host_s ? samples_ : renderer::Samples()),
+        picture_(params.image.width, params.image.height, {params.image.width}, params.cells),
+        scratch_(params.cycles_per_host_s ? picture_ : FrameBuffer()),
+        recorder_(params.looks),
         progress_(machine_) {
     add_processors(machine_, params, workers_.processors);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
@@ -194,10 +195,11 @@ class SharedFarm {
       const auto& block = std::get<renderer::Block>(read(message).content);
       --in_farm;
       feed(message.from.processor);
+      recorder_.note(progress_.since_begun_s(), [&] { return look(); });
       progress_.rays += block.rays;
-      display_cost_(samples_, scratch_,
-                    [kept = message.contents, &block](renderer::Samples& to, renderer::Work& work) {
-                      add_block(to, block, work);
+      display_cost_(picture_, scratch_,
+                    [kept = message.contents, &block](FrameBuffer& to, renderer::Work& work) {
+                      to.add(block, work);
                     });
     }
     progress_.end();
@@ -231,9 +233,19 @@ class SharedFarm {
     });
   }
 
+  Shown look() const {
+    return {.rays = progress_.rays.total(),
+            .cycles = static_cast<std::uint64_t>(charged_.value),
+            .rgb8 = picture_.rgb8()};
+  }
+
   Result take_result(machine::End end) {
     Result result = make_result(progress_, end);
-    result.samples = std::move(samples_);
+    recorder_.end((progress_.ended - progress_.begun).value, [&] { return look(); });
+    result.samples = picture_.samples();
+    result.rgb8 = picture_.rgb8();
+    result.pictures = recorder_.pictures();
+    result.growth = recorder_.growth();
     result.topology = workers_;
     for (int id = 1; id <= workers_.processors; ++id)
       result.mean_depth += network_->routing().distance(0, id);
@@ -255,7 +267,8 @@ class SharedFarm {
   const std::uint32_t pixel_bytes_;
   kernels::KernelCost display_cost_, block_cost_;
   machine::Cycles charged_{};  // for all blocks of all workers
-  renderer::Samples samples_, scratch_;
+  FrameBuffer picture_, scratch_;
+  Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
 };

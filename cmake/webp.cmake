@@ -1,0 +1,11 @@
+# libwebp's writer and reader of animations as targets; Debian's package has no CMake configuration.
+foreach(part webpmux webpdemux webp)
+  string(TOUPPER ${part} name)
+  find_library(${name}_LIBRARY ${part} REQUIRED)
+endforeach()
+if(NOT TARGET tlab::webp)
+  add_library(tlab::webp INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(tlab::webp INTERFACE ${WEBPMUX_LIBRARY} ${WEBP_LIBRARY})
+  add_library(tlab::webpdemux INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(tlab::webpdemux INTERFACE ${WEBPDEMUX_LIBRARY} ${WEBP_LIBRARY})
+endif()

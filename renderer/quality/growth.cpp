@@ -1,0 +1,38 @@
+#include "renderer/quality/growth.hpp"
+
+#include "renderer/scene/require.hpp"
+
+namespace renderer {
+
+namespace {
+
+constexpr const char* WHO = "growth";
+
+// From when on the quality is never less than `least` again; the last point's is not less.
+double find_time(std::span<const GrowthPoint> points, double GrowthPoint::*axis, double least) {
+  std::size_t first = points.size() - 1;
+  while (first > 0 && points[first - 1].quality >= least) --first;
+  return points[first].*axis;
+}
+
+}  // namespace
+
+Growth eval_growth(std::span<const GrowthPoint> points, double GrowthPoint::*axis) {
+  require(!points.empty(), WHO, "no point", "1 or more");
+  double area = 0, before = 0, quality = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double at = points[i].*axis;
+    const std::string who = fmt::format("{}, point {}", WHO, i);
+    require(at >= before && std::isfinite(at), who, at,
+            fmt::format("a number, {} or more", before));
+    require(std::isfinite(points[i].quality), who, points[i].quality, "a quality, a number");
+    area += (at - before) * quality;
+    before = at;
+    quality = points[i].quality;
+  }
+  require(quality > 0, fmt::format("{}, last point", WHO), quality, "a quality above 0");
+  const auto time_to = [&](double share) { return find_time(points, axis, share * quality); };
+  return {before > 0 ? area / before : quality, time_to(0.5), time_to(0.9), time_to(0.99)};
+}
+
+}  // namespace renderer

@@ -1,0 +1,89 @@
+#pragma once
+// Image cells (thesis, 4.3.2 and 4.3.7): squares of which one sample, at the upper left corner, is
+// computed first; what a sample shows of its cell, and the order in which cells come.
+#include <optional>
+#include <vector>
+
+#include "renderer/trace/render.hpp"
+#include "renderer/trace/shade.hpp"
+
+namespace farm {
+
+/// The order of cells of one size (thesis, 4.3.7).
+enum class CellOrder : std::uint8_t {
+  random,      ///< drawn from a seed
+  sequential,  ///< from the top to the bottom, from the left to the right
+  recursive,   ///< as quadrants of quadrants: upper left, upper right, lower left, lower right
+  adaptive     ///< random; but a cell is made when the one it divides has been sampled, and goes
+               ///< before cells up to four times as large if that shows another object than its
+               ///< neighbours
+};
+
+/// Squares of `max_cell` pixels (a power of two) tile the image from the pixel (x, y), and each is
+/// divided into four smaller ones, down to single pixels. A sample lies at the upper left corners
+/// of one or several cells, and belongs to the largest of them.
+struct Cells {
+  int width = 100;  ///< width of the image, pixels
+  int max_cell = 16;
+  int x = 0, y = 0;  ///< pixels: where the first cell is
+  CellOrder order = CellOrder::random;
+
+  int size_of(std::uint32_t sample) const;
+  /// The place of a sample among cells of one size; 0 where the order has none.
+  std::uint64_t place_of(std::uint32_t sample) const;
+  /// The part of the sample's cell that lies within `limit`.
+  renderer::Area area_of(std::uint32_t sample, const renderer::Area& limit) const;
+  /// The samples of the cells into which the cell of `sample` is divided, down to single pixels,
+  /// as far as those lie within `limit`: each sample that is not of max_cell belongs to one.
+  std::vector<std::uint32_t> divide(std::uint32_t sample, const renderer::Area& limit) const;
+};
+
+/// The primary rays in the order of their deposit: cells from the largest to the smallest, those of
+/// one size in their order; with CellOrder::adaptive only the largest.
+std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
+                                             const renderer::Params& params, const Cells& cells,
+                                             std::uint64_t seed);
+
+/// What a sample shows of its cell (thesis, 4.3.7).
+enum class CellLight : std::uint8_t {
+  constant,  ///< all of it has its colour
+  point,     ///< only the sample's pixel is lit
+  smooth     ///< bilinear between the samples at its corners, where there are any
+};
+
+/// The display's picture, painted while samples grow. A pixel shows the smallest cell around it
+/// that has a sample; one that has none is black. When all samples are there it is the image.
+class FrameBuffer {
+ public:
+  FrameBuffer() = default;
+  FrameBuffer(int width, int height, Cells cells, CellLight light);
+
+  /// Adds a contribution to its sample, and paints what that changes. Returns whether a pixel of
+  /// the picture has another colour now.
+  bool add(std::uint32_t sample, const renderer::Rgb& contribution, renderer::Work& work);
+  /// Adds a block of complete samples.
+  void add(const renderer::Block& block, renderer::Work& work);
+
+  const renderer::Samples& samples() const { return samples_; }
+  /// Rows from the top, 3 bytes a pixel, as renderer::make_rgb8 has them.
+  const std::vector<std::uint8_t>& rgb8() const { return rgb8_; }
+
+ private:
+  static constexpr std::uint8_t NOBODY = 255;
+  bool is_sampled(std::uint32_t sample) const;
+  int size_now(std::uint32_t sample) const;
+  void own(std::uint32_t sample);
+  bool paint(std::uint32_t sample, renderer::Work& work);
+  bool paint_neighbours(std::uint32_t sample, renderer::Work& work);
+  renderer::Rgb eval_smooth(std::uint32_t sample, int x, int y) const;
+  bool draw(std::size_t pixel, const std::array<std::uint8_t, 3>& colour);
+
+  Cells cells_;
+  CellLight light_ = CellLight::constant;
+  renderer::Area all_;
+  renderer::Samples samples_;
+  std::vector<std::uint8_t> size_;  // of the cell that each pixel shows, as a power of two
+  std::vector<std::uint8_t> rgb8_;
+};
+
+}  // namespace farm

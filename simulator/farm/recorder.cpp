@@ -1,0 +1,46 @@
+#include "simulator/farm/recorder.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace farm {
+
+Recorder::Recorder(Looks looks) : looks_(std::move(looks)) {}
+
+double Recorder::next_picture_s() const {
+  double next_s = std::numeric_limits<double>::infinity();
+  if (next_at_ < looks_.at_s.size()) next_s = looks_.at_s[next_at_];
+  if (looks_.every_s > 0)
+    next_s = std::min(next_s, static_cast<double>(next_multiple_) * looks_.every_s);
+  return next_s;
+}
+
+void Recorder::note(double now_s, const std::function<Shown()>& look) {
+  for (double at_s = next_picture_s(); at_s <= now_s; at_s = next_picture_s()) {
+    pictures_.push_back(look());
+    pictures_.back().at_s = at_s;
+    while (next_at_ < looks_.at_s.size() && looks_.at_s[next_at_] <= at_s) ++next_at_;
+    if (static_cast<double>(next_multiple_) * looks_.every_s <= at_s) ++next_multiple_;
+  }
+  if (looks_.growth == 0) return;
+  while (static_cast<double>(next_growth_) * growth_interval_s_ <= now_s) {
+    growth_.push_back(look());
+    growth_.back().at_s = static_cast<double>(next_growth_++) * growth_interval_s_;
+    if (growth_.size() < 2 * static_cast<std::size_t>(looks_.growth)) continue;
+    // Every second is kept: the interval is twice as long from now on.
+    for (std::size_t i = 0; 2 * i < growth_.size(); ++i) std::swap(growth_[i], growth_[2 * i]);
+    growth_.resize((growth_.size() + 1) / 2);
+    growth_interval_s_ *= 2;
+    next_growth_ = (next_growth_ + 1) / 2;
+  }
+}
+
+void Recorder::end(double now_s, const std::function<Shown()>& look) {
+  note(now_s, look);
+  if (looks_.growth == 0 || (!growth_.empty() && growth_.back().at_s >= now_s)) return;
+  growth_.push_back(look());
+  growth_.back().at_s = now_s;
+}
+
+}  // namespace farm
