@@ -211,15 +211,18 @@ Scene parse_nff(std::string_view text, const std::string& name) {
 }
 
 Scene load_scene(const std::string& source) {
-  constexpr std::string_view SPHERES = "spheres:";
   if (source.ends_with(".nff")) return parse_nff(base::read_text(source), source);
-  const bool is_spheres = source.starts_with(SPHERES);
-  if (is_spheres)
-    if (const auto n = base::parse_number<int>(source.substr(SPHERES.size())))
-      return make_spheres(*n);
-  const auto expected = is_spheres ? fmt::format("spheres:N with N from 1 to {}", MAX_SPHERES)
-                                   : std::string("a generator (spheres:N) or a file (.nff)");
-  throw base::BadInput(fmt::format("found scene {}, expected {}", base::quote(source), expected));
+  std::vector<std::string> forms;
+  for (const auto& [name, number, most, make] : GENERATORS) {
+    const auto prefix = fmt::format("{}:", name);
+    forms.push_back(prefix + std::string(number));
+    if (!source.starts_with(prefix)) continue;
+    if (const auto n = base::parse_number<int>(source.substr(prefix.size()))) return make(*n);
+    throw base::BadInput(fmt::format("found scene {}, expected {} with {} from 1 to {}",
+                                     base::quote(source), forms.back(), number, most));
+  }
+  throw base::BadInput(fmt::format("found scene {}, expected a generator ({}) or a file (.nff)",
+                                   base::quote(source), fmt::join(forms, ", ")));
 }
 
 }  // namespace renderer

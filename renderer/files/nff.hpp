@@ -22,8 +22,9 @@
 
 namespace renderer {
 
-/// "spheres:800" or the path of an .nff file. BadInput as parse_nff(), if the file cannot be read,
-/// and for anything else, naming what is valid.
+/// A generator with its number, such as "spheres:800" or "room:27", or the path of an .nff file.
+/// BadInput as parse_nff(), if the file cannot be read, and for anything else, naming what is
+/// valid.
 Scene load_scene(const std::string& source);
 
 /// Reads an NFF scene. BadInput "name:line: found ..., expected ...".

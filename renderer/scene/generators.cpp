@@ -68,6 +68,62 @@ double round_to_six_digits(double value) {
   return value;
 }
 
+// Polygons of the room; z is up, lengths are in metres.
+void add_rectangle(Scene& scene, const Vec& corner, const Vec& u, const Vec& v) {
+  const Vec corners[] = {corner, corner + u, corner + u + v, corner + v};
+  add_polygon(scene, corners);
+}
+
+// A block between two opposite corners; its six faces look outwards.
+void add_block(Scene& scene, const Vec& lo, const Vec& hi) {
+  const Vec x{hi.x - lo.x, 0, 0}, y{0, hi.y - lo.y, 0}, z{0, 0, hi.z - lo.z};
+  add_rectangle(scene, lo, y, x);
+  add_rectangle(scene, lo, x, z);
+  add_rectangle(scene, lo, z, y);
+  add_rectangle(scene, hi, -x, -y);
+  add_rectangle(scene, hi, -z, -x);
+  add_rectangle(scene, hi, -y, -z);
+}
+
+constexpr double ROOM_X = 5, ROOM_Y = 5, ROOM_Z = 2.7;
+
+// Columns and rows of a grid below the ceiling, filled from the first.
+void add_room_lights(Scene& scene, int lights) {
+  const int columns = static_cast<int>(std::ceil(std::sqrt(lights)));
+  const int rows = (lights + columns - 1) / columns;
+  const double intensity = 1.2 / lights;
+  for (int i = 0; i < lights; ++i)
+    scene.lights.push_back({{ROOM_X * (i % columns + 0.5) / columns,
+                             ROOM_Y * (i / columns + 0.5) / rows, ROOM_Z - 0.2},
+                            {intensity, intensity, intensity}});
+}
+
+// The back wall is around the window.
+void add_room_walls(Scene& scene, const Vec& window_lo, const Vec& window_hi) {
+  const Vec x{ROOM_X, 0, 0}, y{0, ROOM_Y, 0}, z{0, 0, ROOM_Z}, back = y;
+  add_rectangle(scene, {0, 0, 0}, z, x);
+  add_rectangle(scene, {0, 0, 0}, y, z);
+  add_rectangle(scene, x, z, y);
+  add_rectangle(scene, z, y, x);
+  const double height = window_hi.z - window_lo.z;
+  add_rectangle(scene, back, x, {0, 0, window_lo.z});
+  add_rectangle(scene, back + Vec{0, 0, window_hi.z}, x, {0, 0, ROOM_Z - window_hi.z});
+  add_rectangle(scene, back + Vec{0, 0, window_lo.z}, {window_lo.x, 0, 0}, {0, 0, height});
+  add_rectangle(scene, back + Vec{window_hi.x, 0, window_lo.z}, {ROOM_X - window_hi.x, 0, 0},
+                {0, 0, height});
+}
+
+// Legs, and a rail from each to the next below the top.
+void add_table_frame(Scene& scene, const Vec& lo, const Vec& hi) {
+  constexpr double RADIUS = 0.03;
+  const Vec feet[] = {{lo.x, lo.y, 0}, {hi.x, lo.y, 0}, {hi.x, hi.y, 0}, {lo.x, hi.y, 0}};
+  for (int i = 0; i < 4; ++i) {
+    const Vec foot = feet[i], top = foot + Vec{0, 0, lo.z}, rail{0, 0, -RADIUS};
+    add_cone(scene, foot, RADIUS, top, RADIUS);
+    add_cone(scene, top + rail, RADIUS, feet[(i + 1) % 4] + Vec{0, 0, lo.z} + rail, RADIUS);
+  }
+}
+
 }  // namespace
 
 Scene make_spheres(int n) {
@@ -94,6 +150,38 @@ Scene make_spheres(int n) {
   const auto six = round_to_six_digits;
   for (const auto& [centre, radius, up] : make_sphereflake(static_cast<std::size_t>(n)))
     add_sphere(scene, {six(centre.x), six(centre.y), six(centre.z)}, six(radius));
+  finish(scene);
+  return scene;
+}
+
+Scene make_room(int lights) {
+  if (lights < 1 || lights > MAX_ROOM_LIGHTS)
+    throw base::BadInput(
+        fmt::format("found room:{}, expected room:L with L from 1 to {}", lights, MAX_ROOM_LIGHTS));
+  Scene scene;
+  scene.view = {.from = {2.5, 0.2, 1.5},
+                .at = {2.5, 4, 0.95},
+                .up = {0, 0, 1},
+                .angle = 55,
+                .width = 512,
+                .height = 512};
+  scene.background = {0.55, 0.7, 0.9};
+  add_room_lights(scene, lights);
+
+  const Vec window_lo{1.9, ROOM_Y - 0.01, 1.0}, window_hi{3.1, ROOM_Y + 0.01, 2.1};
+  scene.surfaces.push_back({.colour = {0.9, 0.87, 0.8}, .kd = 0.8, .ks = 0.003, .shine = 2});
+  add_room_walls(scene, window_lo, window_hi);
+  scene.surfaces.push_back({.colour = {0.65, 0.45, 0.3}, .kd = 0.7, .ks = 0.2, .shine = 20});
+  add_rectangle(scene, {0, 0, 0}, {ROOM_X, 0, 0}, {0, ROOM_Y, 0});
+
+  scene.surfaces.push_back(
+      {.colour = {0.8, 1, 0.9}, .kd = 0.1, .ks = 0.2, .shine = 100, .t = 0.7, .ior = 1.5});
+  add_block(scene, window_lo, window_hi);
+  const Vec top_lo{1.8, 2.0, 0.72}, top_hi{3.2, 2.9, 0.74};
+  add_block(scene, top_lo, top_hi);
+  scene.surfaces.push_back({.colour = {0.8, 0.8, 0.85}, .kd = 0.3, .ks = 0.6, .shine = 50});
+  const Vec inset{0.1, 0.1, 0};
+  add_table_frame(scene, top_lo + inset, top_hi - inset);
   finish(scene);
   return scene;
 }

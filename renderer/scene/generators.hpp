@@ -1,14 +1,32 @@
 #pragma once
 // Scenes made by a formula.
 
+#include <string_view>
+
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {
 
 inline constexpr int MAX_SPHERES = 2'000'000;
+inline constexpr int MAX_ROOM_LIGHTS = 10'000;
 
 /// "spheres:N": the first `n` spheres, breadth first, of E. Haines's sphereflake (SPD "balls"), on
 /// a floor, which is object 0; three lights. BadInput unless 1 <= n <= MAX_SPHERES.
 Scene make_spheres(int n);
+
+/// "room:L": a room in the manner of the thesis's test image (4.2.1) with `lights` point lights
+/// below its ceiling: a table with a glass top on a metal frame and a glazed window, the two in the
+/// foreground; a polished floor, and walls so hardly specular that what they mirror is less than a
+/// step of an 8-bit image. BadInput unless 1 <= lights <= MAX_ROOM_LIGHTS.
+Scene make_room(int lights);
+
+/// A generator of scenes, named "name:N".
+struct Generator {
+  std::string_view name, number;  ///< "spheres", "N"
+  int most;                       ///< of N
+  Scene (*make)(int n);
+};
+inline constexpr Generator GENERATORS[] = {{"spheres", "N", MAX_SPHERES, &make_spheres},
+                                           {"room", "L", MAX_ROOM_LIGHTS, &make_room}};
 
 }  // namespace renderer

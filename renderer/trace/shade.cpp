@@ -34,14 +34,59 @@ Rgb eval_feeler_influence(const Surface& s, const Hit& hit, const Rgb& f, const 
   return f * (s.kd * cosine * s.colour + Rgb{highlight, highlight, highlight});
 }
 
+void add_feelers(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
+                 const Vec& mirrored, Children& out, Work& work) {
+  const Surface& surface = scene.surfaces[hit.surface];
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Vec to_light = scene.lights[i].at - hit.point;
+    if (params.feelers == Feelers::front && !(dot(hit.normal, to_light) > 0)) continue;
+    Ray feeler = make_child(ray, hit, RayKind::shadow);
+    feeler.reach = length(to_light);
+    feeler.direction = feeler.reach > 0 ? (1 / feeler.reach) * to_light : hit.normal;
+    feeler.influence =
+        eval_feeler_influence(surface, hit, ray.influence, feeler.direction, mirrored);
+    feeler.light = static_cast<std::uint16_t>(i);
+    work[Op::feeler_made] += 1;
+    out.push_back(feeler);
+  }
+}
+
+void add_branches(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
+                  const Vec& mirrored, Children& out, Work& work) {
+  if (ray.level >= params.limits.depth) return;
+  const Surface& surface = scene.surfaces[hit.surface];
+  const double influence = max_influence(ray), least = params.limits.min_influence;
+  if (surface.ks > 0 && influence * surface.ks >= least) {
+    Ray reflected = make_child(ray, hit, RayKind::reflected);
+    reflected.direction = mirrored;
+    reflected.influence = surface.ks * ray.influence;
+    work[Op::ray_reflected] += 1;
+    out.push_back(reflected);
+  }
+  if (surface.t > 0 && influence * surface.t >= least) {
+    const auto direction =
+        refract(ray.direction, hit.normal, hit.inside ? 1 / surface.ior : surface.ior);
+    if (!direction) return;
+    Ray transmitted = make_child(ray, hit, RayKind::transmitted);
+    transmitted.direction = *direction;
+    transmitted.influence = surface.t * ray.influence;
+    work[Op::ray_refracted] += 1;
+    out.push_back(transmitted);
+  }
+}
+
 }  // namespace
 
-Ray make_primary(const View& view, const Params& p, int x, int y) {
+PlanePoint make_plane_point(const View& view, const Params& p, int x, int y) {
   const Raster raster = make_raster(view, p);
+  return {(x - raster.left) * raster.step, (raster.top - y) * raster.step};
+}
+
+Ray make_primary(const View& view, const Params& p, int x, int y) {
+  const PlanePoint at = make_plane_point(view, p, x, y);
   Ray ray;
   ray.origin = view.from;
-  ray.direction = normalize(view.ahead + (x - raster.left) * raster.step * view.right +
-                            (raster.top - y) * raster.step * view.above);
+  ray.direction = normalize(view.ahead + at.right * view.right + at.above * view.above);
   ray.influence = {1, 1, 1};
   ray.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(p.width) +
                static_cast<std::uint32_t>(x);
@@ -63,41 +108,16 @@ void make_children(const Scene& scene, const Params& params, const Ray& ray, con
                    Children& out, Work& work) {
   if (ray.kind == RayKind::shadow) return;
   work[Op::surface_shaded] += 1;
-  const Surface& surface = scene.surfaces[hit.surface];
   const Vec mirrored = reflect(ray.direction, hit.normal);
+  add_feelers(scene, params, ray, hit, mirrored, out, work);
+  add_branches(scene, params, ray, hit, mirrored, out, work);
+}
 
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Vec to_light = scene.lights[i].at - hit.point;
-    if (params.feelers == Feelers::front && !(dot(hit.normal, to_light) > 0)) continue;
-    Ray feeler = make_child(ray, hit, RayKind::shadow);
-    feeler.reach = length(to_light);
-    feeler.direction = feeler.reach > 0 ? (1 / feeler.reach) * to_light : hit.normal;
-    feeler.influence =
-        eval_feeler_influence(surface, hit, ray.influence, feeler.direction, mirrored);
-    feeler.light = static_cast<std::uint16_t>(i);
-    work[Op::feeler_made] += 1;
-    out.push_back(feeler);
-  }
-
-  if (ray.level >= params.limits.depth) return;
-  const double influence = max_influence(ray), least = params.limits.min_influence;
-  if (surface.ks > 0 && influence * surface.ks >= least) {
-    Ray reflected = make_child(ray, hit, RayKind::reflected);
-    reflected.direction = mirrored;
-    reflected.influence = surface.ks * ray.influence;
-    work[Op::ray_reflected] += 1;
-    out.push_back(reflected);
-  }
-  if (surface.t > 0 && influence * surface.t >= least) {
-    const auto direction =
-        refract(ray.direction, hit.normal, hit.inside ? 1 / surface.ior : surface.ior);
-    if (!direction) return;
-    Ray transmitted = make_child(ray, hit, RayKind::transmitted);
-    transmitted.direction = *direction;
-    transmitted.influence = surface.t * ray.influence;
-    work[Op::ray_refracted] += 1;
-    out.push_back(transmitted);
-  }
+void make_branches(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
+                   Children& out, Work& work) {
+  if (ray.kind == RayKind::shadow) return;
+  work[Op::surface_shaded] += 1;
+  add_branches(scene, params, ray, hit, reflect(ray.direction, hit.normal), out, work);
 }
 
 Rgb eval_contribution(const Scene& scene, const Params& params, const Ray& ray,

@@ -9,7 +9,15 @@
 
 namespace renderer {
 
-/// The ray from the view point of `view` through pixel (x, y) of the image; y grows downwards.
+/// A point of the image plane at distance 1 from the view point: how far along the view's `right`
+/// and `above` it is from where `ahead` goes.
+struct PlanePoint {
+  double right = 0, above = 0;
+};
+/// Where the sample of pixel (x, y) is; y grows downwards.
+PlanePoint make_plane_point(const View& view, const Params& params, int x, int y);
+
+/// The ray from the view point of `view` through pixel (x, y) of the image.
 Ray make_primary(const View& view, const Params& params, int x, int y);
 
 using Children = std::vector<Ray>;
@@ -18,6 +26,9 @@ using Children = std::vector<Ray>;
 /// (Eq 4.17), then the reflected ray where ks > 0 and the transmitted one where t > 0 (Eq 4.15),
 /// within the limits. Total internal reflection transmits nothing. A feeler leaves no rays.
 void make_children(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
+                   Children& out, Work& work);
+/// The same without shadow feelers.
+void make_branches(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work);
 
 /// The contribution of `ray` to its sample (Eq 4.26): fS * IS for an unblocked feeler, nothing for

@@ -63,7 +63,7 @@ struct Load {
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
-  std::vector<Row> growth = {};  ///< rows of growth.csv: how the picture became what it is
+  std::vector<Row> growth = {};           ///< rows of growth.csv: how the picture became what it is
   machine::End end = machine::End::done;  ///< else the row is what was measured until then
   bool is_saturated = false;              ///< queues grow without bound
   std::optional<observe::Use> use = {};   ///< what was busy, for run.json

@@ -7,6 +7,7 @@
 //   link in ----> receiver ----\ /----> sender ----> link out
 //   client -----> receiver ----/ \----> inbox -----> deliverer ----> client
 #include "simulator/network/routers.hpp"
+#include "simulator/occam/process.hpp"
 
 namespace network {
 

@@ -1,6 +1,7 @@
 // The router without a method: takes a message, passes it on, takes the next. Processors that wait
 // for each other in a cycle never end.
 #include "simulator/network/routers.hpp"
+#include "simulator/occam/process.hpp"
 
 namespace network {
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/command/command_progressive.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
@@ -12,29 +13,21 @@
 namespace laboratory {
 namespace {
 
-struct Options {
-  std::string scene, output, stats, size, area;
-  renderer::Params params;
-  int threads = 1;
+struct Options : RenderTask {
+  std::string size, area;
   std::optional<renderer::PreviewStep> preview;
+  ProgressiveOptions progressive;
 };
 
 void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
-  const auto& rays = image.rays;
   const nlohmann::ordered_json stats = {
       {"scene", o.scene},
       {"width", o.params.width},
       {"height", o.params.height},
-      {"rays",
-       {{"primary", rays.primary},
-        {"primary_hit", rays.primary_hit},
-        {"reflected", rays.reflected},
-        {"transmitted", rays.transmitted},
-        {"shadow", rays.shadow},
-        {"total", rays.total()}}},
+      {"rays", make_json(image.rays)},
       {"work", make_json(image.work)},
       {"seconds", seconds},
-      {"rays_per_second", static_cast<double>(rays.total()) / seconds}};
+      {"rays_per_second", static_cast<double>(image.rays.total()) / seconds}};
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
@@ -52,6 +45,7 @@ void render_scene(Options& o) {
 
   renderer::check(o.params);
   if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
+  if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
   Clock clock;
@@ -71,7 +65,8 @@ void add_render_command(CLI::App& app) {
   // Experiments count the thesis's search; this is faster, and the image is the same.
   o->params.traversal = renderer::Traversal::nearest;
 
-  command->add_option("SCENE", o->scene, "an NFF file, or spheres:N")->required();
+  command->add_option("SCENE", o->scene, "an NFF file, spheres:N, or room:L, with L lights")
+      ->required();
   command->add_option("-o,--output", o->output, "the PNG image to write")->required();
   command->add_option("--size", o->size, "WxH in pixels [100x100]");
   bind_options(*command,
@@ -79,6 +74,7 @@ void add_render_command(CLI::App& app) {
                                                        "sample", "traversal", "ambient"}),
                o->params, {{"min_influence", "influence"}});
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
+  add_progressive_options(*command, o->progressive);
   command->add_option("--threads", o->threads, "host threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

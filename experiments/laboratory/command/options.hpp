@@ -12,7 +12,7 @@
 
 #include "base/fields.hpp"
 #include "experiments/laboratory/points/origin.hpp"
-#include "renderer/scene/work.hpp"
+#include "renderer/trace/render.hpp"
 
 namespace laboratory {
 
@@ -44,8 +44,9 @@ void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
   }
 }
 
-/// Counts of work, as --stats writes them.
+/// Counts of work and of rays, as --stats writes them.
 nlohmann::ordered_json make_json(const renderer::Work& work);
+nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 
 /// Throws CLI::ValidationError for an image with a name that ends otherwise (".png"; no ending is
 /// one, too), for a folder that is not there and where both are one file.

@@ -43,19 +43,34 @@ TEST(Sphereflake, OneMoreSphereIsOneMoreSphere) {
     EXPECT_EQ(get_sphere(some, i).centre, get_sphere(more, i).centre);
 }
 
+TEST(Room, HasItsLightsWithin) {
+  for (const int lights : {1, 2, 27, 30}) {
+    const Scene scene = make_room(lights);
+    ASSERT_EQ(scene.lights.size(), static_cast<std::size_t>(lights));
+    double sum = 0;
+    for (const Light& light : scene.lights) {
+      EXPECT_TRUE(contains({{0, 0, 0}, {5, 5, 2.7}}, join(Bounds{}, light.at)));
+      sum += light.intensity.g;
+    }
+    EXPECT_NEAR(sum, 1.2, 1e-12);
+  }
+}
+
 TEST(LoadScene, ByName) {
   EXPECT_EQ(object_count(load_scene("spheres:10")), 11u);
+  EXPECT_EQ(load_scene("room:27").lights.size(), 27u);
   for (const char* wrong : {"spheres:0", "spheres:-5", "spheres:", "spheres:1e3", "spheres:2000001",
-                            "spheres:99999999999999999999", "spheres: 7", "cubes:3", "", "x.obj",
-                            "/nowhere/x.nff", "/tmp/.nff"}) {
+                            "spheres:99999999999999999999", "spheres: 7", "cubes:3", "room:0",
+                            "room:", "room:10001", "", "x.obj", "/nowhere/x.nff", "/tmp/.nff"}) {
     SCOPED_TRACE(wrong);
     EXPECT_THROW(load_scene(wrong), base::BadInput);
   }
   try {
     load_scene("cubes:3");
   } catch (const base::BadInput& bad) {
-    EXPECT_STREQ(bad.what(),
-                 "found scene 'cubes:3', expected a generator (spheres:N) or a file (.nff)");
+    EXPECT_STREQ(
+        bad.what(),
+        "found scene 'cubes:3', expected a generator (spheres:N, room:L) or a file (.nff)");
   }
 }
 

@@ -1,0 +1,110 @@
+#include "experiments/laboratory/command/command_progressive.hpp"
+
+#include <filesystem>
+
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/host/progress.hpp"
+#include "renderer/files/nff.hpp"
+#include "renderer/progressive/progressive.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace renderer::progressive;
+using Json = nlohmann::ordered_json;
+
+Json make_step_json(const Step& step, const StepCounts& counts) {
+  return {{"min_cell", step.min_cell},
+          {"depth", step.depth},
+          {"samples", counts.samples},
+          {"deepened", counts.deepened},
+          {"cells", counts.cells},
+          {"divided_by_contrast", counts.by_contrast},
+          {"divided_by_pyramid", counts.by_pyramid},
+          {"pyramid_boxes", counts.boxes},
+          {"rays", make_json(counts.rays.fresh)},
+          {"repeated_rays", counts.rays.repeated},
+          {"repeated_percent", get_repeated_percent(counts.rays)},
+          {"work", make_json(counts.rays.work)}};
+}
+
+void save_stats(const RenderTask& task, const TreeRays& all, Json steps, double seconds) {
+  const auto traced = static_cast<double>(all.fresh.total() + all.repeated);
+  const Json stats = {{"scene", task.scene},
+                      {"width", task.params.width},
+                      {"height", task.params.height},
+                      {"rays", make_json(all.fresh)},
+                      {"repeated_rays", all.repeated},
+                      {"steps", std::move(steps)},
+                      {"work", make_json(all.work)},
+                      {"seconds", seconds},
+                      {"rays_per_second", traced / seconds}};
+  base::save_whole(task.stats, stats.dump(2) + "\n");
+}
+
+std::string name_of(Growth growth, const Step& step) {
+  return growth == Growth::cells ? fmt::format("cell-{}.png", step.min_cell)
+                                 : fmt::format("depth-{}.png", step.depth);
+}
+
+}  // namespace
+
+void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
+  auto* progressive =
+      command.add_flag("--progressive", o.is_wanted,
+                       "in steps, with cells that are refined where the image needs it; outside "
+                       "--area the first cells stay");
+  bind_options(command,
+               {growth_field<ProgressiveOptions>(&ProgressiveOptions::growth),
+                max_cell_field<ProgressiveOptions>(&ProgressiveOptions::max_cell)},
+               o);
+  bind_options(command, base::select(step_fields(), {"min_cell", "contrast"}), o.last);
+  command.add_flag("--no-pyramid", o.no_pyramid,
+                   "do not divide cells because they may hide an object");
+  command.add_option("--key-images", o.key_images, "folder for the image after each step");
+  for (const char* name :
+       {"--steps", "--max-cell", "--min-cell", "--contrast", "--no-pyramid", "--key-images"})
+    command.get_option(name)->needs(progressive);
+}
+
+void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
+  Step last = o.last;
+  last.pyramid = !o.no_pyramid;
+  last.depth = task.params.limits.depth;
+  last.area = task.params.area;
+  check(last, task.params, o.max_cell);
+  const auto scene = renderer::load_scene(task.scene);
+  if (!o.key_images.empty()) {
+    std::error_code failed;
+    fs::create_directories(o.key_images, failed);
+    if (failed)
+      throw CLI::ValidationError("--key-images", fmt::format("found \"{}\", expected a folder: {}",
+                                                             o.key_images, failed.message()));
+  }
+  const auto steps = make_steps(o.growth, o.max_cell, last);
+  Progress bar("rendering");
+  Clock clock;
+  double seconds = 0;
+  Progressive image(scene, task.params, o.max_cell, task.threads);
+  TreeRays all;
+  Json rows = Json::array();
+  for (const Step& step : steps) {
+    const auto counts = image.advance(step);
+    seconds += clock.lap();
+    // Trees that have no deeper level have none below it either.
+    if (o.growth == Growth::depth && counts.rays.fresh.total() == 0) break;
+    all += counts.rays;
+    rows.push_back(make_step_json(step, counts));
+    if (!o.key_images.empty())
+      renderer::save_png((fs::path(o.key_images) / name_of(o.growth, step)).string(),
+                         image.make_picture());
+    clock.lap();
+    bar.show(rows.size(), steps.size());
+  }
+  renderer::save_png(task.output, image.make_picture());
+  if (!task.stats.empty()) save_stats(task, all, std::move(rows), seconds);
+}
+
+}  // namespace laboratory

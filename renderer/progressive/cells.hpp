@@ -1,0 +1,61 @@
+#pragma once
+// Cells of the image (thesis, 4.2.2): rectangles between samples, some of which are at their four
+// corners, and more on their borders where a neighbour is smaller.
+
+#include <vector>
+
+#include "renderer/image/image.hpp"
+#include "renderer/trace/params.hpp"
+
+namespace renderer::progressive {
+
+/// From the sample at (x0, y0) to that at (x1, y1), both included: neighbours share a border.
+struct Cell {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool operator==(const Cell&) const = default;
+};
+
+/// The larger of a cell's sides, rounded up to a power of two, in steps from pixel to pixel; a cell
+/// of size 1 has no pixel between its corners.
+int get_size(const Cell& cell);
+
+/// Cells of `side` steps a side over the image, row by row; the last ones are smaller.
+std::vector<Cell> make_cells(int width, int height, int side);
+/// The cells into which a cell is divided, of half its size: 4, or 2 of a narrow one.
+std::vector<Cell> divide(const Cell& cell);
+/// Whether a cell has a pixel in an area.
+bool meets(const Cell& cell, const Area& area);
+
+/// The pixels that have been sampled.
+struct Sampled {
+  Samples samples;
+  std::vector<std::uint16_t> levels;  ///< of each pixel's shading tree; 0: it is no sample
+
+  Sampled() = default;
+  Sampled(int width, int height) : samples(width, height), levels(samples.sums.size()) {}
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width) +
+           static_cast<std::size_t>(x);
+  }
+  bool has(int x, int y) const { return levels[index(x, y)] > 0; }
+  Rgb get(int x, int y) const { return samples.get(static_cast<std::uint32_t>(index(x, y))); }
+};
+
+/// The least and greatest of each colour component.
+struct Range {
+  Rgb least, greatest;
+};
+/// Over all samples on the border of a cell.
+Range find_range(const Cell& cell, const Sampled& sampled);
+
+/// (max - min) / (max + min), Eq 4.7; 0 for two that are black.
+double eval_contrast(double least, double greatest);
+/// The greatest of the three components'.
+double eval_contrast(const Range& range);
+
+/// Gives the pixels of a cell that are no samples a colour in `picture`: along the border linearly
+/// from sample to sample, within bilinearly from the four sides (a Coons patch), and never outside
+/// the samples' range. Neighbours agree on their border.
+void interpolate(const Cell& cell, const Sampled& sampled, Samples& picture);
+
+}  // namespace renderer::progressive

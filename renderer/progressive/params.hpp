@@ -1,0 +1,61 @@
+#pragma once
+// What one step of a progressive rendering is asked for (thesis, 4.2.3).
+
+#include <vector>
+
+#include "renderer/trace/params.hpp"
+
+namespace renderer::progressive {
+
+/// How far a step goes.
+struct Step {
+  double contrast =
+      0;             ///< contrast (Eq 4.7), 0..1, above which a cell is divided; 0: every cell is
+  int min_cell = 1;  ///< smallest cell, pixels a side: a power of two
+  bool pyramid = true;  ///< whether a cell is divided too that may hide an object (figure 4.4)
+  int depth = 15;       ///< levels of the shading trees, 1..1000
+  Area area;            ///< of interest: cells that have no pixel in it stay as they are
+};
+
+/// In what an image grows from step to step.
+enum class Growth : std::uint8_t {
+  cells,  ///< their size is halved, from the first cells' to the last step's; trees are deep (4.6)
+  depth   ///< trees grow by a level, from 1 to the last step's; cells are small (figure 4.5)
+};
+
+/// The steps that lead to the last one.
+std::vector<Step> make_steps(Growth growth, int max_cell, const Step& last);
+/// The field "steps" of P.
+template <class P, class Access>
+base::Field<P> growth_field(Access access) {
+  return base::Declare<P>::choice(
+      "steps", access, base::Names<Growth>{{"cells", Growth::cells}, {"depth", Growth::depth}},
+      "what grows: ever smaller cells, or ever deeper trees");
+}
+
+inline constexpr const char* EXPECTED_SIDE = "a power of two from 1 to 65536";
+/// Whether a cell may have that side.
+bool is_side(int side);
+
+/// The fields contrast, min_cell and pyramid.
+base::Fields<Step> step_fields();
+/// A field of P that holds the side of a cell.
+template <class P, class Access>
+base::Field<P> side_field(const std::string& name, Access access, const std::string& help) {
+  auto field = base::Declare<P>::whole(name, access, 1, MAX_SIDE, "pixels", help);
+  field.domain.expected = EXPECTED_SIDE;
+  field.set = [access, set = field.set](P& p, const base::Scalar& value) {
+    return set(p, value) && is_side(std::invoke(access, p));
+  };
+  return field;
+}
+/// The field "max_cell" of P: the side of the first cells.
+template <class P, class Access>
+base::Field<P> max_cell_field(Access access) {
+  return side_field<P>("max_cell", access, "side of the first cells, a power of two");
+}
+
+/// BadInput naming the field, what was found and what was expected.
+void check(const Step& step, const Params& params, int max_cell);
+
+}  // namespace renderer::progressive

@@ -1,0 +1,138 @@
+// The sequential ray tracer with increasing realism (thesis, 4.2), alone on one processor.
+#include "renderer/progressive/progressive.hpp"
+
+#include "renderer/files/nff.hpp"
+#include "simulator/declare/support.hpp"
+#include "simulator/kernels/kernels.hpp"
+
+namespace programs {
+
+namespace {
+
+using renderer::progressive::Growth;
+using renderer::progressive::Progressive;
+using renderer::progressive::Step;
+using renderer::progressive::StepCounts;
+
+struct Params {
+  base::Source scene{"room:27", ""};
+  renderer::Params image;
+  Step step;  // the last one, but for its depth and area
+  int max_cell = 16;
+  Growth growth = Growth::cells;
+};
+
+struct Measured {
+  int number = 0;
+  Step step;
+  StepCounts counts;
+  Seconds time{};
+};
+
+Step last_step(const Params& params) {
+  Step last = params.step;
+  last.depth = params.image.limits.depth;
+  last.area = params.image.area;
+  return last;
+}
+
+Image make_picture(const Params& params, const Step& step, Seconds time,
+                   const Progressive& progressive) {
+  const auto name = params.growth == Growth::cells ? fmt::format("cell-{}", step.min_cell)
+                                                   : fmt::format("level-{}", step.depth);
+  return {.name = name,
+          .at_s = time.value,
+          .save = [picture = progressive.make_picture()](const std::string& path) {
+            renderer::save_png(path, picture);
+          }};
+}
+
+Outcome<Measured> run(const Setup& setup, const Params& params) {
+  const auto& [text, path] = params.scene;
+  const auto scene = renderer::load_scene(path.empty() ? text : path);
+  const auto costs = kernels::tree_costs(setup.model);
+  Machine machine(setup, 1);
+  Outcome<Measured> outcome;
+  machine[0].start("renderer", Priority::low, [&] {
+    Progressive progressive(scene, params.image, params.max_cell);
+    for (const Step& step : make_steps(params.growth, params.max_cell, last_step(params))) {
+      const auto counts = progressive.advance(step);
+      // Trees that have no deeper level have none below it either.
+      if (params.growth == Growth::depth && counts.rays.fresh.total() == 0) break;
+      compute(costs(counts.rays.work.counts));
+      const int number = static_cast<int>(outcome.rows.size()) + 1;
+      outcome.rows.push_back({number, step, counts, now()});
+      outcome.images.push_back(make_picture(params, step, now(), progressive));
+    }
+  });
+  run_machine(setup, machine);
+  return outcome;
+}
+
+base::Fields<Params> make_fields() {
+  using D = base::Declare<Params>;
+  return base::join<base::Field<Params>>(
+      {D::source("scene", &Params::scene, "room:27, spheres:200 or an NFF file"),
+       renderer::progressive::growth_field<Params>(&Params::growth),
+       renderer::progressive::max_cell_field<Params>(&Params::max_cell)},
+      {base::lift_all<Params>(renderer::progressive::step_fields(), &Params::step),
+       base::lift_all<Params>(renderer::param_fields(), &Params::image)});
+}
+
+base::Columns<Measured> make_columns() {
+  using M = Measured;
+  const auto count = [](const char* name, std::uint64_t StepCounts::*member, const char* help) {
+    return column<M>(
+        name, [member](const M& m) { return m.counts.*member; }, help);
+  };
+  const auto rays = [](const char* name, std::uint64_t renderer::RayCounts::*member,
+                       const char* help) {
+    return column<M>(
+        name, [member](const M& m) { return m.counts.rays.fresh.*member; }, help);
+  };
+  return {
+      column("step", &M::number, "number of the step, from 1"),
+      column<M>(
+          "cell", [](const M& m) { return m.step.min_cell; }, "side of its smallest cells, pixels"),
+      column<M>(
+          "level", [](const M& m) { return m.step.depth; }, "levels of its shading trees"),
+      column("time_s", &M::time, "time at its end, of tracing rays alone"),
+      count("samples", &StepCounts::samples, "new samples"),
+      count("deepened", &StepCounts::deepened, "samples whose trees were made deeper"),
+      column<M>(
+          "new_rays", [](const M& m) { return m.counts.rays.fresh.total(); },
+          "rays that the samples needed"),
+      rays("new_reflected", &renderer::RayCounts::reflected, "of these: reflected"),
+      rays("new_transmitted", &renderer::RayCounts::transmitted, "of these: transmitted"),
+      column<M>(
+          "repeated_rays", [](const M& m) { return m.counts.rays.repeated; },
+          "rays traced again to find the deeper ones"),
+      column<M>(
+          "repeated_percent",
+          [](const M& m) { return renderer::progressive::get_repeated_percent(m.counts.rays); },
+          "repeated_rays over new_rays"),
+      count("cells", &StepCounts::cells, "cells of the image after the step"),
+      count("divided_by_contrast", &StepCounts::by_contrast,
+            "cells divided because of their contrast"),
+      count("divided_by_pyramid", &StepCounts::by_pyramid,
+            "cells divided because they might hide an object")};
+}
+
+void check_program(const Setup&, const Params& params) {
+  renderer::progressive::check(last_step(params), params.image, params.max_cell);
+}
+
+}  // namespace
+
+Program make_progressive() {
+  return make_program<Params, Measured>(
+      {.name = "progressive",
+       .help = "the sequential ray tracer with increasing realism, on one processor",
+       .fields = make_fields(),
+       .columns = make_columns(),
+       .parts = {"step"},
+       .run = &run,
+       .check = &check_program});
+}
+
+}  // namespace programs
