@@ -82,22 +82,21 @@ Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex
           tag};
 }
 
+Vec eval_corner(const Polygon& polygon, const Corner& c) {
+  const double w =
+      (polygon.offset - polygon.normal[polygon.u] * c.u - polygon.normal[polygon.v] * c.v) /
+      polygon.normal[polygon.w];
+  return polygon.w == 0 ? Vec{w, c.u, c.v} : polygon.w == 1 ? Vec{c.v, w, c.u} : Vec{c.u, c.v, w};
+}
+
 Bounds make_bounds(const Sphere& sphere) {
   return grow({sphere.centre, sphere.centre}, sphere.radius);
 }
 
 Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool) {
   Bounds box;
-  for (const Corner& c : pool.subspan(polygon.first, polygon.count)) {
-    // The dropped coordinate follows from the plane.
-    const double w =
-        (polygon.offset - polygon.normal[polygon.u] * c.u - polygon.normal[polygon.v] * c.v) /
-        polygon.normal[polygon.w];
-    const Vec p = polygon.w == 0   ? Vec{w, c.u, c.v}
-                  : polygon.w == 1 ? Vec{c.v, w, c.u}
-                                   : Vec{c.u, c.v, w};
-    box = join(box, p);
-  }
+  for (const Corner& c : pool.subspan(polygon.first, polygon.count))
+    box = join(box, eval_corner(polygon, c));
   return box;
 }
 

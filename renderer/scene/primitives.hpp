@@ -60,6 +60,9 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
                  std::vector<Corner>& pool, std::vector<Vec>& normal_pool);
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag);
 
+/// Where a corner of a polygon is: the dropped coordinate follows from the plane.
+Vec eval_corner(const Polygon& polygon, const Corner& corner);
+
 Bounds make_bounds(const Sphere& sphere);
 Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool);
 Bounds make_bounds(const Cone& cone);

@@ -10,28 +10,28 @@
 namespace renderer {
 
 enum class Op : std::uint8_t {
-  box_test,         ///< a ray against one bounding box
-  sphere_test,      ///< a ray against one sphere
-  sphere_root,      ///< a sphere test that took a root: the ray's line meets the sphere
-  polygon_test,     ///< a ray against the plane of one polygon
-  patch_test,       ///< a ray against the plane of one polygon with normals
-  polygon_edges,    ///< a test of a polygon that looked at the edges: the plane is ahead
-  cone_test,        ///< a ray against one cone or cylinder
-  ray_intersected,  ///< one call of intersect()
-  hit_made,         ///< a hit that had to have a point and a normal: not a feeler's
-  surface_shaded,   ///< one intersection turned into rays by make_children()
-  feeler_made,      ///< a shadow feeler made, with its influence factor (Eq 4.17)
-  ray_reflected,    ///< a reflected ray made
-  ray_refracted,    ///< a transmitted ray made
-  sample_updated,   ///< a contribution to be added to a sample (Eq 4.26)
-  pixel_drawn,      ///< a pixel of a cell written into the display's memory
+  box_test,            ///< a ray against one bounding box
+  sphere_test,         ///< a ray against one sphere
+  sphere_root,         ///< a sphere test that took a root: the ray's line meets the sphere
+  polygon_test,        ///< a ray against the plane of one polygon
+  patch_test,          ///< a ray against the plane of one polygon with normals
+  polygon_edges,       ///< a test of a polygon that looked at the edges: the plane is ahead
+  cone_test,           ///< a ray against one cone or cylinder
+  ray_intersected,     ///< one call of intersect()
+  hit_made,            ///< a hit that had to have a point and a normal: not a feeler's
+  surface_shaded,      ///< one intersection turned into rays by make_children()
+  feeler_made,         ///< a shadow feeler made, with its influence factor (Eq 4.17)
+  ray_reflected,       ///< a reflected ray made
+  ray_refracted,       ///< a transmitted ray made
+  sample_updated,      ///< a contribution to be added to a sample (Eq 4.26)
+  pixel_drawn,         ///< a pixel of a cell written into the display's memory
   pixel_interpolated,  ///< its colour found between four samples
-  factor_begun,     ///< radiosity: whether a vertex and a patch face each other
-  delta_area,       ///< a delta area of such a patch: distance, cosines, quotient (Eq 3.8)
-  light_mirrored,   ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
-  vertex_lit,       ///< a vertex's radiosity updated (Eq 3.9)
-  patch_lit,        ///< a patch's unsent light updated, by the mean of what it received
-  patch_compared,   ///< a patch compared with the brightest so far
+  factor_begun,        ///< radiosity: whether a vertex and a patch face each other
+  delta_area,          ///< a delta area of such a patch: distance, cosines, quotient (Eq 3.8)
+  light_mirrored,      ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
+  vertex_lit,          ///< a vertex's radiosity updated (Eq 3.9)
+  patch_lit,           ///< a patch's unsent light updated, by the mean of what it received
+  patch_compared,      ///< a patch compared with the brightest so far
   COUNT
 };
 
@@ -52,10 +52,11 @@ struct Work {
 /// Names as model files and reports spell them; the index is the Op's value.
 inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
-      "box_test",      "sphere_test",    "sphere_root",     "polygon_test",   "patch_test",
-      "polygon_edges", "cone_test",      "ray_intersected", "hit_made",       "surface_shaded",
-      "feeler_made",   "ray_reflected",  "ray_refracted",   "sample_updated", "pixel_drawn", "pixel_interpolated", "factor_begun",
-      "delta_area",    "light_mirrored", "vertex_lit",      "patch_lit",      "patch_compared"};
+      "box_test",           "sphere_test",   "sphere_root",     "polygon_test",   "patch_test",
+      "polygon_edges",      "cone_test",     "ray_intersected", "hit_made",       "surface_shaded",
+      "feeler_made",        "ray_reflected", "ray_refracted",   "sample_updated", "pixel_drawn",
+      "pixel_interpolated", "factor_begun",  "delta_area",      "light_mirrored", "vertex_lit",
+      "patch_lit",          "patch_compared"};
   static_assert(!NAMES.back().empty(), "an Op has no name here");
   return NAMES;
 }

@@ -143,13 +143,25 @@ void walk_boxes(Walk& walk, const Told& told) {
   return hit;
 }
 
+[[gnu::always_inline]] inline Walk make_walk(const Scene& scene, const Ray& ray) {
+  return {scene,
+          ray,
+          {ray.reach, NO_OBJECT, {}},
+          {ray.origin, ray.direction, ray.from, scene.epsilon, scene.corners.data()}};
+}
+
+// What the walk found.
+[[gnu::always_inline]] inline std::optional<Hit> conclude(Walk& walk, Work& work) {
+  count(walk, work);
+  if (walk.best.object == NO_OBJECT) return std::nullopt;
+  work[Op::hit_made] += walk.ray.kind != RayKind::shadow;
+  return make_hit(walk);
+}
+
 template <class Told>
 std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                         const Told& told) {
-  Walk walk{scene,
-            ray,
-            {ray.reach, NO_OBJECT, {}},
-            {ray.origin, ray.direction, ray.from, scene.epsilon, scene.corners.data()}};
+  Walk walk = make_walk(scene, ray);
   switch (traversal) {
     case Traversal::linear:
       walk_linear(walk, told);
@@ -165,10 +177,7 @@ std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal,
       break;
   }
   work[Op::ray_intersected] += 1;
-  count(walk, work);
-  if (walk.best.object == NO_OBJECT) return std::nullopt;
-  work[Op::hit_made] += ray.kind != RayKind::shadow;
-  return make_hit(walk);
+  return conclude(walk, work);
 }
 
 }  // namespace
@@ -177,6 +186,12 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal trave
                              Access* access) {
   return access ? find(scene, ray, traversal, work, Somebody{*access, work})
                 : find(scene, ray, traversal, work, Nobody{});
+}
+
+std::optional<Hit> intersect_object(const Scene& scene, const Ray& ray, Place place, Work& work) {
+  Walk walk = make_walk(scene, ray);
+  consider(walk, place, Nobody{});
+  return conclude(walk, work);
 }
 
 }  // namespace renderer

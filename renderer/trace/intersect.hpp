@@ -26,9 +26,9 @@ struct Ray {
                                    ///< deeper than the ray whose hit it leaves
   std::uint16_t light = 0;         ///< index of the light that a feeler looks for
   RayKind kind = RayKind::primary;
-  bool through = false;     ///< whether it, or an ancestor, was transmitted
-  bool is_urgent = false;   ///< its cell shows more than its neighbours: see farm::CellOrder
-  std::uint8_t order = 0;   ///< of the user, that admitted it or an ancestor; 0: none
+  bool through = false;    ///< whether it, or an ancestor, was transmitted
+  bool is_urgent = false;  ///< its cell shows more than its neighbours: see farm::CellOrder
+  std::uint8_t order = 0;  ///< of the user, that admitted it or an ancestor; 0: none
 };
 
 /// The influence factor that limits are compared with.
@@ -71,5 +71,8 @@ struct Access {
 /// told what is read; it changes neither hit nor work. Thread-safe.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access = nullptr);
+
+/// The same with one object alone, as if there were no others; no call of intersect() is counted.
+std::optional<Hit> intersect_object(const Scene& scene, const Ray& ray, Place place, Work& work);
 
 }  // namespace renderer

@@ -1,5 +1,7 @@
 #include "renderer/trace/shade.hpp"
 
+#include "renderer/trace/raster.hpp"
+
 namespace renderer {
 
 namespace {
@@ -18,6 +20,8 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   child.level = static_cast<std::uint16_t>(ray.level + 1);
   child.kind = kind;
   child.through = ray.through || kind == RayKind::transmitted;
+  child.is_urgent = ray.is_urgent;
+  child.order = ray.order;
   return child;
 }
 
@@ -74,12 +78,8 @@ void add_branches(const Scene& scene, const Params& params, const Ray& ray, cons
 }  // namespace
 
 PlanePoint make_plane_point(const View& view, const Params& p, int x, int y) {
-  // Numbers of pixels, or of steps between samples that span the view from edge to edge.
-  const bool lattice = p.sample == SamplePosition::lattice;
-  const double columns = lattice ? p.width - 1 : p.width, rows = lattice ? p.height - 1 : p.height;
-  const double shift = p.sample == SamplePosition::center ? 0.5 : 0;
-  const double step = 2 * view.half_height / std::max(rows, 1.0);
-  return {(x + shift - columns / 2) * step, (rows / 2 - y - shift) * step};
+  const Raster raster = make_raster(view, p);
+  return {(x - raster.left) * raster.step, (raster.top - y) * raster.step};
 }
 
 Ray make_primary(const View& view, const Params& p, int x, int y) {

@@ -46,9 +46,10 @@ struct Setup {
 struct Image {
   std::string name;  ///< "picture"; no other image of the run has it; letters, digits and "-"
   std::optional<double> at_s;  ///< when it was complete, for one on the way to the last
-  std::function<void(const std::string& path)> save;                ///< as PNG
+  std::function<void(const std::string& path)> save;                ///< as `extension` says
   std::function<void(const std::string& path)> save_exr = nullptr;  ///< the same, all its range
   bool is_named = false;  ///< the name says already what it shows; else points are told apart
+  const char* extension = ".png";  ///< of what `save` writes; ".webp" for a moving picture
 };
 
 /// How busy a resource was, and what with.
@@ -62,6 +63,7 @@ struct Load {
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
+  std::vector<Row> growth = {};  ///< rows of growth.csv: how the picture became what it is
   machine::End end = machine::End::done;  ///< else the row is what was measured until then
   bool is_saturated = false;              ///< queues grow without bound
   std::optional<observe::Use> use = {};   ///< what was busy, for run.json

@@ -70,9 +70,8 @@ void Visualisation::run(Channel<Answer>& inp) {
         answer, [&](const Intersection& found) { show(found); },
         [&](const RenderedBlock& block) {
           recorder.note(progress.since_begun_s(), [&] { return look(); });
-          cost(picture, scratch, [block](FrameBuffer& to, renderer::Work& work) {
-            to.add(*block, work);
-          });
+          cost(picture, scratch,
+               [block](FrameBuffer& to, renderer::Work& work) { to.add(*block, work); });
           rays += block->rays.total();
         },
         [&](const KeepImage& keep) {
@@ -96,7 +95,7 @@ void Visualisation::end(machine::Seconds at) {
   recorder.end((at - progress.begun).value, [&] { return look(); });
 }
 
-Shown Visualisation::look() const {
+growth::Shown Visualisation::look() const {
   return {.rays = rays,
           .cycles = static_cast<std::uint64_t>(tasks.charged().value),
           .rgb8 = picture.rgb8()};
@@ -295,9 +294,9 @@ class Coordinator {
       this_process().charge(setup_.cell_judged);
     }
     for (const auto sample : setup_.cells.divide(ray.sample, get_area(setup_.params))) {
-      auto primary = make_primary(setup_.scene.view, setup_.params,
-                                  static_cast<int>(sample) % width,
-                                  static_cast<int>(sample) / width);
+      auto primary =
+          make_primary(setup_.scene.view, setup_.params, static_cast<int>(sample) % width,
+                       static_cast<int>(sample) / width);
       primary.is_urgent = is_urgent;
       primary.order = ray.order;
       deposit(primary);
@@ -328,7 +327,7 @@ class Coordinator {
   std::size_t rays_in_farm_ = 0, stage_ = 0;
   renderer::Children new_rays_, scratch_;
   Progress& progress_;
-  Limits limits_;  // that are set
+  Limits limits_;                                          // that are set
   std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // objects at samples, to divide by
 };
 

@@ -2,7 +2,7 @@
 // The processes at the farm's centre (thesis, 4.3.6.3 to 4.3.6.6): interaction, ray database,
 // visualisation, and the coordination, which hands tasks out, in two kinds.
 #include "simulator/farm/messages.hpp"
-#include "simulator/farm/recorder.hpp"
+#include "simulator/growth/recorder.hpp"
 #include "simulator/observe/use.hpp"
 
 namespace farm {
@@ -41,7 +41,7 @@ struct Visualisation {
   kernels::MessageCosts message;
   FrameBuffer picture;
   FrameBuffer scratch;  ///< as large, where costs are timed
-  Recorder recorder;
+  growth::Recorder recorder;
   Progress& progress;
   const kernels::KernelCost& tasks;  ///< what the workers compute
   std::vector<KeyImage> key_images = {};
@@ -52,7 +52,7 @@ struct Visualisation {
   /// The run has ended, or has been cut short: the last picture.
   void end(machine::Seconds at);
   void show(const Intersection& found);
-  Shown look() const;
+  growth::Shown look() const;
 };
 
 /// What a coordination has done so far. It is always up to date, so that a run can be cut short.
@@ -68,10 +68,10 @@ struct Progress {
   machine::Seconds last_task;  ///< handed out
   std::uint64_t tasks = 0;     ///< handed out
   std::size_t peak_tasks_in_farm = 0;
-  std::size_t orders = 0;          ///< of the user, that have come
+  std::size_t orders = 0;  ///< of the user, that have come
   /// When each order came, and the first pixel was changed by a ray that it had admitted.
   std::vector<std::pair<machine::Seconds, std::optional<machine::Seconds>>> orders_shown;
-  bool is_aborted = false;  ///< by the user
+  bool is_aborted = false;         ///< by the user
   std::vector<std::string> notes;  ///< which of them had no effect, and why
   observe::Use before, after;      ///< use of the machine until `begun`, until `ended`
 
@@ -99,10 +99,10 @@ void interaction(const std::vector<Order>& script, const Progress& progress,
 
 /// How the scene goes to the workers before the first task.
 struct SceneMessages {
-  std::uint64_t bytes = 0;    ///< size of the scene; 0 if the workers have it
-  std::uint32_t message = 0;  ///< bytes, at most
+  std::uint64_t bytes = 0;          ///< size of the scene; 0 if the workers have it
+  std::uint32_t message = 0;        ///< bytes, at most
   std::uint64_t display_bytes = 0;  ///< surfaces and lights, which the display needs (4.3.6.6)
-  std::size_t workers = 0;    ///< each acknowledges the last message
+  std::size_t workers = 0;          ///< each acknowledges the last message
 };
 
 struct CoordinationChannels {
@@ -126,7 +126,7 @@ struct CoordinationSetup {
   Cells cells;
   std::uint64_t seed;  ///< for the order of the initial rays
   SceneMessages load;
-  std::vector<Limits> stages;  ///< the interactive phase's parameters, one set after the other
+  std::vector<Limits> stages;   ///< the interactive phase's parameters, one set after the other
   machine::Cycles cell_judged;  ///< a sample compared with a neighbour
 };
 void coordination(const CoordinationSetup& setup, CoordinationChannels channels,

@@ -194,7 +194,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      message_,
                      make_picture(params),
                      params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
-                     Recorder(params.looks),
+                     growth::Recorder(params.looks),
                      progress_,
                      tasks},
       from_interaction_("coordinator.from.interaction"),

@@ -25,7 +25,7 @@ struct Params {
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
   Weights weights;             ///< of stages and orders that have none of their own
-  Looks looks;                 ///< at the picture while it grows
+  growth::Looks looks;         ///< at the picture while it grows
   std::optional<Block> block;  ///< a task; without it a task is a ray
   std::uint64_t seed = 1;      ///< for the order of cells
   /// Bytes of a message when the scene is sent to the workers, all the way down the tree, and
@@ -42,10 +42,10 @@ struct Params {
 
 struct Result {
   renderer::Samples samples;
-  std::vector<std::uint8_t> rgb8;      ///< the display's picture
-  std::vector<KeyImage> key_images;    ///< at the end of a stage, at an order
-  std::vector<Shown> pictures, growth; ///< see Recorder
-  bool is_aborted = false;             ///< by the user
+  std::vector<std::uint8_t> rgb8;               ///< the display's picture
+  std::vector<KeyImage> key_images;             ///< at the end of a stage, at an order
+  std::vector<growth::Shown> pictures, growth;  ///< see growth::Recorder
+  bool is_aborted = false;                      ///< by the user
   std::optional<double> reorder_pause_s;   ///< the longest while all rays were classified again
   std::optional<double> order_to_pixel_s;  ///< the longest from an order to a pixel it changed
   renderer::RayCounts rays;

@@ -252,10 +252,12 @@ Columns<Measured> make_columns() {
     return base::lift_columns<Measured>(
         columns, [](const Measured& m) -> auto& { return m.run.farm; });
   };
-  return base::join(of_farm(speed_columns()),
-                    {of_farm(ray_columns()), of_farm(time_columns()), of_farm(message_columns()),
-                     base::lift_columns<Measured>(busy_columns(), &Measured::busy),
-                     bottleneck_columns(), of_farm(peak_columns()), data_columns()});
+  return base::join(
+      of_farm(speed_columns()),
+      {of_farm(ray_columns()), of_farm(time_columns()), of_farm(message_columns()),
+       base::lift_columns<Measured>(busy_columns(), &Measured::busy), bottleneck_columns(),
+       of_farm(peak_columns()),
+       base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth), data_columns()});
 }
 
 }  // namespace farm

@@ -3,6 +3,7 @@
 // resources is busy when others wait for it.
 #include "simulator/declare/program.hpp"
 #include "simulator/farm/shared_farm.hpp"
+#include "simulator/growth/growth.hpp"
 
 namespace farm {
 
@@ -42,6 +43,7 @@ struct Measured {
   SharedResult run;          ///< only `run.farm` where the workers hold the scene
   bool has_data, is_shared;  ///< a key of [data] is given; workers share the scene's data
   Busy busy;
+  growth::Figures growth = {};
   std::vector<Load> loads;  ///< the farm's resources, the busiest first
 };
 

@@ -50,8 +50,8 @@ struct Intersection {
 };
 using RenderedBlock = std::shared_ptr<const renderer::Block>;
 struct SceneReceived {};
-struct KeepImage {    ///< to visualisation only: keep the picture as it is now
-  std::string name;   ///< for a file; a word where it is sent
+struct KeepImage {   ///< to visualisation only: keep the picture as it is now
+  std::string name;  ///< for a file; a word where it is sent
 };
 
 /// Workers -> coordination -> visualisation.
@@ -96,7 +96,7 @@ struct Abort {};           ///< no more tasks: end with the picture as it is
 struct Save {              ///< keep the picture as it is now
   std::string name;        ///< for a file
 };
-struct Quit {};            ///< end when the image is complete
+struct Quit {};  ///< end when the image is complete
 
 /// Interaction -> coordination: the user's orders.
 struct Command {

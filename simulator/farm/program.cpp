@@ -230,23 +230,20 @@ Order make_order(const OrderRecord& record) {
     throw base::BadInput(
         fmt::format("[[order]] at {} s: found {}, expected one of: limits, non_interactive = true, "
                     "interactive = true, abort = true, save = \"name\"",
-                    record.at_s,
-                    commands.empty() ? "nothing to do" : "several things to do"));
+                    record.at_s, commands.empty() ? "nothing to do" : "several things to do"));
   return {{record.at_s}, commands[0]};
 }
 
 bool is_picture_name(const std::string& name) {
-  return !name.empty() && name.size() <= 40 && std::ranges::all_of(name, [](unsigned char c) {
-    return std::isalnum(c) || c == '-';
-  });
+  return !name.empty() && name.size() <= 40 &&
+         std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '-'; });
 }
 
 base::Field<OrderRecord> save_field() {
   return {"save",
           "",
           "the picture as it is then is saved, with this in its name",
-          {.kind = base::Domain::Kind::text,
-           .expected = "up to 40 letters, digits and dashes"},
+          {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
           [](OrderRecord& r, const base::Scalar& value) {
             const auto& name = std::get<std::string>(value);
             if (!is_picture_name(name)) return false;
@@ -354,10 +351,11 @@ std::vector<programs::Image> take_images(const ProgramParams& params, Result& re
     images.push_back(make_image(params, name + suffix, at_s, std::move(rgb8)));
   };
   add("", result.is_aborted ? std::optional(result.time_s) : std::nullopt, result.rgb8);
-  for (auto& key : result.key_images)
-    add("-" + key.name, key.at.value - result.setup_s, key.rgb8);
+  for (auto& key : result.key_images) add("-" + key.name, key.at.value - result.setup_s, key.rgb8);
   for (std::size_t i = 0; i < result.pictures.size(); ++i)
     add(fmt::format("-shown{}", i + 1), result.pictures[i].at_s, result.pictures[i].rgb8);
+  if (!result.growth.empty())
+    images.push_back(growth::make_movie(name + "-growth", result.growth, params.farm.image.width));
   return images;
 }
 
@@ -375,6 +373,12 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   Measured measured(run_one(setup, params), params.data.has_value(), shares_data(params));
   Result& result = measured.run.farm;
   Outcome<Measured> outcome;
+  if (!result.growth.empty()) {
+    const auto& image = params.farm.image;
+    auto grown = growth::make_growth(result.growth, image.width, params.farm.max_cell);
+    outcome.growth = std::move(grown.rows);
+    measured.growth = grown.figures;
+  }
   outcome.images = take_images(params, result);
   outcome.end = result.end;
   outcome.use = result.use;

@@ -26,16 +26,16 @@ struct Limits {
   int depth_reflected = 1000;    ///< level, at most, of rays with only reflections before them
   int depth_transmitted = 1000;  ///< level, at most, of transmitted rays and their descendants
   int min_cell = 1;              ///< pixels, size of the image cell, at least
-  renderer::Area area;  ///< pixels of interest, of which a ray's cell has one; 0 x 0: all
+  renderer::Area area;           ///< pixels of interest, of which a ray's cell has one; 0 x 0: all
   std::optional<Weights> weights;  ///< of the keys; none: the farm's
   bool operator==(const Limits&) const = default;
 };
 
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells);
 
-/// Whether `a` goes before `b`: larger influence factor, then lower level, then larger cell, as long
-/// as the keys have no weights; then by the order of cells. An urgent ray's cell counts as four times
-/// as large.
+/// Whether `a` goes before `b`: larger influence factor, then lower level, then larger cell, as
+/// long as the keys have no weights; then by the order of cells. An urgent ray's cell counts as
+/// four times as large.
 bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
                  const Weights& weights = {});
 

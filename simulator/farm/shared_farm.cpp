@@ -233,7 +233,7 @@ class SharedFarm {
     });
   }
 
-  Shown look() const {
+  growth::Shown look() const {
     return {.rays = progress_.rays.total(),
             .cycles = static_cast<std::uint64_t>(charged_.value),
             .rgb8 = picture_.rgb8()};
@@ -268,7 +268,7 @@ class SharedFarm {
   kernels::KernelCost display_cost_, block_cost_;
   machine::Cycles charged_{};  // for all blocks of all workers
   FrameBuffer picture_, scratch_;
-  Recorder recorder_;
+  growth::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
 };

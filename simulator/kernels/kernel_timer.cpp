@@ -90,12 +90,14 @@ void KernelTimer::measure() {
   full_ = std::min(4 * full_, MOST_CALLS);
 }
 
-// What a call is charged beyond what it is thought to take; the first has only this.
-double KernelTimer::settle(double about_s) {
-  const double most_s = about_s > 0 ? 0.2 * about_s : std::abs(owed_s_);
-  const double part_s = std::clamp(owed_s_, -most_s, most_s);
+double KernelTimer::charge(double about_s) {
+  if (batch_.size() == 0)
+    owed_s_ -= about_s;  // it has ended its batch
+  else
+    batch_about_s_ += about_s;
+  const double part_s = std::clamp(owed_s_, -0.2 * about_s, 0.2 * about_s);
   owed_s_ -= part_s;
-  return part_s;
+  return about_s + part_s;
 }
 
 // The time of the batch, which took about `once_s` before.

@@ -86,12 +86,10 @@ class KernelTimer {
   /// beside other calls: counted cycles, or 1.
   template <class Replay>
   double eval(Replay replay, double weight) {
-    const double about_s = weight * s_per_weight_;
     batch_.add(std::move(replay));
     weight_ += weight;
-    batch_about_s_ += about_s;
-    if (batch_.size() >= full_ || batch_about_s_ >= BATCH_S) measure();
-    return about_s + settle(about_s);
+    if (batch_.size() >= full_ || batch_about_s_ + weight * s_per_weight_ >= BATCH_S) measure();
+    return charge(weight * s_per_weight_);
   }
 
   /// The longest batch took so long, s.
@@ -103,7 +101,7 @@ class KernelTimer {
  private:
   double least_s() const { return LEAST_INTERVALS * host_.interval_s; }
   void measure();
-  double settle(double about_s);
+  double charge(double about_s);
   double eval_batch_s(double once_s) const;
   double time(const std::function<void()>& run) const;
   void run_batch(int passes) const;
@@ -115,8 +113,8 @@ class KernelTimer {
   double weight_ = 0;         // of the batch
   std::size_t full_ = 1;      // calls of a full batch: the first is measured at once
   double s_per_weight_ = 0;   // in the last batch
-  double batch_about_s_ = 0;  // what the batch was thought to take
-  double owed_s_ = 0;         // what batches took beyond what was thought, and is not charged yet
+  double batch_about_s_ = 0;  // what the batch is thought to take
+  double owed_s_ = 0;         // what batches took beyond what was charged
   double longest_batch_s_ = 0;
   std::size_t most_calls_ = 0;
 };

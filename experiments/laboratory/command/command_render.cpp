@@ -4,6 +4,7 @@
 #include "experiments/laboratory/command/command_progressive.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/render_preview.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
@@ -15,6 +16,7 @@ namespace {
 struct Options : RenderTask {
   std::string size, area;
   ProgressiveOptions progressive;
+  std::optional<renderer::PreviewStep> preview;
 };
 
 void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
@@ -43,6 +45,7 @@ void render_scene(Options& o) {
 
   renderer::check(o.params);
   if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
+  if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
   Clock clock;
@@ -76,6 +79,8 @@ void add_render_command(CLI::App& app) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
+  add_preview_option(*command, o->preview);
+  command->get_option("--preview")->excludes(command->get_option("--progressive"));
   command->callback([o] { render_scene(*o); });
 }
 

@@ -57,7 +57,7 @@ bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.en
 
 // Whether a file is of a record, be it whole or what a killed process has left of it.
 bool is_of_record(const std::string& name) {
-  return std::ranges::any_of(std::array{".json", ".png", ".exr"},
+  return std::ranges::any_of(std::array{".json", ".png", ".exr", ".webp"},
                              [&](auto* part) { return name.find(part) != name.npos; });
 }
 
@@ -71,8 +71,9 @@ bool is_store(const fs::path& folder) {
 
 // Whether `tlab` writes files like this one into a results folder; others are not ours.
 bool is_result(const fs::path& entry) {
-  static const std::vector<std::string> FILES{"results.csv", "checks.csv", "fits.csv",   "best.csv",
-                                              "pays.csv",    "run.json",   "report.html"};
+  static const std::vector<std::string> FILES{"results.csv", "checks.csv", "fits.csv",
+                                              "best.csv",    "pays.csv",   "growth.csv",
+                                              "run.json",    "report.html"};
   const auto name = entry.filename().string();
   if (fs::is_symlink(entry)) return false;
   if (fs::is_directory(entry))
@@ -80,7 +81,8 @@ bool is_result(const fs::path& entry) {
                                                  : name == "points" && is_store(entry);
   return std::ranges::find(FILES, name) != FILES.end() ||
          (name.starts_with("image-") &&
-          (entry.extension() == ".png" || entry.extension() == ".exr"));
+          (entry.extension() == ".png" || entry.extension() == ".exr" ||
+           entry.extension() == ".webp"));
 }
 
 void check_is_ours(const fs::path& path) {

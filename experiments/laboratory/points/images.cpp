@@ -129,8 +129,9 @@ std::vector<SavedImage> save_images(const std::vector<programs::Image>& images,
                                     const fs::path& folder) {
   std::vector<SavedImage> saved;
   for (const auto& image : images) {
-    auto& entry = saved.emplace_back(SavedImage{
-        image.name, image.at_s, save_by_content(image.save, folder, ".png"), "", image.is_named});
+    auto& entry = saved.emplace_back(
+        SavedImage{image.name, image.at_s, save_by_content(image.save, folder, image.extension), "",
+                   image.is_named});
     if (image.save_exr) entry.exr = save_by_content(image.save_exr, folder, ".exr");
   }
   return saved;
@@ -143,13 +144,13 @@ void place_images(const ExperimentFile& file, Results& results, const fs::path& 
   for (std::size_t i = 0; i < results.size(); ++i)
     for (auto& image : results[i].images) {
       const Shared& placed = shared.at(key_of(image));
-      const auto place = [&](const std::string& source, const char* extension) {
-        const auto name = placed.stem + extension;
+      const auto place = [&](const std::string& source) {
+        const auto name = placed.stem + fs::path(source).extension().string();
         if (!fs::exists(folder / name)) carry_file(records / source, folder / name);
         return name;
       };
-      image.path = place(image.file, ".png");
-      if (!image.exr.empty()) image.exr = place(image.exr, ".exr");
+      image.path = place(image.file);
+      if (!image.exr.empty()) image.exr = place(image.exr);
       image.caption = placed.caption;
       if (!image.at_s) continue;
       image.caption += fmt::format(", after {:.2f} s", *image.at_s);

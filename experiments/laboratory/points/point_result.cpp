@@ -48,6 +48,12 @@ base::Row to_row(const ordered_json& json) {
   return row;
 }
 
+ordered_json to_json(const std::vector<base::Row>& rows) {
+  auto json = ordered_json::array();
+  for (const auto& row : rows) json.push_back(to_json(row));
+  return json;
+}
+
 ordered_json to_json(const std::optional<double>& number) {
   return number ? ordered_json(*number) : ordered_json();
 }
@@ -67,8 +73,7 @@ PointResult make_failure(const char* ended, int exit_code, const std::string& me
 }  // namespace
 
 ordered_json to_json(const PointResult& r) {
-  auto rows = ordered_json::array(), images = ordered_json::array();
-  for (const auto& row : r.rows) rows.push_back(to_json(row));
+  auto images = ordered_json::array();
   for (const auto& image : r.images)
     images.push_back({{"name", image.name},
                       {"at_s", to_json(image.at_s)},
@@ -79,7 +84,8 @@ ordered_json to_json(const PointResult& r) {
                        {"topology", r.topology},
                        {"processors", r.processors},
                        {"described", to_json(r.described)},
-                       {"rows", rows},
+                       {"rows", to_json(r.rows)},
+                       {"growth", to_json(r.growth)},
                        {"notes", r.notes},
                        {"images", images},
                        {"host",
@@ -103,6 +109,7 @@ PointResult to_result(const ordered_json& json) {
   r.processors = json.at("processors").get<int>();
   r.described = to_row(json.at("described"));
   for (const auto& row : json.at("rows")) r.rows.push_back(to_row(row));
+  for (const auto& row : json.at("growth")) r.growth.push_back(to_row(row));
   r.notes = json.at("notes").get<std::vector<std::string>>();
   for (const auto& image : json.at("images"))
     r.images.push_back({image.at("name").get<std::string>(), to_number(image.at("at_s")),

@@ -38,6 +38,7 @@ struct PointResult {
   std::vector<base::Row> rows;  ///< none where nothing was measured
   std::vector<std::string> notes;
   std::vector<SavedImage> images;
+  std::vector<base::Row> growth;  ///< rows of growth.csv
   nlohmann::ordered_json use;  ///< of processors and links, as run.json shows it; only in records
   nlohmann::ordered_json kernels;  ///< the same of kernels, where costs are timed
   HostCost host;

@@ -190,23 +190,41 @@ void add_serial_fractions(Table& table, const std::string& processors) {
   }
 }
 
-Table make_table(const ExperimentFile& file, const Results& results) {
+namespace {
+
+Table start_table(const ExperimentFile& file) {
   Table table;
   table.columns = input_columns(file);
   table.axes = table.columns.size();
+  return table;
+}
+
+void add_row(Table& table, const ExperimentFile& file, const Results& results, std::size_t point,
+             const base::Row& measured) {
   Filling filling(table);
-  const auto add_row = [&](std::size_t point, const base::Row& measured) {
-    filling.begin();
-    table.points.push_back(point);
-    const Point& at = file.points[point];
-    for (const auto& coordinate : at.at)
-      filling.put(column_of(file, coordinate.axis), to_value(coordinate));
-    put_inputs(filling, at.experiment, results[point]);
-    for (const auto& [name, cell] : measured) filling.put(name, cell);
-  };
+  filling.begin();
+  table.points.push_back(point);
+  const Point& at = file.points[point];
+  for (const auto& coordinate : at.at)
+    filling.put(column_of(file, coordinate.axis), to_value(coordinate));
+  put_inputs(filling, at.experiment, results[point]);
+  for (const auto& [name, cell] : measured) filling.put(name, cell);
+}
+
+}  // namespace
+
+Table make_growth_table(const ExperimentFile& file, const Results& results) {
+  Table table = start_table(file);
+  for (std::size_t i = 0; i < results.size(); ++i)
+    for (const auto& row : results[i].growth) add_row(table, file, results, i, row);
+  return table;
+}
+
+Table make_table(const ExperimentFile& file, const Results& results) {
+  Table table = start_table(file);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    for (const auto& row : results[i].rows) add_row(i, row);
-    if (results[i].rows.empty()) add_row(i, {});
+    for (const auto& row : results[i].rows) add_row(table, file, results, i, row);
+    if (results[i].rows.empty()) add_row(table, file, results, i, {});
   }
   table.columns.push_back("ended");
   for (std::size_t r = 0; r < table.rows.size(); ++r)

@@ -23,6 +23,10 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 /// serial fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
 
+/// The rows of growth.csv: the axes, and how each point's picture grew. Empty where nothing was
+/// looked at.
+Table make_growth_table(const ExperimentFile& file, const Results& results);
+
 /// Whether the row's point came to its end.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
 

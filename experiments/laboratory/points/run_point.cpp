@@ -154,6 +154,7 @@ PointResult run(const Experiment& experiment, const fs::path& images, bool profi
     const bool is_done = outcome.end == machine::End::done;
     result.ended = is_done && outcome.is_saturated ? "saturated" : machine::to_string(outcome.end);
     result.images = save_images(outcome.images, images);
+    result.growth = std::move(outcome.growth);
     result.use = make_use(outcome);
     result.kernels = make_kernels(outcome.kernels);
     result.host.kernel_s = outcome.kernel_host_s;

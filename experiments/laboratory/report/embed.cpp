@@ -41,13 +41,24 @@ std::string to_data_uri(std::string_view type, std::string_view bytes) {
   return fmt::format("data:{};base64,{}", type, to_base64(bytes));
 }
 
-PngSize read_png_size(std::string_view bytes, const std::string& name) {
+ImageSize read_png_size(std::string_view bytes, const std::string& name) {
   using namespace std::string_view_literals;
   if (bytes.size() < 24 || !bytes.starts_with("\x89PNG\r\n\x1a\n"sv) ||
       bytes.substr(12, 4) != "IHDR")
     throw std::invalid_argument(
         fmt::format("{}: {} bytes that are no PNG image, expected one", name, bytes.size()));
   return {read_big_endian(bytes.substr(16, 4)), read_big_endian(bytes.substr(20, 4))};
+}
+
+ImageSize read_webp_size(std::string_view bytes, const std::string& name) {
+  if (bytes.size() < 30 || !bytes.starts_with("RIFF") || bytes.substr(8, 8) != "WEBPVP8X")
+    throw std::invalid_argument(
+        fmt::format("{}: {} bytes that are no moving WebP, expected one", name, bytes.size()));
+  const auto read = [&](std::size_t at) {  // 24 bits, little-endian: the size less 1
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
+    return 1u + byte(0) + (byte(1) << 8u) + (byte(2) << 16u);
+  };
+  return {read(24), read(27)};
 }
 
 std::string inline_svg(std::string_view svg, const std::string& prefix,

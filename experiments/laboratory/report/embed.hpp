@@ -13,13 +13,15 @@ std::string to_base64(std::string_view bytes);
 std::string to_data_uri(std::string_view type, std::string_view bytes);
 
 /// In pixels.
-struct PngSize {
+struct ImageSize {
   unsigned width = 0, height = 0;
 };
 
 /// Reads the size from the file's header. Throws std::invalid_argument, naming `name`, for bytes
 /// that are no PNG.
-PngSize read_png_size(std::string_view bytes, const std::string& name);
+ImageSize read_png_size(std::string_view bytes, const std::string& name);
+/// The same of a moving WebP.
+ImageSize read_webp_size(std::string_view bytes, const std::string& name);
 
 /// The <svg> element of a file for use inside a page: without prolog, titles and descriptions of
 /// its program, with `prefix` before every identifier and every reference to one, so that several

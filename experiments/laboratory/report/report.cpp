@@ -126,11 +126,14 @@ data make_results(const Report& report) {
 // Small images are enlarged by a whole factor, so that every pixel is a square.
 data make_image(const Report::Image& image) {
   constexpr unsigned ENLARGED = 400;  // about the width in pixels of the page
-  const auto bytes = base::read_text(image.png);
-  const auto size = read_png_size(bytes, image.png.string());
+  const auto bytes = base::read_text(image.file);
+  const bool is_webp = image.file.extension() == ".webp";
+  const auto size = is_webp ? read_webp_size(bytes, image.file.string())
+                            : read_png_size(bytes, image.file.string());
   const unsigned factor = std::max(1u, ENLARGED / std::max(1u, size.width));
   return object{{"caption", image.caption},
-                {"png", to_data_uri("image/png", bytes)},
+                {"data", to_data_uri(is_webp ? "image/webp" : "image/png", bytes)},
+                {"step", image.is_step},
                 {"columns", std::to_string(size.width)},
                 {"rows", std::to_string(size.height)},
                 {"width", std::to_string(size.width * factor)},

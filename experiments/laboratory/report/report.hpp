@@ -27,7 +27,8 @@ struct Report {
 
   struct Image {
     std::string caption;
-    std::filesystem::path png;
+    std::filesystem::path file;  ///< a PNG, or a moving WebP
+    bool is_step = false;        ///< on the way to another one: smaller, side by side
   };
 
   struct ModelRow {
@@ -52,8 +53,8 @@ struct Report {
 };
 
 /// Makes the page, without a date: the same report gives the same bytes. Throws std::system_error
-/// for an image that cannot be read, std::invalid_argument for one that is no PNG, for a drawing
-/// that is no SVG and for shown columns that do not exist.
+/// for an image that cannot be read, std::invalid_argument for one that is no PNG (or WebP), for a
+/// drawing that is no SVG and for shown columns that do not exist.
 std::string make_report(const Report& report);
 
 }  // namespace laboratory

@@ -188,7 +188,31 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
   for (const auto& result : s.results)
     for (const auto& image : result.images)
       if (shown.insert(image.path).second)
-        report.images.push_back({image.caption, folder / image.path});
+        report.images.push_back({image.caption, folder / image.path, image.at_s.has_value()});
+}
+
+// How the pictures grew: a curve for each point. None where nothing was looked at.
+std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth) {
+  if (growth.rows.empty()) return {};
+  const auto rows = all_rows(growth);
+  const auto time = *growth.find("growth_s");
+  std::vector<Exhibit> exhibits;
+  for (const auto& [column, label] :
+       {std::pair{"ssim", "structural similarity with the last picture"},
+        {"border_energy", "second differences across borders of cells over those within"}}) {
+    Plot plot;
+    plot.name = fmt::format("growth-{}", column);
+    plot.title = title_of(file);
+    plot.x_label = "simulated time, s";
+    plot.y_label = label;
+    for (const auto r : rows)
+      if (const auto y = as_number(growth.rows[r][*growth.find(column)]))
+        add_point(plot.series, name_of(file.points[growth.points[r]]), r,
+                  *as_number(growth.rows[r][time]), *y);
+    if (plot.series.size() == 1) plot.series[0].name = "";
+    exhibits.push_back({.plot = plot});
+  }
+  return exhibits;
 }
 
 void save_unless_empty(const fs::path& file, const Table& table) {
@@ -269,6 +293,9 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   auto exhibits = add_figures(report, folder, s);
   if (s.file.plots.empty())
     for (const auto& plot : usual_plots(s.file, s.table)) exhibits.push_back({.plot = plot});
+  const Table growth = make_growth_table(s.file, s.results);
+  save_unless_empty(folder / "growth.csv", growth);
+  for (auto& exhibit : plot_growth(s.file, growth)) exhibits.push_back(std::move(exhibit));
   add_plots(report, folder / "plots", exhibits);
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);

@@ -1,6 +1,7 @@
 #include "renderer/radiosity/show/picture.hpp"
 
 #include "renderer/radiosity/show/locate.hpp"
+#include "renderer/scan/scan.hpp"
 #include "renderer/scene/require.hpp"
 #include "renderer/trace/shade.hpp"
 
@@ -86,10 +87,7 @@ struct Fragment {
   }
 };
 
-// A z-buffer of convex polygons with two parameters, seen from a view that has its image plane. It
-// samples at the pixels' centres. Triangles are drawn in homogeneous coordinates, which need no
-// clipping: M. Olano and T. Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
-// Graphics Hardware 1997.
+// A z-buffer of convex polygons with two parameters, seen from a view that has its image plane.
 class ZBuffer {
  public:
   struct Point {
@@ -97,91 +95,34 @@ class ZBuffer {
     double s = 0, t = 0;
   };
 
-  ZBuffer(const renderer::View& view, int width, int height)
+  ZBuffer(const renderer::View& view, const renderer::Params& params)
       : view_(view),
-        width_(width),
-        height_(height),
-        step_(2 * view.half_height / height),
-        fragments_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+        width_(static_cast<std::size_t>(params.width)),
+        scanner_(renderer::make_raster(view, params), renderer::get_area(params)),
+        fragments_(width_ * static_cast<std::size_t>(params.height)) {}
 
   // Draws a convex polygon of 3 corners or more, either side. The nearest wins; of what coincides
   // the first, but any other kind before a back. In each triangle from the first corner s and t
   // are linear in space.
-  void draw(Fragment::Kind kind, std::uint32_t patch, std::vector<Point> points) {
-    for (Point& p : points) {
-      const Vec way = p.at - view_.from;
-      p.at = {dot(way, view_.right), dot(way, view_.above), dot(way, view_.ahead)};
-    }
+  void draw(Fragment::Kind kind, std::uint32_t patch, const std::vector<Point>& points) {
+    const auto corner = [&](std::size_t i) -> renderer::Scanner<2>::Corner {
+      return {renderer::to_eye(view_, points[i].at), {points[i].s, points[i].t}};
+    };
     for (std::size_t i = 2; i < points.size(); ++i)
-      draw({kind, patch}, {points[0], points[i - 1], points[i]});
+      scanner_.scan({corner(0), corner(i - 1), corner(i)}, [&](int x, int y, double nearness,
+                                                               const auto& values) {
+        fragments_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)].put(
+            {kind, patch, nearness, values[0], values[1]});
+      });
   }
 
   // At y * width + x; rows run from the top.
   const std::vector<Fragment>& fragments() const { return fragments_; }
 
  private:
-  struct Rectangle {
-    int left, top, right, bottom;  // right and bottom excluded
-  };
-  using Triangle = std::array<Point, 3>;
-
-  // The pixels with centres that the triangle may cover.
-  Rectangle bound(const Triangle& points) const {
-    double far = 0;
-    for (const Point& p : points) far = std::max(far, max_abs(p.at));
-    // The triangle may reach behind the eye: its bounds are found where it is this far ahead.
-    const double near = 1e-9 * far;
-    double left = width_, top = height_, right = 0, bottom = 0;
-    const auto add = [&](const Vec& p) {
-      const double x = p.x / p.z / step_ + width_ / 2.0, y = height_ / 2.0 - p.y / p.z / step_;
-      left = std::min(left, x), right = std::max(right, x);
-      top = std::min(top, y), bottom = std::max(bottom, y);
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec &a = points[i].at, &b = points[(i + 1) % 3].at;
-      if (a.z >= near) add(a);
-      if ((a.z < near) != (b.z < near)) {
-        Vec cut = a + ((near - a.z) / (b.z - a.z)) * (b - a);
-        cut.z = near;
-        add(cut);
-      }
-    }
-    const auto clip = [](double at, int most) {
-      return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(most)));
-    };
-    return {clip(std::floor(left - 0.5), width_), clip(std::floor(top - 0.5), height_),
-            clip(std::ceil(right + 0.5), width_), clip(std::ceil(bottom + 0.5), height_)};
-  }
-
-  void draw(const Fragment& what, const Triangle& p) {
-    // For a way (x, y, 1), edge i is 0 along the side across from corner i. Shared sides agree to
-    // the last bit.
-    const std::array<Vec, 3> edges = {cross(p[1].at, p[2].at), cross(p[2].at, p[0].at),
-                                      cross(p[0].at, p[1].at)};
-    const double volume = dot(p[0].at, edges[0]);
-    if (volume == 0) return;
-    const double sign = volume < 0 ? -1 : 1;
-    const Rectangle box = bound(p);
-    for (int y = box.top; y < box.bottom; ++y)
-      for (int x = box.left; x < box.right; ++x) {
-        const Vec way{(x + 0.5 - width_ / 2.0) * step_, (height_ / 2.0 - y - 0.5) * step_, 1};
-        const double e0 = sign * dot(edges[0], way), e1 = sign * dot(edges[1], way),
-                     e2 = sign * dot(edges[2], way);
-        if (!(e0 >= 0 && e1 >= 0 && e2 >= 0)) continue;
-        const double sum = e0 + e1 + e2;
-        Fragment found = what;
-        found.nearness = sum / (sign * volume);
-        found.s = (e0 * p[0].s + e1 * p[1].s + e2 * p[2].s) / sum;
-        found.t = (e0 * p[0].t + e1 * p[1].t + e2 * p[2].t) / sum;
-        fragments_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(x)]
-            .put(found);
-      }
-  }
-
   const renderer::View view_;
-  const int width_, height_;
-  const double step_;  // width of a pixel at distance 1
+  const std::size_t width_;
+  renderer::Scanner<2> scanner_;
   std::vector<Fragment> fragments_;
 };
 
@@ -259,7 +200,7 @@ Picture preview_picture(const Mesh& mesh, const Illumination& illumination,
   using Kind = Fragment::Kind;
   const PictureParams params = fit(asked, view);
   const renderer::View eye = make_image_plane(view);
-  ZBuffer buffer(eye, params.width, params.height);
+  ZBuffer buffer(eye, make_params(params));
   const auto side = [&](const Vec& normal, const Vec& corner, Kind front) {
     return dot(normal, eye.from - corner) > 0 ? front : Kind::back;
   };

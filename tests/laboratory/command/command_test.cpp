@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
@@ -69,6 +70,24 @@ TEST(ExperimentsCommand, FarmImageIsTheRenderersFile) {
   EXPECT_NE(read_file(folder.path / "s.json").find("\"primary\": 192"), std::string::npos);
 }
 
+TEST(ExperimentsCommand, PreviewsAreThereBeforeTheFirstRay) {
+  const TemporaryFolder folder;
+  const auto stats = [&](const std::string& step) {
+    EXPECT_EQ(tlab(folder.path, {"render", "spheres:60", "-o", step + ".png", "--preview", step,
+                                 "--size", "16x12", "--stats", "s.json"})
+                  .exit_code,
+              0);
+    return nlohmann::json::parse(read_file(folder.path / "s.json"));
+  };
+  const auto flat = stats("flat"), shadows = stats("shadows");
+  EXPECT_EQ(flat["work"]["ray_intersected"], 0);
+  EXPECT_GE(flat["preview"]["pixels_drawn"], 16 * 12 / 2);
+  // A feeler to each of three lights from each pixel that shows an object.
+  EXPECT_EQ(shadows["work"]["ray_intersected"].get<int>() % 3, 0);
+  EXPECT_GT(shadows["work"]["ray_intersected"], 0);
+  EXPECT_NE(read_file(folder.path / "flat.png"), read_file(folder.path / "shadows.png"));
+}
+
 TEST(ExperimentsCommand, OlderResultsAreReplacedButNeverSomethingElse) {
   const TemporaryFolder folder;
   const auto run = small({"-o", "r", "--set", "sweep.workers=[1]"});
@@ -113,6 +132,10 @@ TEST(ExperimentsCommand, MistakesHaveTheirExitCodesAndLeaveNothing) {
            {{"render", "spheres:9", "-o", "i.png", "--size", "9999999x9999999"}, 2, "1 to 65536"},
            {{"render", "spheres:9", "-o", "no/such/i.png", "--size", "4x4"}, 2, "no/such/i.png"},
            {{"render", "spheres:9", "-o", "i.png", "--feelers", "no"}, 2, "--feelers"},
+           {{"render", "spheres:9", "-o", "i.png", "--preview", "wire"}, 2, "one of points, edges"},
+           {{"render", "spheres:9", "-o", "i.png", "--preview", "flat", "--depth", "2"},
+            2,
+            "--depth excludes --preview"},
            {{"topology", "five.dot"}, 2, "five.dot"},
            {{"topology", "tre:7"}, 2, "tree"},
            {{"topology", "line:99999999999"}, 2, "16384"},

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace farm {
+namespace growth {
 
 /// The picture as it was shown at a time.
 struct Shown {
@@ -48,4 +48,4 @@ class Recorder {
   std::vector<Shown> pictures_, growth_;
 };
 
-}  // namespace farm
+}  // namespace growth

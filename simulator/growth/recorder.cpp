@@ -1,10 +1,10 @@
-#include "simulator/farm/recorder.hpp"
+#include "simulator/growth/recorder.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-namespace farm {
+namespace growth {
 
 Recorder::Recorder(Looks looks) : looks_(std::move(looks)) {}
 
@@ -43,4 +43,4 @@ void Recorder::end(double now_s, const std::function<Shown()>& look) {
   growth_.back().at_s = now_s;
 }
 
-}  // namespace farm
+}  // namespace growth

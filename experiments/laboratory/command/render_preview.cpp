@@ -1,0 +1,51 @@
+#include "experiments/laboratory/command/render_preview.hpp"
+
+#include <fmt/ranges.h>
+
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/host/progress.hpp"
+#include "renderer/files/nff.hpp"
+
+namespace laboratory {
+
+void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>& step) {
+  std::vector<std::string> names;
+  for (const auto& [name, ignored] : renderer::preview_steps()) names.push_back(name);
+  const auto set = [&step, names](const std::string& text) {
+    for (const auto& [name, value] : renderer::preview_steps())
+      if (name == text) step = value;
+    if (!step)
+      throw CLI::ValidationError(
+          "--preview", fmt::format("found {}, expected one of {}", text, fmt::join(names, ", ")));
+  };
+  auto* option = command.add_option_function<std::string>(
+      "--preview", set, "a picture by a z-buffer in place of rays, in steps from poor to rich");
+  option->option_text(fmt::format("{}", fmt::join(names, "|")));
+  for (const char* name : {"--depth", "--influence", "--threads"})
+    option->excludes(command.get_option(name));
+}
+
+void save_preview(const std::string& scene, const renderer::Params& params,
+                  renderer::PreviewStep step, const std::string& output, const std::string& stats) {
+  const auto loaded = renderer::load_scene(scene);
+  Clock clock;
+  const auto preview = renderer::make_preview(loaded, params, step);
+  const double seconds = clock.lap();
+  renderer::save_png(output, preview.samples);
+  if (stats.empty()) return;
+  const auto& counts = preview.counts;
+  const nlohmann::ordered_json text = {{"scene", scene},
+                                       {"width", params.width},
+                                       {"height", params.height},
+                                       {"preview",
+                                        {{"vertices", counts.vertices},
+                                         {"facets", counts.facets},
+                                         {"pixels_tested", counts.pixels_tested},
+                                         {"pixels_drawn", counts.pixels_drawn}}},
+                                       {"work", make_json(preview.work)},
+                                       {"seconds", seconds}};
+  base::save_whole(stats, text.dump(2) + "\n");
+}
+
+}  // namespace laboratory

@@ -1,0 +1,264 @@
+// Previews against the ray tracer, and by hand.
+#include "renderer/preview/preview.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/preview/facets.hpp"
+#include "tests/renderer/support.hpp"
+#include "tests/support/files.hpp"
+
+namespace renderer::test {
+namespace {
+
+// By pixel, the object that its primary ray hits.
+std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params) {
+  std::vector<std::uint32_t> objects;
+  Work work;
+  for (int y = 0; y < params.height; ++y)
+    for (int x = 0; x < params.width; ++x) {
+      const auto hit =
+          intersect(scene, make_primary(scene.view, params, x, y), Traversal::nearest, work);
+      objects.push_back(hit ? hit->object : NO_OBJECT);
+    }
+  return objects;
+}
+
+// Whether a pixel around (x, y), itself included, has another object than that of (x, y).
+bool is_at_silhouette(const std::vector<std::uint32_t>& objects, const Params& p, int x, int y) {
+  const auto at = [&](int i, int j) { return objects[static_cast<std::size_t>(j * p.width + i)]; };
+  for (int j = std::max(0, y - 1); j <= std::min(p.height - 1, y + 1); ++j)
+    for (int i = std::max(0, x - 1); i <= std::min(p.width - 1, x + 1); ++i)
+      if (at(i, j) != at(x, y)) return true;
+  return false;
+}
+
+struct Compared {
+  int pixels = 0, other_object = 0, off_silhouette = 0, other_sums = 0;
+};
+
+// A preview with the rendering of the same scene and trees of `depth` levels.
+void compare(const Scene& scene, Params params, int depth, Compared& all) {
+  const Preview preview = make_preview(scene, params, PreviewStep::shadows);
+  const auto objects = find_objects(scene, params);
+  params.limits.depth = depth;
+  const Samples traced = render(scene, params).samples;
+  for (int y = 0; y < params.height; ++y)
+    for (int x = 0; x < params.width; ++x) {
+      const auto at = static_cast<std::size_t>(y * params.width + x);
+      const bool other = preview.objects[at] != objects[at];
+      ++all.pixels;
+      all.other_object += other;
+      all.off_silhouette += other && !is_at_silhouette(objects, params, x, y);
+      all.other_sums += !other && preview.samples.sums[at] != traced.sums[at];
+    }
+}
+
+constexpr PreviewStep SOLID[] = {PreviewStep::flat, PreviewStep::gouraud, PreviewStep::phong};
+
+TEST(Preview, ShadowsAreTheRayTracersButAtSilhouettes) {
+  Compared all;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Params params = make_params(60, 45, 1);
+    params.sample = static_cast<SamplePosition>(seed % 3);
+    compare(make_random_scene(seed, 12), params, 1, all);
+  }
+  EXPECT_EQ(all.other_sums, 0);
+  EXPECT_LE(all.off_silhouette, all.pixels / 2000);
+  EXPECT_LE(all.other_object, all.pixels / 50);
+}
+
+TEST(Preview, WithoutMirrorsAndGlassThatIsTheWholePicture) {
+  Compared all;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Scene scene = make_random_scene(seed, 12, 3);
+    for (Surface& surface : scene.surfaces) surface.ks = surface.t = 0;
+    compare(scene, make_params(60, 45, 1), 15, all);
+  }
+  EXPECT_EQ(all.other_sums, 0);
+  EXPECT_LE(all.other_object, all.pixels / 50);
+}
+
+TEST(Preview, AllSolidStepsShowTheSameObjects) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Scene scene = make_random_scene(seed, 12);
+    const Params params = make_params(60, 45, 1);
+    const Preview shadows = make_preview(scene, params, PreviewStep::shadows);
+    for (const PreviewStep step : SOLID) {
+      const Preview preview = make_preview(scene, params, step);
+      EXPECT_EQ(preview.objects, shadows.objects);
+      EXPECT_EQ(preview.counts, shadows.counts);
+      EXPECT_EQ(preview.work[Op::ray_intersected], 0u);
+    }
+    EXPECT_GT(shadows.work[Op::ray_intersected], 0u);
+  }
+}
+
+TEST(Preview, PhongHasTheLightOfShadowsWhereNothingIsInTheWay) {
+  const Scene scene = parse(
+      "v from 0 0 5 at 0 0 0 up 0 1 0 angle 40 resolution 9 9\n"
+      "l 1 2 5 0.5 0.5 0.5\nf 1 0.5 0.2 0.7 0.2 10 0 0\ns 0 0 0 1\n");
+  const Params params = make_params(40, 40, 1);
+  EXPECT_EQ(make_preview(scene, params, PreviewStep::phong).samples,
+            make_preview(scene, params, PreviewStep::shadows).samples);
+}
+
+// The view of a 4 x 4 image, at z = 4, in which (x, y, 0) is pixel (2 + x, 2 - y) of those whose
+// samples are corners.
+const std::string SQUARE_VIEW =
+    "v from 0 0 4 at 0 0 0 up 0 1 0 angle 53.13010235415598 resolution 4 4\n"
+    "b 0 0 0.5\n";
+
+Params make_centred() {
+  Params params = make_params(4, 4, 1);
+  params.sample = SamplePosition::center;
+  return params;
+}
+
+// One colour of each pixel, as they are looked at.
+std::string show(const Preview& preview, double Rgb::*colour) {
+  std::string text;
+  for (std::uint32_t i = 0; i < preview.samples.sums.size(); ++i) {
+    text += fmt::format("{:.3g}", preview.samples.get(i).*colour);
+    text += (i + 1) % std::uint32_t(preview.samples.width) == 0 ? "\n" : " ";
+  }
+  return text;
+}
+
+TEST(Preview, FlatHasTheColourOfTheMiddle) {
+  // A light straight before the middle of the square, two away; ka * Ia = 0.1 * 0.5.
+  const Scene scene = parse(SQUARE_VIEW +
+                            "l 0 0 2 0.8 0.8 0.8\nf 1 0 0 0.5 0 0 0 0\n"
+                            "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
+  const Preview preview = make_preview(scene, make_centred(), PreviewStep::flat);
+  EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.45 0.45 0\n0 0.45 0.45 0\n0 0 0 0\n");
+  EXPECT_EQ(show(preview, &Rgb::b), "0.5 0.5 0.5 0.5\n0.5 0 0 0.5\n0.5 0 0 0.5\n0.5 0.5 0.5 0.5\n");
+  EXPECT_EQ(preview.counts, (PreviewCounts{4, 1, 4, 4}));
+  EXPECT_EQ(preview.work[Op::feeler_made], 1u);
+}
+
+TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
+  // The light is at right angles over the left edge's middle, as far away as the corners.
+  const Scene scene = parse(SQUARE_VIEW +
+                            "l -1 0 1 1 1 1\nf 1 0 0 1 0 0 0 0\n"
+                            "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
+  const Preview preview = make_preview(scene, make_centred(), PreviewStep::gouraud);
+  // cos = 1 / distance: sqrt(2) to the left corners, sqrt(6) to the right ones; 0.1 is ambient.
+  const double left = 0.1 + 1 / std::sqrt(2), right = 0.1 + 1 / std::sqrt(6);
+  for (const std::uint32_t y : {1u, 2u}) {
+    EXPECT_NEAR(preview.samples.get(4 * y + 1).r, 0.75 * left + 0.25 * right, 1e-9);
+    EXPECT_NEAR(preview.samples.get(4 * y + 2).r, 0.25 * left + 0.75 * right, 1e-9);
+  }
+  EXPECT_EQ(preview.work[Op::feeler_made], 4u);
+}
+
+TEST(Preview, PointsAreTheCornersAndFade) {
+  // At the farthest, a quarter of the colour is left on the background.
+  const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\np 3 -1 -1 0 1 -1 0 -2 2 -4\n");
+  const Preview preview = make_preview(scene, make_params(4, 4, 1), PreviewStep::points);
+  EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.25 0 0\n0 0 0 0\n0 1 0 1\n");
+  EXPECT_EQ(preview.counts, (PreviewCounts{3, 0, 3, 3}));
+}
+
+TEST(Preview, EdgesAreThoseThatNothingHides) {
+  const std::string back = "f 1 0 0 1 0 0 0 0\np 4 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n";
+  // Half as far, a wall before the right half of the image, without edges that are seen.
+  const std::string front = "f 0 1 0 1 0 0 0 0\np 4 0.25 -9 2 9 -9 2 9 9 2 0.25 9 2\n";
+  const Params params = make_params(4, 4, 1);
+  const auto red = [&](const std::string& objects) {
+    return show(make_preview(parse(SQUARE_VIEW + objects), params, PreviewStep::edges), &Rgb::r);
+  };
+  // (The right and the lower edge are outside the image, whose last samples are at 1.)
+  EXPECT_EQ(red(back), "1 1 1 1\n1 0 0 0\n1 0 0 0\n1 0 0 0\n");
+  EXPECT_EQ(red(back + front), "0.25 0.25 0.25 0\n0.25 0 0 0\n0.25 0 0 0\n0.25 0 0 0\n");
+}
+
+TEST(Preview, OfAnAreaIsThatPartOfTheWhole) {
+  for (const auto& [name, step] : preview_steps()) {
+    if (step == PreviewStep::points || step == PreviewStep::edges) continue;  // fade as they are
+    SCOPED_TRACE(name);
+    const Scene scene = make_random_scene(7, 12);
+    Params params = make_params(30, 20, 1);
+    const Preview whole = make_preview(scene, params, step);
+    params.area = {5, 6, 11, 9};
+    const Preview part = make_preview(scene, params, step);
+    for (int y = 0; y < 20; ++y)
+      for (int x = 0; x < 30; ++x) {
+        const auto at = static_cast<std::size_t>(y * 30 + x);
+        const bool inside = x >= 5 && x < 16 && y >= 6 && y < 15;
+        EXPECT_EQ(part.samples.sums[at], inside ? whole.samples.sums[at] : Samples::Sums{});
+        EXPECT_EQ(part.objects[at], inside ? whole.objects[at] : NO_OBJECT);
+      }
+  }
+}
+
+TEST(Preview, FromWithinASphereAndACylinder) {
+  const Scene scene = parse(
+      "v from 0.2 0.1 0 at 0 0 -1 up 0 1 0 angle 80 resolution 9 9\n"
+      "l 0 0.5 0 1 1 1\nf 1 0.5 0.2 0.7 0 0 0 0\ns 0 0 0 5\nc 0 0 2 1 0 0 -2 1\n");
+  Compared all;
+  compare(scene, make_params(50, 50, 1), 1, all);
+  EXPECT_EQ(all.other_sums, 0);
+  EXPECT_EQ(all.off_silhouette, 0);
+  EXPECT_LE(all.other_object, 60);  // the cylinder's far rim
+}
+
+TEST(Preview, NamesWhatIsWrong) {
+  const Scene scene = make_random_scene(1, 1);
+  EXPECT_EQ(::test::message_of<base::BadInput>(
+                [&] { make_preview(scene, make_params(0, 5, 1), PreviewStep::flat); }),
+            "size: found 0 x 5, expected 1 to 65536 pixels a side");
+}
+
+// Where a point is on the image, in pixels.
+std::pair<double, double> project(const Scene& scene, const Raster& raster, const Vec& point) {
+  const Vec way = point - scene.view.from;
+  const double scale = 1 / (dot(way, scene.view.ahead) * raster.step);
+  return {raster.left + dot(way, scene.view.right) * scale,
+          raster.top - dot(way, scene.view.above) * scale};
+}
+
+TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
+  double most = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    Scene scene;
+    scene.view.from = {0, 0, 6};
+    scene.surfaces.push_back({});
+    const double radius = random.range(0.01, 2);
+    const bool is_sphere = seed % 2;
+    const Vec base = random.point(1.5), axis = random.direction();
+    if (is_sphere)
+      add_sphere(scene, base, radius);
+    else
+      add_cone(scene, base, radius, base + axis, radius);
+    finish(scene);
+    const Params params = make_params(400, 300, 1);
+    const Raster raster = make_raster(scene.view, params);
+    Facets facets;
+    make_facets(scene, scene.objects[0], params, Fineness::silhouette, facets);
+    EXPECT_GE(facets.ends.size(), 4u);
+    std::uint32_t first = 0;
+    for (const auto end : facets.ends) {
+      Vec middle;
+      for (std::uint32_t i = first; i < end; ++i)
+        middle += (1.0 / (end - first)) * facets.corners[facets.indices[i]].at;
+      first = end;
+      const double along = is_sphere ? 0 : dot(middle - base, axis);
+      const Vec foot = base + along * axis;
+      const double inside = radius - length(middle - foot);
+      EXPECT_GE(inside, -1e-6 * radius);
+      const auto [x, y] = project(scene, raster, middle);
+      const auto [u, v] = project(scene, raster, foot + radius * normalize(middle - foot));
+      if (x >= 0 && x < 400 && y >= 0 && y < 300) most = std::max(most, std::hypot(x - u, y - v));
+    }
+  }
+  EXPECT_LE(most, 0.5);
+  EXPECT_GE(most, 0.2);  // no finer than it must be
+}
+
+}  // namespace
+}  // namespace renderer::test

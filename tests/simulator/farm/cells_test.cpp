@@ -1,0 +1,181 @@
+// Image cells, their orders, and the display's picture against a plain oracle.
+#include "simulator/farm/cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "renderer/scene/generators.hpp"
+
+namespace farm {
+namespace {
+
+using renderer::Area;
+
+constexpr int WIDTH = 29, HEIGHT = 22;
+constexpr Area ALL{0, 0, WIDTH, HEIGHT};
+
+Cells random_cells(std::mt19937_64& random) {
+  return {.width = WIDTH, .max_cell = 1 << random() % 5};
+}
+
+// The samples of some pixels, in any order, with several contributions each.
+std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::mt19937_64& random) {
+  std::vector<std::pair<std::uint32_t, renderer::Rgb>> all;
+  const auto share = random() % 100;
+  for (std::uint32_t sample = 0; sample < WIDTH * HEIGHT; ++sample) {
+    if (random() % 100 > share) continue;
+    for (auto n = 1 + random() % 3; n-- > 0;) {
+      const auto any = [&] { return static_cast<double>(random() % 1000) / 1000; };
+      all.push_back({sample, {any(), any(), any()}});
+    }
+  }
+  std::ranges::shuffle(all, random);
+  return all;
+}
+
+// What the sample of the smallest cell around a pixel shows, of those that are there.
+std::vector<std::uint8_t> constant_picture(const renderer::Samples& samples,
+                                           const std::set<std::uint32_t>& there,
+                                           const Cells& cells) {
+  std::vector<std::uint8_t> rgb8(3 * samples.sums.size());
+  for (int y = 0; y < HEIGHT; ++y)
+    for (int x = 0; x < WIDTH; ++x)
+      for (int size = 1; size <= cells.max_cell; size *= 2) {
+        const auto sample = static_cast<std::uint32_t>((y - y % size) * WIDTH + x - x % size);
+        if (!there.contains(sample)) continue;
+        std::ranges::copy(make_rgb8(samples, sample), rgb8.begin() + 3 * (y * WIDTH + x));
+        break;
+      }
+  return rgb8;
+}
+
+TEST(FrameBuffer, PaintsWhatNoSmallerCellShows) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const Cells cells = random_cells(random);
+    FrameBuffer picture(WIDTH, HEIGHT, cells, CellLight::constant);
+    std::set<std::uint32_t> there;
+    renderer::Work work;
+    for (const auto& [sample, contribution] : random_contributions(random)) {
+      const auto before = picture.rgb8();
+      const bool is_changed = picture.add(sample, contribution, work);
+      there.insert(sample);
+      EXPECT_EQ(is_changed, picture.rgb8() != before);
+    }
+    EXPECT_EQ(picture.rgb8(), constant_picture(picture.samples(), there, cells));
+  }
+}
+
+TEST(FrameBuffer, PointsLightOnePixelEach) {
+  std::mt19937_64 random(1);
+  FrameBuffer picture(WIDTH, HEIGHT, {.width = WIDTH, .max_cell = 16}, CellLight::point);
+  renderer::Work work;
+  for (std::uint32_t sample : {0u, 16u, 16u * WIDTH}) picture.add(sample, {1, 1, 1}, work);
+  EXPECT_EQ(std::ranges::count(picture.rgb8(), 255), 9);
+  EXPECT_EQ(work[renderer::Op::pixel_drawn], 3u);
+}
+
+// What is shown does not depend on the order in which contributions came.
+TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
+  for (const auto light : {CellLight::constant, CellLight::point, CellLight::smooth})
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", light " << int(light));
+      std::mt19937_64 random(seed);
+      const Cells cells = random_cells(random);
+      auto contributions = random_contributions(random);
+      const auto paint = [&] {
+        FrameBuffer picture(WIDTH, HEIGHT, cells, light);
+        renderer::Work work;
+        for (const auto& [sample, colour] : contributions) picture.add(sample, colour, work);
+        return picture.rgb8();
+      };
+      const auto first = paint();
+      std::ranges::shuffle(contributions, random);
+      EXPECT_EQ(paint(), first);
+    }
+}
+
+TEST(FrameBuffer, IsTheImageWhenAllSamplesAreThere) {
+  for (const auto light : {CellLight::constant, CellLight::point, CellLight::smooth}) {
+    std::mt19937_64 random(7);
+    FrameBuffer picture(WIDTH, HEIGHT, {.width = WIDTH, .max_cell = 8}, light);
+    renderer::Work work;
+    std::vector<std::uint32_t> samples(WIDTH * HEIGHT);
+    std::iota(samples.begin(), samples.end(), 0u);
+    std::ranges::shuffle(samples, random);
+    for (const auto sample : samples)
+      picture.add(sample, {0.01 * (sample % 97), 0.3, 0.002 * (sample % 400)}, work);
+    EXPECT_EQ(picture.rgb8(), make_rgb8(picture.samples()));
+  }
+}
+
+// Four samples at the corners of a cell of 4 pixels: a ramp between them.
+TEST(FrameBuffer, SmoothCellsAreBilinear) {
+  FrameBuffer picture(8, 8, {.width = 8, .max_cell = 4}, CellLight::smooth);
+  renderer::Work work;
+  const double at[2][2] = {{0.2, 0.6}, {0.4, 1.0}};
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 2; ++x)
+      picture.add(static_cast<std::uint32_t>(32 * y + 4 * x), {at[y][x], 0, 0}, work);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const double u = x / 4.0, v = y / 4.0;
+      const double expected =
+          (1 - v) * ((1 - u) * at[0][0] + u * at[0][1]) + v * ((1 - u) * at[1][0] + u * at[1][1]);
+      EXPECT_NEAR(picture.rgb8()[static_cast<std::size_t>(3 * (8 * y + x))], 255 * expected, 0.51);
+    }
+  EXPECT_GT(work[renderer::Op::pixel_interpolated], 16u);
+}
+
+// A cell's samples are told apart by their size and place; those that a cell is divided into make
+// up all samples but the largest ones', once each.
+TEST(Cells, AreDividedIntoAllSamples) {
+  for (const int max_cell : {1, 2, 8, 32}) {
+    const Cells cells{.width = WIDTH, .max_cell = max_cell, .order = CellOrder::adaptive};
+    std::multiset<std::uint32_t> found;
+    for (std::uint32_t s = 0; s < WIDTH * HEIGHT; ++s) {
+      if (cells.size_of(s) == max_cell) found.insert(s);
+      for (const auto part : cells.divide(s, ALL)) found.insert(part);
+    }
+    EXPECT_EQ(found.size(), WIDTH * HEIGHT);
+    EXPECT_EQ(std::set(found.begin(), found.end()).size(), found.size());
+  }
+}
+
+TEST(Cells, ComeInTheirOrder) {
+  const auto scene = renderer::make_spheres(1);
+  renderer::Params params;
+  params.width = params.height = 8;
+  Cells cells{.width = 8, .max_cell = 4, .order = CellOrder::sequential};
+  const auto take = [&] {
+    std::vector<std::uint32_t> samples;
+    for (const auto& ray : make_initial_rays(scene, params, cells, 1))
+      samples.push_back(ray.sample);
+    return samples;
+  };
+  auto all = take();
+  using Samples = std::vector<std::uint32_t>;
+  EXPECT_EQ(Samples(all.begin(), all.begin() + 7), (Samples{0, 4, 32, 36, 2, 6, 16}));
+  cells.order = CellOrder::recursive;
+  all = take();
+  EXPECT_EQ(Samples(all.begin() + 4, all.begin() + 10), (Samples{2, 16, 18, 6, 20, 22}));
+  cells.order = CellOrder::adaptive;
+  EXPECT_EQ(take().size(), 4u);
+}
+
+// With an area, cells begin at its corner: every pixel of it has one.
+TEST(Cells, BeginAtTheArea) {
+  const Cells cells{.width = WIDTH, .max_cell = 8, .x = 5, .y = 3};
+  EXPECT_EQ(cells.size_of(3 * WIDTH + 5), 8);
+  EXPECT_EQ(cells.size_of(3 * WIDTH + 6), 1);
+  EXPECT_EQ(cells.size_of(7 * WIDTH + 9), 4);
+  EXPECT_EQ(cells.area_of(11 * WIDTH + 21, {5, 3, 20, 10}), (Area{21, 11, 4, 2}));
+}
+
+}  // namespace
+}  // namespace farm

@@ -1,0 +1,196 @@
+// What a user sees while the picture grows, and what orders do.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/simulator/farm/farm_support.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace farm {
+namespace {
+
+Result run(const Params& params, const char* topology = "tree:3") {
+  return run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
+                  make_glass_scene(), params);
+}
+
+Limits first_level(int min_cell) {
+  Limits limits;
+  limits.min_cell = min_cell;
+  limits.depth_reflected = limits.depth_transmitted = 1;
+  return limits;
+}
+
+Params staged_params() {
+  Params params = small_params();
+  params.image.ambient = 0.5;
+  params.stages = {first_level(8), first_level(2), first_level(1), Limits{}};
+  return params;
+}
+
+double mean_level(const std::vector<std::uint8_t>& rgb8) {
+  double sum = 0;
+  for (const auto level : rgb8) sum += level;
+  return sum / static_cast<double>(rgb8.size());
+}
+
+std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
+  std::ptrdiff_t n = 0;
+  for (std::size_t i = 0; i < rgb8.size(); i += 3)
+    n += rgb8[i] == 0 && rgb8[i + 1] == 0 && rgb8[i + 2] == 0;
+  return n;
+}
+
+// Whatever the order, the cells, the weights and the session: the sequential renderer's image.
+TEST(Session, EndsWithTheImage) {
+  const auto expected = render(make_glass_scene(), small_params().image, 1).samples;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    run_isolated([&] {
+      std::mt19937_64 random(seed);
+      Params params = small_params();
+      params.max_cell = 1 << random() % 5;
+      params.order = static_cast<CellOrder>(random() % 4);
+      params.cells = static_cast<CellLight>(random() % 3);
+      params.seed = seed;
+      if (random() % 2 == 0)
+        params.weights = {static_cast<double>(random() % 3), 1, static_cast<double>(random() % 2)};
+      params.stages = {random_limits(random), random_limits(random)};
+      double at_s = 0;
+      for (auto n = random() % 5; n-- > 0;) {
+        at_s += 0.05 * static_cast<double>(random() % 8);
+        Command command{random_limits(random)};
+        if (random() % 4 == 0) command.content = NonInteractive{};
+        if (random() % 4 == 0) command.content = Interactive{};
+        params.script.push_back({{at_s}, command});
+      }
+      const auto result = run(params, seed % 2 == 0 ? "tree:1" : "tree:5");
+      EXPECT_EQ(result.samples, expected);
+      EXPECT_EQ(result.rgb8, make_rgb8(expected));
+    });
+  }
+}
+
+// Key images: nothing is black that is not black in the scene, and their level is the last one's.
+TEST(Session, KeyImagesAreWholePictures) {
+  for (const auto light : {CellLight::constant, CellLight::smooth}) {
+    const std::string told = isolated([light] {
+      Params params = staged_params();
+      params.cells = light;
+      const auto result = run(params);
+      std::string text = fmt::format("{}", result.key_images.size());
+      for (const auto& key : result.key_images)
+        text += fmt::format(" {} {}", key.name, black_pixels(key.rgb8));
+      return text;
+    });
+    EXPECT_EQ(told, "3 stage1 0 stage2 0 stage3 0");
+  }
+}
+
+TEST(Session, PointsAreDark) {
+  const std::string told = isolated([] {
+    Params params = staged_params();
+    params.cells = CellLight::point;
+    const auto result = run(params);
+    const auto pixels = static_cast<std::ptrdiff_t>(result.rgb8.size() / 3);
+    return fmt::format("{} {} {}", pixels - black_pixels(result.key_images[0].rgb8),
+                       pixels - black_pixels(result.key_images[1].rgb8),
+                       mean_level(result.key_images[0].rgb8) < 0.05 * mean_level(result.rgb8));
+  });
+  EXPECT_EQ(told, "9 108 true");  // 3 x 3 cells of 8 pixels; 12 x 9 of 2
+}
+
+// The first limits leave nothing to do long before the order comes: the farm waits for it.
+TEST(Session, TheNullModeWaitsForTheNextOrder) {
+  const std::string told = isolated([] {
+    Params params = staged_params();
+    params.stages = {first_level(8)};
+    params.script = {{{5}, {first_level(4)}}, {{9}, {Limits{}}}};
+    const auto result = run(params);
+    std::string names;
+    for (const auto& key : result.key_images) names += key.name + " ";
+    return fmt::format("{}{} {} {} {}", names, result.time_s > 9, result.interactive_s > 9,
+                       result.notes.size(), result.order_to_pixel_s.value() < 0.05);
+  });
+  EXPECT_EQ(told, "order1 order2 true true 0 true");
+}
+
+TEST(Session, TheUserComesBackFromTheNonInteractivePhase) {
+  const std::string told = isolated([] {
+    Params params = staged_params();
+    params.stages = {first_level(8)};
+    params.script = {{{0.02}, {NonInteractive{}}},
+                     {{0.04}, {NonInteractive{}}},
+                     {{0.06}, {Interactive{}}},
+                     {{0.08}, {Interactive{}}},
+                     {{3}, {NonInteractive{}}}};
+    const auto result = run(params);
+    return fmt::format("{} {} {:.1f}", result.notes.at(0), result.notes.at(1),
+                       result.interactive_s);
+  });
+  EXPECT_EQ(told,
+            "order 2 had no effect: the interactive phase was over already order 4 had no effect: "
+            "it was the interactive phase already 3.0");
+}
+
+TEST(Session, AnAbortEndsWithThePictureAsItIs) {
+  const std::string told = isolated([] {
+    Params params = small_params();
+    params.script = {{{0.1}, {Save{"first"}}}, {{0.2}, {Abort{}}}, {{60}, {Limits{}}}};
+    const auto result = run(params);
+    std::string names;
+    for (const auto& key : result.key_images) names += key.name + " ";
+    return fmt::format("{}{} {} {}", names, result.is_aborted, result.time_s < 0.3,
+                       result.notes.at(0));
+  });
+  EXPECT_TRUE(told.starts_with("first order2 true true order 3 had no effect: it came after the end"))
+      << told;
+}
+
+// Every classification is a pause, the longer the more rays there are.
+TEST(Session, ReorderingTakesItsTime) {
+  const auto pause_s = [](int factor) {
+    return test::isolated_numbers([&] {
+      Params params = small_params();
+      params.stages = {first_level(8), Limits{}};
+      params.image.width *= factor;
+      params.image.height *= factor;
+      return std::vector{run(params).reorder_pause_s.value()};
+    })[0];
+  };
+  const double ratio = pause_s(2) / pause_s(1);
+  EXPECT_GT(ratio, 3.5);
+  EXPECT_LT(ratio, 5);
+}
+
+// Looking changes nothing, and the last look is the image.
+TEST(Session, LookingCostsNothing) {
+  const double blind_s =
+      test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];
+  const std::string told = isolated([blind_s] {
+    Params params = small_params();
+    params.looks = {.at_s = {0.1, 0.25}, .every_s = 0.2, .growth = 10};
+    const auto seen = run(params);
+    std::string text =
+        fmt::format("{} {} {}", blind_s == seen.time_s, seen.rgb8 == seen.growth.back().rgb8,
+                    seen.growth.size() >= 10 && seen.growth.size() <= 21);
+    for (std::size_t i = 0; i < 4; ++i) text += fmt::format(" {:.2f}", seen.pictures.at(i).at_s);
+    return text;
+  });
+  EXPECT_EQ(told, "true true true 0.10 0.20 0.25 0.40");
+}
+
+TEST(Session, SmoothCellsAreTheDisplaysWork) {
+  const auto busy_s = [](CellLight light) {
+    return test::isolated_numbers([light] {
+      Params params = staged_params();
+      params.cells = light;
+      const auto result = run(params, "tree:7");
+      return std::vector{find_role(result.use, Role::display)->busy_s};
+    })[0];
+  };
+  EXPECT_GT(busy_s(CellLight::smooth), 3 * busy_s(CellLight::point));
+}
+
+}  // namespace
+}  // namespace farm
