@@ -343,15 +343,15 @@ std::string picture_name(const ProgramParams& params) {
   return name;
 }
 
-// Columns do not show images: they move out of the result.
-std::vector<programs::Image> take_images(const ProgramParams& params, Result& result) {
+std::vector<programs::Image> make_images(const ProgramParams& params, const Result& result) {
   const auto name = picture_name(params);
   std::vector<programs::Image> images;
-  const auto add = [&](const std::string& suffix, std::optional<double> at_s, auto& rgb8) {
-    images.push_back(make_image(params, name + suffix, at_s, std::move(rgb8)));
+  const auto add = [&](const std::string& suffix, std::optional<double> at_s, const auto& rgb8) {
+    images.push_back(make_image(params, name + suffix, at_s, rgb8));
   };
   add("", result.is_aborted ? std::optional(result.time_s) : std::nullopt, result.rgb8);
-  for (auto& key : result.key_images) add("-" + key.name, key.at.value - result.setup_s, key.rgb8);
+  for (const auto& key : result.key_images)
+    add("-" + key.name, key.at.value - result.setup_s, key.rgb8);
   for (std::size_t i = 0; i < result.pictures.size(); ++i)
     add(fmt::format("-shown{}", i + 1), result.pictures[i].at_s, result.pictures[i].rgb8);
   if (!result.growth.empty())
@@ -379,7 +379,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
     outcome.growth = std::move(grown.rows);
     measured.growth = grown.figures;
   }
-  outcome.images = take_images(params, result);
+  outcome.images = make_images(params, result);
   outcome.end = result.end;
   outcome.use = result.use;
   outcome.loads = measured.loads;

@@ -15,6 +15,11 @@ renderer::Bitmap make_bitmap(const Shown& shown, int width) {
   return {width, static_cast<int>(shown.rgb8.size()) / 3 / width, shown.rgb8};
 }
 
+base::Cell make_cell(const std::optional<std::uint64_t>& count) {
+  if (!count) return {};
+  return static_cast<std::int64_t>(*count);
+}
+
 }  // namespace
 
 base::Columns<Figures> figure_columns() {
@@ -40,8 +45,8 @@ Growth make_growth(const std::vector<Shown>& pictures, int width, int max_cell) 
     base::Cell border;
     if (side >= renderer::MIN_BORDERED_CELL) border = renderer::border_energy(bitmap, side);
     growth.rows.push_back({{"growth_s", shown.at_s},
-                           {"rays_shown", static_cast<std::int64_t>(shown.rays)},
-                           {"cycles_spent", static_cast<std::int64_t>(shown.cycles)},
+                           {"rays_shown", make_cell(shown.rays)},
+                           {"cycles_spent", make_cell(shown.cycles)},
                            {"rmse", renderer::rmse(bitmap, last)},
                            {"ssim", quality},
                            {"border_energy", border}});

@@ -3,15 +3,16 @@
 // simulated time.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace growth {
 
 /// The picture as it was shown at a time.
 struct Shown {
-  double at_s = 0;           ///< from the first task
-  std::uint64_t rays = 0;    ///< that it shows
-  std::uint64_t cycles = 0;  ///< that kernels had been charged
+  double at_s = 0;                           ///< from the first task
+  std::optional<std::uint64_t> rays = {};    ///< that it shows
+  std::optional<std::uint64_t> cycles = {};  ///< that kernels had been charged
   std::vector<std::uint8_t> rgb8;
 };
 

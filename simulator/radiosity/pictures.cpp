@@ -29,16 +29,18 @@ std::vector<radiosity::Rgb> light_of(const ProgramParams& params, const radiosit
   return vertices;
 }
 
-std::vector<Image> make_previews(const ProgramParams& params, const renderer::View& view,
-                                 const radiosity::Mesh& mesh, const std::vector<Frame>& frames,
-                                 const Display& display) {
-  std::vector<Image> images;
+// Adds the pictures of all frames but the last as images; without such there is nothing to show.
+void add_previews(const ProgramParams& params, const renderer::View& view,
+                  const radiosity::Mesh& mesh, const std::vector<Frame>& frames,
+                  const Display& display, Show& shown) {
+  if (frames.size() < 2) return;
   for (const auto& frame : frames) {
-    if (&frame == &frames.back()) break;
-    images.push_back(make_image(fmt::format("{}-shots", frame.shots),
-                                draw(params, view, mesh, frame), display, frame.at_s));
+    const auto picture = draw(params, view, mesh, frame);
+    shown.previews.push_back({.at_s = frame.at_s, .rgb8 = make_rgb8(picture, display)});
+    if (&frame != &frames.back())
+      shown.images.push_back(
+          make_image(fmt::format("{}-shots", frame.shots), picture, display, frame.at_s));
   }
-  return images;
 }
 
 }  // namespace
@@ -49,10 +51,8 @@ Picture draw(const ProgramParams& params, const renderer::View& view, const radi
   return preview_picture(mesh, light, view, params.room.picture);
 }
 
-std::pair<PictureSummary, std::vector<Image>> show(const ProgramParams& params,
-                                                   const renderer::View& view,
-                                                   const radiosity::Mesh& mesh,
-                                                   const std::vector<Frame>& frames) {
+Show show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
+          const std::vector<Frame>& frames) {
   const auto& room = params.room;
   const LitRoom lit{mesh, light_of(params, mesh, frames.back())};
   const auto picture = trace_picture(lit, room.reconstruction, view, room.picture);
@@ -61,18 +61,19 @@ std::pair<PictureSummary, std::vector<Image>> show(const ProgramParams& params,
   const auto reference = known ? trace_reference(room, *known, view) : picture;
   const auto emitters = find_emitters(room, view, mesh, other.mesh);
   const auto display = fit(room.display, reference, emitters);
-  PictureSummary shown{eval_mean_radiosity(lit, other.mesh), display.exposure, 0, {}};
-  auto images = make_previews(params, view, mesh, frames, display);
-  images.push_back(make_last_image("picture", picture, display));
-  if (!known) return {shown, std::move(images)};
-  images.push_back(make_last_image("reference", reference, display));
+  Show shown{{eval_mean_radiosity(lit, other.mesh), display.exposure, 0, {}}, {}, {}};
+  add_previews(params, view, mesh, frames, display, shown);
+  shown.images.push_back(make_last_image("picture", picture, display));
+  if (!known) return shown;
+  shown.images.push_back(make_last_image("reference", reference, display));
   auto difference = make_difference(make_displayed(picture, display),
                                     make_displayed(reference, display), params.amplify);
-  images.push_back(make_image("difference", std::move(difference), {1, 1}));
-  shown.reference_mean = eval_mean_radiosity(*known, mesh);
-  shown.error = compare_pictures(picture, reference, display,
-                                 {emitters, picture.height / 2, params.peak_from, params.peak_to});
-  return {shown, std::move(images)};
+  shown.images.push_back(make_image("difference", std::move(difference), {1, 1}));
+  shown.summary.reference_mean = eval_mean_radiosity(*known, mesh);
+  shown.summary.error =
+      compare_pictures(picture, reference, display,
+                       {emitters, picture.height / 2, params.peak_from, params.peak_to});
+  return shown;
 }
 
 }  // namespace amp

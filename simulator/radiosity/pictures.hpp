@@ -1,6 +1,7 @@
 #pragma once
 // The pictures of a run of radiosity, and how they compare with a reference.
 #include "renderer/radiosity/show/compare_pictures.hpp"
+#include "simulator/growth/recorder.hpp"
 #include "simulator/radiosity/program.hpp"
 
 namespace amp {
@@ -17,11 +18,16 @@ struct PictureSummary {
 radiosity::Picture draw(const ProgramParams& params, const renderer::View& view,
                         const radiosity::Mesh& mesh, const Frame& frame);
 
+/// What a run shows.
+struct Show {
+  PictureSummary summary;
+  std::vector<programs::Image> images;
+  std::vector<growth::Shown> previews;  ///< of all frames, as the display has drawn them
+};
+
 /// Pictures "N-shots" of all frames but the last, "picture", and with a reference "reference" and
 /// "difference": figures 3.16 (c) and 3.18 (c) show the difference of what is displayed.
-std::pair<PictureSummary, std::vector<programs::Image>> show(const ProgramParams& params,
-                                                             const renderer::View& view,
-                                                             const radiosity::Mesh& mesh,
-                                                             const std::vector<Frame>& frames);
+Show show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
+          const std::vector<Frame>& frames);
 
 }  // namespace amp

@@ -2,6 +2,7 @@
 
 #include "renderer/radiosity/show/display.hpp"
 #include "simulator/declare/routers.hpp"
+#include "simulator/growth/growth.hpp"
 #include "simulator/radiosity/pictures.hpp"
 
 namespace amp {
@@ -208,16 +209,17 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
     throw programs::Unfinished(
         "machine", {result.total_s},
         fmt::format("the run was ended at {:.6f} s ({})", result.total_s, to_string(result.end)));
-  auto [shown, images] = show(params, room.view, mesh, result.frames);
+  auto shown = show(params, room.view, mesh, result.frames);
   const bool has_data = params.machine.cache_percent > 0;
   const auto note = describe_loss(result.loss, has_data);
   auto kernels = std::move(result.kernels);
   Outcome<Measured> outcome(Measured{mesh.patches.size(), mesh.vertices.size(), std::move(result),
-                                     has_data, std::move(shown)});
+                                     has_data, shown.summary});
   outcome.notes = {note};
   for (auto& sentence : kernels::note_short(kernels)) outcome.notes.push_back(std::move(sentence));
   outcome.kernels = std::move(kernels);
-  outcome.images = std::move(images);
+  outcome.images = std::move(shown.images);
+  outcome.growth = growth::make_growth(shown.previews, params.room.picture.width, 1).rows;
   return outcome;
 }
 

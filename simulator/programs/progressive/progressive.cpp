@@ -3,13 +3,13 @@
 
 #include "renderer/files/nff.hpp"
 #include "simulator/declare/support.hpp"
+#include "simulator/growth/growth.hpp"
 #include "simulator/kernels/kernels.hpp"
 
 namespace programs {
 
 namespace {
 
-using renderer::progressive::Growth;
 using renderer::progressive::Progressive;
 using renderer::progressive::Step;
 using renderer::progressive::StepCounts;
@@ -19,7 +19,7 @@ struct Params {
   renderer::Params image;
   Step step;  // the last one, but for its depth and area
   int max_cell = 16;
-  Growth growth = Growth::cells;
+  renderer::progressive::Growth growth = renderer::progressive::Growth::cells;
 };
 
 struct Measured {
@@ -38,8 +38,9 @@ Step last_step(const Params& params) {
 
 Image make_picture(const Params& params, const Step& step, Seconds time,
                    const Progressive& progressive) {
-  const auto name = params.growth == Growth::cells ? fmt::format("cell-{}", step.min_cell)
-                                                   : fmt::format("level-{}", step.depth);
+  const auto name = params.growth == renderer::progressive::Growth::cells
+                        ? fmt::format("cell-{}", step.min_cell)
+                        : fmt::format("level-{}", step.depth);
   return {.name = name,
           .at_s = time.value,
           .save = [picture = progressive.make_picture()](const std::string& path) {
@@ -53,19 +54,27 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto costs = kernels::tree_costs(setup.model);
   Machine machine(setup, 1);
   Outcome<Measured> outcome;
+  std::vector<growth::Shown> shown;
+  std::uint64_t rays = 0, cycles = 0;
   machine[0].start("renderer", Priority::low, [&] {
     Progressive progressive(scene, params.image, params.max_cell);
     for (const Step& step : make_steps(params.growth, params.max_cell, last_step(params))) {
       const auto counts = progressive.advance(step);
       // Trees that have no deeper level have none below it either.
-      if (params.growth == Growth::depth && counts.rays.fresh.total() == 0) break;
-      compute(costs(counts.rays.work.counts));
+      if (params.growth == renderer::progressive::Growth::depth && counts.rays.fresh.total() == 0)
+        break;
+      const auto cost = costs(counts.rays.work.counts);
+      compute(cost);
       const int number = static_cast<int>(outcome.rows.size()) + 1;
       outcome.rows.push_back({number, step, counts, now()});
       outcome.images.push_back(make_picture(params, step, now(), progressive));
+      rays += counts.rays.fresh.total() + counts.rays.repeated;
+      cycles += static_cast<std::uint64_t>(cost.value);
+      shown.push_back({now().value, rays, cycles, make_rgb8(progressive.make_picture())});
     }
   });
   run_machine(setup, machine);
+  outcome.growth = growth::make_growth(shown, params.image.width, params.max_cell).rows;
   return outcome;
 }
 
