@@ -205,6 +205,7 @@ std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth
     plot.title = title_of(file);
     plot.x_label = "simulated time, s";
     plot.y_label = label;
+    plot.log_y = std::string_view(column) == "border_energy";
     for (const auto r : rows)
       if (const auto y = as_number(growth.rows[r][*growth.find(column)]))
         add_point(plot.series, name_of(file.points[growth.points[r]]), r,

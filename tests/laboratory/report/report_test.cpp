@@ -171,7 +171,7 @@ TEST(ExperimentsReport, BadFilesAreNamed) {
   write_file(folder.path / "image.png", "GIF89a");
   EXPECT_EQ(message_of<std::invalid_argument>([&] { make_report(report); }),
             (folder.path / "image.png").string() + ": 6 bytes that are no PNG image, expected one");
-  report.images[0].png = folder.path / "none.png";
+  report.images[0].file = folder.path / "none.png";
   EXPECT_NE(message_of<base::BadInput>([&] { make_report(report); }).find("none.png"),
             std::string::npos);
   report.images.clear();
