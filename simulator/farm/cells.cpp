@@ -90,10 +90,11 @@ std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
   return rays;
 }
 
-FrameBuffer::FrameBuffer(int width, int height, Cells cells, CellLight light)
+FrameBuffer::FrameBuffer(int width, int height, Cells cells, CellLight light, Area area)
     : cells_(cells),
       light_(light),
-      all_{0, 0, width, height},
+      width_(width),
+      area_(area == Area{} ? Area{0, 0, width, height} : area),
       samples_(width, height),
       size_(samples_.sums.size(), NOBODY),
       rgb8_(3 * samples_.sums.size()) {}
@@ -112,7 +113,7 @@ void FrameBuffer::add(const renderer::Block& block, renderer::Work& work) {
   const Area& area = block.area;
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x) {
-      const auto pixel = static_cast<std::uint32_t>(y * all_.width + x);
+      const auto pixel = static_cast<std::uint32_t>(y * width_ + x);
       size_[pixel] = 0;
       draw(pixel, make_rgb8(samples_, pixel));
     }
@@ -125,9 +126,9 @@ bool FrameBuffer::is_sampled(std::uint32_t sample) const {
 
 // The size of the sample's cell, less what it has been divided into.
 int FrameBuffer::size_now(std::uint32_t sample) const {
-  const auto p = pixel_of(sample, all_.width);
+  const auto p = pixel_of(sample, width_);
   const auto is_done = [&](int x, int y) {
-    return !contains(all_, {x, y}) || is_sampled(static_cast<std::uint32_t>(y * all_.width + x));
+    return !contains(area_, {x, y}) || is_sampled(static_cast<std::uint32_t>(y * width_ + x));
   };
   int size = cells_.size_of(sample);
   for (; size > 1; size /= 2) {
@@ -141,10 +142,10 @@ int FrameBuffer::size_now(std::uint32_t sample) const {
 void FrameBuffer::own(std::uint32_t sample) {
   if (is_sampled(sample)) return;
   const auto size = static_cast<std::uint8_t>(log2_of(cells_.size_of(sample)));
-  const Area cell = cells_.area_of(sample, all_);
+  const Area cell = cells_.area_of(sample, area_);
   for (int y = cell.y; y < cell.y + cell.height; ++y)
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
-      auto& owner = size_[static_cast<std::size_t>(y * all_.width + x)];
+      auto& owner = size_[static_cast<std::size_t>(y * width_ + x)];
       owner = std::min(owner, size);
     }
 }
@@ -160,10 +161,10 @@ bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   }
   const int size = log2_of(cells_.size_of(sample));
   const bool is_one_colour = light_ == CellLight::constant || size_now(sample) == 1;
-  const Area cell = cells_.area_of(sample, all_);
+  const Area cell = cells_.area_of(sample, area_);
   for (int y = cell.y; y < cell.y + cell.height; ++y)
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * all_.width + x);
+      const auto pixel = static_cast<std::size_t>(y * width_ + x);
       if (size_[pixel] != size) continue;
       ++work[Op::pixel_drawn];
       if (is_one_colour) {
@@ -179,12 +180,12 @@ bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
 // Paints the cells that have the sample at their other corners.
 bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
-  const auto p = pixel_of(sample, all_.width);
+  const auto p = pixel_of(sample, width_);
   for (int s = 1; s <= cells_.max_cell; s *= 2)
     for (const Pixel q : {Pixel{p.x - s, p.y}, Pixel{p.x, p.y - s}, Pixel{p.x - s, p.y - s}}) {
-      if (!contains(all_, q)) continue;
-      const auto other = static_cast<std::uint32_t>(q.y * all_.width + q.x);
-      if (is_sampled(other) && size_now(other) == s) changed |= paint(other, work);
+      if (!contains(area_, q)) continue;
+      const auto other = static_cast<std::uint32_t>(q.y * width_ + q.x);
+      if (is_sampled(other) && size_now(other) <= s) changed |= paint(other, work);
     }
   return changed;
 }
@@ -192,12 +193,12 @@ bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
 // Between the samples at the corners of the cell of `sample`, at the pixel (x, y); where a corner
 // has no sample of its own yet, this one's colour.
 Rgb FrameBuffer::eval_smooth(std::uint32_t sample, int x, int y) const {
-  const auto p = pixel_of(sample, all_.width);
+  const auto p = pixel_of(sample, width_);
   const int size = size_now(sample);
   const Rgb own = samples_.get(sample);
   const auto corner = [&](int cx, int cy) {
-    if (!contains(all_, {cx, cy})) return own;
-    const auto other = static_cast<std::uint32_t>(cy * all_.width + cx);
+    if (!contains(area_, {cx, cy})) return own;
+    const auto other = static_cast<std::uint32_t>(cy * width_ + cx);
     return is_sampled(other) ? samples_.get(other) : own;
   };
   const double u = static_cast<double>(x - p.x) / size, v = static_cast<double>(y - p.y) / size;

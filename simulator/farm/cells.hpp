@@ -52,15 +52,19 @@ enum class CellLight : std::uint8_t {
 };
 
 /// The display's picture, painted while samples grow. A pixel shows the smallest cell around it
-/// that has a sample; one that has none is black. When all samples are there it is the image.
+/// that has a sample; one that has none shows the background, which is black. When all samples are
+/// there it is the image.
 class FrameBuffer {
  public:
   FrameBuffer() = default;
-  FrameBuffer(int width, int height, Cells cells, CellLight light);
+  /// Cells are painted within `area` alone; 0 x 0: everywhere.
+  FrameBuffer(int width, int height, Cells cells, CellLight light, renderer::Area area = {});
 
   /// Adds a contribution to its sample, and paints what that changes. Returns whether a pixel of
   /// the picture has another colour now.
   bool add(std::uint32_t sample, const renderer::Rgb& contribution, renderer::Work& work);
+  /// What pixels show that have no cell with a sample: a picture of as many pixels.
+  void set_background(std::vector<std::uint8_t> rgb8) { rgb8_ = std::move(rgb8); }
   /// Adds a block of complete samples.
   void add(const renderer::Block& block, renderer::Work& work);
 
@@ -80,7 +84,8 @@ class FrameBuffer {
 
   Cells cells_;
   CellLight light_ = CellLight::constant;
-  renderer::Area all_;
+  int width_ = 0;
+  renderer::Area area_;
   renderer::Samples samples_;
   std::vector<std::uint8_t> size_;  // of the cell that each pixel shows, as a power of two
   std::vector<std::uint8_t> rgb8_;

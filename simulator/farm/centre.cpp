@@ -84,8 +84,9 @@ void Visualisation::run(Channel<Answer>& inp) {
 void Visualisation::show(const Intersection& found) {
   recorder.note(progress.since_begun_s(), [&] { return look(); });
   cost(picture, scratch, [this, found](FrameBuffer& to, renderer::Work& work) {
-    is_changed = to.add(found.ray.sample,
-                        eval_contribution(scene, params, found.ray, found.hit, work), work);
+    const bool changed = to.add(found.ray.sample,
+                                eval_contribution(scene, params, found.ray, found.hit, work), work);
+    if (&to == &picture) is_changed = changed;
   });
   ++rays;
   if (is_changed && found.ray.order > 0) progress.note_changed(found.ray.order);
@@ -197,7 +198,8 @@ class Coordinator {
   // An order that has an effect leaves a picture of what it found.
   void obey(const Command& command) {
     const auto heed = [&](const std::string& why_without_effect, auto action) {
-      if (!progress_.note_order(why_without_effect)) return;
+      const bool is_over = mode_ == Mode::aborted;
+      if (!progress_.note_order(is_over ? "the run had been aborted" : why_without_effect)) return;
       keep(fmt::format("order{}", progress_.orders));
       action();
     };
@@ -208,8 +210,10 @@ class Coordinator {
                [&] { leave_interactive(); });
         },
         [&](Interactive) {
-          heed(is_interactive() ? "it was the interactive phase already" : "",
-               [&] { mode_ = Mode::interactive; });
+          heed(is_interactive() ? "it was the interactive phase already" : "", [&] {
+            mode_ = Mode::interactive;
+            progress_.begin_interactive();
+          });
         },
         [&](Abort) {
           heed("", [&] {
@@ -227,12 +231,17 @@ class Coordinator {
         },
         [&](const Limits& limits) {
           heed(limits == limits_ ? "its limits were set already" : "", [&] {
-            set_limits(limits, static_cast<std::uint8_t>(std::min<std::size_t>(
-                                   progress_.orders, std::numeric_limits<std::uint8_t>::max())));
+            set_limits(limits, number_of_order());
             if (mode_ == Mode::null) mode_ = Mode::interactive;
           });
         },
         [&](Quit) { quitting_ = true; });
+  }
+
+  // Rays know orders up to 255; what later ones change is not told apart.
+  std::uint8_t number_of_order() const {
+    const bool fits = progress_.orders <= std::numeric_limits<std::uint8_t>::max();
+    return fits ? static_cast<std::uint8_t>(progress_.orders) : std::uint8_t{0};
   }
 
   bool is_interactive() const { return mode_ == Mode::null || mode_ == Mode::interactive; }
@@ -309,7 +318,7 @@ class Coordinator {
 
   void set_limits(const Limits& limits, std::uint8_t order = 0) {
     limits_ = limits;
-    out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, LIMITS_BYTES});
+    out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, bytes_of(limits)});
     rays_db_is_empty_ = false;
   }
 
@@ -380,7 +389,7 @@ void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages
 }
 
 void Progress::begin() {
-  begun = interactive_ended = last_task = this_process().now();
+  begun = interactive_since = last_task = this_process().now();
   before = observe::collect(observed);
   phase = Phase::interactive;
 }
@@ -408,13 +417,18 @@ void Progress::note_changed(std::uint8_t order) {
 }
 
 void Progress::end_interactive() {
-  interactive_ended = this_process().now();
+  interactive_s += (this_process().now() - interactive_since).value;
   phase = Phase::non_interactive;
+}
+
+void Progress::begin_interactive() {
+  interactive_since = this_process().now();
+  phase = Phase::interactive;
 }
 
 void Progress::end() {
   ended = this_process().now();
-  if (phase == Phase::interactive) interactive_ended = ended;
+  if (phase == Phase::interactive) interactive_s += (ended - interactive_since).value;
   phase = Phase::ended;
   after = observe::collect(observed);
 }
@@ -427,7 +441,7 @@ void Progress::cut() {
     before = after;
     begun = last_task = now;
   }
-  if (phase <= Phase::interactive) interactive_ended = now;
+  if (phase == Phase::interactive) interactive_s += (now - interactive_since).value;
   ended = now;
 }
 

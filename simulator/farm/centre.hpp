@@ -64,7 +64,8 @@ struct Progress {
   const machine::Machine& observed;
   Phase phase = Phase::setup;
   renderer::RayCounts rays;
-  machine::Seconds begun, interactive_ended, ended;
+  machine::Seconds begun, interactive_since, ended;
+  double interactive_s = 0;    ///< in the interactive phase, until `interactive_since`
   machine::Seconds last_task;  ///< handed out
   std::uint64_t tasks = 0;     ///< handed out
   std::size_t peak_tasks_in_farm = 0;
@@ -88,6 +89,7 @@ struct Progress {
   /// A ray that an order has admitted has changed the picture.
   void note_changed(std::uint8_t order);
   void end_interactive();
+  void begin_interactive();  ///< again
   void end();
   /// The run has been cut short: what has not come yet came now.
   void cut();

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "renderer/image/animation.hpp"
 #include "simulator/farm/wiring.hpp"
 #include "simulator/farm/worker.hpp"
 
@@ -53,7 +54,8 @@ Cells make_cells(const Params& params) {
 }
 
 FrameBuffer make_picture(const Params& params) {
-  return {params.image.width, params.image.height, make_cells(params), params.cells};
+  return {params.image.width, params.image.height, make_cells(params), params.cells,
+          get_area(params.image)};
 }
 
 machine::Cycles cost_of_judging(const machine::Model& model) {
@@ -61,18 +63,29 @@ machine::Cycles cost_of_judging(const machine::Model& model) {
   return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
 }
 
-// What the display keeps of the scene (4.3.6.6).
-std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene) {
+// What the display keeps of the scene: surfaces and lights (4.3.6.6), for a preview all of it.
+std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene,
+                            const Params& params) {
   return scene.surfaces.size() * get_bytes(model, "surface") +
-         scene.lights.size() * get_bytes(model, "light");
+         scene.lights.size() * get_bytes(model, "light") +
+         (params.preview ? kernels::scene_bytes(model, scene) : 0);
+}
+
+machine::Cycles cost_of_preview(const machine::Model& model, const renderer::Preview& preview) {
+  static constexpr std::string_view NAMES[] = {"vertex_projected", "pixel_tested", "pixel_drawn"};
+  const auto& counts = preview.counts;
+  return kernels::tree_costs(model)(preview.work.counts) +
+         machine::OperationCosts(model, "central", NAMES)(
+             std::array{counts.vertices, counts.pixels_tested, counts.pixels_drawn});
 }
 
 // The initial rays are all deposited before the first is taken: a memory that they do not fit is
 // refused at once.
-void check_initial_rays(Processor& database, const renderer::Params& image, std::uint64_t ray) {
-  const renderer::Area area = get_area(image);
-  const std::uint64_t bytes =
-      ray * static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+void check_initial_rays(Processor& database, const Params& params, std::uint64_t ray) {
+  const renderer::Area area = get_area(params.image);
+  const int cell = params.order == CellOrder::adaptive ? params.max_cell : 1;
+  const auto cells = [cell](int side) { return static_cast<std::uint64_t>((side - 1) / cell + 1); };
+  const std::uint64_t bytes = ray * cells(area.width) * cells(area.height);
   database.memory().allocate(bytes, "the initial rays", database.now());
   database.memory().release(bytes);
 }
@@ -106,8 +119,10 @@ class Centre {
     // Alone on their processors: the priority does not matter.
     kernels::start(on_.database, "ray.database", Priority::high,
                    [this] { rays_.run(into_database_, from_database_); });
-    kernels::start(on_.display, "visualisation", Priority::high,
-                   [this] { visualisation_.run(into_visualisation_); });
+    kernels::start(on_.display, "visualisation", Priority::high, [this] {
+      if (params_.preview) draw_preview(*params_.preview);
+      visualisation_.run(into_visualisation_);
+    });
   }
 
   // What is computed here beside the workers.
@@ -132,17 +147,26 @@ class Centre {
         result.order_to_pixel_s =
             std::max(result.order_to_pixel_s.value_or(0), (*shown - at).value);
     result.key_images = std::move(visualisation_.key_images);
-    result.interactive_s = (progress_.interactive_ended - progress_.begun).value;
+    result.interactive_s = progress_.interactive_s;
     result.peaks = rays_.stores.peaks();
     return result;
   }
 
  private:
+  // Before the first ray: a picture from the scene's objects, which the display needs for it.
+  void draw_preview(renderer::PreviewStep step) {
+    const auto preview = make_preview(scene_, params_.image, step);
+    occam::this_process().charge(cost_of_preview(machine_.model(), preview));
+    visualisation_.picture.set_background(make_rgb8(preview.samples));
+    visualisation_.key_images.push_back(
+        {occam::this_process().now(), "preview", visualisation_.picture.rgb8()});
+  }
+
   SceneMessages scene_messages(std::size_t workers) const {
     if (params_.scene_message == 0) return {};
     const auto& model = machine_.model();
     return {kernels::scene_bytes(model, scene_), params_.scene_message,
-            display_bytes(model, scene_), workers};
+            display_bytes(model, scene_, params_), workers};
   }
 
   CoordinationSetup make_ray_setup(std::size_t workers) {
@@ -204,10 +228,10 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      occam::Protocol::variant),
       into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
                           occam::Protocol::variant) {
-  if (!params.block) check_initial_rays(on_.database, params.image, bytes_.ray);
+  if (!params.block) check_initial_rays(on_.database, params, bytes_.ray);
   allocate_image(on_.display, params.image);
-  on_.display.memory().allocate(display_bytes(machine.model(), scene), "surfaces and lights",
-                                on_.display.now());
+  on_.display.memory().allocate(display_bytes(machine.model(), scene, params),
+                                "surfaces and lights", on_.display.now());
 }
 
 // Takes the memory of the worker's copy of the scene.
@@ -231,6 +255,20 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
           kernels::message_costs(model)};
 }
 
+// What is looked at has to fit in the host's memory, and in a moving picture.
+void check_looks(const Params& params) {
+  constexpr double MOST_BYTES = 1e9;
+  const auto& image = params.image;
+  const double bytes = 6.0 * params.looks.growth * image.width * image.height;
+  if (params.looks.growth > 0 && std::max(image.width, image.height) > renderer::MAX_WEBP_SIDE)
+    base::refuse("farm.growth", "found an image of {} x {} pixels, expected at most {} a side",
+                 image.width, image.height, renderer::MAX_WEBP_SIDE);
+  if (bytes > MOST_BYTES)
+    base::refuse("farm.growth", "found {} pictures of {} x {} pixels, expected at most {:.0f}",
+                 params.looks.growth, image.width, image.height,
+                 MOST_BYTES / 6 / image.width / image.height);
+}
+
 // Names of pictures that are saved are unlike each other and those that have a number.
 void check_names(const std::vector<Order>& script) {
   std::vector<std::string> known;
@@ -252,6 +290,7 @@ void check_names(const std::vector<Order>& script) {
 void check(const Params& params) {
   check(params.image);
   check_names(params.script);
+  check_looks(params);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
   check_block(params);

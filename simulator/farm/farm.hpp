@@ -4,6 +4,7 @@
 // first worker's; the workers form any topology, of which a spanning tree is used (figure 4.10).
 #include <optional>
 
+#include "renderer/preview/preview.hpp"
 #include "simulator/farm/centre.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
@@ -24,6 +25,8 @@ struct Params {
   int max_cell = 16;           ///< pixels, the largest image cell; a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
+  /// Drawn by the display itself before the first ray (thesis, 4.1); none: it begins black.
+  std::optional<renderer::PreviewStep> preview;
   Weights weights;             ///< of stages and orders that have none of their own
   growth::Looks looks;         ///< at the picture while it grows
   std::optional<Block> block;  ///< a task; without it a task is a ray

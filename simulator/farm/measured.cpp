@@ -134,22 +134,27 @@ std::vector<Cell> lit_cells(const Result& r) {
 
 Columns<Result> time_columns() {
   using R = Result;
-  return {column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
-          column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
-          column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
-          column("reorder_pause_s", &R::reorder_pause_s,
-                 "the longest while the ray database classified all rays again"),
-          column("order_to_pixel_s", &R::order_to_pixel_s,
-                 "the longest from an order of the user's to the first pixel it changed"),
-          column("setup_s", &R::setup_s, "time before time_s: scene sent, first rays deposited"),
-          column<R>(
-              "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s"),
-          column("drain_s", &R::drain_s, "part of time_s after the last task was handed out"),
-          {"stage{}_s",
-           "when the limits of a stage were reached, counted as time_s from the first task",
-           &stage_cells, true},
-          {"stage{}_lit", "share of the pixels that are not black in the key image of a stage",
-           &lit_cells, true}};
+  return {
+      column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
+      column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
+      column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+      column(
+          "reorder_pause_s", &R::reorder_pause_s,
+          "the longest while the ray database classified all rays again, for a stage or an order"),
+      column("order_to_pixel_s", &R::order_to_pixel_s,
+             "the longest from an order with limits to the first pixel changed by a ray it let in"),
+      column("setup_s", &R::setup_s, "time before time_s: scene sent, first rays deposited"),
+      column<R>(
+          "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s"),
+      column("drain_s", &R::drain_s, "part of time_s after the last task was handed out"),
+      {"stage{}_s",
+       "when the limits of a stage were reached, counted as time_s from the first task",
+       &stage_cells, true},
+      column<R>(
+          "aborted", [](const R& r) { return r.is_aborted ? 1 : 0; },
+          "1: the user has ended the run before its picture was complete"),
+      {"stage{}_lit", "share of the pixels that are not black in the key image of a stage",
+       &lit_cells, true}};
 }
 
 Columns<Result> message_columns() {

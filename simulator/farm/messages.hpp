@@ -18,6 +18,11 @@ constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< the parameters of increasing realism: 8 words
 constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< a block's task: where it is
 
+constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< and the keys' weights, where they have any
+inline std::uint32_t bytes_of(const Limits& limits) {
+  return LIMITS_BYTES + (limits.weights ? WEIGHTS_BYTES : 0);
+}
+
 /// Ends the process that receives it, after it has passed it on.
 struct Stop {
   bool operator==(const Stop&) const = default;
@@ -102,7 +107,8 @@ struct Quit {};  ///< end when the image is complete
 struct Command {
   std::variant<Begin, NonInteractive, Interactive, Abort, Save, Quit, Limits> content;
   std::uint64_t bytes() const {
-    return std::holds_alternative<Limits>(content) ? LIMITS_BYTES : TAG_BYTES;
+    const auto* limits = std::get_if<Limits>(&content);
+    return limits ? bytes_of(*limits) : TAG_BYTES;
   }
 };
 

@@ -82,6 +82,12 @@ base::Field<P> weights_field(Member member, const std::string& help) {
           get};
 }
 
+base::Names<std::optional<renderer::PreviewStep>> preview_names() {
+  base::Names<std::optional<renderer::PreviewStep>> names{{"none", std::nullopt}};
+  for (const auto& [name, step] : renderer::preview_steps()) names.emplace_back(name, step);
+  return names;
+}
+
 base::Fields<Params> cell_fields() {
   using D = base::Declare<Params>;
   static const base::Names<CellOrder> ORDERS = {{"random", CellOrder::random},
@@ -98,6 +104,8 @@ base::Fields<Params> cell_fields() {
           D::choice("cells", &Params::cells, LIGHTS,
                     "what a sample shows of its cell: constant colour, one point, or a smooth "
                     "transition to its neighbours"),
+          D::choice("preview", &Params::preview, preview_names(),
+                    "picture that the display draws itself before the first ray, by z-buffer"),
           weights_field<Params>(&Params::weights,
                                 "what a ray's influence, level and cell weigh in its priority; "
                                 "[0, 0, 0]: they are compared one after the other")};
@@ -105,7 +113,8 @@ base::Fields<Params> cell_fields() {
 
 bool set_show_at(Params& p, const base::Scalar& value) {
   const auto& times = std::get<std::vector<double>>(value);
-  if (!std::ranges::is_sorted(times) || (!times.empty() && times[0] < 0)) return false;
+  if (!std::ranges::all_of(times, [](double t) { return t >= 0 && t <= 1e9; })) return false;
+  if (std::ranges::adjacent_find(times, std::greater_equal<>()) != times.end()) return false;
   p.looks.at_s = times;
   return true;
 }
@@ -121,7 +130,8 @@ base::Fields<Params> look_fields() {
             .expected = "times in s, 0 or more, each after the one before"},
            &set_show_at,
            [](const Params& p) -> base::Scalar { return p.looks.at_s; }},
-          D::number("show_every_s", every, 0, 1e9, "s", "and at each multiple of this; 0: at none"),
+          D::number("show_every_s", every, 0, 1e9, "s",
+                    "and at each multiple of this, a thousand times at most; 0: at none"),
           D::whole("growth", growth, 0, 1000, "",
                    "times, at least, at which the picture is compared with the last one, for "
                    "growth.csv and the moving picture; 0: never")};
@@ -321,6 +331,10 @@ bool shares_data(const ProgramParams& params) {
 void check_program(const Setup& setup, const ProgramParams& params) {
   check(params.farm);
   if (params.data) check_task(params.farm);
+  if (shares_data(params) && params.farm.preview)
+    base::refuse("farm.preview",
+                 "found a preview, expected none: with data.cache_percent the "
+                 "display does not hold the scene");
   const SceneSize size = size_of_scene(scene_source(params));
   if (shares_data(params)) check(setup.model, size, make_params(setup, params), *params.data);
 }
@@ -351,7 +365,7 @@ std::vector<programs::Image> make_images(const ProgramParams& params, const Resu
   };
   add("", result.is_aborted ? std::optional(result.time_s) : std::nullopt, result.rgb8);
   for (const auto& key : result.key_images)
-    add("-" + key.name, key.at.value - result.setup_s, key.rgb8);
+    add("-" + key.name, std::max(0.0, key.at.value - result.setup_s), key.rgb8);
   for (std::size_t i = 0; i < result.pictures.size(); ++i)
     add(fmt::format("-shown{}", i + 1), result.pictures[i].at_s, result.pictures[i].rgb8);
   if (!result.growth.empty())

@@ -139,7 +139,8 @@ class SharedFarm {
         pixel_bytes_(kernels::record_bytes(model).pixel),
         display_cost_(central_cost("display", model, params)),
         block_cost_("block", kernels::tree_costs(model), params.cycles_per_host_s),
-        picture_(params.image.width, params.image.height, {params.image.width}, params.cells),
+        picture_(params.image.width, params.image.height, {params.image.width}, params.cells,
+                 get_area(params.image)),
         scratch_(params.cycles_per_host_s ? picture_ : FrameBuffer()),
         recorder_(params.looks),
         progress_(machine_) {

@@ -6,12 +6,16 @@
 
 namespace growth {
 
+namespace {
+constexpr std::int64_t MOST_MULTIPLES = 1000;
+}
+
 Recorder::Recorder(Looks looks) : looks_(std::move(looks)) {}
 
 double Recorder::next_picture_s() const {
   double next_s = std::numeric_limits<double>::infinity();
   if (next_at_ < looks_.at_s.size()) next_s = looks_.at_s[next_at_];
-  if (looks_.every_s > 0)
+  if (looks_.every_s > 0 && next_multiple_ <= MOST_MULTIPLES)
     next_s = std::min(next_s, static_cast<double>(next_multiple_) * looks_.every_s);
   return next_s;
 }

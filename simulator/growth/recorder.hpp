@@ -19,7 +19,7 @@ struct Shown {
 /// When the picture is to be looked at.
 struct Looks {
   std::vector<double> at_s;  ///< from the first task, ascending
-  double every_s = 0;        ///< and at each multiple of this; 0: at none
+  double every_s = 0;        ///< and at each multiple of this, up to 1000; 0: at none
   int growth = 0;            ///< and at least so many times at equal intervals; 0: never
 };
 

@@ -3,7 +3,7 @@
 // reading of the clock; after the events of a simulation it finds caches that others have filled;
 // and what else runs on the host makes it slower, now more and now less. So
 // - calls are kept, as functions that do the same again, and measured in batches: as many as last
-//   0.4 ms, or 256; a call that lasts as long by itself is a batch;
+//   2 ms, or 8192; a call that lasts as long by itself is a batch;
 // - a batch is run several times, each time between two runs of a yardstick, a kernel that does
 //   always the same: the median of their ratios is what the batch takes in yardsticks.
 #include <cstdint>

@@ -32,7 +32,7 @@ std::vector<radiosity::Rgb> light_of(const ProgramParams& params, const radiosit
 // Adds the pictures of all frames but the last as images; without such there is nothing to show.
 void add_previews(const ProgramParams& params, const renderer::View& view,
                   const radiosity::Mesh& mesh, const std::vector<Frame>& frames,
-                  const Display& display, Show& shown) {
+                  const Display& display, Pictures& shown) {
   if (frames.size() < 2) return;
   for (const auto& frame : frames) {
     const auto picture = draw(params, view, mesh, frame);
@@ -51,8 +51,8 @@ Picture draw(const ProgramParams& params, const renderer::View& view, const radi
   return preview_picture(mesh, light, view, params.room.picture);
 }
 
-Show show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
-          const std::vector<Frame>& frames) {
+Pictures show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
+              const std::vector<Frame>& frames) {
   const auto& room = params.room;
   const LitRoom lit{mesh, light_of(params, mesh, frames.back())};
   const auto picture = trace_picture(lit, room.reconstruction, view, room.picture);
@@ -61,7 +61,8 @@ Show show(const ProgramParams& params, const renderer::View& view, const radiosi
   const auto reference = known ? trace_reference(room, *known, view) : picture;
   const auto emitters = find_emitters(room, view, mesh, other.mesh);
   const auto display = fit(room.display, reference, emitters);
-  Show shown{{eval_mean_radiosity(lit, other.mesh), display.exposure, 0, {}}, {}, {}};
+  Pictures shown{
+      {eval_mean_radiosity(lit, other.mesh), display.exposure, 0, {}}, {}, {}, picture.width};
   add_previews(params, view, mesh, frames, display, shown);
   shown.images.push_back(make_last_image("picture", picture, display));
   if (!known) return shown;

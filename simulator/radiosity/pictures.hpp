@@ -19,15 +19,16 @@ radiosity::Picture draw(const ProgramParams& params, const renderer::View& view,
                         const radiosity::Mesh& mesh, const Frame& frame);
 
 /// What a run shows.
-struct Show {
+struct Pictures {
   PictureSummary summary;
   std::vector<programs::Image> images;
   std::vector<growth::Shown> previews;  ///< of all frames, as the display has drawn them
+  int width = 0;                        ///< pixels
 };
 
 /// Pictures "N-shots" of all frames but the last, "picture", and with a reference "reference" and
 /// "difference": figures 3.16 (c) and 3.18 (c) show the difference of what is displayed.
-Show show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
-          const std::vector<Frame>& frames);
+Pictures show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
+              const std::vector<Frame>& frames);
 
 }  // namespace amp

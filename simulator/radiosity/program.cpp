@@ -219,7 +219,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   for (auto& sentence : kernels::note_short(kernels)) outcome.notes.push_back(std::move(sentence));
   outcome.kernels = std::move(kernels);
   outcome.images = std::move(shown.images);
-  outcome.growth = growth::make_growth(shown.previews, params.room.picture.width, 1).rows;
+  outcome.growth = growth::make_growth(shown.previews, shown.width, 1).rows;
   return outcome;
 }
 

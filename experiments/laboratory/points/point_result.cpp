@@ -109,7 +109,8 @@ PointResult to_result(const ordered_json& json) {
   r.processors = json.at("processors").get<int>();
   r.described = to_row(json.at("described"));
   for (const auto& row : json.at("rows")) r.rows.push_back(to_row(row));
-  for (const auto& row : json.at("growth")) r.growth.push_back(to_row(row));
+  for (const auto& row : json.value("growth", ordered_json::array()))
+    r.growth.push_back(to_row(row));
   r.notes = json.at("notes").get<std::vector<std::string>>();
   for (const auto& image : json.at("images"))
     r.images.push_back({image.at("name").get<std::string>(), to_number(image.at("at_s")),

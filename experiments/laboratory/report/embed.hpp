@@ -20,7 +20,7 @@ struct ImageSize {
 /// Reads the size from the file's header. Throws std::invalid_argument, naming `name`, for bytes
 /// that are no PNG.
 ImageSize read_png_size(std::string_view bytes, const std::string& name);
-/// The same of a moving WebP.
+/// The same of a WebP, moving or lossless.
 ImageSize read_webp_size(std::string_view bytes, const std::string& name);
 
 /// The <svg> element of a file for use inside a page: without prolog, titles and descriptions of

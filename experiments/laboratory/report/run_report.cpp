@@ -188,7 +188,8 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
   for (const auto& result : s.results)
     for (const auto& image : result.images)
       if (shown.insert(image.path).second)
-        report.images.push_back({image.caption, folder / image.path, image.at_s.has_value()});
+        report.images.push_back({image.caption, folder / image.path,
+                                 image.at_s.has_value() && image.path.ends_with(".png")});
 }
 
 // How the pictures grew: a curve for each point. None where nothing was looked at.

@@ -97,7 +97,7 @@ TEST(ProgressiveCommand, MistakesNameTheirOption) {
       {{"--max-cell", "0"}, "--max-cell: found 0, expected a power of two"},
       {{"--min-cell", "32"}, "min_cell: found 32, expected at most max_cell, 16"},
       {{"--area", "30,0,20x20"}, "area: found 20 x 20 at (30, 0)"},
-      {{"--preview", "flat"}, "--progressive excludes --preview"},
+      {{"--preview", "flat"}, "excludes --preview"},
       {{"--steps", "sideways"}, "--steps: found sideways"},
       {{"--key-images", "/proc/no"}, "--key-images: found \"/proc/no\""}};
   for (const auto& [options, message] : mistakes) {

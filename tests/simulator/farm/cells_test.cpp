@@ -100,6 +100,31 @@ TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
     }
 }
 
+// A cell may lose two halves at once: samples 2 pixels away came before those 4 away.
+TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
+  const auto paint = [](std::vector<std::uint32_t> samples) {
+    FrameBuffer picture(16, 16, {.width = 16, .max_cell = 8}, CellLight::smooth);
+    renderer::Work work;
+    for (const auto sample : samples) picture.add(sample, {sample > 0 ? 0.2 : 1, 0, 0}, work);
+    return picture.rgb8();
+  };
+  EXPECT_EQ(paint({0, 2, 32, 34, 4, 64, 68}), paint({4, 64, 68, 0, 2, 32, 34}));
+}
+
+// Cells end where what is rendered ends.
+TEST(FrameBuffer, PaintsNothingOutsideItsArea) {
+  const Area area{5, 3, 10, 9};
+  for (const auto light : {CellLight::constant, CellLight::smooth}) {
+    FrameBuffer picture(WIDTH, HEIGHT, {.width = WIDTH, .max_cell = 8, .x = 5, .y = 3}, light,
+                        area);
+    renderer::Work work;
+    for (const int y : {3, 11})
+      for (const int x : {5, 13})
+        picture.add(static_cast<std::uint32_t>(y * WIDTH + x), {1, 1, 1}, work);
+    EXPECT_EQ(std::ranges::count(picture.rgb8(), 255), 3 * 10 * 9);
+  }
+}
+
 TEST(FrameBuffer, IsTheImageWhenAllSamplesAreThere) {
   for (const auto light : {CellLight::constant, CellLight::point, CellLight::smooth}) {
     std::mt19937_64 random(7);

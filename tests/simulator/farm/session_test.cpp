@@ -43,7 +43,6 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
 
 // Whatever the order, the cells, the weights and the session: the sequential renderer's image.
 TEST(Session, EndsWithTheImage) {
-  const auto expected = render(make_glass_scene(), small_params().image, 1).samples;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     run_isolated([&] {
@@ -53,6 +52,7 @@ TEST(Session, EndsWithTheImage) {
       params.order = static_cast<CellOrder>(random() % 4);
       params.cells = static_cast<CellLight>(random() % 3);
       params.seed = seed;
+      if (random() % 3 == 0) params.image.area = {5, 3, 13, 10};
       if (random() % 2 == 0)
         params.weights = {static_cast<double>(random() % 3), 1, static_cast<double>(random() % 2)};
       params.stages = {random_limits(random), random_limits(random)};
@@ -65,6 +65,7 @@ TEST(Session, EndsWithTheImage) {
         params.script.push_back({{at_s}, command});
       }
       const auto result = run(params, seed % 2 == 0 ? "tree:1" : "tree:5");
+      const auto expected = render(make_glass_scene(), params.image, 1).samples;
       EXPECT_EQ(result.samples, expected);
       EXPECT_EQ(result.rgb8, make_rgb8(expected));
     });
@@ -79,11 +80,13 @@ TEST(Session, KeyImagesAreWholePictures) {
       params.cells = light;
       const auto result = run(params);
       std::string text = fmt::format("{}", result.key_images.size());
+      const double last = mean_level(result.key_images.back().rgb8);
       for (const auto& key : result.key_images)
-        text += fmt::format(" {} {}", key.name, black_pixels(key.rgb8));
+        text += fmt::format(" {} {} {}", key.name, black_pixels(key.rgb8),
+                            std::abs(mean_level(key.rgb8) / last - 1) < 0.1);
       return text;
     });
-    EXPECT_EQ(told, "3 stage1 0 stage2 0 stage3 0");
+    EXPECT_EQ(told, "3 stage1 0 true stage2 0 true stage3 0 true");
   }
 }
 
@@ -148,6 +151,34 @@ TEST(Session, AnAbortEndsWithThePictureAsItIs) {
       << told;
 }
 
+// The first picture is there before the first ray, and is painted over.
+TEST(Session, APreviewComesFirst) {
+  const std::string told = isolated([] {
+    Params params = small_params();
+    params.preview = renderer::PreviewStep::flat;
+    const auto result = run(params);
+    const auto& preview = result.key_images.at(0);
+    return fmt::format(
+        "{} {} {}", preview.name, preview.at.value > 0,
+        black_pixels(preview.rgb8) < 24 * 18 / 10 && result.rgb8 == make_rgb8(result.samples));
+  });
+  EXPECT_EQ(told, "preview true true");
+}
+
+// What the user orders while the last rays come in changes nothing.
+TEST(Session, NothingIsOrderedAfterAnAbort) {
+  const std::string told = isolated([] {
+    Params params = small_params();
+    params.script = {{{0.2}, {Abort{}}}, {{0.2}, {Interactive{}}}, {{0.2}, {first_level(4)}}};
+    const auto result = run(params);
+    return fmt::format("{} {} {} {}", result.time_s < 0.3, result.notes.at(1), result.notes.at(2),
+                       result.notes.size());
+  });
+  EXPECT_EQ(told,
+            "true order 2 had no effect: the run had been aborted order 3 had no effect: the run "
+            "had been aborted 3");
+}
+
 // Every classification is a pause, the longer the more rays there are.
 TEST(Session, ReorderingTakesItsTime) {
   const auto pause_s = [](int factor) {
@@ -190,7 +221,7 @@ TEST(Session, SmoothCellsAreTheDisplaysWork) {
       return std::vector{find_role(result.use, Role::display)->busy_s};
     })[0];
   };
-  EXPECT_GT(busy_s(CellLight::smooth), 3 * busy_s(CellLight::point));
+  EXPECT_GT(busy_s(CellLight::smooth), 2 * busy_s(CellLight::constant));
 }
 
 }  // namespace
