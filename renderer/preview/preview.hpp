@@ -38,13 +38,13 @@ struct Preview {
   Work work;
 };
 
-/// The preview of `params.area`, with samples where render() has them and light as it has it, but
-/// nothing reflected or transmitted. Spheres and cones are facets, whose silhouettes are off by
-/// half a pixel at most; polygons and patches are as they are. `phong` and `shadows` find the point
-/// of a pixel on the object that the z-buffer holds for it, so that shadows' pixels are those of
-/// render() with limits.depth 1, but where another object is seen. Points and edges have their
-/// surface's colour, less of it the farther away they are, on the background. The limits have no
-/// effect. BadInput as check().
+/// The preview of `params.area`. Samples lie where render() has them, and light is as it has it,
+/// but for reflected and transmitted light, which is left out. Polygons and patches are drawn as
+/// they are; spheres and cones as facets so small that their outlines are wrong by half a pixel at
+/// most. `phong` and `shadows` find the point of a pixel on the object that the z-buffer holds for
+/// it: a pixel of `shadows` is that of render() with limits.depth 1 wherever both show the same
+/// object. Points and edges have their surface's colour, less of it the farther away they are, on
+/// the background. The limits have no effect. BadInput as check().
 Preview make_preview(const Scene& scene, const Params& params, PreviewStep step);
 
 }  // namespace renderer
