@@ -42,9 +42,17 @@ void check_bytes(int width, int height, const std::vector<std::uint8_t>& rgb8,
 
 }  // namespace
 
+void add(Samples::Sums& sums, const Rgb& contribution) {
+  add_fixed(sums, {to_fixed(contribution.r), to_fixed(contribution.g), to_fixed(contribution.b)});
+}
+
+Rgb to_rgb(const Samples::Sums& s) {
+  return {static_cast<double>(s.r) / Samples::ONE, static_cast<double>(s.g) / Samples::ONE,
+          static_cast<double>(s.b) / Samples::ONE};
+}
+
 void Samples::add(std::uint32_t sample, const Rgb& contribution) {
-  add_fixed(sums[sample],
-            {to_fixed(contribution.r), to_fixed(contribution.g), to_fixed(contribution.b)});
+  renderer::add(sums[sample], contribution);
 }
 
 Samples& Samples::operator+=(const Samples& other) {
@@ -59,11 +67,7 @@ void Samples::add(int x, int y, const Samples& rectangle) {
                 rectangle.sums[static_cast<std::size_t>(row * rectangle.width + column)]);
 }
 
-Rgb Samples::get(std::uint32_t sample) const {
-  const Sums& s = sums[sample];
-  return {static_cast<double>(s.r) / ONE, static_cast<double>(s.g) / ONE,
-          static_cast<double>(s.b) / ONE};
-}
+Rgb Samples::get(std::uint32_t sample) const { return to_rgb(sums[sample]); }
 
 void check(const Bitmap& bitmap, std::string_view who) {
   check_bytes(bitmap.width, bitmap.height, bitmap.rgb8, who);

@@ -40,6 +40,11 @@ struct Samples {
   Rgb get(std::uint32_t sample) const;
 };
 
+/// Adds a contribution to the sums of one sample, as Samples::add.
+void add(Samples::Sums& sums, const Rgb& contribution);
+/// The colour that sums stand for.
+Rgb to_rgb(const Samples::Sums& sums);
+
 /// A picture as PNGs have it and displays show it.
 struct Bitmap {
   int width = 0, height = 0;

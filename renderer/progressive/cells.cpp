@@ -80,13 +80,17 @@ bool meets(const Cell& c, const Area& area) {
          c.y1 >= area.y;
 }
 
+Range widen(const Range& range, const Rgb& colour) {
+  return {min(range.least, colour), max(range.greatest, colour)};
+}
+
 Range find_range(const Cell& c, const Sampled& sampled) {
   const Rgb corner = sampled.get(c.x0, c.y0);
   Range range{corner, corner};
   const auto look = [&](int x, int y) {
     if (!sampled.has(x, y)) return;
     const Rgb colour = sampled.get(x, y);
-    range = {min(range.least, colour), max(range.greatest, colour)};
+    range = widen(range, colour);
   };
   for (int x = c.x0; x <= c.x1; ++x) {
     look(x, c.y0);

@@ -45,6 +45,8 @@ struct Sampled {
 struct Range {
   Rgb least, greatest;
 };
+/// The range with one more colour.
+Range widen(const Range& range, const Rgb& colour);
 /// Over all samples on the border of a cell.
 Range find_range(const Cell& cell, const Sampled& sampled);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "simulator/kernels/counted_heap.hpp"
+
 namespace farm {
 
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells) {
@@ -63,7 +65,7 @@ void RayStores::add(const renderer::Ray& ray, DatabaseWork& work) {
     feelers_.push_back(ray);
   } else if (is_interactive(ray, limits_, cells_)) {
     heap_.push_back(ray);
-    sift_up(heap_.size() - 1, work);
+    work.heap_step += kernels::sift_up(heap_, heap_.size() - 1, before());
   } else {
     later_.push_back(ray);
   }
@@ -77,7 +79,7 @@ std::optional<renderer::Ray> RayStores::take(bool any, DatabaseWork& work) {
   if (heap_.empty()) return pop_back(later_);
   std::swap(heap_.front(), heap_.back());
   const renderer::Ray first = pop_back(heap_);
-  sift_down(0, work);
+  work.heap_step += kernels::sift_down(heap_, 0, before());
   return first;
 }
 
@@ -95,27 +97,8 @@ void RayStores::set_limits(const Limits& limits, DatabaseWork& work, std::uint8_
   };
   classify(heap, true);
   classify(later, false);
-  for (std::size_t i = heap_.size() / 2; i-- > 0;) sift_down(i, work);
+  work.heap_step += kernels::make_heap(heap_, before());
   note_peaks();
-}
-
-void RayStores::sift_up(std::size_t i, DatabaseWork& work) {
-  for (; i > 0 && before(i, (i - 1) / 2); i = (i - 1) / 2) {
-    std::swap(heap_[i], heap_[(i - 1) / 2]);
-    ++work.heap_step;
-  }
-}
-
-void RayStores::sift_down(std::size_t i, DatabaseWork& work) {
-  for (;;) {
-    std::size_t first = i;
-    for (std::size_t child : {2 * i + 1, 2 * i + 2})
-      if (child < heap_.size() && before(child, first)) first = child;
-    if (first == i) return;
-    std::swap(heap_[i], heap_[first]);
-    ++work.heap_step;
-    i = first;
-  }
 }
 
 void RayStores::note_peaks() {

@@ -71,10 +71,10 @@ class RayStores {
   const Peaks& peaks() const { return peaks_; }
 
  private:
-  void sift_up(std::size_t i, DatabaseWork& work);
-  void sift_down(std::size_t i, DatabaseWork& work);
-  bool before(std::size_t a, std::size_t b) const {
-    return goes_before(heap_[a], heap_[b], cells_, limits_.weights.value_or(weights_));
+  auto before() const {
+    return [this](const renderer::Ray& a, const renderer::Ray& b) {
+      return goes_before(a, b, cells_, limits_.weights.value_or(weights_));
+    };
   }
   void note_peaks();
 

@@ -127,11 +127,18 @@ void DataManager::wait_for_message(Seconds period) {
   occam::wait_until(occam::ticks(since + periods * period));
 }
 
-Message DataManager::serve_every(Seconds period) {
-  for (look(); others_.empty(); look()) wait_for_message(period);
+std::optional<Message> DataManager::take_other() {
+  look();
+  if (others_.empty()) return std::nullopt;
   Message message = std::move(others_.front());
   others_.pop_front();
   return message;
+}
+
+Message DataManager::serve_every(Seconds period) {
+  auto message = take_other();
+  for (; !message; message = take_other()) wait_for_message(period);
+  return *std::move(message);
 }
 
 void DataManager::serve_for_ever() {

@@ -96,6 +96,9 @@ class DataManager {
   virtual void access(Item item) = 0;
   /// Serves what waits on the channel from the router (figure 5.20).
   void look();
+  /// For an application that has work: serves what waits, and returns a message that is for no data
+  /// manager if one has come.
+  std::optional<network::Message> take_other();
   /// For an application without work: serves others until a message comes that is for no data
   /// manager, and returns that. Looks at the channel every idle period.
   network::Message serve() { return serve_every(costs_.idle_period); }

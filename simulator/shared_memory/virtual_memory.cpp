@@ -177,6 +177,20 @@ class PageManager : public DataManager {
   const Pages pages_;
 };
 
+class WholeManager : public DataManager {
+ public:
+  using DataManager::DataManager;
+  void access(Item /*item*/) override {}
+
+ private:
+  void handle_request(const Message& /*message*/, const DataRequest& /*request*/) override {
+    throw base::InvariantBroken("a request for data that every processor has");
+  }
+  void handle_reply(const DataReply& /*reply*/) override {
+    throw base::InvariantBroken("a reply for a processor that has all data");
+  }
+};
+
 void check_range(const char* key, int found, int low, int high) {
   if (found < low || found > high)
     base::refuse(key, "found {}, expected {} to {}", found, low, high);
@@ -198,6 +212,12 @@ std::uint64_t longest_message(const machine::Model& model, const Catalogue& cata
   return std::max(
       get_bytes(model, "data_request"),
       get_bytes(model, "data_reply") + static_cast<std::uint64_t>(items) * catalogue.largest());
+}
+
+std::unique_ptr<DataManager> make_whole_manager(network::Network& network,
+                                                const machine::Model& model, int processor) {
+  return std::make_unique<WholeManager>(DataManagerMeans{
+      network.client(processor), network.routing(), DataCosts(model), LruCache({}, 0, "")});
 }
 
 VirtualMemory::VirtualMemory(machine::Machine& machine, network::Network& network,

@@ -29,6 +29,11 @@ struct DataParams {
 std::uint64_t longest_message(const machine::Model& model, const Catalogue& catalogue,
                               const DataParams& params);
 
+/// The manager of a processor that holds all data: every access finds its item at no cost, and
+/// nobody asks for one.
+std::unique_ptr<DataManager> make_whole_manager(network::Network& network,
+                                                const machine::Model& model, int processor);
+
 class VirtualMemory {
  public:
   /// Allocates caches and resident blocks on the processors. The manager of a processor uses its

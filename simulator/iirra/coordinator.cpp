@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "simulator/iirra/services.hpp"
+#include "simulator/occam/case_of.hpp"
+#include "simulator/occam/process.hpp"
+
+namespace iirra {
+
+using machine::Seconds;
+using network::Message;
+using occam::case_of;
+
+void interact(Shared& shared, network::Client& client) {
+  const auto& script = shared.params.script;
+  const int coordinator = shared.places.coordinator;
+  for (std::size_t i = 0; i <= script.size(); ++i) {
+    if (i < script.size())
+      occam::wait_until(occam::ticks(Seconds{shared.record.begun_s + script[i].at_s}));
+    const IirraMessage::Content order = UserOrder{i};
+    client.send({.to = {coordinator, TASK_PROCESS},
+                 .from = {.process = TASK_PROCESS},
+                 .length = shared.sizes.of(order),
+                 .contents = std::make_shared<const IirraMessage>(order)});
+  }
+}
+
+Coordinator::Coordinator(Shared& shared, shared_memory::DataManager& manager,
+                         network::Client& user)
+    : shared_(shared), manager_(manager), user_(user), limits_(shared.params.stages[0]) {}
+
+void Coordinator::run() {
+  auto& record = shared_.record;
+  record.before = observe::collect(shared_.machine);
+  record.begun_s = interactive_since_s_ = Shared::occam_now();
+  auto& self = machine::this_process();
+  kernels::start(self.processor(), "interaction", machine::Priority::low,
+                 [this] { interact(shared_, user_); });
+  hand_out();
+  while (occam::turn(!is_finished_)) obey(manager_.serve_at_once());
+  record.ended_s = Shared::occam_now();
+  if (!is_last_) record.interactive_s += record.ended_s - interactive_since_s_;
+  record.after = observe::collect(shared_.machine);
+  tell(network::make_global(TASK_PROCESS), Stop{});
+  tell({shared_.places.display, DISPLAY_PROCESS}, Stop{});
+  while (!is_quitting_) obey(manager_.serve_at_once());
+}
+
+// --- the first tasks ----------------------------------------------------------------------------
+
+void Coordinator::hand_out() {
+  const auto& params = shared_.params;
+  const auto& workers = shared_.places.workers;
+  auto cells = make_cells(shared_.area, params.max_cell);
+  if (params.balance == BalanceMethod::green) {
+    pool_ = std::move(cells);
+    return;
+  }
+  const int columns = (shared_.area.width + params.max_cell - 1) / params.max_cell;
+  const int rows = static_cast<int>(cells.size()) / columns;
+  const auto worker_of = params.start == Start::subsampled
+                             ? measure_cells(cells)
+                             : assign(params.start, columns, rows, static_cast<int>(workers.size()));
+  std::vector<std::vector<SampledCell>> first(workers.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    first[static_cast<std::size_t>(worker_of[i])].push_back(cells[i]);
+  for (std::size_t i = 0; i < workers.size(); ++i) give_first(workers[i], std::move(first[i]));
+}
+
+// As many as fit into each message.
+void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
+  const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
+  for (std::size_t i = 0; i < cells.size();) {
+    Tasks tasks;
+    for (; tasks.cells.size() < room && i < cells.size(); ++i) tasks.cells.push_back({cells[i], {}});
+    manager_.look();
+    tell({worker, TASK_PROCESS}, std::move(tasks));
+  }
+}
+
+// The workers measure, cells in turns; then the dearest cell that is left goes to the worker that
+// has least to do.
+std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cells) {
+  const auto& workers = shared_.places.workers;
+  const auto room = (shared_.longest - shared_.sizes.of(Measured{})) / (shared_.sizes.cell + 4);
+  std::vector<Measure> asked(workers.size());
+  std::size_t waiting = 0;
+  const auto ask = [&](std::size_t worker) {
+    if (asked[worker].cells.empty()) return;
+    ++waiting;
+    tell({workers[worker], TASK_PROCESS}, std::exchange(asked[worker], {}));
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    auto& list = asked[i % workers.size()];
+    list.cells.push_back(cells[i]);
+    if (list.cells.size() == room) ask(i % workers.size());
+  }
+  for (std::size_t worker = 0; worker < workers.size(); ++worker) ask(worker);
+  std::map<std::pair<int, int>, double> time_of;
+  while (waiting > 0) {
+    const Message message = manager_.serve_at_once();
+    const auto* measured = std::get_if<Measured>(&read(shared_.sizes, message));
+    if (!measured) {
+      obey(message);
+      continue;
+    }
+    --waiting;
+    for (const auto& [cell, time_s] : measured->times_s) time_of[{cell.y, cell.x}] = time_s;
+  }
+  std::vector<std::size_t> order(cells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto time = [&](std::size_t i) { return time_of.at({cells[i].y, cells[i].x}); };
+  std::ranges::stable_sort(order, std::ranges::greater{}, time);
+  std::vector<double> loads_s(workers.size());
+  std::vector<int> worker_of(cells.size());
+  for (const std::size_t i : order) {
+    const auto least = std::ranges::min_element(loads_s);
+    *least += time(i);
+    worker_of[i] = static_cast<int>(least - loads_s.begin());
+  }
+  return worker_of;
+}
+
+// Tasks come down a tree: the first of those that are left here.
+void Coordinator::serve_demand(int child) {
+  if (next_of_pool_ < pool_.size()) give_first(child, {pool_[next_of_pool_++]});
+}
+
+// --- phases -------------------------------------------------------------------------------------
+
+void Coordinator::obey(const Message& message) {
+  case_of(
+      read(shared_.sizes, message), [&](const Report& report) { count(report); },
+      [&](const UserOrder& order) { obey_user(order.place); },
+      [&](const TaskRequest& request) {
+        if (shared_.params.balance == BalanceMethod::green)
+          return serve_demand(message.from.processor);
+        // A worker keeps it: each has its turn.
+        const auto& workers = shared_.places.workers;
+        int to = request.asker;
+        for (std::size_t tries = 0; to == request.asker && tries < workers.size(); ++tries)
+          to = workers[next_worker_++ % workers.size()];
+        if (to == request.asker) return;
+        ++shared_.record.counts.requests;
+        tell({to, TASK_PROCESS}, TaskRequest{request.asker, true});
+      },
+      [&](const Finished&) { is_finished_ = true; },
+      [&](const auto&) { throw base::InvariantBroken("a message that is not for a coordinator"); });
+}
+
+void Coordinator::count(const Report& report) {
+  if (report.phase != phase_ || is_finishing_) return;
+  parked_ += report.parked;
+  finished_pixels_ += report.finished;
+  if (parked_ + finished_pixels_ == shared_.pixels()) end_phase();
+}
+
+// Every cell is finished, or beyond the limits.
+void Coordinator::end_phase() {
+  if (finished_pixels_ == shared_.pixels()) {
+    if (!is_last_ && stage_ + 1 < shared_.params.stages.size())
+      shared_.record.notes.push_back(
+          fmt::format("the picture was complete in stage {}", stage_ + 1));
+    return finish();
+  }
+  const auto& stages = shared_.params.stages;
+  if (stage_ < stages.size()) {
+    const auto name = fmt::format("stage{}", stage_ + 1);
+    shared_.record.stage_ends_s.emplace_back(name, shared_.now_s());
+    keep_picture(name);
+  }
+  if (++stage_ < stages.size()) return begin_phase(stages[stage_], false);
+  is_null_ = !is_quitting_;
+  if (is_quitting_) end_interactive();
+}
+
+void Coordinator::begin_phase(const Limits& limits, bool is_last, int order) {
+  if (!is_last) limits_ = limits;
+  if (is_last != is_last_) {
+    const double now_s = Shared::occam_now();
+    if (is_last)
+      shared_.record.interactive_s += now_s - interactive_since_s_;
+    else
+      interactive_since_s_ = now_s;
+  }
+  is_last_ = is_last;
+  is_null_ = false;
+  parked_ = finished_pixels_ = 0;
+  tell(network::make_global(TASK_PROCESS), NewPhase{++phase_, limits, order});
+}
+
+void Coordinator::end_interactive() { begin_phase(without_limits(limits_), true); }
+
+void Coordinator::finish() {
+  if (std::exchange(is_finishing_, true)) return;
+  tell({shared_.places.display, DISPLAY_PROCESS}, Finish{});
+}
+
+void Coordinator::keep_picture(const std::string& name) {
+  tell({shared_.places.display, DISPLAY_PROCESS}, KeepPicture{name});
+}
+
+// --- the user -----------------------------------------------------------------------------------
+
+void Coordinator::note(std::size_t order, const std::string& why) {
+  shared_.record.notes.push_back(fmt::format("order {} had no effect: {}", order, why));
+}
+
+void Coordinator::obey_user(std::size_t place) {
+  const auto& script = shared_.params.script;
+  if (place == script.size()) {
+    is_quitting_ = true;
+    if (is_null_) end_interactive();
+    return;
+  }
+  const Order& order = script[place];
+  const std::size_t number = place + 1;
+  shared_.record.orders_s.emplace_back(shared_.now_s(), std::nullopt);
+  if (is_finishing_) return note(number, "the picture was complete");
+  using Kind = Order::Kind;
+  if (order.kind != Kind::abort && order.kind != Kind::save)
+    keep_picture(fmt::format("order{}", number));
+  switch (order.kind) {
+    case Kind::limits:
+      if (is_last_) return note(number, "the interactive phase was over");
+      stage_ = shared_.params.stages.size();
+      return begin_phase(order.limits, false, static_cast<int>(number));
+    case Kind::non_interactive:
+      if (is_last_) return note(number, "the interactive phase was over");
+      return end_interactive();
+    case Kind::interactive:
+      if (!is_last_) return note(number, "the interactive phase was not over");
+      stage_ = shared_.params.stages.size();
+      return begin_phase(limits_, false, static_cast<int>(number));
+    case Kind::abort:
+      shared_.record.is_aborted = true;
+      return finish();
+    case Kind::save:
+      return keep_picture(order.name);
+  }
+}
+
+void Coordinator::tell(network::Address to, IirraMessage::Content content) {
+  send(manager_, shared_.sizes, to, std::move(content));
+}
+
+}  // namespace iirra

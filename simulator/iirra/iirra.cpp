@@ -1,0 +1,254 @@
+#include "simulator/iirra/iirra.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <deque>
+
+#include "simulator/iirra/services.hpp"
+#include "simulator/iirra/worker.hpp"
+#include "topologies/graph/metrics.hpp"
+
+namespace iirra {
+
+namespace {
+
+using machine::Processor;
+
+constexpr std::uint64_t LONGEST = 2048;  // bytes of a message, unless a record of data is longer
+constexpr int TASK_BITS = 1 << shared_memory::DATA_PROCESS | 1 << TASK_PROCESS;
+constexpr int DISPLAY_BITS = 1 << shared_memory::DATA_PROCESS | 1 << DISPLAY_PROCESS;
+constexpr int NO_PROCESS = 0;  // of the user's client, to which nothing is sent
+
+// The workers that are nearest to each.
+std::vector<int> find_nearest(const network::Routing& routing, const std::vector<int>& workers,
+                              int self) {
+  std::vector<int> nearest;
+  int least = -1;
+  for (const int other : workers) {
+    if (other == self) continue;
+    const int distance = routing.distance(self, other);
+    if (least < 0 || distance < least) {
+      least = distance;
+      nearest.clear();
+    }
+    if (distance == least) nearest.push_back(other);
+  }
+  return nearest;
+}
+
+// Which processor asks which for tasks that come down a tree.
+std::vector<int> find_parents(const topologies::Topology& topology, const Places& places) {
+  const auto tree = topologies::make_spanning_tree(topology, places.coordinator);
+  base::require(tree.children[static_cast<std::size_t>(places.display)].empty(), "iirra.balance",
+                "found green, but the display, processor {}, is between the coordinator and other "
+                "workers in the spanning tree of {}: expected another method, or iirra.display = "
+                "\"far\"",
+                places.display, topology.name);
+  return tree.parent;
+}
+
+class Run {
+ public:
+  Run(const machine::Model& model, const topologies::Topology& topology,
+      const topologies::RoutingTable& routes, const renderer::Scene& scene, const Params& params)
+      : params_(params),
+        topology_(topology),
+        machine_(model, model.software.occam_factor, params.processes),
+        items_(params.data ? std::optional<shared_memory::SceneItems>(std::in_place, model, scene)
+                           : std::nullopt),
+        shared_{.scene = scene,
+                .params = params,
+                .machine = machine_,
+                .places = find_places(topology, params.is_far),
+                .area = get_area(params.image),
+                .sizes = Sizes(model),
+                .longest = LONGEST,
+                .task_cost = machine::OperationCosts(model, "central", TaskWork::NAMES),
+                .ray_cost = {"ray", kernels::tree_costs(model), params.cycles_per_host_s},
+                .paint_cost = {"interpolation", kernels::tree_costs(model),
+                               params.cycles_per_host_s},
+                .display_cost = {"display",
+                                 {model, "central", renderer::op_names()},
+                                 params.cycles_per_host_s},
+                .items = items_ ? &*items_ : nullptr,
+                .record = Record(params.image.width, params.image.height)} {
+    add_processors(model, scene);
+    connect(model, routes);
+    plan_faults();
+    start(model);
+  }
+
+  Result run() {
+    Result result;
+    result.end = observe::run(machine_, params_.watch);
+    auto& record = shared_.record;
+    if (result.end != machine::End::done || record.ended_s == 0) {
+      record.after = observe::collect(machine_);
+      record.ended_s = machine_.now().value;
+    }
+    display_->end(record.time_s());
+    result.record = std::move(record);
+    result.workers = static_cast<int>(shared_.places.workers.size());
+    for (const int worker : shared_.places.workers)
+      result.mean_depth += network_->routing().distance(shared_.places.coordinator, worker);
+    result.mean_depth /= result.workers;
+    result.use = between(result.record.before, result.record.after);
+    if (memory_) result.data = memory_->use();
+    result.routers = network_->use();
+    if (params_.data) result.cache_bytes = params_.data->cache_bytes;
+    result.kernel_cycles = shared_.kernel_cycles();
+    result.kernels =
+        kernels::uses_of({&shared_.ray_cost, &shared_.paint_cost, &shared_.display_cost});
+    result.events = machine_.events();
+    return result;
+  }
+
+ private:
+  const char* role_of(int id) const {
+    if (id == shared_.places.coordinator) return Role::coordinator;
+    return id == shared_.places.display ? Role::display : Role::worker;
+  }
+
+  void add_processors(const machine::Model& model, const renderer::Scene& scene) {
+    for (int id = 0; id < topology_.processors; ++id) {
+      const char* role = role_of(id);
+      const bool is_worker = role == Role::worker;
+      auto& processor = machine_.add_processor(
+          is_worker ? fmt::format("worker{}", id) : role,
+          params_.memory.value_or(get_bytes(model, is_worker ? "worker_memory" : "database_memory")),
+          role);
+      kernels::load_program(processor);
+      if (is_worker && !params_.data)
+        processor.memory().allocate(kernels::scene_bytes(model, scene), "the scene", {});
+      if (role == Role::display)
+        processor.memory().allocate(3 * static_cast<std::uint64_t>(params_.image.width) *
+                                        static_cast<std::uint64_t>(params_.image.height),
+                                    "the picture", {});
+    }
+  }
+
+  void connect(const machine::Model& model, const topologies::RoutingTable& routes) {
+    network::Params network;
+    network.method = params_.method;
+    // A request for data, one for tasks, tasks, a report, and what the display has asked for.
+    network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
+    if (params_.data)
+      shared_.longest = std::max(LONGEST, longest_message(model, items_->catalogue(), *params_.data));
+    network.longest = shared_.longest;
+    network.processes.assign(static_cast<std::size_t>(topology_.processors), {TASK_BITS});
+    network.processes[static_cast<std::size_t>(shared_.places.coordinator)].push_back(NO_PROCESS);
+    network.processes[static_cast<std::size_t>(shared_.places.display)] = {DISPLAY_BITS};
+    network_.emplace(machine_, make_routing(params_.method, topology_, routes), network);
+    if (params_.data) {
+      auto data = *params_.data;
+      data.coordinator = shared_.places.coordinator;
+      memory_.emplace(machine_, *network_, items_->catalogue(), data);
+    }
+  }
+
+  // Cells of a processor that stops are lost: the run ends there.
+  void plan_faults() {
+    const auto& processors = machine_.processors();
+    for (const auto& fault : params_.faults)
+      if (fault.b < 0)
+        machine_.stop_processor(*processors[fault.a], {fault.at_s});
+      else
+        machine_.cut_link(*processors[fault.a], *processors[fault.b], {fault.at_s});
+    machine_.on_failure([this](const machine::Failure& failure) {
+      if (failure.b) return;
+      const auto& survivor = failure.a->id() == 0 ? machine_.processors()[1] : machine_.processors()[0];
+      survivor->fail(std::make_exception_ptr(machine::Fault(
+          failure.a->name(), failure.at,
+          fmt::format("{} has stopped at {:.6g} s: its part of the picture is lost",
+                      failure.a->name(), failure.at.value))));
+    });
+  }
+
+  shared_memory::DataManager& manager(const machine::Model& model, int id) {
+    if (memory_) return memory_->manager(id);
+    return *whole_.emplace_back(shared_memory::make_whole_manager(*network_, model, id));
+  }
+
+  void start(const machine::Model& model) {
+    const auto& places = shared_.places;
+    const auto parents = params_.balance == BalanceMethod::green
+                             ? find_parents(topology_, places)
+                             : std::vector<int>(static_cast<std::size_t>(topology_.processors));
+    const auto& processors = machine_.processors();
+    const auto start_on = [&](int id, const char* name, machine::Process::Body body) {
+      kernels::start(*processors[id], name, machine::Priority::low, std::move(body));
+    };
+    coordinator_.emplace(shared_, manager(model, places.coordinator),
+                         network_->client(places.coordinator, 1));
+    start_on(places.coordinator, "coordination", [this] { coordinator_->run(); });
+    display_.emplace(shared_, manager(model, places.display));
+    start_on(places.display, "visualisation", [this] { display_->run(); });
+    for (std::size_t i = 0; i < places.workers.size(); ++i) {
+      const int id = places.workers[i];
+      Peers peers{id, places.coordinator, find_nearest(network_->routing(), places.workers, id),
+                  places.workers[(i + 1) % places.workers.size()],
+                  parents[static_cast<std::size_t>(id)]};
+      auto& worker = workers_.emplace_back(shared_, manager(model, id), std::move(peers));
+      start_on(id, "application", [&worker] { worker.run(); });
+    }
+  }
+
+  const Params& params_;
+  const topologies::Topology topology_;
+  machine::Machine machine_;
+  std::optional<shared_memory::SceneItems> items_;
+  Shared shared_;
+  std::optional<network::Network> network_;
+  std::optional<shared_memory::VirtualMemory> memory_;  // or else
+  std::vector<std::unique_ptr<shared_memory::DataManager>> whole_;
+  std::optional<Coordinator> coordinator_;
+  std::optional<Display> display_;
+  std::deque<Worker> workers_;
+};
+
+bool is_power_of_two(int n) { return n > 0 && std::has_single_bit(static_cast<unsigned>(n)); }
+
+void check_weights(const char* key, const Weights& w) {
+  base::require(w.position + w.size + w.samples + w.contrast + w.depth + w.influence > 0, key,
+                "found weights that are all 0, expected one above 0 at least");
+}
+
+void check_limits(const renderer::Params& image, const Limits& limits) {
+  renderer::Params with_area = image;
+  with_area.area = limits.area;
+  check(with_area);
+  if (limits.weights) check_weights("stage.weights", *limits.weights);
+}
+
+}  // namespace
+
+void check(const Params& params, const topologies::Topology& topology) {
+  check(params.image);
+  const auto area = get_area(params.image);
+  if (!is_power_of_two(params.max_cell) || params.max_cell < 2 || params.max_cell > MAX_CELL)
+    base::refuse("iirra.cell", "found {}, expected a power of two from 2 to {}", params.max_cell,
+                 MAX_CELL);
+  if (params.max_cell > std::min(area.width, area.height))
+    base::refuse("iirra.cell", "found {}, expected at most the side of the image, {} x {} pixels",
+                 params.max_cell, area.width, area.height);
+  check_weights("iirra.weights", params.weights);
+  base::require(!params.stages.empty(), "stage", "found none, expected one at least");
+  for (const auto& limits : params.stages) check_limits(params.image, limits);
+  for (std::size_t i = 0; i < params.script.size(); ++i) {
+    check_limits(params.image, params.script[i].limits);
+    if (i > 0 && params.script[i].at_s < params.script[i - 1].at_s)
+      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
+                                       params.script[i].at_s));
+  }
+  const auto places = find_places(topology, params.is_far);
+  if (params.balance == BalanceMethod::green) find_parents(topology, places);
+}
+
+Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
+                 const topologies::RoutingTable& routes, const renderer::Scene& scene,
+                 const Params& params) {
+  check(params, topology);
+  return Run(model, topology, routes, scene, params).run();
+}
+
+}  // namespace iirra

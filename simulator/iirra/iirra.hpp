@@ -1,0 +1,96 @@
+#pragma once
+// IIRRA, the system of the thesis's chapter 5: processors of one kind, each with a router and one
+// sequential process, in which application, data manager and task manager take turns (figure 5.4).
+// One coordinates and serves data, one shows the picture, the others compute it.
+#include "simulator/declare/program.hpp"
+#include "simulator/iirra/balance.hpp"
+#include "simulator/iirra/record.hpp"
+#include "simulator/observe/watch.hpp"
+#include "simulator/shared_memory/virtual_memory.hpp"
+
+namespace iirra {
+
+/// What a processor is for, see machine::Processor::role().
+struct Role {
+  static constexpr auto coordinator = "coordinator", worker = "worker", display = "display";
+};
+constexpr int SERVICES = 2;  ///< processors that do not compute: the coordinator, the display
+
+/// Who has which cells at first.
+enum class Start : std::uint8_t {
+  scattered,  ///< in each macro-cell of sqrt(workers) x sqrt(workers) cells, one each (figure 5.24)
+  blocks,     ///< a part of the image each
+  subsampled  ///< by the time that a sample of each cell takes (Badouel, 1990)
+};
+
+/// The user's limits, or another order, some time after the first task.
+struct Order {
+  enum class Kind : std::uint8_t { limits, non_interactive, interactive, abort, save };
+  double at_s = 0;
+  Kind kind = Kind::limits;
+  Limits limits = {};
+  std::string name = {};  ///< of a picture to be saved
+};
+
+struct Params {
+  renderer::Params image;
+  std::vector<Limits> stages = std::vector<Limits>(1);  ///< one after the other
+  std::vector<Order> script;                            ///< by time
+  int max_cell = 16;  ///< pixels, side of the first cells; a power of two, 2 to MAX_CELL
+  CellOrder order = CellOrder::bayer;
+  Weights weights;  ///< of stages and orders that have none of their own
+  Start start = Start::scattered;
+  BalanceMethod balance = BalanceMethod::neighbours;
+  int reserve = 1;       ///< active tasks that a worker does not give away; with fewer it asks
+  bool is_far = true;    ///< the display is as far from the coordinator as can be; else beside it
+  bool is_polled = true;  ///< the display asks for pictures; else they are sent to it
+  std::uint64_t seed = 1;  ///< of the order `random` and `adaptive`
+  growth::Looks looks;
+  network::Method method = network::Method::green;
+  std::optional<std::size_t> buffers;  ///< of each router; none: enough for every worker
+  std::optional<shared_memory::DataParams> data;  ///< none: every processor holds the scene
+  std::optional<std::uint64_t> memory;            ///< bytes of each processor; else the model's
+  std::vector<programs::PlannedFault> faults;
+  std::optional<double> cycles_per_host_s;  ///< as farm::Params
+  machine::Processes processes = machine::Processes::fibers;
+  observe::Watch* watch = nullptr;
+};
+constexpr int MAX_CELL = 512;
+
+/// Where the roles are on a topology.
+struct Places {
+  int coordinator = 0, display = 0;
+  std::vector<int> workers;  ///< ascending
+};
+/// Throws base::BadInput for a topology of fewer than three processors.
+Places find_places(const topologies::Topology& topology, bool is_far);
+
+/// The worker, as a place among `workers`, of each of the cells that tile the area, row by row.
+std::vector<int> assign(Start start, int columns, int rows, int workers);
+/// The cells of `side` that tile an area, row by row; the last ones reach beyond it.
+std::vector<SampledCell> make_cells(const renderer::Area& area, int side);
+
+/// Throws base::BadInput naming the key, what was found and what was expected.
+void check(const Params& params, const topologies::Topology& topology);
+
+struct Result {
+  Record record = Record(0, 0);
+  int workers = 0;
+  double mean_depth = 0;  ///< links from the coordinator to a worker, on average
+  observe::Use use = {};  ///< what was busy over time_s
+  shared_memory::DataUse data = {};
+  network::RouterUse routers = {};
+  std::uint64_t cache_bytes = 0;
+  machine::Cycles kernel_cycles{};
+  std::vector<kernels::KernelUse> kernels = {};
+  std::uint64_t events = 0;
+  machine::End end = machine::End::done;
+};
+
+/// Throws base::BadInput as check(), and if buffers and caches do not fit the memory; machine::Fault,
+/// also where a processor has stopped whose cells are lost, or a message has no way left.
+Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
+                 const topologies::RoutingTable& routes, const renderer::Scene& scene,
+                 const Params& params);
+
+}  // namespace iirra

@@ -1,0 +1,118 @@
+#include "simulator/iirra/realism.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/random.hpp"
+
+namespace iirra {
+
+using renderer::Area;
+
+namespace {
+
+constexpr int SAMPLES_OF_LEVEL[] = {0, 5, 9, 13};
+
+bool meets(const SampledCell& cell, const Area& area) {
+  return area == Area{} || (cell.x < area.x + area.width && cell.x + cell.side > area.x &&
+                            cell.y < area.y + area.height && cell.y + cell.side > area.y);
+}
+
+// 1 where the cell has a pixel of the area, else less by its distance over the image's diagonal.
+double eval_position(const SampledCell& cell, const Area& area, const Area& image) {
+  if (meets(cell, area)) return 1;
+  const auto gap = [](int a, int a_end, int b, int b_end) { return std::max({0, b - a_end, a - b_end}); };
+  const double x = gap(cell.x, cell.x + cell.side, area.x, area.x + area.width);
+  const double y = gap(cell.y, cell.y + cell.side, area.y, area.y + area.height);
+  return 1 - std::min(1.0, std::sqrt((x * x + y * y) / (double(image.width) * image.width +
+                                                        double(image.height) * image.height)));
+}
+
+std::uint64_t interleave(std::uint32_t x, std::uint32_t y) {
+  std::uint64_t both = 0;
+  for (int bit = 0; bit < 17; ++bit)
+    both |= static_cast<std::uint64_t>(x >> bit & 1U) << (2 * bit) |
+            static_cast<std::uint64_t>(y >> bit & 1U) << (2 * bit + 1);
+  return both;
+}
+
+}  // namespace
+
+Limits without_limits(const Limits& limits) {
+  Limits none;
+  none.weights = limits.weights;
+  return none;
+}
+
+bool is_within(const renderer::Ray& ray, const Limits& limits) {
+  const int depth = ray.through ? limits.depth_transmitted : limits.depth_reflected;
+  return ray.level <= depth && max_influence(ray) >= limits.min_influence;
+}
+
+Advance choose(const SampledCell& cell, const Quantities& quantities, const Limits& limits) {
+  if (!meets(cell, limits.area)) return Advance::none;
+  Advance finer = Advance::none;
+  if (cell.side < limits.min_cell && cell.level > 0) {
+    finer = Advance::none;
+  } else if (cell.level < last_level(cell)) {
+    const bool is_allowed = cell.level == 0 || SAMPLES_OF_LEVEL[cell.level + 1] <= limits.max_samples;
+    if (is_allowed) finer = Advance::sample;
+  } else if (cell.side > 2 && cell.side / 2 >= limits.min_cell &&
+             quantities.contrast >= limits.min_contrast) {
+    finer = Advance::divide;
+  }
+  if (quantities.depth == 0) return finer;
+  if (finer == Advance::none) return Advance::deepen;
+  return quantities.contrast >= quantities.influence || cell.level == 0 ? finer : Advance::deepen;
+}
+
+std::uint64_t eval_bayer(int x, int y, int bits) {
+  std::uint64_t element = 0;
+  for (int bit = 0; bit < bits; ++bit) {
+    const unsigned right = static_cast<unsigned>(x) >> bit & 1U;
+    const unsigned down = static_cast<unsigned>(y) >> bit & 1U;
+    element = element << 2 | (right ^ down) << 1 | down;
+  }
+  return element;
+}
+
+Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
+                          const Limits& limits) const {
+  const Weights w = limits.weights.value_or(weights);
+  const auto log2 = [](int side) { return std::countr_zero(static_cast<unsigned>(side)); };
+  Importance importance;
+  importance.sum = w.position * eval_position(cell, limits.area, image) +
+                   w.size * log2(cell.side) / std::max(1, log2(max_cell)) +
+                   w.samples * (1 - SAMPLES_OF_LEVEL[cell.level] / 13.0) +
+                   w.contrast * quantities.contrast + w.influence * quantities.influence;
+  if (quantities.depth > 0) importance.sum += w.depth / quantities.depth;
+  const int column = (cell.x - image.x) / cell.side, row = (cell.y - image.y) / cell.side;
+  const auto drawn = [&] {
+    return base::random_at(seed, interleave(static_cast<std::uint32_t>(cell.x),
+                                            static_cast<std::uint32_t>(cell.y)));
+  };
+  switch (order) {
+    case CellOrder::bayer:
+      importance.place = eval_bayer(column, row, 16);
+      break;
+    case CellOrder::random:
+      importance.place = drawn();
+      break;
+    case CellOrder::sequential:
+      importance.place = static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
+      break;
+    case CellOrder::recursive:
+      importance.place =
+          interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+      break;
+    case CellOrder::adaptive:
+      // Contrast in the upper bits, the greatest first; chance in the lower.
+      importance.place =
+          static_cast<std::uint64_t>(1023 * (1 - quantities.contrast)) << 54 | drawn() >> 10;
+      break;
+  }
+  return importance;
+}
+
+}  // namespace iirra

@@ -1,0 +1,17 @@
+#include "simulator/iirra/record.hpp"
+
+#include "base/errors.hpp"
+
+namespace iirra {
+
+void Record::finish(int x, int y, const Sample& sample) {
+  const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                     static_cast<std::size_t>(x);
+  base::check_equal("a pixel is finished once", bool(finished[pixel]), false);
+  finished[pixel] = true;
+  ++pixels_finished;
+  image.sums[pixel] = sample.sums;
+  rays_image += sample.rays;
+}
+
+}  // namespace iirra

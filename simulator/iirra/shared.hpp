@@ -1,0 +1,30 @@
+#pragma once
+// What all processes of a run share: what they know before it begins, and the record of it.
+#include "simulator/iirra/iirra.hpp"
+#include "simulator/shared_memory/scene_items.hpp"
+
+namespace iirra {
+
+struct Shared {
+  const renderer::Scene& scene;
+  const Params& params;
+  const machine::Machine& machine;
+  Places places;
+  renderer::Area area;  ///< of the image that is computed
+  Sizes sizes;
+  std::uint64_t longest;  ///< bytes of a message
+  machine::OperationCosts task_cost;
+  kernels::KernelCost ray_cost, paint_cost, display_cost;
+  const shared_memory::SceneItems* items = nullptr;  ///< where the scene is shared
+  machine::Cycles charged_with_data{};               ///< for rays that read it so
+  Record record;
+
+  double now_s() const { return occam_now() - record.begun_s; }
+  static double occam_now() { return machine::this_process().now().value; }
+  std::uint64_t pixels() const {
+    return static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+  }
+  machine::Cycles kernel_cycles() const { return ray_cost.charged() + charged_with_data; }
+};
+
+}  // namespace iirra

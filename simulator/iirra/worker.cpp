@@ -1,0 +1,421 @@
+#include "simulator/iirra/worker.hpp"
+
+#include <algorithm>
+
+#include "simulator/occam/case_of.hpp"
+#include "simulator/occam/process.hpp"
+
+namespace iirra {
+
+namespace progressive = renderer::progressive;
+using machine::this_process;
+using network::Message;
+using occam::case_of;
+using renderer::Ray;
+
+namespace {
+
+bool is_in(const renderer::Area& area, const Point& p) {
+  return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width &&
+         p.y < area.y + area.height;
+}
+
+bool is_same_place(const SampledCell& a, const SampledCell& b) {
+  return a.x == b.x && a.y == b.y && a.side == b.side;
+}
+
+// No other cell has a sample there.
+bool is_inner(const SampledCell& cell, const Point& p) {
+  return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
+}
+
+machine::Memory& memory() { return this_process().processor().memory(); }
+void allocate(std::uint64_t bytes, const char* what) {
+  memory().allocate(bytes, what, this_process().own_time());
+}
+
+}  // namespace
+
+Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
+    : shared_(shared),
+      manager_(manager),
+      params_(shared.params),
+      sizes_(shared.sizes),
+      counts_(shared.record.counts),
+      ordering_{shared.area, params_.max_cell, params_.order, params_.seed, params_.weights},
+      balance_(make_balance(params_.balance, *this, std::move(peers))),
+      limits_(params_.stages[0]) {}
+
+void Worker::run() {
+  while (occam::turn(!is_stopped_)) {
+    serve_waiting();
+    if (is_stopped_) return;
+    const auto task = stores_.take(work_);
+    charge_work();
+    if (!task) {
+      rest();
+      continue;
+    }
+    memory().release(sizes_.cell);
+    shared_.record.last_task_s = this_process().own_time().value;
+    if (stores_.active() < static_cast<std::size_t>(params_.reserve)) balance_->ask();
+    advance(*task);
+  }
+}
+
+// --- application --------------------------------------------------------------------------------
+
+void Worker::advance(const Task& task) {
+  SampledCell cell = task.cell;
+  if (task.next == Advance::divide) return divide_cell(cell);
+  if (task.next == Advance::sample)
+    sample_next_level(cell);
+  else
+    deepen(cell, task.quantities.depth);
+  if (is_stopped_) return;
+  if (!is_finished(cell, samples_)) paint_cell(cell);
+  put(cell);
+  if (!params_.is_polled) send_pictures();
+}
+
+void Worker::sample_next_level(SampledCell& cell) {
+  for (const Point& p : points_of_level(cell, cell.level + 1)) {
+    if (samples_.has(p)) {
+      ++counts_.samples_shared;
+      continue;
+    }
+    const bool is_outside = !is_in(shared_.area, p);
+    ++counts_.samples;
+    counts_.samples_outside += is_outside;
+    allocate(sizes_.sample, "samples");
+    trace(samples_[p], make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    serve_waiting();
+  }
+  ++cell.level;
+}
+
+void Worker::divide_cell(const SampledCell& cell) {
+  ++counts_.cells_divided;
+  for (const auto& daughter : progressive::divide(cell)) {
+    if (pixels_of(daughter) == 0) continue;
+    for (const Point& p : points_of(daughter))
+      if (!samples_.has(p)) throw base::InvariantBroken("a sample that a divided cell has not");
+    put(daughter);
+  }
+  balance_->created();
+}
+
+// One level of the shading trees of all samples held.
+void Worker::deepen(const SampledCell& cell, int level) {
+  for (const Point& p : points_to_deepen(cell)) {
+    Sample& sample = samples_.at(p);
+    const bool is_outside = !is_in(shared_.area, p);
+    for (std::size_t i = 0; i < sample.waiting.size();) {
+      const Ray ray = sample.waiting[i];
+      if (ray.level != level || !is_within(ray, limits_)) {
+        ++i;
+        continue;
+      }
+      sample.waiting.erase(sample.waiting.begin() + static_cast<std::ptrdiff_t>(i));
+      memory().release(sizes_.ray);
+      trace(sample, ray, is_outside);
+    }
+    serve_waiting();
+  }
+}
+
+// A ray and the feelers from where it hits; what it leaves else waits.
+void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
+  for (const Ray& child : shoot(sample, ray, is_outside))
+    if (child.kind == renderer::RayKind::shadow) {
+      shoot(sample, child, is_outside);
+    } else {
+      allocate(sizes_.ray, "rays that wait");
+      sample.waiting.push_back(child);
+    }
+}
+
+namespace {
+
+struct Traced {
+  bool is_hit = false;
+  renderer::Rgb contribution;
+  renderer::Children children;
+};
+
+Traced trace_ray(const renderer::Scene& scene, const renderer::Params& params, const Ray& ray,
+                 renderer::Work& work, renderer::Access* access = nullptr) {
+  Traced traced;
+  const auto hit = intersect(scene, ray, params.traversal, work, access);
+  traced.is_hit = hit.has_value();
+  traced.contribution = eval_contribution(scene, params, ray, hit, work);
+  if (hit) make_children(scene, params, ray, *hit, traced.children, work);
+  return traced;
+}
+
+}  // namespace
+
+renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
+  const auto& scene = shared_.scene;
+  const auto& params = params_.image;
+  Traced traced;
+  if (!shared_.items) {
+    traced = shared_.ray_cost([&scene, &params, ray](renderer::Work& work) {
+      return trace_ray(scene, params, ray, work);
+    });
+  } else {
+    static Traced scratch;
+    const double scale =
+        shared_.ray_cost.eval_scale(scratch, [&scene, &params, ray](Traced& to, auto& work) {
+          to = trace_ray(scene, params, ray, work);
+        });
+    shared_memory::SceneReader reader(*shared_.items, manager_, shared_.ray_cost.counted(), scale);
+    renderer::Work work;
+    traced = trace_ray(scene, params, ray, work, &reader);
+    reader.charge(work);
+    shared_.charged_with_data += reader.charged();
+  }
+  add(sample.sums, traced.contribution);
+  sample.rays.add(ray.kind, traced.is_hit);
+  shared_.record.rays.add(ray.kind, traced.is_hit);
+  if (is_outside) shared_.record.rays_outside.add(ray.kind, traced.is_hit);
+  return std::move(traced.children);
+}
+
+// Into the cell's virtual frame buffer, in place of what it was.
+void Worker::paint_cell(const SampledCell& cell) {
+  std::vector<renderer::Rgb> colours;
+  for (const Point& p : points_of(cell)) colours.push_back(to_rgb(samples_.at(p).sums));
+  auto painting = shared_.paint_cost(
+      [cell, colours = std::move(colours), area = shared_.area](renderer::Work& work) {
+        return paint(cell, area, colours, work);
+      });
+  std::erase_if(unshown_, [&](const Painted& old) { return is_same_place(old.cell, cell); });
+  // A block that is longer than a message goes in several, of whole rows.
+  const auto row = 3 * static_cast<std::size_t>(painting.area.width);
+  const auto room = shared_.longest - sizes_.of(Picture{}) - sizes_.of(Painted{});
+  const int rows = static_cast<int>(room / std::max<std::size_t>(1, row));
+  for (int y = 0; y < painting.area.height; y += rows) {
+    Painted strip;
+    strip.area = painting.area;
+    strip.area.y += y;
+    strip.area.height = std::min(rows, painting.area.height - y);
+    const auto from = painting.rgb8.begin() + static_cast<std::ptrdiff_t>(row) * y;
+    strip.rgb8.assign(from, from + static_cast<std::ptrdiff_t>(row) * strip.area.height);
+    strip.cell = cell;
+    strip.order = order_;
+    unshown_.push_back(std::move(strip));
+  }
+}
+
+// --- task manager -------------------------------------------------------------------------------
+
+std::uint64_t Worker::pixels_of(const SampledCell& cell) const {
+  const auto& area = shared_.area;
+  const auto overlap = [](int a, int a_size, int b, int b_size) {
+    return static_cast<std::uint64_t>(std::max(0, std::min(a + a_size, b + b_size) - std::max(a, b)));
+  };
+  return overlap(cell.x, cell.side, area.x, area.width) *
+         overlap(cell.y, cell.side, area.y, area.height);
+}
+
+void Worker::put(const SampledCell& cell) {
+  if (is_finished(cell, samples_)) return finish(cell);
+  Task task{cell, find_quantities(cell, samples_, limits_, work_)};
+  task.next = choose(cell, task.quantities, limits_);
+  task.importance = ordering_.eval(cell, task.quantities, limits_);
+  if (task.next == Advance::none) new_parked_ += pixels_of(cell);
+  allocate(sizes_.cell, "tasks");
+  stores_.add(task, work_);
+  counts_.tasks_most = std::max(counts_.tasks_most, stores_.active() + stores_.parked());
+  charge_work();
+}
+
+void Worker::finish(const SampledCell& cell) {
+  paint_cell(cell);
+  for (const Point& p : points_to_deepen(cell))
+    if (is_in(shared_.area, p)) shared_.record.finish(p.x, p.y, samples_.at(p));
+  finished_ += pixels_of(cell);
+  new_finished_ += pixels_of(cell);
+}
+
+// Without a task: tells the coordinator, asks the others, and waits.
+void Worker::rest() {
+  if (!params_.is_polled) send_pictures();
+  report();
+  balance_->ask();
+  obey(manager_.serve_at_once());
+}
+
+void Worker::report() {
+  if (stores_.active() > 0 || new_parked_ + new_finished_ == 0) return;
+  ++counts_.reports;
+  send_to({shared_.places.coordinator, TASK_PROCESS},
+          Report{phase_, std::exchange(new_parked_, 0), std::exchange(new_finished_, 0)});
+}
+
+void Worker::begin_phase(const NewPhase& phase) {
+  phase_ = phase.phase;
+  limits_ = phase.limits;
+  order_ = phase.order;
+  new_parked_ = 0;
+  new_finished_ = finished_;
+  for (const Task& task : stores_.take_all()) {
+    memory().release(sizes_.cell);
+    put(task.cell);
+  }
+  balance_->created();
+}
+
+bool Worker::is_unshown(const SampledCell& cell) const {
+  const auto covers = [&](const SampledCell& other) {
+    return owns(other, {cell.x, cell.y}) && !is_same_place(other, cell);
+  };
+  return std::ranges::any_of(unshown_, covers, &Painted::cell) ||
+         std::ranges::any_of(under_way_,
+                             [&](const auto& other) { return owns(other, {cell.x, cell.y}); });
+}
+
+std::size_t Worker::give(int to) {
+  const auto reserve = static_cast<std::size_t>(params_.reserve);
+  if (stores_.active() <= reserve) return 0;
+  const std::size_t most = (stores_.active() - reserve + 1) / 2;
+  Tasks tasks;
+  std::uint64_t bytes = sizes_.of(tasks);
+  const auto may_go = [&](const Task& task) {
+    std::uint64_t needed = bytes + sizes_.cell;
+    for (const Point& p : points_of(task.cell)) needed += sizes_.of(samples_.at(p));
+    return needed <= shared_.longest && !is_unshown(task.cell);
+  };
+  while (tasks.cells.size() < most) {
+    const auto task = stores_.take_last(may_go, work_);
+    if (!task) break;
+    memory().release(sizes_.cell);
+    tasks.cells.push_back(pack(task->cell));
+    bytes += sizes_.of(tasks.cells.back());
+  }
+  charge_work();
+  const std::size_t given = tasks.cells.size();
+  if (given == 0) return 0;
+  ++counts_.moves;
+  counts_.tasks_moved += given;
+  counts_.bytes_moved += bytes;
+  tasks.load = stores_.active();
+  send_to({to, TASK_PROCESS}, std::move(tasks));
+  return given;
+}
+
+// The samples that no other cell here can need go with it; its borders stay as well.
+MovedCell Worker::pack(const SampledCell& cell) {
+  MovedCell moved{cell, {}, false};
+  for (const Point& p : points_of(cell)) {
+    moved.samples.push_back(samples_.at(p));
+    if (!is_inner(cell, p)) continue;
+    memory().release(sizes_.of(moved.samples.back()));
+    samples_.erase(p);
+  }
+  moved.is_unshown = std::erase_if(unshown_, [&](const Painted& block) {
+                       return is_same_place(block.cell, cell);
+                     }) > 0;
+  return moved;
+}
+
+// Of two states of a sample the one that is further is kept.
+void Worker::unpack(const MovedCell& moved) {
+  std::size_t i = 0;
+  for (const Point& p : points_of(moved.cell)) {
+    const Sample& sample = moved.samples.at(i++);
+    if (samples_.has(p)) {
+      if (samples_.at(p).rays.total() >= sample.rays.total()) continue;
+      memory().release(sizes_.of(samples_.at(p)));
+    }
+    allocate(sizes_.of(sample), "samples");
+    samples_[p] = sample;
+  }
+  if (moved.is_unshown && !is_finished(moved.cell, samples_)) paint_cell(moved.cell);
+  put(moved.cell);
+}
+
+void Worker::charge_work() {
+  this_process().charge(shared_.task_cost(std::exchange(work_, {}).counts()));
+}
+
+// --- network ------------------------------------------------------------------------------------
+
+void Worker::serve_waiting() {
+  ++counts_.looks;
+  while (const auto message = manager_.take_other()) obey(*message);
+}
+
+void Worker::obey(const Message& message) {
+  const int from = message.from.processor;
+  case_of(
+      read(sizes_, message),
+      [&](const Tasks& tasks) {
+        for (const auto& moved : tasks.cells) unpack(moved);
+        balance_->received(from, tasks.load);
+      },
+      [&](const TaskRequest& request) { balance_->requested(message, request); },
+      [&](const NoTasks& refusal) { balance_->refused(from, refusal.load); },
+      [&](const Measure& cells) { measure(from, cells); },
+      [&](const NewPhase& phase) { begin_phase(phase); },
+      [&](const Poll&) { send_to({from, DISPLAY_PROCESS}, take_picture()); },
+      [&](const Shown&) { under_way_.clear(); }, [&](const Stop&) { is_stopped_ = true; },
+      [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
+}
+
+// The whole shading tree of the sample in the middle of each cell, for the time it takes.
+void Worker::measure(int asker, const Measure& asked) {
+  Measured measured;
+  for (const auto& cell : asked.cells) {
+    const double since_s = this_process().now().value;
+    Sample sample;
+    const Point middle{cell.x + cell.side / 2, cell.y + cell.side / 2};
+    sample.waiting = {make_primary(shared_.scene.view, params_.image, middle.x, middle.y)};
+    while (!sample.waiting.empty()) {
+      const Ray ray = sample.waiting.back();
+      sample.waiting.pop_back();
+      for (const Ray& child : shoot(sample, ray, !is_in(shared_.area, middle)))
+        sample.waiting.push_back(child);
+      manager_.look();
+    }
+    ++counts_.samples;
+    counts_.samples_outside += !is_in(shared_.area, middle);
+    measured.times_s.emplace_back(cell, this_process().now().value - since_s);
+  }
+  send_to({asker, TASK_PROCESS}, std::move(measured));
+}
+
+Picture Worker::take_picture() {
+  Picture picture;
+  std::uint64_t bytes = sizes_.of(picture);
+  while (!unshown_.empty() && bytes + sizes_.of(unshown_.front()) <= shared_.longest) {
+    bytes += sizes_.of(unshown_.front());
+    picture.blocks.push_back(std::move(unshown_.front()));
+    unshown_.pop_front();
+  }
+  picture.is_all = unshown_.empty();
+  return picture;
+}
+
+// Where the display does not ask: it has to have taken each before the next one goes.
+void Worker::send_pictures() {
+  while (!unshown_.empty() && !is_stopped_) {
+    if (under_way_.empty()) {
+      Picture picture = take_picture();
+      for (const auto& block : picture.blocks) under_way_.push_back(block.cell);
+      send_to({shared_.places.display, DISPLAY_PROCESS}, std::move(picture));
+    }
+    while (!under_way_.empty() && !is_stopped_) obey(manager_.serve_at_once());
+  }
+}
+
+void Worker::send_to(network::Address to, IirraMessage::Content content) {
+  counts_.requests += std::holds_alternative<TaskRequest>(content);
+  counts_.refusals += std::holds_alternative<NoTasks>(content);
+  send(manager_, sizes_, to, std::move(content));
+}
+
+void Worker::pass_on(const Message& message) { manager_.client().give_back(message); }
+
+}  // namespace iirra

@@ -1,0 +1,70 @@
+#pragma once
+// The sequential process of a processor that computes (thesis, figure 5.4 and 5.1.3): application,
+// data manager and task manager in turns.
+#include <deque>
+
+#include "simulator/iirra/shared.hpp"
+
+namespace iirra {
+
+class Worker : private TaskGiver {
+ public:
+  Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers);
+  /// Until it is stopped.
+  void run();
+
+ private:
+  // The application (AP).
+  void advance(const Task& task);
+  void sample_next_level(SampledCell& cell);
+  void divide_cell(const SampledCell& cell);
+  void deepen(const SampledCell& cell, int level);
+  void trace(Sample& sample, const renderer::Ray& ray, bool is_outside);
+  renderer::Children shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
+  void paint_cell(const SampledCell& cell);
+
+  // The task manager (TM).
+  void put(const SampledCell& cell);
+  void finish(const SampledCell& cell);
+  void rest();
+  void report();
+  std::uint64_t pixels_of(const SampledCell& cell) const;
+  bool is_unshown(const SampledCell& cell) const;
+  MovedCell pack(const SampledCell& cell);
+  void unpack(const MovedCell& moved);
+  void charge_work();
+
+  // The network.
+  void serve_waiting();
+  void obey(const network::Message& message);
+  void begin_phase(const NewPhase& phase);
+  void measure(int asker, const Measure& measure);
+  Picture take_picture();
+  void send_pictures();
+
+  std::size_t load() const override { return stores_.active(); }
+  std::size_t give(int to) override;
+  void send_to(network::Address to, IirraMessage::Content content) override;
+  void pass_on(const network::Message& message) override;
+
+  Shared& shared_;
+  shared_memory::DataManager& manager_;
+  const Params& params_;
+  const Sizes& sizes_;
+  Counts& counts_;
+  const Ordering ordering_;
+  std::unique_ptr<Balance> balance_;
+  TaskStores stores_;
+  SampleTable samples_;
+  TaskWork work_;
+  Limits limits_;
+  std::uint32_t phase_ = 0;
+  int order_ = 0;                               // of the user, that has set the limits
+  std::uint64_t finished_ = 0;                  // pixels
+  std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
+  std::deque<Painted> unshown_;                 // blocks of virtual frame buffers
+  std::vector<SampledCell> under_way_;          // cells in the picture that was sent last
+  bool is_stopped_ = false;
+};
+
+}  // namespace iirra
