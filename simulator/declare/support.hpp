@@ -64,6 +64,15 @@ base::Field<P> seed_field(Access access, const std::string& help) {
   return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
 }
 
+/// The same up to the largest whole number.
+template <class P, class Access>
+base::Field<P> whole_seed_field(Access access, const std::string& help) {
+  auto field = seed_field<P>(access, help);
+  field.domain.high = 0x1p63;
+  field.domain.expected = fmt::format("a whole number from 0 to {}", INT64_MAX);
+  return field;
+}
+
 /// A processor in a column: its label, where the topology has labels, else its number.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
   if (topology.labels.empty()) return static_cast<std::int64_t>(id);

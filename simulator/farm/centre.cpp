@@ -18,7 +18,7 @@ void interaction(const std::vector<Order>& script, const Progress& progress,
   if (!script.empty()) out(into_coordination, Command{Begin{}});
   for (const Order& order : script) {
     if (order.at.value > 0) wait_until(ticks(progress.begun + order.at));
-    out(into_coordination, order.command);
+    std::visit([&](const auto& what) { out(into_coordination, Command{what}); }, order.what);
   }
   out(into_coordination, Command{Quit{}});
 }

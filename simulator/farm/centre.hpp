@@ -2,16 +2,12 @@
 // The processes at the farm's centre (thesis, 4.3.6.3 to 4.3.6.6): interaction, ray database,
 // visualisation, and the coordination, which hands tasks out, in two kinds.
 #include "simulator/farm/messages.hpp"
-#include "simulator/growth/recorder.hpp"
 #include "simulator/observe/use.hpp"
+#include "simulator/tracing/rendering.hpp"
 
 namespace farm {
 
-/// What the user orders, some time after the first task was at hand.
-struct Order {
-  machine::Seconds at;
-  Command command;
-};
+using Order = tracing::Order<Limits>;
 
 /// Stores rays, and gives them back by priority (figure 4.16).
 struct RayDatabase {
@@ -21,13 +17,6 @@ struct RayDatabase {
   kernels::MessageCosts message;
   double longest_pause_s = 0;  ///< while all rays were classified again
   void run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord);
-};
-
-/// The picture as it was when the limits of a stage were reached, or at an order of the user's.
-struct KeyImage {
-  machine::Seconds at;
-  std::string name;
-  std::vector<std::uint8_t> rgb8;
 };
 
 struct Progress;
@@ -44,7 +33,7 @@ struct Visualisation {
   growth::Recorder recorder;
   Progress& progress;
   const kernels::KernelCost& tasks;  ///< what the workers compute
-  std::vector<KeyImage> key_images = {};
+  std::vector<tracing::KeyImage> key_images = {};
   std::uint64_t rays = 0;   ///< that are shown
   bool is_changed = false;  ///< the picture, by the last of them
 

@@ -2,9 +2,9 @@
 
 #include <bit>
 
-#include "renderer/image/animation.hpp"
 #include "simulator/farm/wiring.hpp"
 #include "simulator/farm/worker.hpp"
+#include "simulator/tracing/looks.hpp"
 
 namespace farm {
 
@@ -255,54 +255,20 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
           kernels::message_costs(model)};
 }
 
-// What is looked at has to fit in the host's memory, and in a moving picture.
-void check_looks(const Params& params) {
-  constexpr double MOST_BYTES = 1e9;
-  const auto& image = params.image;
-  const double bytes = 6.0 * params.looks.growth * image.width * image.height;
-  if (params.looks.growth > 0 && std::max(image.width, image.height) > renderer::MAX_WEBP_SIDE)
-    base::refuse("farm.growth", "found an image of {} x {} pixels, expected at most {} a side",
-                 image.width, image.height, renderer::MAX_WEBP_SIDE);
-  if (bytes > MOST_BYTES)
-    base::refuse("farm.growth", "found {} pictures of {} x {} pixels, expected at most {:.0f}",
-                 params.looks.growth, image.width, image.height,
-                 MOST_BYTES / 6 / image.width / image.height);
-}
-
-// Names of pictures that are saved are unlike each other and those that have a number.
-void check_names(const std::vector<Order>& script) {
-  std::vector<std::string> known;
-  for (const auto& order : script) {
-    const auto* save = std::get_if<Save>(&order.command.content);
-    if (!save) continue;
-    for (const char* taken : {"stage", "order", "shown", "growth"})
-      if (save->name.starts_with(taken))
-        base::refuse("order.save", "found \"{}\", expected a name that does not begin with {}",
-                     save->name, taken);
-    if (std::ranges::find(known, save->name) != known.end())
-      base::refuse("order.save", "found \"{}\" twice, expected different names", save->name);
-    known.push_back(save->name);
-  }
-}
-
 }  // namespace
 
 void check(const Params& params) {
   check(params.image);
-  check_names(params.script);
-  check_looks(params);
+  check_script(params.script);
+  tracing::check_looks("farm", params.looks, params.image);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
   check_block(params);
   if (params.stages.empty()) base::refuse("stages", "at least one is needed");
   for (const Limits& limits : params.stages) check_area(params.image, limits.area);
   for (const Order& order : params.script)
-    if (const auto* limits = std::get_if<Limits>(&order.command.content))
+    if (const auto* limits = std::get_if<Limits>(&order.what))
       check_area(params.image, limits->area);
-  for (std::size_t i = 1; i < params.script.size(); ++i)
-    if (params.script[i].at < params.script[i - 1].at)
-      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
-                                       params.script[i].at.value));
 }
 
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,

@@ -43,31 +43,17 @@ struct Params {
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 
-struct Result {
-  renderer::Samples samples;
-  std::vector<std::uint8_t> rgb8;               ///< the display's picture
-  std::vector<KeyImage> key_images;             ///< at the end of a stage, at an order
-  std::vector<growth::Shown> pictures, growth;  ///< see growth::Recorder
-  bool is_aborted = false;                      ///< by the user
-  std::optional<double> reorder_pause_s;   ///< the longest while all rays were classified again
-  std::optional<double> order_to_pixel_s;  ///< the longest from an order to a pixel it changed
-  renderer::RayCounts rays;
-  double time_s = 0;         ///< from the first task to the last ray shown to be complete
-  double interactive_s = 0;  ///< the interactive phase's part of it
-  double setup_s = 0;        ///< before: scene sent, initial rays deposited
-  RayStores::Peaks peaks;    ///< the most rays in the database's stores
-  std::uint64_t tasks = 0;   ///< rays, or blocks
+struct Result : tracing::Rendering {
+  std::optional<double> reorder_pause_s;  ///< the longest while all rays were classified again
+  double interactive_s = 0;               ///< the interactive phase's part of time_s
+  RayStores::Peaks peaks;                 ///< the most rays in the database's stores
+  std::uint64_t tasks = 0;                ///< rays, or blocks
   std::size_t peak_tasks_in_farm = 0;
-  double drain_s = 0;                       ///< part of time_s after the last task was handed out
-  topologies::Topology topology;            ///< the workers' topology, as wired
-  double mean_depth = 0;                    ///< links from the coordinator to a worker, on average
-  observe::Use use;                         ///< what was busy over time_s
-  machine::End end = machine::End::done;    ///< else all this is what was measured until then
-  std::uint64_t events = 0;                 ///< simulated
-  machine::Cycles kernel_cycles{};          ///< charged for the workers' tasks
-  double kernel_host_s = 0;                 ///< with Params::profile
-  std::vector<kernels::KernelUse> kernels;  ///< of all processors, those that were called
-  std::vector<std::string> notes;           ///< on the user's orders without an effect
+  double drain_s = 0;               ///< part of time_s after the last task was handed out
+  topologies::Topology topology;    ///< the workers' topology, as wired
+  double mean_depth = 0;            ///< links from the coordinator to a worker, on average
+  machine::Cycles kernel_cycles{};  ///< charged for the workers' tasks
+  double kernel_host_s = 0;         ///< with Params::profile
 };
 
 /// Throws base::BadInput naming the field, what was found and what was expected.

@@ -85,76 +85,14 @@ Busy make_busy(const observe::Use& use) {
   return busy;
 }
 
-Columns<Result> speed_columns() {
-  const auto time_per_ray_ms = [](const Result& r) {
-    return r.time_s / static_cast<double>(r.rays.total()) * 1e3;
-  };
-  using base::empty_column;
-  return {
-      column("time_s", &Result::time_s, "from the first task to the last ray shown to be complete"),
-      column<Result>("time_per_ray_ms", time_per_ray_ms, "time_s over rays"),
-      empty_column<Result>("speedup", "time_s with one worker over time_s"),
-      empty_column<Result>("efficiency", "speedup over workers"),
-      empty_column<Result>("serial_karp_flatt", "serial fraction by Karp and Flatt"),
-      empty_column<Result>("serial_gustafson", "serial fraction by Gustafson's law")};
-}
-
-Columns<Result> ray_columns() {
-  using R = renderer::RayCounts;
-  return base::lift_columns<Result>(
-      Columns<R>{column<R>("rays", &R::total, "rays intersected, of all kinds"),
-                 column("rays_primary", &R::primary, "rays from the eye"),
-                 column("rays_reflected", &R::reflected, "rays reflected by a surface"),
-                 column("rays_transmitted", &R::transmitted, "rays transmitted by a surface"),
-                 column("rays_shadow", &R::shadow, "feelers to the lights")},
-      &Result::rays);
-}
-
-bool is_of_stage(const KeyImage& image) { return image.name.starts_with("stage"); }
-
-// The time when a stage ended, of each but the last: its key image is complete.
-std::vector<Cell> stage_cells(const Result& r) {
-  std::vector<Cell> cells;
-  for (const auto& image : r.key_images)
-    if (is_of_stage(image)) cells.emplace_back(image.at.value - r.setup_s);
-  return cells;
-}
-
-std::vector<Cell> lit_cells(const Result& r) {
-  std::vector<Cell> cells;
-  for (const auto& image : r.key_images) {
-    if (!is_of_stage(image)) continue;
-    std::size_t lit = 0;
-    for (std::size_t i = 0; i < image.rgb8.size(); i += 3)
-      lit += image.rgb8[i] > 0 || image.rgb8[i + 1] > 0 || image.rgb8[i + 2] > 0;
-    cells.emplace_back(static_cast<double>(3 * lit) / static_cast<double>(image.rgb8.size()));
-  }
-  return cells;
-}
-
-Columns<Result> time_columns() {
+Columns<Result> task_columns() {
   using R = Result;
-  return {
-      column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
-      column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
-      column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
-      column(
-          "reorder_pause_s", &R::reorder_pause_s,
-          "the longest while the ray database classified all rays again, for a stage or an order"),
-      column("order_to_pixel_s", &R::order_to_pixel_s,
-             "the longest from an order with limits to the first pixel changed by a ray it let in"),
-      column("setup_s", &R::setup_s, "time before time_s: scene sent, first rays deposited"),
-      column<R>(
-          "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s"),
-      column("drain_s", &R::drain_s, "part of time_s after the last task was handed out"),
-      {"stage{}_s",
-       "when the limits of a stage were reached, counted as time_s from the first task",
-       &stage_cells, true},
-      column<R>(
-          "aborted", [](const R& r) { return r.is_aborted ? 1 : 0; },
-          "1: the user has ended the run before its picture was complete"),
-      {"stage{}_lit", "share of the pixels that are not black in the key image of a stage",
-       &lit_cells, true}};
+  return {column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
+          column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
+          column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+          column("reorder_pause_s", &R::reorder_pause_s,
+                 "the longest while the ray database classified all rays again, for a stage or an "
+                 "order")};
 }
 
 Columns<Result> message_columns() {
@@ -219,33 +157,6 @@ Columns<Result> peak_columns() {
           &Result::peaks)});
 }
 
-// Data managers and their routers.
-Columns<SharedResult> shared_columns() {
-  using R = SharedResult;
-  const auto wait_share = [](const R& r) {
-    const double workers_s = r.farm.topology.processors * r.farm.time_s;
-    return workers_s > 0 ? r.data.waited.value / workers_s : 0;
-  };
-  return base::join(
-      Columns<R>{column("cache_bytes", &R::cache_bytes, "cache of a worker")},
-      {base::lift_columns<R>(shared_memory::data_columns(), &R::data),
-       {column<R>("data_wait_share", wait_share, "share of the workers' time spent waiting"),
-        column<R>(
-            "most_held", [](const R& r) { return r.routers.most_held; },
-            "most messages that one router held at once")}});
-}
-
-Columns<Measured> data_columns() {
-  Columns<Measured> all;
-  for (const auto& c : shared_columns()) {
-    const auto get = [get = c.get](const Measured& m) {
-      return m.is_shared ? get(m.run) : std::vector<Cell>(1);
-    };
-    all.push_back({c.name, c.help, get});
-  }
-  return base::only_if(&Measured::has_data, all);
-}
-
 }  // namespace
 
 std::vector<Load> find_loads(const Result& result) {
@@ -262,24 +173,30 @@ std::vector<Load> find_loads(const Result& result) {
   return loads;
 }
 
-Measured::Measured(SharedResult result, bool data_is_given, bool data_is_shared)
+Measured::Measured(Result result, tracing::DataFigures data_figures)
     : run(std::move(result)),
-      has_data(data_is_given),
-      is_shared(data_is_shared),
-      busy(make_busy(run.farm.use)),
-      loads(find_loads(run.farm)) {}
+      data(std::move(data_figures)),
+      busy(make_busy(run.use)),
+      loads(find_loads(run)) {}
 
 Columns<Measured> make_columns() {
-  const auto of_farm = [](const Columns<Result>& columns) {
-    return base::lift_columns<Measured>(
-        columns, [](const Measured& m) -> auto& { return m.run.farm; });
+  const auto of_run = [](const auto& columns) {
+    return base::lift_columns<Measured>(columns, &Measured::run);
   };
-  return base::join(
-      of_farm(speed_columns()),
-      {of_farm(ray_columns()), of_farm(time_columns()), of_farm(message_columns()),
-       base::lift_columns<Measured>(busy_columns(), &Measured::busy), bottleneck_columns(),
-       of_farm(peak_columns()),
-       base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth), data_columns()});
+  return base::join(of_run(tracing::speed_columns()),
+                    {of_run(tracing::ray_columns()),
+                     of_run(task_columns()),
+                     of_run(tracing::time_columns()),
+                     {column<Measured>(
+                         "drain_s", [](const Measured& m) { return m.run.drain_s; },
+                         "part of time_s after the last task was handed out")},
+                     of_run(tracing::stage_columns()),
+                     of_run(message_columns()),
+                     base::lift_columns<Measured>(busy_columns(), &Measured::busy),
+                     bottleneck_columns(),
+                     of_run(peak_columns()),
+                     base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth),
+                     base::lift_columns<Measured>(tracing::data_columns(), &Measured::data)});
 }
 
 }  // namespace farm

@@ -1,9 +1,7 @@
 #pragma once
 // What a run of the farm measures, the columns that show it, and what limits the farm: which of its
 // resources is busy when others wait for it.
-#include "simulator/declare/program.hpp"
 #include "simulator/farm/shared_farm.hpp"
-#include "simulator/growth/growth.hpp"
 
 namespace farm {
 
@@ -38,17 +36,15 @@ struct Busy {
 };
 
 struct Measured {
-  Measured(SharedResult result, bool has_data, bool is_shared);
+  Measured(Result result, tracing::DataFigures data_figures);
 
-  SharedResult run;          ///< only `run.farm` where the workers hold the scene
-  bool has_data, is_shared;  ///< a key of [data] is given; workers share the scene's data
+  Result run;
+  tracing::DataFigures data;
   Busy busy;
   growth::Figures growth = {};
   std::vector<Load> loads;  ///< the farm's resources, the busiest first
 };
 
-/// The columns of the speed-up are empty, since it needs other runs. Those of [data] are missing
-/// where no key of it is given, and empty where nothing is shared.
 base::Columns<Measured> make_columns();
 
 }  // namespace farm

@@ -8,11 +8,16 @@
 #include "simulator/farm/ray_stores.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/occam/channel.hpp"
+#include "simulator/tracing/session.hpp"
 
 namespace farm {
 
 using occam::Channel;
 using occam::Signal;
+using tracing::Abort;
+using tracing::Interactive;
+using tracing::NonInteractive;
+using tracing::Save;
 
 constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one word
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< the parameters of increasing realism: 8 words
@@ -94,14 +99,8 @@ struct DatabaseReply {
   std::uint64_t bytes() const { return size; }
 };
 
-struct Begin {};           ///< deposit the initial rays, start the interactive phase
-struct NonInteractive {};  ///< leave the interactive phase now
-struct Interactive {};     ///< come back to it from the non-interactive phase
-struct Abort {};           ///< no more tasks: end with the picture as it is
-struct Save {              ///< keep the picture as it is now
-  std::string name;        ///< for a file
-};
-struct Quit {};  ///< end when the image is complete
+struct Begin {};  ///< deposit the initial rays, start the interactive phase
+struct Quit {};   ///< end when the image is complete
 
 /// Interaction -> coordination: the user's orders.
 struct Command {

@@ -1,7 +1,5 @@
 #include "simulator/farm/shared_farm.hpp"
 
-#include <cmath>
-
 #include "simulator/farm/wiring.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
@@ -13,8 +11,6 @@ using network::Message;
 using occam::case_of;
 using occam::this_process;
 using shared_memory::DataManager;
-
-SceneSize size_of(const renderer::Scene& scene) { return {box_count(scene), object_count(scene)}; }
 
 namespace {
 
@@ -46,28 +42,6 @@ std::uint64_t block_bytes(std::uint32_t pixel_bytes, const renderer::Area& area)
                            static_cast<std::uint64_t>(area.height);
 }
 
-struct SceneBytes {
-  SceneBytes(const machine::Model& model, const SceneSize& scene)
-      : box(get_bytes(model, "box")),
-        object(get_bytes(model, "object")),
-        all(scene.boxes * box + scene.objects * object) {}
-  std::uint64_t percent(double share) const {
-    return static_cast<std::uint64_t>(std::llround(share / 100 * static_cast<double>(all)));
-  }
-  std::uint64_t box, object, all;
-};
-
-void check_percent(const char* key, double percent, const SceneBytes& scene,
-                   std::uint64_t largest) {
-  if (!(percent > 0 && percent <= 100))
-    base::refuse(key, "found {}, expected more than 0, 100 at most", percent);
-  if (const auto bytes = scene.percent(percent); bytes < largest)
-    base::refuse(key,
-                 "found {} % of a scene of {} bytes, a cache of {}, expected at least the {} bytes "
-                 "of its largest record",
-                 percent, scene.all, bytes, largest);
-}
-
 void check_farm(const Params& params) {
   check(params);
   check_task(params);
@@ -76,13 +50,6 @@ void check_farm(const Params& params) {
                  "found {}, expected 0: workers that read the scene through data managers ([data]) "
                  "are not sent it",
                  params.scene_message);
-}
-
-shared_memory::DataParams make_data_params(const SharedParams& data, const SceneBytes& scene) {
-  shared_memory::DataParams params = data;
-  params.cache_bytes = scene.percent(data.cache_percent);
-  params.server_cache_bytes = scene.percent(data.server_cache_percent);
-  return params;
 }
 
 // The topology with the coordinator before the workers, whose numbers are one higher.
@@ -134,7 +101,7 @@ class SharedFarm {
         joined_(join_coordinator(workers_)),
         scene_(scene),
         items_(model, scene),
-        data_params_(make_data_params(data, {model, size_of(scene)})),
+        data_params_(make_data_params(model, tracing::size_of(scene), data)),
         machine_(model, model.software.occam_factor, params.processes),
         pixel_bytes_(kernels::record_bytes(model).pixel),
         display_cost_(central_cost("display", model, params)),
@@ -155,9 +122,8 @@ class SharedFarm {
     start();
     SharedResult result;
     result.farm = take_result(observe::run(machine_, params_.watch));
-    result.data = memory_->use();
-    result.routers = network_->use();
-    result.cache_bytes = data_params_.cache_bytes;
+    result.shared = {memory_->use(), network_->use(), data_params_.cache_bytes,
+                     workers_.processors * result.farm.time_s};
     return result;
   }
 
@@ -283,23 +249,16 @@ void check_task(const Params& params) {
                  "through data managers ([data]) are given no rays");
 }
 
-void check(const machine::Model& model, const SceneSize& size, const Params& farm,
+void check(const machine::Model& model, const tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data) {
   check_farm(farm);
-  const SceneBytes scene(model, size);
-  if (scene.all == 0) base::refuse("scene.source", "found no objects, expected some ([data])");
-  std::uint64_t largest = size.boxes > 0 ? std::max(scene.box, scene.object) : scene.object;
-  if (data.scheme == shared_memory::Scheme::pages)
-    largest *= static_cast<std::uint64_t>(data.page_items);
-  check_percent("data.cache_percent", data.cache_percent, scene, largest);
-  if (data.scheme == shared_memory::Scheme::items)
-    check_percent("data.server_cache_percent", data.server_cache_percent, scene, largest);
+  check_data(model, scene, data);
 }
 
 SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
                              const renderer::Scene& scene, const Params& params,
                              const SharedParams& data) {
-  check(model, size_of(scene), params, data);
+  check(model, tracing::size_of(scene), params, data);
   return SharedFarm(model, workers, scene, params, data).run();
 }
 

@@ -17,7 +17,7 @@ void interact(Shared& shared, network::Client& client) {
   const int coordinator = shared.places.coordinator;
   for (std::size_t i = 0; i <= script.size(); ++i) {
     if (i < script.size())
-      occam::wait_until(occam::ticks(Seconds{shared.record.begun_s + script[i].at_s}));
+      occam::wait_until(occam::ticks(Seconds{shared.record.begun_s} + script[i].at));
     const IirraMessage::Content order = UserOrder{i};
     client.send({.to = {coordinator, TASK_PROCESS},
                  .from = {.process = TASK_PROCESS},
@@ -165,11 +165,7 @@ void Coordinator::end_phase() {
     return finish();
   }
   const auto& stages = shared_.params.stages;
-  if (stage_ < stages.size()) {
-    const auto name = fmt::format("stage{}", stage_ + 1);
-    shared_.record.stage_ends_s.emplace_back(name, shared_.now_s());
-    keep_picture(name);
-  }
+  if (stage_ < stages.size()) keep_picture(fmt::format("stage{}", stage_ + 1));
   if (++stage_ < stages.size()) return begin_phase(stages[stage_], false);
   is_null_ = !is_quitting_;
   if (is_quitting_) end_interactive();
@@ -214,31 +210,35 @@ void Coordinator::obey_user(std::size_t place) {
     if (is_null_) end_interactive();
     return;
   }
-  const Order& order = script[place];
+  const auto& what = script[place].what;
   const std::size_t number = place + 1;
   shared_.record.orders_s.emplace_back(shared_.now_s(), std::nullopt);
   if (is_finishing_) return note(number, "the picture was complete");
-  using Kind = Order::Kind;
-  if (order.kind != Kind::abort && order.kind != Kind::save)
+  const auto begin_interactive = [&](const Limits& limits) {
     keep_picture(fmt::format("order{}", number));
-  switch (order.kind) {
-    case Kind::limits:
-      if (is_last_) return note(number, "the interactive phase was over");
-      stage_ = shared_.params.stages.size();
-      return begin_phase(order.limits, false, static_cast<int>(number));
-    case Kind::non_interactive:
-      if (is_last_) return note(number, "the interactive phase was over");
-      return end_interactive();
-    case Kind::interactive:
-      if (!is_last_) return note(number, "the interactive phase was not over");
-      stage_ = shared_.params.stages.size();
-      return begin_phase(limits_, false, static_cast<int>(number));
-    case Kind::abort:
-      shared_.record.is_aborted = true;
-      return finish();
-    case Kind::save:
-      return keep_picture(order.name);
-  }
+    stage_ = shared_.params.stages.size();
+    begin_phase(limits, false, static_cast<int>(number));
+  };
+  case_of(
+      what,
+      [&](const Limits& limits) {
+        if (is_last_) return note(number, "the interactive phase was over");
+        begin_interactive(limits);
+      },
+      [&](tracing::NonInteractive) {
+        if (is_last_) return note(number, "the interactive phase was over");
+        keep_picture(fmt::format("order{}", number));
+        end_interactive();
+      },
+      [&](tracing::Interactive) {
+        if (!is_last_) return note(number, "the interactive phase was not over");
+        begin_interactive(limits_);
+      },
+      [&](tracing::Abort) {
+        shared_.record.is_aborted = true;
+        finish();
+      },
+      [&](const tracing::Save& save) { keep_picture(save.name); });
 }
 
 void Coordinator::tell(network::Address to, IirraMessage::Content content) {

@@ -12,7 +12,7 @@ using occam::case_of;
 Display::Display(Shared& shared, shared_memory::DataManager& manager)
     : shared_(shared),
       manager_(manager),
-      rgb8_(3 * shared.record.image.sums.size()),
+      rgb8_(3 * shared.record.samples.sums.size()),
       recorder_(shared.params.looks) {
   if (shared.params.cycles_per_host_s) scratch_ = rgb8_;
 }
@@ -42,7 +42,7 @@ void Display::poll_all() {
 
 void Display::end_round(bool is_all) {
   for (const auto& name : std::exchange(kept_next_, {}))
-    shared_.record.key_images.push_back({shared_.now_s(), name, rgb8_});
+    shared_.record.key_images.push_back({machine::this_process().now(), name, rgb8_});
   if (!was_finishing_ || !is_all) return;
   send(manager_, shared_.sizes, {shared_.places.coordinator, TASK_PROCESS}, Finished{});
   while (!is_stopped_) obey(manager_.serve_at_once());
@@ -83,7 +83,7 @@ void Display::show(const Message& message, const Picture& picture) {
     bool is_changed = false;
     shared_.display_cost(
         rgb8_, scratch_,
-        [kept = message.contents, &block, width = record.image.width, &changed = is_changed, this](auto& to, renderer::Work& work) {
+        [kept = message.contents, &block, width = record.samples.width, &changed = is_changed, this](auto& to, renderer::Work& work) {
           const auto row = 3 * static_cast<std::size_t>(block.area.width);
           for (int y = 0; y < block.area.height; ++y) {
             const auto from = block.rgb8.begin() + static_cast<std::ptrdiff_t>(row) * y;

@@ -6,6 +6,7 @@
 
 #include "simulator/iirra/services.hpp"
 #include "simulator/iirra/worker.hpp"
+#include "simulator/tracing/looks.hpp"
 #include "topologies/graph/metrics.hpp"
 
 namespace iirra {
@@ -71,7 +72,7 @@ class Run {
                                  {model, "central", renderer::op_names()},
                                  params.cycles_per_host_s},
                 .items = items_ ? &*items_ : nullptr,
-                .record = Record(params.image.width, params.image.height)} {
+                .record = Record(params.image)} {
     add_processors(model, scene);
     connect(model, routes);
     plan_faults();
@@ -79,27 +80,34 @@ class Run {
   }
 
   Result run() {
-    Result result;
-    result.end = observe::run(machine_, params_.watch);
+    const auto end = observe::run(machine_, params_.watch);
     auto& record = shared_.record;
-    if (result.end != machine::End::done || record.ended_s == 0) {
+    if (end != machine::End::done) {
       record.after = observe::collect(machine_);
       record.ended_s = machine_.now().value;
     }
-    display_->end(record.time_s());
-    result.record = std::move(record);
-    result.workers = static_cast<int>(shared_.places.workers.size());
-    for (const int worker : shared_.places.workers)
+    record.end = end;
+    record.setup_s = record.begun_s;
+    record.time_s = record.ended_s - record.begun_s;
+    display_->end(record.time_s);
+    for (const auto& [at, shown] : record.orders_s)
+      if (shown)
+        record.order_to_pixel_s = std::max(record.order_to_pixel_s.value_or(0), *shown - at);
+    record.use = between(record.before, record.after);
+    record.events = machine_.events();
+    record.kernels =
+        kernels::uses_of({&shared_.ray_cost, &shared_.paint_cost, &shared_.display_cost});
+    Result result{std::move(record)};
+    const auto& workers = shared_.places.workers;
+    result.workers = static_cast<int>(workers.size());
+    for (const int worker : workers)
       result.mean_depth += network_->routing().distance(shared_.places.coordinator, worker);
     result.mean_depth /= result.workers;
-    result.use = between(result.record.before, result.record.after);
-    if (memory_) result.data = memory_->use();
     result.routers = network_->use();
-    if (params_.data) result.cache_bytes = params_.data->cache_bytes;
+    if (memory_)
+      result.shared = {memory_->use(), result.routers, params_.data->cache_bytes,
+                       result.workers * result.time_s};
     result.kernel_cycles = shared_.kernel_cycles();
-    result.kernels =
-        kernels::uses_of({&shared_.ray_cost, &shared_.paint_cost, &shared_.display_cost});
-    result.events = machine_.events();
     return result;
   }
 
@@ -234,12 +242,10 @@ void check(const Params& params, const topologies::Topology& topology) {
   check_weights("iirra.weights", params.weights);
   base::require(!params.stages.empty(), "stage", "found none, expected one at least");
   for (const auto& limits : params.stages) check_limits(params.image, limits);
-  for (std::size_t i = 0; i < params.script.size(); ++i) {
-    check_limits(params.image, params.script[i].limits);
-    if (i > 0 && params.script[i].at_s < params.script[i - 1].at_s)
-      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
-                                       params.script[i].at_s));
-  }
+  for (const auto& order : params.script)
+    if (const auto* limits = std::get_if<Limits>(&order.what)) check_limits(params.image, *limits);
+  tracing::check_script(params.script);
+  tracing::check_looks("iirra", params.looks, params.image);
   const auto places = find_places(topology, params.is_far);
   if (params.balance == BalanceMethod::green) find_parents(topology, places);
 }

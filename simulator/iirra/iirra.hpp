@@ -6,7 +6,8 @@
 #include "simulator/iirra/balance.hpp"
 #include "simulator/iirra/record.hpp"
 #include "simulator/observe/watch.hpp"
-#include "simulator/shared_memory/virtual_memory.hpp"
+#include "simulator/tracing/data.hpp"
+#include "simulator/tracing/session.hpp"
 
 namespace iirra {
 
@@ -23,19 +24,12 @@ enum class Start : std::uint8_t {
   subsampled  ///< by the time that a sample of each cell takes (Badouel, 1990)
 };
 
-/// The user's limits, or another order, some time after the first task.
-struct Order {
-  enum class Kind : std::uint8_t { limits, non_interactive, interactive, abort, save };
-  double at_s = 0;
-  Kind kind = Kind::limits;
-  Limits limits = {};
-  std::string name = {};  ///< of a picture to be saved
-};
+using Order = tracing::Order<Limits>;
 
 struct Params {
   renderer::Params image;
   std::vector<Limits> stages = std::vector<Limits>(1);  ///< one after the other
-  std::vector<Order> script;                            ///< by time
+  std::vector<Order> script;                            ///< in the order of their times
   int max_cell = 16;  ///< pixels, side of the first cells; a power of two, 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
   Weights weights;  ///< of stages and orders that have none of their own
@@ -73,18 +67,12 @@ std::vector<SampledCell> make_cells(const renderer::Area& area, int side);
 /// Throws base::BadInput naming the key, what was found and what was expected.
 void check(const Params& params, const topologies::Topology& topology);
 
-struct Result {
-  Record record = Record(0, 0);
+struct Result : Record {
   int workers = 0;
   double mean_depth = 0;  ///< links from the coordinator to a worker, on average
-  observe::Use use = {};  ///< what was busy over time_s
-  shared_memory::DataUse data = {};
-  network::RouterUse routers = {};
-  std::uint64_t cache_bytes = 0;
+  std::optional<tracing::SharedUse> shared;  ///< where the scene's data are
+  network::RouterUse routers;
   machine::Cycles kernel_cycles{};
-  std::vector<kernels::KernelUse> kernels = {};
-  std::uint64_t events = 0;
-  machine::End end = machine::End::done;
 };
 
 /// Throws base::BadInput as check(), and if buffers and caches do not fit the memory; machine::Fault,

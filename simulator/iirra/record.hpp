@@ -1,18 +1,9 @@
 #pragma once
 // What is noted of a run from outside of the machine: it costs no simulated time.
-#include "renderer/trace/render.hpp"
-#include "simulator/growth/recorder.hpp"
 #include "simulator/iirra/tasks.hpp"
-#include "simulator/observe/use.hpp"
+#include "simulator/tracing/rendering.hpp"
 
 namespace iirra {
-
-/// The picture as it was when a stage ended, or at an order of the user's.
-struct KeyImage {
-  double at_s = 0;  ///< from the first task
-  std::string name;
-  std::vector<std::uint8_t> rgb8;
-};
 
 struct Counts {
   std::uint64_t samples = 0;          ///< computed
@@ -30,30 +21,24 @@ struct Counts {
   std::uint64_t task_messages() const { return requests + refusals + moves; }
 };
 
-struct Record {
-  Record(int width, int height) : image(width, height), finished(image.sums.size()) {}
+/// Its `rays` are those of all processors; its `samples` the sums of the pixels that are finished.
+struct Record : tracing::Rendering {
+  explicit Record(const renderer::Params& image) : finished(0) {
+    samples = renderer::Samples(image.width, image.height);
+    finished.resize(samples.sums.size());
+  }
 
   Counts counts;
-  renderer::RayCounts rays;          ///< traced, on all processors
-  renderer::RayCounts rays_outside;  ///< of them, of samples beyond the image
+  renderer::RayCounts rays_outside;  ///< of samples beyond the image
   renderer::RayCounts rays_image;    ///< that the image is made of
-  renderer::Samples image;           ///< sums of the pixels that are finished
-  std::vector<bool> finished;
-  std::uint64_t pixels_finished = 0;
-
-  double begun_s = 0, ended_s = 0;  ///< since the machine was started
+  std::vector<bool> finished;        ///< pixels
+  double begun_s = 0, ended_s = 0;   ///< since the machine was started
   double interactive_s = 0;
   double last_task_s = 0;  ///< when a worker took a task for the last time
-  std::vector<std::pair<std::string, double>> stage_ends_s;  ///< from the first task
-  std::vector<std::pair<double, std::optional<double>>> orders_s;  ///< came, and reached a pixel
-  bool is_aborted = false;
-  std::vector<std::string> notes;
-  std::vector<std::uint8_t> rgb8;  ///< the display's picture
-  std::vector<KeyImage> key_images;
-  std::vector<growth::Shown> pictures, growth;
+  /// When each order of the user came, and reached a pixel; from the first task.
+  std::vector<std::pair<double, std::optional<double>>> orders_s;
   observe::Use before, after;
 
-  double time_s() const { return ended_s - begun_s; }
   /// A pixel has its last colour, of a sample whose rays are `of_sample`. Throws
   /// base::InvariantBroken if it was finished before.
   void finish(int x, int y, const Sample& sample);

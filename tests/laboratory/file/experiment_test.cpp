@@ -18,7 +18,7 @@ TEST(ExperimentsFile, DefaultsAreOnePoint) {
   const Experiment& e = file.points[0].experiment;
   EXPECT_EQ(e.model.text, "t805-25");
   EXPECT_EQ(make_workers(e).name, "tree:7");
-  EXPECT_EQ(farm::scene_source(farm_of(e)), "spheres:200");
+  EXPECT_EQ(tracing::scene_source(farm_of(e).scene), "spheres:200");
   EXPECT_EQ(farm_of(e).farm.image.limits.depth, 15);
 }
 
@@ -86,15 +86,15 @@ TEST(ExperimentsFile, StagesAndOrders) {
   EXPECT_EQ(p.stages[0].min_cell, 4);
   EXPECT_EQ(p.stages[1].area, (renderer::Area{1, 2, 3, 4}));
   ASSERT_EQ(p.script.size(), 2u);
-  EXPECT_EQ(std::get<farm::Limits>(p.script[0].command.content).min_influence, 0.5);
-  EXPECT_TRUE(std::holds_alternative<farm::NonInteractive>(p.script[1].command.content));
+  EXPECT_EQ(std::get<farm::Limits>(p.script[0].what).min_influence, 0.5);
+  EXPECT_TRUE(std::holds_alternative<farm::NonInteractive>(p.script[1].what));
 }
 
 TEST(ExperimentsFile, PathsAreRelativeToTheFile) {
   const auto file = load("[scene]\nsource = \"a/b.nff\"\n[network]\ntopology = \"net.dot\"\n");
   const Experiment& e = file.points[0].experiment;
   const auto folder = std::filesystem::path(file.path).parent_path();
-  EXPECT_EQ(farm_of(e).scene, (base::Source{"a/b.nff", (folder / "a/b.nff").string()}));
+  EXPECT_EQ(farm_of(e).scene.source, (base::Source{"a/b.nff", (folder / "a/b.nff").string()}));
   EXPECT_EQ(e.topology, (base::Source{"net.dot", (folder / "net.dot").string()}));
 }
 

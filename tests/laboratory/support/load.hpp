@@ -29,6 +29,6 @@ inline std::string show_value(const Experiment& e, const std::string& parameter)
 inline const farm::ProgramParams& farm_of(const Experiment& e) {
   return std::any_cast<const farm::ProgramParams&>(e.params);
 }
-inline std::int64_t objects_of(const Experiment& e) { return farm_of(e).objects; }
+inline std::int64_t objects_of(const Experiment& e) { return farm_of(e).scene.objects; }
 
 }  // namespace laboratory

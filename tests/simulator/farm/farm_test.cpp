@@ -51,12 +51,9 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
     machine::Seconds at{0};
     for (auto n = random() % 4; n > 0; --n) {
       at += {static_cast<double>(random() % 1000) * 1e-3};
-      Command command;
-      if (random() % 3 == 0)
-        command.content = NonInteractive{};
-      else
-        command.content = random_limits(random);
-      params.script.push_back({at, command});
+      Order order{at, NonInteractive{}};
+      if (random() % 3 != 0) order.what = random_limits(random);
+      params.script.push_back(order);
     }
     EXPECT_EQ(compare(fmt::format("tree:{}", 1 + random() % 9), scene, params), "");
   }

@@ -59,10 +59,10 @@ TEST(Session, EndsWithTheImage) {
       double at_s = 0;
       for (auto n = random() % 5; n-- > 0;) {
         at_s += 0.05 * static_cast<double>(random() % 8);
-        Command command{random_limits(random)};
-        if (random() % 4 == 0) command.content = NonInteractive{};
-        if (random() % 4 == 0) command.content = Interactive{};
-        params.script.push_back({{at_s}, command});
+        Order order{{at_s}, random_limits(random)};
+        if (random() % 4 == 0) order.what = NonInteractive{};
+        if (random() % 4 == 0) order.what = Interactive{};
+        params.script.push_back(order);
       }
       const auto result = run(params, seed % 2 == 0 ? "tree:1" : "tree:5");
       const auto expected = render(make_glass_scene(), params.image, 1).samples;

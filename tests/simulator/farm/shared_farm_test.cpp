@@ -58,7 +58,7 @@ void expect_equal(const farm::Params& params, const std::string& topology,
   run_isolated([&] {
     const auto oracle = renderer::render(scene, params.image);
     const auto shared = run(params, topology, scene, data);
-    const auto& use = shared.data;
+    const auto& use = shared.shared.data;
     EXPECT_TRUE(shared.farm.samples == oracle.samples);
     EXPECT_TRUE(shared.farm.rays == oracle.rays);
     EXPECT_EQ(use.accesses(), count_tests(oracle.work));
@@ -97,8 +97,8 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
 TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
   run_isolated([&] {
-    const auto size = size_of(scene);
-    const auto use = run(block_params(4, 4), "tree:4", scene, shared_params(100)).data;
+    const auto size = tracing::size_of(scene);
+    const auto use = run(block_params(4, 4), "tree:4", scene, shared_params(100)).shared.data;
     EXPECT_LE(use.requests, 4 * (size.boxes + size.objects));
     EXPECT_LE(use.found_at(shared_memory::Level::disk), size.boxes + size.objects);
   });
@@ -110,7 +110,7 @@ TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   SharedParams data = shared_params(20);
   const auto expect_answers = [&](bool on_the_way, bool by_a_queue) {
     run_isolated([&] {
-      const auto use = run(block_params(4, 4), "line:4", scene, data).data;
+      const auto use = run(block_params(4, 4), "line:4", scene, data).shared.data;
       EXPECT_EQ(use.found_at(shared_memory::Level::path) > 0, on_the_way);
       EXPECT_EQ(use.found_at(shared_memory::Level::queue) > 0, by_a_queue);
     });

@@ -1,0 +1,132 @@
+#pragma once
+// The user's session with a picture that grows: [[stage]], limits of the interactive phase one set
+// after the other, and [[order]]. What limits are is the program's: its type Limits and its fields.
+#include <fmt/format.h>
+
+#include "simulator/declare/program.hpp"
+
+namespace tracing {
+
+struct NonInteractive {};  ///< leave the interactive phase now
+struct Interactive {};     ///< come back to it from the non-interactive phase
+struct Abort {};           ///< no more tasks: end with the picture as it is
+struct Save {              ///< keep the picture as it is now
+  std::string name;        ///< for a file
+};
+
+/// What the user orders, some time after the first task was at hand.
+template <class Limits>
+struct Order {
+  machine::Seconds at;
+  std::variant<NonInteractive, Interactive, Abort, Save, Limits> what;
+};
+
+/// An [[order]] as it is given.
+template <class Limits>
+struct OrderRecord {
+  double at_s = 0;
+  bool non_interactive = false, interactive = false, abort = false;
+  std::string save;
+  std::optional<Limits> limits;  ///< where any is given
+};
+
+/// Whether it is part of a file's name: up to 40 letters, digits and dashes.
+bool is_picture_name(const std::string& name);
+/// Throws base::BadInput for names of pictures that are like each other, or like those that have a
+/// number.
+void check_saved_names(const std::vector<std::string>& names);
+
+/// Throws base::BadInput for orders that are not in the order of their times, and for the names of
+/// pictures.
+template <class Limits>
+void check_script(const std::vector<Order<Limits>>& script) {
+  std::vector<std::string> names;
+  for (const auto& order : script)
+    if (const auto* save = std::get_if<Save>(&order.what)) names.push_back(save->name);
+  check_saved_names(names);
+  for (std::size_t i = 1; i < script.size(); ++i)
+    if (script[i].at < script[i - 1].at)
+      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
+                                       script[i].at.value));
+}
+
+/// at_s, non_interactive, interactive, abort, save, and those of the limits.
+template <class Limits>
+base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
+  using Record = OrderRecord<Limits>;
+  using D = base::Declare<Record>;
+  const auto limits = [](Record & r) -> auto& { return r.limits ? *r.limits : r.limits.emplace(); };
+  const auto set_save = [](Record& r, const base::Scalar& value) {
+    const auto& name = std::get<std::string>(value);
+    if (!is_picture_name(name)) return false;
+    r.save = name;
+    return true;
+  };
+  return base::join(
+      base::Fields<Record>{
+          D::number("at_s", &Record::at_s, 0, 1e9, "s",
+                    "when the user orders it, counted as time_s from the first task"),
+          D::flag("non_interactive", &Record::non_interactive,
+                  "true: the user leaves the interactive phase"),
+          D::flag("interactive", &Record::interactive,
+                  "true: the user comes back from the non-interactive phase"),
+          D::flag("abort", &Record::abort,
+                  "true: the user has had enough; rays that are under way end"),
+          {"save",
+           "",
+           "the picture as it is then is saved, with this in its name",
+           {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
+           set_save,
+           [](const Record& r) -> base::Scalar { return r.save; }}},
+      {base::lift_all<Record>(limit_fields, limits)});
+}
+
+/// Throws base::BadInput for a record that does not say exactly one thing.
+template <class Limits>
+Order<Limits> make_order(const OrderRecord<Limits>& record) {
+  std::vector<Order<Limits>> orders;
+  const auto add = [&](const auto& what) { orders.push_back({{record.at_s}, what}); };
+  if (record.limits) add(*record.limits);
+  if (record.non_interactive) add(NonInteractive{});
+  if (record.interactive) add(Interactive{});
+  if (record.abort) add(Abort{});
+  if (!record.save.empty()) add(Save{record.save});
+  if (orders.size() != 1)
+    throw base::BadInput(
+        fmt::format("[[order]] at {} s: found {}, expected one of: limits, non_interactive = true, "
+                    "interactive = true, abort = true, save = \"name\"",
+                    record.at_s, orders.empty() ? "nothing to do" : "several things to do"));
+  return orders[0];
+}
+
+/// A list of tables of the experiment file in a program's parameters P. `list` is where: a member,
+/// or a function from P& to a reference. `append` makes of a record what is put behind the others.
+template <class P, class Record, class Access, class Append>
+programs::RecordList make_list(const std::string& key, const std::string& help,
+                               const base::Fields<Record>& fields, Access list, Append append) {
+  const auto find = [list](std::any & params) -> auto& {
+    return std::invoke(list, std::any_cast<P&>(params));
+  };
+  const auto record = [](std::any& any) -> Record& { return std::any_cast<Record&>(any); };
+  return {key,
+          help,
+          base::lift_all<std::any>(fields, record),
+          [] { return std::any(Record{}); },
+          [find](std::any& params) { find(params).clear(); },
+          [find, append](std::any& params, const std::any& any) {
+            find(params).push_back(append(std::any_cast<const Record&>(any)));
+          }};
+}
+
+/// [[stage]] and [[order]]; `stages` and `script` say where in P the vectors of Limits and of
+/// Order<Limits> are.
+template <class P, class Limits, class Stages, class Script>
+std::vector<programs::RecordList> make_lists(const base::Fields<Limits>& limit_fields,
+                                             Stages stages, Script script) {
+  return {make_list<P>("stage", "limits of the interactive phase, one set after the other",
+                       limit_fields, stages, [](const Limits& limits) { return limits; }),
+          make_list<P>("order", "what the user orders, at_s seconds after the first task",
+                       order_fields(limit_fields), script, &make_order<Limits>)};
+}
+
+}  // namespace tracing
