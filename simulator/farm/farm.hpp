@@ -7,15 +7,12 @@
 #include "renderer/preview/preview.hpp"
 #include "simulator/farm/centre.hpp"
 #include "simulator/observe/watch.hpp"
+#include "simulator/tracing/busy.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace farm {
 
-/// What a farm's processors are for, see machine::Processor::role().
-struct Role {
-  static constexpr auto coordinator = "coordinator", worker = "worker", database = "database",
-                        display = "display";
-};
+using tracing::Role;
 
 struct Params {
   renderer::Params image;  ///< size, shading and its limits

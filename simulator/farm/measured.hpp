@@ -2,6 +2,7 @@
 // What a run of the farm measures, the columns that show it, and what limits the farm: which of its
 // resources is busy when others wait for it.
 #include "simulator/farm/shared_farm.hpp"
+#include "simulator/tracing/busy.hpp"
 
 namespace farm {
 
@@ -19,28 +20,12 @@ using programs::Load;
 /// Empty for a run that was cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
-/// The busiest resource limits the farm if it was busy for at least this share of the time; else
-/// nothing does: all wait for messages that are on their way.
-constexpr double SATURATED = 0.8;
-
-/// How busy processors and links were, as shares of the time, 0 to 1.
-struct Busy {
-  double worker_mean = 0, worker_max = 0;
-  std::optional<double> coordinator, database, display;  ///< where they have processors
-  std::string cpu_busiest;
-  double cpu_max = 0, cpu_high = 0;  ///< the busiest CPU; its high priority
-  std::string link_busiest;          ///< "from>to"
-  double link_max = 0;
-  std::uint64_t link_messages = 0, link_bytes = 0;  ///< over the busiest direction of a link
-  std::uint64_t worker_memory = 0;                  ///< bytes, the most that a worker used
-};
-
 struct Measured {
   Measured(Result result, tracing::DataFigures data_figures);
 
   Result run;
   tracing::DataFigures data;
-  Busy busy;
+  tracing::Busy busy;
   growth::Figures growth = {};
   std::vector<Load> loads;  ///< the farm's resources, the busiest first
 };

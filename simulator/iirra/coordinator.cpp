@@ -45,6 +45,7 @@ void Coordinator::run() {
   tell(network::make_global(TASK_PROCESS), Stop{});
   tell({shared_.places.display, DISPLAY_PROCESS}, Stop{});
   while (!is_quitting_) obey(manager_.serve_at_once());
+  manager_.serve_for_ever();
 }
 
 // --- the first tasks ----------------------------------------------------------------------------
@@ -83,7 +84,7 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
 // has least to do.
 std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cells) {
   const auto& workers = shared_.places.workers;
-  const auto room = (shared_.longest - shared_.sizes.of(Measured{})) / (shared_.sizes.cell + 4);
+  const auto room = (shared_.longest - shared_.sizes.of(CellTimes{})) / (shared_.sizes.cell + 4);
   std::vector<Measure> asked(workers.size());
   std::size_t waiting = 0;
   const auto ask = [&](std::size_t worker) {
@@ -100,7 +101,7 @@ std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cell
   std::map<std::pair<int, int>, double> time_of;
   while (waiting > 0) {
     const Message message = manager_.serve_at_once();
-    const auto* measured = std::get_if<Measured>(&read(shared_.sizes, message));
+    const auto* measured = std::get_if<CellTimes>(&read(shared_.sizes, message));
     if (!measured) {
       obey(message);
       continue;

@@ -24,6 +24,7 @@ void Display::run() {
     else
       obey(manager_.serve_at_once());
   }
+  manager_.serve_for_ever();
 }
 
 // Each worker is asked in its turn, as soon as the display is at leisure.

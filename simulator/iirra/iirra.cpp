@@ -51,7 +51,8 @@ std::vector<int> find_parents(const topologies::Topology& topology, const Places
 class Run {
  public:
   Run(const machine::Model& model, const topologies::Topology& topology,
-      const topologies::RoutingTable& routes, const renderer::Scene& scene, const Params& params)
+      const topologies::RoutingTable& routes, const std::optional<topologies::TreeLinks>& tree,
+      const renderer::Scene& scene, const Params& params)
       : params_(params),
         topology_(topology),
         machine_(model, model.software.occam_factor, params.processes),
@@ -74,7 +75,7 @@ class Run {
                 .items = items_ ? &*items_ : nullptr,
                 .record = Record(params.image)} {
     add_processors(model, scene);
-    connect(model, routes);
+    connect(model, routes, tree);
     plan_faults();
     start(model);
   }
@@ -97,7 +98,7 @@ class Run {
     record.events = machine_.events();
     record.kernels =
         kernels::uses_of({&shared_.ray_cost, &shared_.paint_cost, &shared_.display_cost});
-    Result result{std::move(record)};
+    Result result(std::move(record));
     const auto& workers = shared_.places.workers;
     result.workers = static_cast<int>(workers.size());
     for (const int worker : workers)
@@ -135,7 +136,8 @@ class Run {
     }
   }
 
-  void connect(const machine::Model& model, const topologies::RoutingTable& routes) {
+  void connect(const machine::Model& model, const topologies::RoutingTable& routes,
+               const std::optional<topologies::TreeLinks>& tree) {
     network::Params network;
     network.method = params_.method;
     // A request for data, one for tasks, tasks, a report, and what the display has asked for.
@@ -146,7 +148,7 @@ class Run {
     network.processes.assign(static_cast<std::size_t>(topology_.processors), {TASK_BITS});
     network.processes[static_cast<std::size_t>(shared_.places.coordinator)].push_back(NO_PROCESS);
     network.processes[static_cast<std::size_t>(shared_.places.display)] = {DISPLAY_BITS};
-    network_.emplace(machine_, make_routing(params_.method, topology_, routes), network);
+    network_.emplace(machine_, make_routing(params_.method, topology_, routes, tree), network);
     if (params_.data) {
       auto data = *params_.data;
       data.coordinator = shared_.places.coordinator;
@@ -251,10 +253,11 @@ void check(const Params& params, const topologies::Topology& topology) {
 }
 
 Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
-                 const topologies::RoutingTable& routes, const renderer::Scene& scene,
+                 const topologies::RoutingTable& routes,
+                 const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,
                  const Params& params) {
   check(params, topology);
-  return Run(model, topology, routes, scene, params).run();
+  return Run(model, topology, routes, tree, scene, params).run();
 }
 
 }  // namespace iirra

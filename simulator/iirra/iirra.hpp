@@ -6,15 +6,13 @@
 #include "simulator/iirra/balance.hpp"
 #include "simulator/iirra/record.hpp"
 #include "simulator/observe/watch.hpp"
+#include "simulator/tracing/busy.hpp"
 #include "simulator/tracing/data.hpp"
 #include "simulator/tracing/session.hpp"
 
 namespace iirra {
 
-/// What a processor is for, see machine::Processor::role().
-struct Role {
-  static constexpr auto coordinator = "coordinator", worker = "worker", display = "display";
-};
+using tracing::Role;
 constexpr int SERVICES = 2;  ///< processors that do not compute: the coordinator, the display
 
 /// Who has which cells at first.
@@ -68,6 +66,7 @@ std::vector<SampledCell> make_cells(const renderer::Area& area, int side);
 void check(const Params& params, const topologies::Topology& topology);
 
 struct Result : Record {
+  explicit Result(Record record) : Record(std::move(record)) {}
   int workers = 0;
   double mean_depth = 0;  ///< links from the coordinator to a worker, on average
   std::optional<tracing::SharedUse> shared;  ///< where the scene's data are
@@ -75,10 +74,11 @@ struct Result : Record {
   machine::Cycles kernel_cycles{};
 };
 
-/// Throws base::BadInput as check(), and if buffers and caches do not fit the memory; machine::Fault,
+/// `tree`: the way of messages to all; none: each sender has one. Throws base::BadInput as check(), and if buffers and caches do not fit the memory; machine::Fault,
 /// also where a processor has stopped whose cells are lost, or a message has no way left.
 Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
-                 const topologies::RoutingTable& routes, const renderer::Scene& scene,
+                 const topologies::RoutingTable& routes,
+                 const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,
                  const Params& params);
 
 }  // namespace iirra

@@ -14,7 +14,7 @@ std::uint64_t Sizes::of(const IirraMessage::Content& content) const {
         return sum;
       },
       [&](const Measure& measure) { return words(2) + cell * measure.cells.size(); },
-      [&](const Measured& measured) {
+      [&](const CellTimes& measured) {
         return words(2) + (cell + WORD) * measured.times_s.size();
       },
       // The tag, six limits, an area, and the keys' weights where there are any.

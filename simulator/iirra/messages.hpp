@@ -31,7 +31,7 @@ struct NoTasks {
 struct Measure {
   std::vector<SampledCell> cells;
 };
-struct Measured {
+struct CellTimes {
   std::vector<std::pair<SampledCell, double>> times_s;
 };
 
@@ -74,7 +74,7 @@ struct Finished {};
 
 struct IirraMessage : network::Contents {
   using Content =
-      std::variant<Tasks, TaskRequest, NoTasks, Measure, Measured, NewPhase, Report, Stop,
+      std::variant<Tasks, TaskRequest, NoTasks, Measure, CellTimes, NewPhase, Report, Stop,
                    UserOrder, Poll, Picture, Shown, KeepPicture, Finish, Finished>;
   explicit IirraMessage(Content content) : content(std::move(content)) {}
   Content content;

@@ -18,6 +18,7 @@ struct Task {
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
+  bool has_just_come = false;  ///< from another processor: nothing has been done with it here
 };
 
 /// What is known of a sample.

@@ -47,6 +47,11 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
       limits_(params_.stages[0]) {}
 
 void Worker::run() {
+  work();
+  manager_.serve_for_ever();  // what others have sent before they were stopped
+}
+
+void Worker::work() {
   while (occam::turn(!is_stopped_)) {
     serve_waiting();
     if (is_stopped_) return;
@@ -219,10 +224,11 @@ std::uint64_t Worker::pixels_of(const SampledCell& cell) const {
          overlap(cell.y, cell.side, area.y, area.height);
 }
 
-void Worker::put(const SampledCell& cell) {
+void Worker::put(const SampledCell& cell, bool has_just_come) {
   if (is_finished(cell, samples_)) return finish(cell);
   Task task{cell, find_quantities(cell, samples_, limits_, work_)};
   task.next = choose(cell, task.quantities, limits_);
+  task.has_just_come = has_just_come;
   task.importance = ordering_.eval(cell, task.quantities, limits_);
   if (task.next == Advance::none) new_parked_ += pixels_of(cell);
   allocate(sizes_.cell, "tasks");
@@ -255,6 +261,7 @@ void Worker::report() {
 }
 
 void Worker::begin_phase(const NewPhase& phase) {
+  if (phase.phase <= phase_) return;
   phase_ = phase.phase;
   limits_ = phase.limits;
   order_ = phase.order;
@@ -282,7 +289,10 @@ std::size_t Worker::give(int to) {
   const std::size_t most = (stores_.active() - reserve + 1) / 2;
   Tasks tasks;
   std::uint64_t bytes = sizes_.of(tasks);
+  // What comes to many is worked on before it goes on, or it might go on for ever; not down a tree.
+  const bool goes_on = params_.balance == BalanceMethod::green;
   const auto may_go = [&](const Task& task) {
+    if (task.has_just_come && !goes_on) return false;
     std::uint64_t needed = bytes + sizes_.cell;
     for (const Point& p : points_of(task.cell)) needed += sizes_.of(samples_.at(p));
     return needed <= shared_.longest && !is_unshown(task.cell);
@@ -333,7 +343,7 @@ void Worker::unpack(const MovedCell& moved) {
     samples_[p] = sample;
   }
   if (moved.is_unshown && !is_finished(moved.cell, samples_)) paint_cell(moved.cell);
-  put(moved.cell);
+  put(moved.cell, true);
 }
 
 void Worker::charge_work() {
@@ -366,7 +376,7 @@ void Worker::obey(const Message& message) {
 
 // The whole shading tree of the sample in the middle of each cell, for the time it takes.
 void Worker::measure(int asker, const Measure& asked) {
-  Measured measured;
+  CellTimes measured;
   for (const auto& cell : asked.cells) {
     const double since_s = this_process().now().value;
     Sample sample;

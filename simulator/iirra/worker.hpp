@@ -10,10 +10,12 @@ namespace iirra {
 class Worker : private TaskGiver {
  public:
   Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers);
-  /// Until it is stopped.
+  /// Until it is stopped; from then on the process is a server.
   void run();
 
  private:
+  void work();
+
   // The application (AP).
   void advance(const Task& task);
   void sample_next_level(SampledCell& cell);
@@ -24,7 +26,7 @@ class Worker : private TaskGiver {
   void paint_cell(const SampledCell& cell);
 
   // The task manager (TM).
-  void put(const SampledCell& cell);
+  void put(const SampledCell& cell, bool has_just_come = false);
   void finish(const SampledCell& cell);
   void rest();
   void report();

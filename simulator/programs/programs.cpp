@@ -1,6 +1,7 @@
 #include "simulator/programs/programs.hpp"
 
 #include "simulator/farm/program.hpp"
+#include "simulator/iirra/program.hpp"
 #include "simulator/radiosity/program.hpp"
 
 namespace programs {
@@ -34,7 +35,7 @@ Program make_progressive();
 
 const std::vector<Program>& all_programs() {
   static const std::vector<Program> all = {
-      farm::make_farm(),     make_message(),     make_soft(),           make_both_ways(),
+      farm::make_farm(), iirra::make_iirra(), make_message(),     make_soft(),           make_both_ways(),
       make_unicast(),        make_pipeline(),    make_sources(),        make_broadcast(),
       make_request(),        make_alternative(), make_interrupt(),      make_traffic(),
       make_task_farm(),      make_law(),         make_commstime(),      make_flops(),

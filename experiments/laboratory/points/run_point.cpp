@@ -58,7 +58,7 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   PointResult result;
   if (program.uses.network) {
     result.topology = topology.name;
-    result.processors = topology.processors;
+    result.processors = topology.processors - program.services;
   }
   if (program.describe) result.described = program.describe(experiment.params);
   return result;

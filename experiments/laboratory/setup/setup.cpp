@@ -19,7 +19,7 @@ namespace {
 
 Topology make_network(const Experiment& experiment) {
   const std::string& name = experiment.topology.path;
-  const auto n = experiment.workers;
+  const auto n = experiment.workers + experiment.program->services;
   if (has_own_workers(experiment)) return topologies::make_topology(name);
   if (name == "mesh" || name == "torus") {
     auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
@@ -40,8 +40,8 @@ Topology make_network(const Experiment& experiment) {
   if (name == "ring" && n < 3) return topologies::make_topology(fmt::format("line:{}", n));
   auto topology = topologies::make_topology(fmt::format("{}:{}", name, n));
   require(topology.processors == n, "network.workers",
-          "found {}, but {} has {} processors: give its size in network.topology", n, topology.name,
-          topology.processors);
+          "found {}, but {} has {} processors: give its size in network.topology",
+          experiment.workers, topology.name, topology.processors);
   return topology;
 }
 

@@ -1,0 +1,117 @@
+#include "simulator/iirra/measured.hpp"
+
+namespace iirra {
+
+using base::column;
+using base::Columns;
+
+namespace {
+
+Columns<Result> sample_columns() {
+  using R = Result;
+  using C = Counts;
+  const auto of_image = [](const R& r) { return r.rays_image.total(); };
+  const auto outside = [](const R& r) { return r.rays_outside.total(); };
+  const auto twice = [](const R& r) {
+    return r.rays.total() - r.rays_outside.total() - r.rays_image.total();
+  };
+  const auto finished = [](const R& r) {
+    return std::uint64_t(std::ranges::count(r.finished, true));
+  };
+  const auto samples_twice = [finished](const R& r) {
+    const auto inside = r.counts.samples - r.counts.samples_outside;
+    return r.is_aborted ? 0 : inside - finished(r);
+  };
+  return base::join(
+      Columns<R>{column<R>("rays_image", of_image, "rays of the image's samples, each once"),
+                 column<R>("rays_outside", outside,
+                           "rays of samples beyond the image, for interpolation only"),
+                 column<R>("rays_double", twice,
+                           "rays of samples that a second processor computed too"),
+                 column<R>("samples_double", samples_twice,
+                           "samples of the image that were computed on a second processor too")},
+      {base::lift_columns<R>(
+          Columns<C>{column("samples", &C::samples, "samples computed, on all processors"),
+                     column("samples_outside", &C::samples_outside,
+                            "samples beyond the image, for interpolation only"),
+                     column("samples_shared", &C::samples_shared,
+                            "samples that a second cell of a processor needed, which were not "
+                            "computed again"),
+                     column("cells_divided", &C::cells_divided, "cells divided into four")},
+          &R::counts)});
+}
+
+Columns<Counts> task_columns() {
+  using C = Counts;
+  return {column<C>("task_messages", &C::task_messages,
+                    "messages for tasks between workers: requests, refusals and tasks"),
+          column("task_requests", &C::requests, "requests for tasks, those passed on counted again"),
+          column("task_refusals", &C::refusals, "answers without tasks"),
+          column("task_moves", &C::moves, "messages with tasks"),
+          column("tasks_moved", &C::tasks_moved, "tasks in them"),
+          column("tasks_moved_bytes", &C::bytes_moved, "bytes of them"),
+          column("tasks_max", &C::tasks_most, "the most tasks that a worker held"),
+          column("reports", &C::reports, "messages of workers without tasks to the coordinator"),
+          column("polls", &C::polls, "questions of the display to workers"),
+          column("pictures_sent", &C::pictures, "messages with parts of the picture"),
+          column("picture_blocks", &C::blocks, "cells' pictures in them"),
+          column("picture_bytes", &C::picture_bytes, "bytes of them")};
+}
+
+Columns<Result> run_columns() {
+  using R = Result;
+  return {column("kernel_cycles", &R::kernel_cycles, "cycles that rays were charged"),
+          column<R>("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+          column<R>(
+              "drain_s", [](const R& r) { return r.ended_s - r.last_task_s; },
+              "part of time_s after a worker took a task for the last time"),
+          column("mean_depth", &R::mean_depth,
+                 "links from the coordinator to a worker, on average")};
+}
+
+tracing::Load load_of_coordination(const observe::Use& use) {
+  const auto& process = find_process(use, std::string(Role::coordinator) + ".coordination");
+  const auto& cpu = *find_role(use, Role::coordinator);
+  return {"coordination", 1 - (process.alternative_s + process.input_s) / use.time_s,
+          fmt::format("its CPU {}", tracing::percent(cpu.busy_s / use.time_s))};
+}
+
+}  // namespace
+
+tracing::Loads find_loads(const Result& result) {
+  const auto& use = result.use;
+  if (use.time_s <= 0) return {};
+  auto loads = tracing::find_loads(use);
+  loads.push_back(load_of_coordination(use));
+  const auto& display = *find_role(use, Role::display);
+  loads.push_back({display.name, display.busy_s / use.time_s, "its CPU"});
+  loads.push_back({"tasks", (result.ended_s - result.last_task_s) / result.time_s,
+                   "the last task was taken before"});
+  tracing::sort(loads);
+  return loads;
+}
+
+Measured::Measured(Result result, tracing::DataFigures data_figures)
+    : run(std::move(result)),
+      data(std::move(data_figures)),
+      busy(tracing::make_busy(run.use)),
+      loads(find_loads(run)) {}
+
+Columns<Measured> make_columns() {
+  const auto of_run = [](const auto& columns) {
+    return base::lift_columns<Measured>(columns, &Measured::run);
+  };
+  const auto counts = [](const Measured& m) -> auto& { return m.run.counts; };
+  return base::join(
+      of_run(tracing::speed_columns()),
+      {of_run(tracing::ray_columns()), of_run(sample_columns()), of_run(run_columns()),
+       of_run(tracing::time_columns()), of_run(tracing::stage_columns()),
+       base::lift_columns<Measured>(task_columns(), counts),
+       of_run(base::lift_columns<Result>(observe::message_columns(), &Result::use)),
+       base::lift_columns<Measured>(tracing::busy_columns(), &Measured::busy),
+       base::lift_columns<Measured>(tracing::bottleneck_columns(), &Measured::loads),
+       base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth),
+       base::lift_columns<Measured>(tracing::data_columns(), &Measured::data)});
+}
+
+}  // namespace iirra

@@ -1,0 +1,201 @@
+#include "simulator/iirra/program.hpp"
+
+#include "renderer/files/nff.hpp"
+#include "simulator/declare/support.hpp"
+#include "simulator/iirra/measured.hpp"
+#include "simulator/tracing/looks.hpp"
+
+namespace iirra {
+
+using programs::Outcome;
+using programs::Setup;
+
+namespace {
+
+constexpr double Weights::*WEIGHTS[] = {&Weights::position, &Weights::size,  &Weights::samples,
+                                        &Weights::contrast, &Weights::depth, &Weights::influence};
+
+// `member` of P holds them.
+template <class P, class Member>
+base::Field<P> weights_field(Member member, const std::string& help) {
+  const auto set = [member](P& p, const base::Scalar& value) {
+    const auto& given = std::get<std::vector<double>>(value);
+    const auto is_weight = [](double w) { return w >= 0 && w <= 1e6; };
+    if (given.size() != std::size(WEIGHTS) || !std::ranges::all_of(given, is_weight)) return false;
+    Weights weights;
+    for (std::size_t i = 0; i < given.size(); ++i) weights.*WEIGHTS[i] = given[i];
+    p.*member = weights;
+    return true;
+  };
+  const auto get = [member](const P& p) -> base::Scalar {
+    const std::optional<Weights> weights = p.*member;
+    if (!weights) return {};
+    std::vector<double> all;
+    for (const auto weight : WEIGHTS) all.push_back((*weights).*weight);
+    return all;
+  };
+  return {"weights",
+          "",
+          help,
+          {.kind = base::Domain::Kind::list,
+           .expected = "[position, size, samples, contrast, depth, influence], six numbers from 0 "
+                       "to 1e6"},
+          set,
+          get};
+}
+
+base::Fields<Params> cell_fields() {
+  using D = base::Declare<Params>;
+  static const base::Names<CellOrder> ORDERS = {{"bayer", CellOrder::bayer},
+                                                {"random", CellOrder::random},
+                                                {"sequential", CellOrder::sequential},
+                                                {"recursive", CellOrder::recursive},
+                                                {"adaptive", CellOrder::adaptive}};
+  return {D::whole("cell", &Params::max_cell, 2, MAX_CELL, "pixels",
+                   "side of the first cells, a power of two"),
+          D::choice("order", &Params::order, ORDERS,
+                    "order of cells of one importance; adaptive: the greatest contrast first"),
+          weights_field<Params>(&Params::weights,
+                                "what position, size, samples, contrast, depth and influence weigh "
+                                "in a cell's importance"),
+          programs::whole_seed_field<Params>(&Params::seed, "seed of the order of the cells")};
+}
+
+base::Fields<Params> machine_fields() {
+  using D = base::Declare<Params>;
+  static const base::Names<Start> STARTS = {{"scattered", Start::scattered},
+                                            {"blocks", Start::blocks},
+                                            {"subsampled", Start::subsampled}};
+  static const base::Names<BalanceMethod> METHODS = {{"none", BalanceMethod::none},
+                                                     {"neighbours", BalanceMethod::neighbours},
+                                                     {"coordinator", BalanceMethod::coordinator},
+                                                     {"active", BalanceMethod::active},
+                                                     {"mixed", BalanceMethod::mixed},
+                                                     {"green", BalanceMethod::green},
+                                                     {"ring", BalanceMethod::ring}};
+  return {D::choice("start", &Params::start, STARTS,
+                    "who has which cells first: scattered over macro-cells, a block each, or by "
+                    "the time that a sample of each takes"),
+          D::choice("balance", &Params::balance, METHODS,
+                    "how tasks are shared meanwhile: asked of neighbours, or of all on the way to "
+                    "the coordinator; given away (active); both (mixed); down a tree (green); "
+                    "asked around a ring"),
+          D::whole("reserve", &Params::reserve, 1, 1000, "",
+                   "tasks that a worker does not give away; with fewer it asks for some"),
+          D::choice("display", &Params::is_far, base::Names<bool>{{"far", true}, {"near", false}},
+                    "the display's processor: the farthest from the coordinator, or beside it"),
+          D::choice("refresh", &Params::is_polled,
+                    base::Names<bool>{{"polled", true}, {"sent", false}},
+                    "the display asks each worker for its part of the picture, or is sent "
+                    "everything"),
+          D::whole("buffers", &Params::buffers, 1, 1e6, "",
+                   "messages that a router has room for; else as many as processors, and 64")};
+}
+
+base::Fields<ProgramParams> make_fields() {
+  using P = ProgramParams;
+  using D = base::Declare<P>;
+  const auto image = [](P & p) -> auto& { return p.iirra.image; };
+  const auto looks = [](P & p) -> auto& { return p.iirra.looks; };
+  const auto memory = [](P & p) -> auto& { return p.iirra.memory; };
+  const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
+  return base::join(
+      base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
+                               "memory of a worker; else the model's")},
+      {base::lift_all<P>(tracing::scene_fields(), &P::scene),
+       base::lift_all<P>(renderer::param_fields(), image, "image."),
+       base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
+       base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
+       base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
+       base::lift_all<P>(tracing::data_fields(), data)});
+}
+
+base::Fields<Limits> limit_fields() {
+  using D = base::Declare<Limits>;
+  return {
+      D::number("min_influence", &Limits::min_influence, 0, 1, "",
+                "influence factor of rays, at least"),
+      D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
+               "tree level, at most, of rays with only reflections before them"),
+      D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
+               "tree level, at most, of transmitted rays and their descendants"),
+      D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "side of cells, at least"),
+      D::whole("max_samples", &Limits::max_samples, 5, 13, "", "samples of a cell, at most"),
+      D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
+                "contrast of cells that are divided, at least (Eq 4.7)"),
+      base::lift<Limits>(renderer::area_field(), &Limits::area),
+      weights_field<Limits>(&Limits::weights, "as iirra.weights, while these limits are set")};
+}
+
+bool shares_data(const ProgramParams& params) {
+  return params.data && params.data->cache_percent > 0;
+}
+
+Params make_params(const Setup& setup, const ProgramParams& params) {
+  Params iirra = params.iirra;
+  iirra.faults = setup.faults;
+  iirra.cycles_per_host_s = setup.cycles_per_host_s;
+  iirra.processes = setup.processes;
+  iirra.watch = setup.watch;
+  if (params.data) iirra.method = params.data->method;
+  if (shares_data(params))
+    iirra.data = make_data_params(setup.model, size_of(params.scene), *params.data);
+  return iirra;
+}
+
+void check_program(const Setup& setup, const ProgramParams& params) {
+  if (shares_data(params)) check_data(setup.model, size_of(params.scene), *params.data);
+  const Params iirra = make_params(setup, params);
+  base::require(iirra.method != network::Method::acyclic || !setup.tree, "network.tree",
+                "found a tree for all senders, expected none with data.method = \"acyclic\", which "
+                "has its own");
+  check(iirra, setup.topology);
+}
+
+Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
+  const auto scene = renderer::load_scene(scene_source(params.scene));
+  auto result = run_iirra(setup.model, setup.topology, setup.routes, setup.tree, scene,
+                          make_params(setup, params));
+  const tracing::DataFigures data{params.data.has_value(), result.shared};
+  Measured measured(std::move(result), data);
+  auto given =
+      make_given(setup, params.scene, params.iirra.image, params.iirra.max_cell, measured.run);
+  measured.growth = given.growth;
+  Outcome<Measured> outcome;
+  static_cast<programs::Extras&>(outcome) = std::move(given.extras);
+  outcome.loads = measured.loads;
+  outcome.rows.push_back(std::move(measured));
+  return outcome;
+}
+
+}  // namespace
+
+programs::Program make_iirra() {
+  using P = ProgramParams;
+  auto program = programs::make_program<P, Measured>(
+      {.name = "iirra",
+       .help = "chapter 5's ray tracer: image cells and task managers on every processor",
+       .uses = {.network = true, .routes = true, .faults = true, .timed = true},
+       .fields = make_fields(),
+       .columns = make_columns(),
+       .run = &run,
+       .check = &check_program,
+       .describe = [](const P& params) { return tracing::describe(params.scene); },
+       .lists = tracing::make_lists<P>(
+           limit_fields(), [](P & p) -> auto& { return p.iirra.stages; },
+           [](P & p) -> auto& { return p.iirra.script; })});
+  program.processors = "workers";
+  program.services = SERVICES;
+  program.shows_parameters = false;
+  program.leading = {"topology", "workers", "objects"};
+  program.picture_key = [](const std::any& any) {
+    const auto& params = std::any_cast<const P&>(any);
+    return picture_key(params.scene, params.iirra.image);
+  };
+  program.voids = [](const std::any& params, const std::string& key) {
+    return find_void(std::any_cast<const P&>(params).scene, key);
+  };
+  return program;
+}
+
+}  // namespace iirra
