@@ -150,8 +150,7 @@ base::Fields<ProgramParams> scene_fields() {
   using D = base::Declare<ProgramParams>;
   return {
       D::source("scene.source", &ProgramParams::scene,
-                "spheres, as many as scene.objects; or spheres:200, with their number; or an NFF "
-                "file"),
+                "spheres, as many as scene.objects; spheres:200 or hills:20000; or an NFF file"),
       D::whole("scene.objects", &ProgramParams::objects, 1, 1e9, "",
                "spheres in a generated scene")};
 }
