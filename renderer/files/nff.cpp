@@ -213,13 +213,13 @@ Scene parse_nff(std::string_view text, const std::string& name) {
 Scene load_scene(const std::string& source) {
   if (source.ends_with(".nff")) return parse_nff(base::read_text(source), source);
   std::vector<std::string> forms;
-  for (const auto& [name, number, most, make] : GENERATORS) {
+  for (const auto& [name, number, least, most, make] : GENERATORS) {
     const auto prefix = fmt::format("{}:", name);
     forms.push_back(prefix + std::string(number));
     if (!source.starts_with(prefix)) continue;
     if (const auto n = base::parse_number<int>(source.substr(prefix.size()))) return make(*n);
-    throw base::BadInput(fmt::format("found scene {}, expected {} with {} from 1 to {}",
-                                     base::quote(source), forms.back(), number, most));
+    throw base::BadInput(fmt::format("found scene {}, expected {} with {} from {} to {}",
+                                     base::quote(source), forms.back(), number, least, most));
   }
   throw base::BadInput(fmt::format("found scene {}, expected a generator ({}) or a file (.nff)",
                                    base::quote(source), fmt::join(forms, ", ")));

@@ -22,8 +22,8 @@
 
 namespace renderer {
 
-/// A generator with its number, such as "spheres:800" or "room:27", or the path of an .nff file.
-/// BadInput as parse_nff(), if the file cannot be read, and for anything else, naming what is
+/// A generator with its number, such as "spheres:800" or "hills:20000", or the path of an .nff
+/// file. BadInput as parse_nff(), if the file cannot be read, and for anything else, naming what is
 /// valid.
 Scene load_scene(const std::string& source);
 

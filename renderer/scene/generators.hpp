@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "renderer/scene/scene.hpp"
+#include "renderer/scene/hills.hpp"
 
 namespace renderer {
 
@@ -23,10 +23,11 @@ Scene make_room(int lights);
 /// A generator of scenes, named "name:N".
 struct Generator {
   std::string_view name, number;  ///< "spheres", "N"
-  int most;                       ///< of N
+  int least, most;                ///< of N
   Scene (*make)(int n);
 };
-inline constexpr Generator GENERATORS[] = {{"spheres", "N", MAX_SPHERES, &make_spheres},
-                                           {"room", "L", MAX_ROOM_LIGHTS, &make_room}};
+inline constexpr Generator GENERATORS[] = {{"spheres", "N", 1, MAX_SPHERES, &make_spheres},
+                                           {"room", "L", 1, MAX_ROOM_LIGHTS, &make_room},
+                                           {"hills", "N", 2, MAX_HILLS, &make_hills}};
 
 }  // namespace renderer

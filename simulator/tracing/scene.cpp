@@ -20,8 +20,7 @@ base::Fields<SceneChoice> scene_fields() {
   using D = base::Declare<SceneChoice>;
   return {
       D::source("scene.source", &SceneChoice::source,
-                "spheres, as many as scene.objects; or spheres:200, with their number; or an NFF "
-                "file"),
+                "spheres, as many as scene.objects; spheres:200 or hills:20000; or an NFF file"),
       D::whole("scene.objects", &SceneChoice::objects, 1, 1e9, "", "spheres in a generated scene")};
 }
 

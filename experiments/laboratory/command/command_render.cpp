@@ -65,7 +65,9 @@ void add_render_command(CLI::App& app) {
   // Experiments count the thesis's search; this is faster, and the image is the same.
   o->params.traversal = renderer::Traversal::nearest;
 
-  command->add_option("SCENE", o->scene, "an NFF file, spheres:N, or room:L, with L lights")
+  command
+      ->add_option("SCENE", o->scene,
+                   "an NFF file, spheres:N, hills:N (triangles) or room:L (lights)")
       ->required();
   command->add_option("-o,--output", o->output, "the PNG image to write")->required();
   command->add_option("--size", o->size, "WxH in pixels [100x100]");

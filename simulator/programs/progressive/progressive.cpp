@@ -81,7 +81,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
 base::Fields<Params> make_fields() {
   using D = base::Declare<Params>;
   return base::join<base::Field<Params>>(
-      {D::source("scene", &Params::scene, "room:27, spheres:200 or an NFF file"),
+      {D::source("scene", &Params::scene, "room:27, spheres:200, hills:20000 or an NFF file"),
        renderer::progressive::growth_field<Params>(&Params::growth),
        renderer::progressive::max_cell_field<Params>(&Params::max_cell)},
       {base::lift_all<Params>(renderer::progressive::step_fields(), &Params::step),

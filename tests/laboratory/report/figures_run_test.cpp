@@ -55,14 +55,14 @@ TEST(ExperimentsFigures, TheReportSaysWhatRan) {
   const Trial run(
       "[image]\nwidth = 6\nheight = 4\n[network]\ntopology = \"ring:3\"\nworkers = 5\n"
       "[model.link]\none_way_rate = 1e6\n[report]\nnetworks = \"all\"\n"
-      "[sweep]\nsource = [\"spheres:9\", \"spheres:20\"]\n");
+      "[sweep]\nsource = [\"spheres:9\", \"hills:20\"]\n");
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
   const auto html = run.read("report.html");
   for (const char* part :
        {"<dt>Machine</dt><dd>t805-25</dd>", "<dt>model.link.one_way_rate</dt><dd>1000000.0</dd>",
         "<dt>Network</dt><dd>ring:3, workers: 3</dd>", "<dt>objects</dt><dd>9, 20</dd>",
         "<figcaption>topology = ring:3, workers = 3, objects = 20, source = "
-        "spheres:20</figcaption>",
+        "hills:20</figcaption>",
         "\n# machine.model = &quot;t805-25&quot;\n", "\n# image.depth = 15\n",
         "\n# data.in_path = true\n"})
     EXPECT_TRUE(contains(html, part)) << part;

@@ -59,18 +59,26 @@ TEST(Room, HasItsLightsWithin) {
 TEST(LoadScene, ByName) {
   EXPECT_EQ(object_count(load_scene("spheres:10")), 11u);
   EXPECT_EQ(load_scene("room:27").lights.size(), 27u);
-  for (const char* wrong : {"spheres:0", "spheres:-5", "spheres:", "spheres:1e3", "spheres:2000001",
-                            "spheres:99999999999999999999", "spheres: 7", "cubes:3", "room:0",
-                            "room:", "room:10001", "", "x.obj", "/nowhere/x.nff", "/tmp/.nff"}) {
+  EXPECT_EQ(object_count(load_scene("hills:77")), 77u);
+  for (const char* wrong :
+       {"spheres:0", "spheres:-5", "spheres:", "spheres:1e3", "spheres:2000001",
+        "spheres:99999999999999999999", "spheres: 7", "cubes:3", "room:0", "room:", "room:10001",
+        "hills:1", "hills:1000001", "", "x.obj", "/nowhere/x.nff", "/tmp/.nff"}) {
     SCOPED_TRACE(wrong);
     EXPECT_THROW(load_scene(wrong), base::BadInput);
   }
-  try {
-    load_scene("cubes:3");
-  } catch (const base::BadInput& bad) {
-    EXPECT_STREQ(
-        bad.what(),
-        "found scene 'cubes:3', expected a generator (spheres:N, room:L) or a file (.nff)");
+  const std::pair<const char*, const char*> errors[] = {
+      {"cubes:3",
+       "found scene 'cubes:3', expected a generator (spheres:N, room:L, hills:N) or a file (.nff)"},
+      {"hills:1", "found hills:1, expected hills:N with N from 2 to 1000000"},
+      {"hills:x", "found scene 'hills:x', expected hills:N with N from 2 to 1000000"}};
+  for (const auto& [wrong, error] : errors) {
+    try {
+      load_scene(wrong);
+      ADD_FAILURE() << wrong;
+    } catch (const base::BadInput& bad) {
+      EXPECT_STREQ(bad.what(), error);
+    }
   }
 }
 
