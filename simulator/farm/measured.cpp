@@ -4,7 +4,6 @@
 
 namespace farm {
 
-using base::Cell;
 using base::column;
 using base::Columns;
 

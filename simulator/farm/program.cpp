@@ -175,7 +175,7 @@ Measured run_one(const Setup& setup, const ProgramParams& params) {
   const Params farm = make_params(setup, params);
   const bool has_data = params.data.has_value();
   if (!shares_data(params))
-    return {run_farm(setup.model, setup.topology, scene, farm), {has_data, std::nullopt}};
+    return {run_farm(setup.model, setup.topology, scene, farm), {has_data, {}}};
   auto result = run_shared_farm(setup.model, setup.topology, scene, farm, *params.data);
   return {std::move(result.farm), {has_data, std::move(result.shared)}};
 }

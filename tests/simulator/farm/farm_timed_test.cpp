@@ -78,7 +78,7 @@ TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
     EXPECT_EQ(block.name, "block");
     EXPECT_NEAR(double(shared.farm.kernel_cycles.value), double(block.charged.value),
                 3.0 * double(blocks));
-    EXPECT_GT(shared.data.accesses(), 0u);
+    EXPECT_GT(shared.shared.data.accesses(), 0u);
   });
 }
 
