@@ -28,16 +28,18 @@ class Passive : public Balance {
     if (std::exchange(is_asking_, true)) return;
     begin();
   }
-  void created() override {
-    while (!wanting_.empty() && giver_.give(wanting_.front()) > 0) wanting_.erase(wanting_.begin());
-  }
+  void created() override { serve(); }
+  void worked() override { serve(); }
   void received(int /*from*/, std::size_t /*load*/) override {
     is_asking_ = false;
-    created();
+    serve();
   }
 
  protected:
   virtual void begin() = 0;
+  void serve() {
+    while (!wanting_.empty() && giver_.give(wanting_.front()) > 0) wanting_.erase(wanting_.begin());
+  }
   void remember(int asker) {
     if (std::ranges::find(wanting_, asker) == wanting_.end()) wanting_.push_back(asker);
   }
@@ -179,23 +181,25 @@ class Green : public Balance {
     if (std::exchange(is_asking_, true)) return;
     giver_.send_to({peers_.parent, TASK_PROCESS}, TaskRequest{peers_.self});
   }
-  void created() override {
-    for (auto& [child, demand] : demands_)
-      for (; demand > 0 && giver_.give(child) > 0; --demand) {
-      }
-  }
+  void created() override { serve(); }
+  void worked() override { serve(); }
   void requested(const Message& /*message*/, const TaskRequest& request) override {
     ++demands_[request.asker];
-    created();
+    serve();
     if (demands_[request.asker] > 0) ask();
   }
   void received(int /*from*/, std::size_t /*load*/) override {
     is_asking_ = false;
-    created();
+    serve();
     if (std::ranges::any_of(demands_, [](const auto& child) { return child.second > 0; })) ask();
   }
 
  private:
+  void serve() {
+    for (auto& [child, demand] : demands_)
+      for (; demand > 0 && giver_.give(child) > 0; --demand) {
+      }
+  }
   bool is_asking_ = false;
   std::map<int, int> demands_;  // of children: tasks that were asked for and not given
 };

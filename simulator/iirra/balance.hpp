@@ -51,6 +51,8 @@ class Balance {
   virtual void ask() {}
   /// There are more tasks than before.
   virtual void created() {}
+  /// A microtask has ended: tasks that could not go then may go now.
+  virtual void worked() {}
   /// By another worker, which `message` is of.
   virtual void requested(const network::Message& message, const TaskRequest& request) = 0;
   virtual void refused(int /*by*/, std::size_t /*load*/) {}

@@ -65,6 +65,7 @@ void Worker::work() {
     shared_.record.last_task_s = this_process().own_time().value;
     if (stores_.active() < static_cast<std::size_t>(params_.reserve)) balance_->ask();
     advance(*task);
+    balance_->worked();
   }
 }
 

@@ -173,8 +173,11 @@ PointResult run(const Experiment& experiment, const fs::path& images, bool profi
 void check_point(const Experiment& experiment) {
   check_files(experiment);
   const auto model = make_model(experiment);
-  if (experiment.program->check)
-    experiment.program->check(make_setup_without_network(experiment, model), experiment.params);
+  if (!experiment.program->check) return;
+  auto setup = make_setup_without_network(experiment, model);
+  // Some cannot run on every network; the others are spared the making of one, which may take long.
+  if (experiment.program->services > 0) setup.topology = make_workers(experiment);
+  experiment.program->check(setup, experiment.params);
 }
 
 void check_traces(const RunOptions& options, std::size_t points) {
