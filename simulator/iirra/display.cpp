@@ -27,8 +27,11 @@ void Display::run() {
   manager_.serve_for_ever();
 }
 
-// Each worker is asked in its turn, as soon as the display is at leisure.
+// Each worker is asked in its turn, as soon as the display is at leisure; but none more often than
+// the screen shows a new frame.
 void Display::poll_all() {
+  const auto next_frame =
+      occam::read_timer() + occam::ticks(machine::Seconds{shared_.params.frame_s});
   is_all_ = true;
   kept_next_ = std::exchange(to_keep_, {});
   was_finishing_ = is_finishing_;
@@ -39,6 +42,11 @@ void Display::poll_all() {
     if (is_stopped_) return;
   }
   end_round(is_all_);
+  while (!is_stopped_ && !is_finishing_) {
+    const auto message = manager_.serve_until(next_frame);
+    if (!message) return;
+    obey(*message);
+  }
 }
 
 void Display::end_round(bool is_all) {

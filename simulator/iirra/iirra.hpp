@@ -36,6 +36,7 @@ struct Params {
   int reserve = 1;       ///< active tasks that a worker does not give away; with fewer it asks
   bool is_far = true;    ///< the display is as far from the coordinator as can be; else beside it
   bool is_polled = true;  ///< the display asks for pictures; else they are sent to it
+  double frame_s = 0.04;   ///< the display asks no worker more often than it shows a frame
   std::uint64_t seed = 1;  ///< of the order `random` and `adaptive`
   growth::Looks looks;
   network::Method method = network::Method::green;

@@ -88,6 +88,8 @@ base::Fields<Params> machine_fields() {
                     base::Names<bool>{{"polled", true}, {"sent", false}},
                     "the display asks each worker for its part of the picture, or is sent "
                     "everything"),
+          D::number("frame_s", &Params::frame_s, 0, 1000, "s",
+                    "time of a frame on the screen: the display asks no worker more often"),
           D::whole("buffers", &Params::buffers, 1, 1e6, "",
                    "messages that a router has room for; else as many as processors, and 64")};
 }

@@ -74,18 +74,23 @@ void Worker::work() {
 void Worker::advance(const Task& task) {
   SampledCell cell = task.cell;
   if (task.next == Advance::divide) return divide_cell(cell);
+  const std::uint32_t phase = phase_;
   if (task.next == Advance::sample)
     sample_next_level(cell);
   else
     deepen(cell, task.quantities.depth);
   if (is_stopped_) return;
+  // What has been done stays; what comes next is chosen within the new limits.
+  if (phase_ != phase) return put(cell);
   if (!is_finished(cell, samples_)) paint_cell(cell);
   put(cell);
   if (!params_.is_polled) send_pictures();
 }
 
 void Worker::sample_next_level(SampledCell& cell) {
+  const std::uint32_t phase = phase_;
   for (const Point& p : points_of_level(cell, cell.level + 1)) {
+    if (phase_ != phase || is_stopped_) return;
     if (samples_.has(p)) {
       ++counts_.samples_shared;
       continue;
@@ -94,9 +99,12 @@ void Worker::sample_next_level(SampledCell& cell) {
     ++counts_.samples;
     counts_.samples_outside += is_outside;
     allocate(sizes_.sample, "samples");
+    open_ = p;
     trace(samples_[p], make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    open_.reset();
     serve_waiting();
   }
+  if (phase_ != phase) return;
   ++cell.level;
 }
 
@@ -113,7 +121,10 @@ void Worker::divide_cell(const SampledCell& cell) {
 
 // One level of the shading trees of all samples held.
 void Worker::deepen(const SampledCell& cell, int level) {
+  const std::uint32_t phase = phase_;
   for (const Point& p : points_to_deepen(cell)) {
+    if (phase_ != phase || is_stopped_) return;
+    open_ = p;
     Sample& sample = samples_.at(p);
     const bool is_outside = !is_in(shared_.area, p);
     for (std::size_t i = 0; i < sample.waiting.size();) {
@@ -126,6 +137,7 @@ void Worker::deepen(const SampledCell& cell, int level) {
       memory().release(sizes_.ray);
       trace(sample, ray, is_outside);
     }
+    open_.reset();
     serve_waiting();
   }
 }
@@ -162,6 +174,7 @@ Traced trace_ray(const renderer::Scene& scene, const renderer::Params& params, c
 }  // namespace
 
 renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
+  look();
   const auto& scene = shared_.scene;
   const auto& params = params_.image;
   Traced traced;
@@ -295,7 +308,10 @@ std::size_t Worker::give(int to) {
   const auto may_go = [&](const Task& task) {
     if (task.has_just_come && !goes_on) return false;
     std::uint64_t needed = bytes + sizes_.cell;
-    for (const Point& p : points_of(task.cell)) needed += sizes_.of(samples_.at(p));
+    for (const Point& p : points_of(task.cell)) {
+      if (p == open_) return false;
+      needed += sizes_.of(samples_.at(p));
+    }
     return needed <= shared_.longest && !is_unshown(task.cell);
   };
   while (tasks.cells.size() < most) {
@@ -353,9 +369,27 @@ void Worker::charge_work() {
 
 // --- network ------------------------------------------------------------------------------------
 
+// Between samples everything can be done.
 void Worker::serve_waiting() {
+  look();
+  while (!deferred_.empty()) {
+    const Message message = std::move(deferred_.front());
+    deferred_.pop_front();
+    obey(message);
+  }
+}
+
+// Between rays, while a sample is not complete, only what does not touch the cell in hand.
+void Worker::look() {
   ++counts_.looks;
-  while (const auto message = manager_.take_other()) obey(*message);
+  while (auto message = manager_.take_other()) {
+    const auto& content = static_cast<const IirraMessage&>(*message->contents).content;
+    if (std::holds_alternative<Poll>(content) || std::holds_alternative<TaskRequest>(content) ||
+        std::holds_alternative<NoTasks>(content))
+      obey(*message);
+    else
+      deferred_.push_back(*std::move(message));
+  }
 }
 
 void Worker::obey(const Message& message) {
@@ -417,6 +451,7 @@ void Worker::send_pictures() {
       for (const auto& block : picture.blocks) under_way_.push_back(block.cell);
       send_to({shared_.places.display, DISPLAY_PROCESS}, std::move(picture));
     }
+    serve_waiting();
     while (!under_way_.empty() && !is_stopped_) obey(manager_.serve_at_once());
   }
 }

@@ -38,6 +38,7 @@ class Worker : private TaskGiver {
 
   // The network.
   void serve_waiting();
+  void look();
   void obey(const network::Message& message);
   void begin_phase(const NewPhase& phase);
   void measure(int asker, const Measure& measure);
@@ -66,6 +67,8 @@ class Worker : private TaskGiver {
   std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
   std::deque<Painted> unshown_;                 // blocks of virtual frame buffers
   std::vector<SampledCell> under_way_;          // cells in the picture that was sent last
+  std::deque<network::Message> deferred_;       // until the sample in hand is complete
+  std::optional<Point> open_;                   // that sample
   bool is_stopped_ = false;
 };
 
