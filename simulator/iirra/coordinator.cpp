@@ -74,7 +74,7 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
   for (std::size_t i = 0; i < cells.size();) {
     Tasks tasks;
-    for (; tasks.cells.size() < room && i < cells.size(); ++i) tasks.cells.push_back({cells[i], {}});
+    for (; tasks.cells.size() < room && i < cells.size(); ++i) tasks.cells.push_back({{cells[i]}, {}});
     manager_.look();
     tell({worker, TASK_PROCESS}, std::move(tasks));
   }

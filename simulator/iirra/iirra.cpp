@@ -48,6 +48,11 @@ std::vector<int> find_parents(const topologies::Topology& topology, const Places
   return tree.parent;
 }
 
+machine::Cycles cost_of_testing(const machine::Model& model) {
+  static constexpr std::string_view NAMES[] = {"pixel_tested"};
+  return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
+}
+
 class Run {
  public:
   Run(const machine::Model& model, const topologies::Topology& topology,
@@ -66,6 +71,7 @@ class Run {
                 .sizes = Sizes(model),
                 .longest = LONGEST,
                 .task_cost = machine::OperationCosts(model, "central", TaskWork::NAMES),
+                .pixel_tested = cost_of_testing(model),
                 .ray_cost = {"ray", kernels::tree_costs(model), params.cycles_per_host_s},
                 .paint_cost = {"interpolation", kernels::tree_costs(model),
                                params.cycles_per_host_s},

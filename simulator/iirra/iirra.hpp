@@ -36,6 +36,8 @@ struct Params {
   int reserve = 1;       ///< active tasks that a worker does not give away; with fewer it asks
   bool is_far = true;    ///< the display is as far from the coordinator as can be; else beside it
   bool is_polled = true;  ///< the display asks for pictures; else they are sent to it
+  int polls = 4;           ///< questions of the display that wait for an answer at once, at most
+  bool has_borders = false;  ///< each picture comes once more, with its cells' borders
   double frame_s = 0.04;   ///< the display asks no worker more often than it shows a frame
   std::uint64_t seed = 1;  ///< of the order `random` and `adaptive`
   growth::Looks looks;
