@@ -88,6 +88,8 @@ class Run {
       record.ended_s = machine_.now().value;
     }
     record.end = end;
+    // After an abort the workers go on until they hear of it.
+    record.last_task_s = std::min(record.last_task_s, record.ended_s);
     record.setup_s = record.begun_s;
     record.time_s = record.ended_s - record.begun_s;
     display_->end(record.time_s);
