@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "simulator/tracing/data.hpp"
@@ -363,6 +364,42 @@ TEST(IirraRun, ActorsDoWhatFibersDo) {
     return isolated([&] { return tell(run_case(c)); });
   };
   EXPECT_TRUE(told(machine::Processes::fibers) == told(machine::Processes::actors));
+}
+
+// Host time in place of counted work: other times, the same image.
+TEST(IirraRun, TimedKernelsGiveTheImage) {
+  for (const bool is_shared : {false, true}) {
+    Case c{"ring:5", "own glass", small_params(), {}};
+    c.params.cycles_per_host_s = 1e9;
+    if (is_shared) c.data.emplace().cache_percent = 100;
+    run_isolated([&] {
+      const auto result = run_case(c);
+      expect_pictures(c, result);
+      expect_counts(c, result);
+      std::map<std::string, std::uint64_t> calls;
+      for (const auto& kernel : result.kernels) calls[kernel.name] = kernel.calls;
+      EXPECT_EQ(calls["ray"], result.rays.total());
+      EXPECT_GT(calls["interpolation"], 0u);
+      EXPECT_EQ(calls["display"], result.counts.blocks);
+    });
+  }
+}
+
+// A picture of a large cell is longer than a message.
+TEST(IirraRun, LargeCellsAreShownInStrips) {
+  for (const bool is_polled : {true, false}) {
+    Case c{"mesh:2x3", "own glass", small_params(), {}};
+    c.params.image.width = 70;
+    c.params.image.height = 66;
+    c.params.image.limits.depth = 1;
+    c.params.max_cell = 64;
+    c.params.is_polled = is_polled;
+    run_isolated([&] {
+      const auto result = run_case(c);
+      expect_pictures(c, result);
+      expect_counts(c, result);
+    });
+  }
 }
 
 // A worker alone computes every sample once; borders of two are computed by both.

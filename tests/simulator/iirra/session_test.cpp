@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simulator/iirra/measured.hpp"
 #include "tests/simulator/iirra/iirra_support.hpp"
 
 namespace iirra {
@@ -112,13 +113,38 @@ TEST(IirraSession, AnAbortEndsWithThePictureAsItIs) {
       EXPECT_GE(result.time_s, 0.2);
       EXPECT_LT(result.time_s, 0.4);
       EXPECT_LE(result.last_task_s, result.ended_s);
-      ASSERT_EQ(result.notes.size(), 1u);
-      EXPECT_TRUE(result.notes[0].starts_with("order 3 had no effect: ")) << result.notes[0];
+      EXPECT_EQ(notes(result), "order 3 had no effect: the run had been aborted; ");
       const auto finished = std::ranges::count(result.finished, true);
       EXPECT_GT(finished, 0);
       EXPECT_LT(finished, 24 * 18);
     });
   }
+}
+
+std::int64_t cell_of(const Result& result, const std::string& name) {
+  const Measured measured(result, {});
+  for (const auto& column : make_columns())
+    if (column.name == name) return std::get<std::int64_t>(column.get(measured).at(0));
+  throw std::runtime_error("no column " + name);
+}
+
+// Samples of pixels that are not finished are no double ones.
+TEST(IirraSession, OnlyAWholePictureTellsOfDoubleSamples) {
+  run_isolated([] {
+    Params params = small_params();
+    params.balance = BalanceMethod::none;
+    const auto whole = run(params);
+    const auto inside = whole.counts.samples - whole.counts.samples_outside;
+    EXPECT_EQ(cell_of(whole, "samples_double"), static_cast<std::int64_t>(inside) - 24 * 18);
+    EXPECT_GT(cell_of(whole, "rays_double"), 0);
+  });
+  run_isolated([] {
+    Params params = small_params();
+    params.script = {{{0.1}, {tracing::Abort{}}}};
+    const auto aborted = run(params);
+    EXPECT_EQ(cell_of(aborted, "samples_double"), 0);
+    EXPECT_EQ(cell_of(aborted, "rays_double"), 0);
+  });
 }
 
 // What the coordinator has been told is over changes nothing.
