@@ -11,9 +11,9 @@ using renderer::progressive::SampledCell;
 
 /// What a cell's quantities weigh in its importance, at least 0; each is between 0 and 1.
 struct Weights {
-  double position = 0;   ///< 1 within the area of interest, less the farther away
-  double size = 1;       ///< log2 of the side, of that of the largest cell
-  double samples = 1;    ///< 1 without samples, 0 with 13
+  double position = 1;   ///< 1 within the area of interest, less the farther away
+  double size = 4;       ///< log2 of the side, of that of the largest cell
+  double samples = 2;    ///< 1 without samples, 0 with 13
   double contrast = 1;   ///< Eq 4.7
   double depth = 1;      ///< 1 over the least tree level that waits
   double influence = 1;  ///< the largest influence factor of a ray that waits
