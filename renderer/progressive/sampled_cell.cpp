@@ -94,9 +94,9 @@ std::vector<Triangle> triangles_of(const SampledCell& cell) {
   };
   if (cell.level == 1) square(0, 0, 4);
   if (cell.level == 2)
-    add_fan(at(cell, 2, 2), {at(cell, 0, 0), at(cell, 2, 0), at(cell, 4, 0), at(cell, 4, 2),
-                             at(cell, 4, 4), at(cell, 2, 4), at(cell, 0, 4), at(cell, 0, 2),
-                             at(cell, 0, 0)});
+    add_fan(at(cell, 2, 2),
+            {at(cell, 0, 0), at(cell, 2, 0), at(cell, 4, 0), at(cell, 4, 2), at(cell, 4, 4),
+             at(cell, 2, 4), at(cell, 0, 4), at(cell, 0, 2), at(cell, 0, 0)});
   if (cell.level == 3)
     for (const int y : {0, 2})
       for (const int x : {0, 2}) square(x, y, 2);
@@ -109,9 +109,9 @@ namespace {
 class Interpolation {
  public:
   Interpolation(const SampledCell& cell, std::span<const Rgb> colours)
-      : level_(cell.level),
-        colours_(colours),
-        whole_{colours[0], colours[1], colours[2], colours[3], colours[4], {}, {}, {}, {}} {
+      : level_(cell.level), colours_(colours), whole_{colours[0], colours[1], colours[2],
+                                                      colours[3], colours[4], {},
+                                                      {},         {},         {}} {
     if (level_ < 2 || colours.size() < 9) return;
     whole_.n = colours[5];
     whole_.w = colours[6];

@@ -1,6 +1,6 @@
 #pragma once
-// Image cells with up to 13 samples (thesis, 5.2.1): squares on the lattice of pixels' samples, which
-// are sampled in levels, interpolated in triangles of equal area, and divided into four.
+// Image cells with up to 13 samples (thesis, 5.2.1): squares on the lattice of pixels' samples,
+// which are sampled in levels, interpolated in triangles of equal area, and divided into four.
 //
 //   level 1      level 2      level 3
 //   A-----B      A--N--B      A--N--B
@@ -37,8 +37,8 @@ using Points = boost::container::static_vector<Point, MAX_CELL_SAMPLES>;
 /// The level at which a cell has all samples that there are: 3; 2 for a side of 2, which is then
 /// sampled at each of its pixels.
 int last_level(const SampledCell& cell);
-/// The samples that a level adds: 5, 4 and 4. The second level of a side of 2 adds 2, since no pixel
-/// lies between the other two and anything else.
+/// The samples that a level adds: 5, 4 and 4. The second level of a side of 2 adds 2, since no
+/// pixel lies between the other two and anything else.
 Points points_of_level(const SampledCell& cell, int level);
 /// All samples that the cell has at its level.
 Points points_of(const SampledCell& cell);

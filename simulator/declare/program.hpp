@@ -129,7 +129,7 @@ struct Program {
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
   std::string processors = "processors";  ///< column of the number of processors that work
   int services = 0;  ///< processors of the network that serve the others and are not counted there
-  bool shows_parameters = true;           ///< each is a column of the results
+  bool shows_parameters = true;  ///< each is a column of the results
   /// Columns that come first whether they are axes of the sweep or not.
   std::vector<std::string> leading = {};
 

@@ -14,7 +14,8 @@ Load load_of_coordination(const observe::Use& use) {
   const auto& process = find_process(use, cpu.name + ".coordination");
   return {"coordination", 1 - process.alternative_s / use.time_s,
           fmt::format("its CPU {}, waiting to send {}, for replies {}",
-                      tracing::percent(cpu.busy_s / use.time_s), tracing::percent(process.output_s / use.time_s),
+                      tracing::percent(cpu.busy_s / use.time_s),
+                      tracing::percent(process.output_s / use.time_s),
                       tracing::percent(process.input_s / use.time_s))};
 }
 

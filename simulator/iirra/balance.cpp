@@ -74,8 +74,8 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// All on the way are asked. At last the coordinator hands the request on to the workers in turns, one
-// of which remembers it.
+// All on the way are asked. At last the coordinator hands the request on to the workers in turns,
+// one of which remembers it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
@@ -115,9 +115,7 @@ class AskRing : public Passive {
   void begin() override {
     if (peers_.next != peers_.self) pass({peers_.self});
   }
-  void pass(const TaskRequest& request) {
-    giver_.send_to({peers_.next, TASK_PROCESS}, request);
-  }
+  void pass(const TaskRequest& request) { giver_.send_to({peers_.next, TASK_PROCESS}, request); }
 };
 
 // What is known of the neighbours' loads comes with their messages; since then only what was given
@@ -144,7 +142,8 @@ class Distribution {
 
 class Active : public Balance {
  public:
-  Active(TaskGiver& giver, const Peers& peers) : Balance(giver, peers), distribution_(giver, peers) {}
+  Active(TaskGiver& giver, const Peers& peers)
+      : Balance(giver, peers), distribution_(giver, peers) {}
   void created() override { distribution_.distribute(); }
   void requested(const Message& /*message*/, const TaskRequest& /*request*/) override {
     throw base::InvariantBroken("a request for tasks, which come unasked");

@@ -1,7 +1,7 @@
 #pragma once
 // How task managers share tasks while they work (thesis, 5.1.3.1 and 6.2; H. Kuchen and A. Wagener,
-// 1991). A task that cannot be had is remembered by the one that was asked: it gives some as soon as
-// it has any to spare, so that nobody asks twice.
+// 1991). A task that cannot be had is remembered by the one that was asked: it gives some as soon
+// as it has any to spare, so that nobody asks twice.
 #include <memory>
 
 #include "simulator/iirra/messages.hpp"

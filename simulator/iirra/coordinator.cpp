@@ -26,8 +26,7 @@ void interact(Shared& shared, network::Client& client) {
   }
 }
 
-Coordinator::Coordinator(Shared& shared, shared_memory::DataManager& manager,
-                         network::Client& user)
+Coordinator::Coordinator(Shared& shared, shared_memory::DataManager& manager, network::Client& user)
     : shared_(shared), manager_(manager), user_(user), limits_(shared.params.stages[0]) {}
 
 void Coordinator::run() {
@@ -60,23 +59,26 @@ void Coordinator::hand_out() {
   }
   const int columns = (shared_.area.width + params.max_cell - 1) / params.max_cell;
   const int rows = static_cast<int>(cells.size()) / columns;
-  const auto worker_of = params.start == Start::subsampled
-                             ? measure_cells(cells)
-                             : assign(params.start, columns, rows, static_cast<int>(workers.size()));
+  const auto worker_of =
+      params.start == Start::subsampled
+          ? measure_cells(cells)
+          : assign(params.start, columns, rows, static_cast<int>(workers.size()));
   std::vector<std::vector<SampledCell>> first(workers.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     first[static_cast<std::size_t>(worker_of[i])].push_back(cells[i]);
   for (std::size_t i = 0; i < workers.size(); ++i) give_first(workers[i], std::move(first[i]));
 }
 
-// As many as fit into each message.
+// As many as fit into each message; one without any to a worker for which there are none.
 void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
-  for (std::size_t i = 0; i < cells.size();) {
+  for (std::size_t i = 0; i == 0 || i < cells.size();) {
     Tasks tasks;
-    for (; tasks.cells.size() < room && i < cells.size(); ++i) tasks.cells.push_back({{cells[i]}, {}});
+    for (; tasks.cells.size() < room && i < cells.size(); ++i)
+      tasks.cells.push_back({{cells[i]}, {}});
     manager_.look();
     tell({worker, TASK_PROCESS}, std::move(tasks));
+    if (cells.empty()) return;
   }
 }
 

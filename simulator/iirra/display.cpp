@@ -29,63 +29,67 @@ void Display::run() {
 }
 
 // Each worker is asked in its turn, as soon as the display is at leisure; but none more often than
-// the screen shows a new frame.
+// the screen shows a new frame. In the end all is shown that there was to be shown when it began.
 void Display::poll_all() {
   const auto next_frame =
       occam::read_timer() + occam::ticks(machine::Seconds{shared_.params.frame_s});
-  is_all_ = true;
-  kept_next_ = std::exchange(to_keep_, {});
-  was_finishing_ = is_finishing_;
+  const auto to_keep = std::exchange(to_keep_, {});
+  const bool is_last = is_finishing_;
   for (const int worker : shared_.places.workers) {
     await_answers(static_cast<std::size_t>(shared_.params.polls) - 1);
-    if (is_stopped_) return;
-    ++shared_.record.counts.polls;
     ++asked_;
-    send(manager_, shared_.sizes, {worker, TASK_PROCESS}, Poll{});
+    ask(worker);
   }
   await_answers(0);
-  if (is_stopped_) return;
-  end_round(is_all_);
-  while (!is_stopped_ && !is_finishing_) {
+  for (const auto& name : to_keep) keep(name);
+  if (is_last) return finish();
+  while (!is_finishing_) {
     const auto message = manager_.serve_until(next_frame);
     if (!message) return;
     obey(*message);
   }
 }
 
-// Until so many questions at most are without an answer.
-void Display::await_answers(std::size_t most) {
-  while (asked_ > most && !is_stopped_) obey(manager_.serve_at_once());
+void Display::ask(int worker) {
+  ++shared_.record.counts.polls;
+  send(manager_, shared_.sizes, {worker, TASK_PROCESS}, Poll{});
 }
 
-void Display::end_round(bool is_all) {
-  for (const auto& name : std::exchange(kept_next_, {}))
-    keep(name);
-  if (!was_finishing_ || !is_all) return;
+// Until so many workers at most have not told all.
+void Display::await_answers(std::size_t most) {
+  while (asked_ > most) obey(manager_.serve_at_once());
+}
+
+// Tells the coordinator, and is stopped.
+void Display::finish() {
   send(manager_, shared_.sizes, {shared_.places.coordinator, TASK_PROCESS}, Finished{});
   while (!is_stopped_) obey(manager_.serve_at_once());
 }
 
 void Display::obey(const Message& message) {
+  const bool is_polled = shared_.params.is_polled;
+  const int from = message.from.processor;
   case_of(
       read(shared_.sizes, message),
       [&](const Picture& picture) {
-        if (shared_.params.is_polled) --asked_;
-        is_all_ &= picture.is_all;
         show(message, picture);
-        if (!shared_.params.is_polled)
-          send(manager_, shared_.sizes, {message.from.processor, TASK_PROCESS}, Shown{});
+        if (!is_polled)
+          send(manager_, shared_.sizes, {from, TASK_PROCESS}, Shown{});
+        else if (picture.is_all)
+          --asked_;
+        else
+          ask(from);
       },
-      [&](const KeepPicture& keep) {
-        if (shared_.params.is_polled) return to_keep_.push_back(keep.name);
-        kept_next_ = {keep.name};
-        end_round(false);
+      [&](const KeepPicture& picture) {
+        if (is_polled)
+          to_keep_.push_back(picture.name);
+        else
+          keep(picture.name);
       },
       [&](const Finish&) {
-        is_finishing_ = was_finishing_ = true;
+        is_finishing_ = true;
         // Every worker waits until its pictures are shown before it says that it has finished.
-        if (!shared_.params.is_polled) end_round(true);
-        was_finishing_ = false;
+        if (!is_polled) finish();
       },
       [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a display"); });

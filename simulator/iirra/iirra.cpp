@@ -63,23 +63,23 @@ class Run {
         machine_(model, model.software.occam_factor, params.processes),
         items_(params.data ? std::optional<shared_memory::SceneItems>(std::in_place, model, scene)
                            : std::nullopt),
-        shared_{.scene = scene,
-                .params = params,
-                .machine = machine_,
-                .places = find_places(topology, params.is_far),
-                .area = get_area(params.image),
-                .sizes = Sizes(model),
-                .longest = LONGEST,
-                .task_cost = machine::OperationCosts(model, "central", TaskWork::NAMES),
-                .pixel_tested = cost_of_testing(model),
-                .ray_cost = {"ray", kernels::tree_costs(model), params.cycles_per_host_s},
-                .paint_cost = {"interpolation", kernels::tree_costs(model),
-                               params.cycles_per_host_s},
-                .display_cost = {"display",
-                                 {model, "central", renderer::op_names()},
-                                 params.cycles_per_host_s},
-                .items = items_ ? &*items_ : nullptr,
-                .record = Record(params.image)} {
+        shared_{
+            .scene = scene,
+            .params = params,
+            .machine = machine_,
+            .places = find_places(topology, params.is_far),
+            .area = get_area(params.image),
+            .sizes = Sizes(model),
+            .longest = LONGEST,
+            .task_cost = machine::OperationCosts(model, "central", TaskWork::NAMES),
+            .pixel_tested = cost_of_testing(model),
+            .ray_cost = {"ray", kernels::tree_costs(model), params.cycles_per_host_s},
+            .paint_cost = {"interpolation", kernels::tree_costs(model), params.cycles_per_host_s},
+            .display_cost = {"display",
+                             {model, "central", renderer::op_names()},
+                             params.cycles_per_host_s},
+            .items = items_ ? &*items_ : nullptr,
+            .record = Record(params.image)} {
     add_processors(model, scene);
     connect(model, routes, tree);
     plan_faults();
@@ -117,6 +117,7 @@ class Run {
       result.shared = {memory_->use(), result.routers, params_.data->cache_bytes,
                        result.workers * result.time_s};
     result.kernel_cycles = shared_.kernel_cycles();
+    result.kernels_s = machine_.processors()[0]->duration(result.kernel_cycles).value;
     return result;
   }
 
@@ -130,10 +131,11 @@ class Run {
     for (int id = 0; id < topology_.processors; ++id) {
       const char* role = role_of(id);
       const bool is_worker = role == Role::worker;
-      auto& processor = machine_.add_processor(
-          is_worker ? fmt::format("worker{}", id) : role,
-          params_.memory.value_or(get_bytes(model, is_worker ? "worker_memory" : "database_memory")),
-          role);
+      auto& processor =
+          machine_.add_processor(is_worker ? fmt::format("worker{}", id) : role,
+                                 params_.memory.value_or(get_bytes(
+                                     model, is_worker ? "worker_memory" : "database_memory")),
+                                 role);
       kernels::load_program(processor);
       if (is_worker && !params_.data)
         processor.memory().allocate(kernels::scene_bytes(model, scene), "the scene", {});
@@ -151,7 +153,8 @@ class Run {
     // A request for data, one for tasks, tasks, a report, and what the display has asked for.
     network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
     if (params_.data)
-      shared_.longest = std::max(LONGEST, longest_message(model, items_->catalogue(), *params_.data));
+      shared_.longest =
+          std::max(LONGEST, longest_message(model, items_->catalogue(), *params_.data));
     network.longest = shared_.longest;
     network.processes.assign(static_cast<std::size_t>(topology_.processors), {TASK_BITS});
     network.processes[static_cast<std::size_t>(shared_.places.coordinator)].push_back(NO_PROCESS);
@@ -174,11 +177,12 @@ class Run {
         machine_.cut_link(*processors[fault.a], *processors[fault.b], {fault.at_s});
     machine_.on_failure([this](const machine::Failure& failure) {
       if (failure.b) return;
-      const auto& survivor = failure.a->id() == 0 ? machine_.processors()[1] : machine_.processors()[0];
-      survivor->fail(std::make_exception_ptr(machine::Fault(
-          failure.a->name(), failure.at,
-          fmt::format("{} has stopped at {:.6g} s: its part of the picture is lost",
-                      failure.a->name(), failure.at.value))));
+      const auto& survivor =
+          failure.a->id() == 0 ? machine_.processors()[1] : machine_.processors()[0];
+      survivor->fail(std::make_exception_ptr(
+          machine::Fault(failure.a->name(), failure.at,
+                         fmt::format("{} has stopped at {:.6g} s: its part of the picture is lost",
+                                     failure.a->name(), failure.at.value))));
     });
   }
 

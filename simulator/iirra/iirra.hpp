@@ -33,16 +33,16 @@ struct Params {
   Weights weights;  ///< of stages and orders that have none of their own
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
-  int reserve = 1;       ///< active tasks that a worker does not give away; with fewer it asks
-  bool is_far = true;    ///< the display is as far from the coordinator as can be; else beside it
+  int reserve = 1;        ///< active tasks that a worker does not give away; with fewer it asks
+  bool is_far = true;     ///< the display is as far from the coordinator as can be; else beside it
   bool is_polled = true;  ///< the display asks for pictures; else they are sent to it
-  int polls = 4;           ///< questions of the display that wait for an answer at once, at most
+  int polls = 4;          ///< questions of the display that wait for an answer at once, at most
   bool has_borders = false;  ///< each picture comes once more, with its cells' borders
-  double frame_s = 0.04;   ///< the display asks no worker more often than it shows a frame
-  std::uint64_t seed = 1;  ///< of the order `random` and `adaptive`
+  double frame_s = 0.04;     ///< the display asks no worker more often than it shows a frame
+  std::uint64_t seed = 1;    ///< of the order `random` and `adaptive`
   growth::Looks looks;
   network::Method method = network::Method::green;
-  std::optional<std::size_t> buffers;  ///< of each router; none: enough for every worker
+  std::optional<std::size_t> buffers;             ///< of each router; none: enough for every worker
   std::optional<shared_memory::DataParams> data;  ///< none: every processor holds the scene
   std::optional<std::uint64_t> memory;            ///< bytes of each processor; else the model's
   std::vector<programs::PlannedFault> faults;
@@ -71,14 +71,16 @@ void check(const Params& params, const topologies::Topology& topology);
 struct Result : Record {
   explicit Result(Record record) : Record(std::move(record)) {}
   int workers = 0;
-  double mean_depth = 0;  ///< links from the coordinator to a worker, on average
+  double mean_depth = 0;                     ///< links from the coordinator to a worker, on average
   std::optional<tracing::SharedUse> shared;  ///< where the scene's data are
   network::RouterUse routers;
   machine::Cycles kernel_cycles{};
+  double kernels_s = 0;  ///< the time that they take
 };
 
-/// `tree`: the way of messages to all; none: each sender has one. Throws base::BadInput as check(), and if buffers and caches do not fit the memory; machine::Fault,
-/// also where a processor has stopped whose cells are lost, or a message has no way left.
+/// `tree`: the way of messages to all; none: each sender has one. Throws base::BadInput as check(),
+/// and if buffers and caches do not fit the memory; machine::Fault, also where a processor has
+/// stopped whose cells are lost, or a message has no way left.
 Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
                  const topologies::RoutingTable& routes,
                  const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,

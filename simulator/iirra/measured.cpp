@@ -25,13 +25,13 @@ Columns<Result> sample_columns() {
     return is_complete(r) ? inside - finished(r) : 0;
   };
   return base::join(
-      Columns<R>{column<R>("rays_image", of_image, "rays of the image's samples, each once"),
-                 column<R>("rays_outside", outside,
-                           "rays of samples beyond the image, for interpolation only"),
-                 column<R>("rays_double", twice,
-                           "rays of samples that a second processor computed too"),
-                 column<R>("samples_double", samples_twice,
-                           "samples of the image that were computed on a second processor too")},
+      Columns<R>{
+          column<R>("rays_image", of_image, "rays of the image's samples, each once"),
+          column<R>("rays_outside", outside,
+                    "rays of samples beyond the image, for interpolation only"),
+          column<R>("rays_double", twice, "rays of samples that a second processor computed too"),
+          column<R>("samples_double", samples_twice,
+                    "samples of the image that were computed on a second processor too")},
       {base::lift_columns<R>(
           Columns<C>{column("samples", &C::samples, "samples computed, on all processors"),
                      column("samples_outside", &C::samples_outside,
@@ -47,7 +47,8 @@ Columns<Counts> task_columns() {
   using C = Counts;
   return {column<C>("task_messages", &C::task_messages,
                     "messages for tasks between workers: requests, refusals and tasks"),
-          column("task_requests", &C::requests, "requests for tasks, those passed on counted again"),
+          column("task_requests", &C::requests,
+                 "requests for tasks; one that the coordinator or a ring passes on counts again"),
           column("task_refusals", &C::refusals, "answers without tasks"),
           column("task_moves", &C::moves, "messages with tasks"),
           column("tasks_moved", &C::tasks_moved, "tasks in them"),
@@ -60,15 +61,28 @@ Columns<Counts> task_columns() {
           column("picture_bytes", &C::picture_bytes, "bytes of them")};
 }
 
+Columns<Losses> loss_columns() {
+  using L = Losses;
+  return {column("loss_idle", &L::idle,
+                 "share of the workers' time without a task, or waiting for the display"),
+          column("loss_data", &L::data, "share of it spent waiting for the scene's data"),
+          column("loss_repeated", &L::repeated,
+                 "share of it for rays of samples beyond the image, or computed twice"),
+          column("loss_routing", &L::routing, "share of it in routers"),
+          column("loss_managing", &L::managing,
+                 "share of it for tasks, pictures, messages and looking data up"),
+          column("loss_largest", &L::largest, "the largest of these")};
+}
+
 Columns<Result> run_columns() {
   using R = Result;
-  return {column("kernel_cycles", &R::kernel_cycles, "cycles that rays were charged"),
-          column<R>("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
-          column<R>(
-              "drain_s", [](const R& r) { return r.ended_s - r.last_task_s; },
-              "part of time_s after a worker took a task for the last time"),
-          column("mean_depth", &R::mean_depth,
-                 "links from the coordinator to a worker, on average")};
+  return {
+      column("kernel_cycles", &R::kernel_cycles, "cycles that rays were charged"),
+      column<R>("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+      column<R>(
+          "drain_s", [](const R& r) { return r.ended_s - r.last_task_s; },
+          "part of time_s after a worker took a task for the last time"),
+      column("mean_depth", &R::mean_depth, "links from the coordinator to a worker, on average")};
 }
 
 tracing::Load load_of_coordination(const observe::Use& use) {
@@ -79,6 +93,35 @@ tracing::Load load_of_coordination(const observe::Use& use) {
 }
 
 }  // namespace
+
+Losses find_losses(const Result& result) {
+  const auto& use = result.use;
+  if (use.time_s <= 0 || result.rays.total() == 0) return {};
+  double busy_s = 0, high_s = 0;
+  for (const auto& cpu : use.cpus)
+    if (cpu.role == Role::worker) {
+      busy_s += cpu.busy_s;
+      high_s += cpu.busy_high_s;
+    }
+  const double all_s = result.workers * use.time_s;
+  const double rays_s = result.kernels_s;
+  const double needed =
+      static_cast<double>(result.rays_image.total()) / static_cast<double>(result.rays.total());
+  Losses losses;
+  losses.data = result.shared ? result.shared->data.waited.value / all_s : 0;
+  losses.idle = std::max(0.0, 1 - busy_s / all_s - losses.data);
+  losses.repeated = rays_s * (1 - needed) / all_s;
+  losses.routing = high_s / all_s;
+  losses.managing = (busy_s - high_s - rays_s) / all_s;
+  const std::pair<const char*, double> named[] = {{"idle", losses.idle},
+                                                  {"data", losses.data},
+                                                  {"repeated", losses.repeated},
+                                                  {"routing", losses.routing},
+                                                  {"managing", losses.managing}};
+  losses.largest =
+      std::ranges::max_element(named, {}, [](const auto& n) { return n.second; })->first;
+  return losses;
+}
 
 tracing::Loads find_loads(const Result& result) {
   const auto& use = result.use;
@@ -97,6 +140,7 @@ Measured::Measured(Result result, tracing::DataFigures data_figures)
     : run(std::move(result)),
       data(std::move(data_figures)),
       busy(tracing::make_busy(run.use)),
+      losses(find_losses(run)),
       loads(find_loads(run)) {}
 
 Columns<Measured> make_columns() {
@@ -108,6 +152,7 @@ Columns<Measured> make_columns() {
       of_run(tracing::speed_columns()),
       {of_run(tracing::ray_columns()), of_run(sample_columns()), of_run(run_columns()),
        of_run(tracing::time_columns()), of_run(tracing::stage_columns()),
+       base::lift_columns<Measured>(loss_columns(), &Measured::losses),
        base::lift_columns<Measured>(task_columns(), counts),
        of_run(base::lift_columns<Result>(observe::message_columns(), &Result::use)),
        base::lift_columns<Measured>(tracing::busy_columns(), &Measured::busy),

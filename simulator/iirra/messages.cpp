@@ -14,9 +14,7 @@ std::uint64_t Sizes::of(const IirraMessage::Content& content) const {
         return sum;
       },
       [&](const Measure& measure) { return words(2) + cell * measure.cells.size(); },
-      [&](const CellTimes& measured) {
-        return words(2) + (cell + WORD) * measured.times_s.size();
-      },
+      [&](const CellTimes& measured) { return words(2) + (cell + WORD) * measured.times_s.size(); },
       // The tag, six limits, an area, and the keys' weights where there are any.
       [&](const NewPhase& phase) { return words(phase.limits.weights ? 18 : 12); },
       [&](const Picture& picture) {

@@ -65,11 +65,11 @@ struct Picture {
   std::vector<Painted> blocks;
   bool is_all = true;  ///< nothing is left to be sent
 };
-struct Shown {};            ///< a picture that was not asked for
-struct KeepPicture {        ///< as it is once every worker has been asked
-  std::string name;         ///< for a file; a word where it is sent
+struct Shown {};      ///< a picture that was not asked for
+struct KeepPicture {  ///< as it is once every worker has been asked
+  std::string name;   ///< for a file; a word where it is sent
 };
-struct Finish {};           ///< tell when everything is shown
+struct Finish {};  ///< tell when everything is shown
 struct Finished {};
 
 struct IirraMessage : network::Contents {

@@ -73,30 +73,30 @@ base::Fields<Params> machine_fields() {
                                                      {"mixed", BalanceMethod::mixed},
                                                      {"green", BalanceMethod::green},
                                                      {"ring", BalanceMethod::ring}};
-  return {D::choice("start", &Params::start, STARTS,
-                    "who has which cells first: scattered over macro-cells, a block each, or by "
-                    "the time that a sample of each takes"),
-          D::choice("balance", &Params::balance, METHODS,
-                    "how tasks are shared meanwhile: asked of neighbours, or of all on the way to "
-                    "the coordinator; given away (active); both (mixed); down a tree (green); "
-                    "asked around a ring"),
-          D::whole("reserve", &Params::reserve, 1, 1000, "",
-                   "tasks that a worker does not give away; with fewer it asks for some"),
-          D::choice("display", &Params::is_far, base::Names<bool>{{"far", true}, {"near", false}},
-                    "the display's processor: the farthest from the coordinator, or beside it"),
-          D::choice("refresh", &Params::is_polled,
-                    base::Names<bool>{{"polled", true}, {"sent", false}},
-                    "the display asks each worker for its part of the picture, or is sent "
-                    "everything"),
-          D::whole("polls_at_once", &Params::polls, 1, 1000, "",
-                   "questions of the display that wait for an answer at once, at most; 1: it asks "
-                   "one worker after the other"),
-          D::flag("borders", &Params::has_borders,
-                  "true: each picture comes once more, with the borders of its cells"),
-          D::number("frame_s", &Params::frame_s, 0, 1000, "s",
-                    "time of a frame on the screen: the display asks no worker more often"),
-          D::whole("buffers", &Params::buffers, 1, 1e6, "",
-                   "messages that a router has room for; else as many as processors, and 64")};
+  return {
+      D::choice("start", &Params::start, STARTS,
+                "who has which cells first: scattered over macro-cells, a block each, or by "
+                "the time that a sample of each takes"),
+      D::choice("balance", &Params::balance, METHODS,
+                "how tasks are shared meanwhile: asked of neighbours, or of all on the way to "
+                "the coordinator; given away (active); both (mixed); down a tree (green); "
+                "asked around a ring"),
+      D::whole("reserve", &Params::reserve, 1, 1000, "",
+               "tasks that a worker does not give away; with fewer it asks for some"),
+      D::choice("display", &Params::is_far, base::Names<bool>{{"far", true}, {"near", false}},
+                "the display's processor: the farthest from the coordinator, or beside it"),
+      D::choice("refresh", &Params::is_polled, base::Names<bool>{{"polled", true}, {"sent", false}},
+                "the display asks each worker for its part of the picture, or is sent "
+                "everything"),
+      D::whole("polls_at_once", &Params::polls, 1, 1000, "",
+               "questions of the display that wait for an answer at once, at most; 1: it asks "
+               "one worker after the other"),
+      D::flag("borders", &Params::has_borders,
+              "true: each picture comes once more, with the borders of its cells"),
+      D::number("frame_s", &Params::frame_s, 0, 1000, "s",
+                "time of a frame on the screen: the display asks no worker more often"),
+      D::whole("buffers", &Params::buffers, 1, 1e6, "",
+               "messages that a router has room for; else as many as processors, and 64")};
 }
 
 base::Fields<ProgramParams> make_fields() {
@@ -106,32 +106,30 @@ base::Fields<ProgramParams> make_fields() {
   const auto looks = [](P & p) -> auto& { return p.iirra.looks; };
   const auto memory = [](P & p) -> auto& { return p.iirra.memory; };
   const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
-  return base::join(
-      base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
-                               "memory of a worker; else the model's")},
-      {base::lift_all<P>(tracing::scene_fields(), &P::scene),
-       base::lift_all<P>(renderer::param_fields(), image, "image."),
-       base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
-       base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
-       base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
-       base::lift_all<P>(tracing::data_fields(), data)});
+  return base::join(base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40,
+                                             "bytes", "memory of a worker; else the model's")},
+                    {base::lift_all<P>(tracing::scene_fields(), &P::scene),
+                     base::lift_all<P>(renderer::param_fields(), image, "image."),
+                     base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
+                     base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
+                     base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
+                     base::lift_all<P>(tracing::data_fields(), data)});
 }
 
 base::Fields<Limits> limit_fields() {
   using D = base::Declare<Limits>;
-  return {
-      D::number("min_influence", &Limits::min_influence, 0, 1, "",
-                "influence factor of rays, at least"),
-      D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
-               "tree level, at most, of rays with only reflections before them"),
-      D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
-               "tree level, at most, of transmitted rays and their descendants"),
-      D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "side of cells, at least"),
-      D::whole("max_samples", &Limits::max_samples, 5, 13, "", "samples of a cell, at most"),
-      D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
-                "contrast of cells that are divided, at least (Eq 4.7)"),
-      base::lift<Limits>(renderer::area_field(), &Limits::area),
-      weights_field<Limits>(&Limits::weights, "as iirra.weights, while these limits are set")};
+  return {D::number("min_influence", &Limits::min_influence, 0, 1, "",
+                    "influence factor of rays, at least"),
+          D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
+                   "tree level, at most, of rays with only reflections before them"),
+          D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
+                   "tree level, at most, of transmitted rays and their descendants"),
+          D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "side of cells, at least"),
+          D::whole("max_samples", &Limits::max_samples, 5, 13, "", "samples of a cell, at most"),
+          D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
+                    "contrast of cells that are divided, at least (Eq 4.7)"),
+          base::lift<Limits>(renderer::area_field(), &Limits::area),
+          weights_field<Limits>(&Limits::weights, "as iirra.weights, while these limits are set")};
 }
 
 bool shares_data(const ProgramParams& params) {

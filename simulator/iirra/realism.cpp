@@ -22,7 +22,9 @@ bool meets(const SampledCell& cell, const Area& area) {
 // 1 where the cell has a pixel of the area, else less by its distance over the image's diagonal.
 double eval_position(const SampledCell& cell, const Area& area, const Area& image) {
   if (meets(cell, area)) return 1;
-  const auto gap = [](int a, int a_end, int b, int b_end) { return std::max({0, b - a_end, a - b_end}); };
+  const auto gap = [](int a, int a_end, int b, int b_end) {
+    return std::max({0, b - a_end, a - b_end});
+  };
   const double x = gap(cell.x, cell.x + cell.side, area.x, area.x + area.width);
   const double y = gap(cell.y, cell.y + cell.side, area.y, area.y + area.height);
   return 1 - std::min(1.0, std::sqrt((x * x + y * y) / (double(image.width) * image.width +
@@ -56,7 +58,8 @@ Advance choose(const SampledCell& cell, const Quantities& quantities, const Limi
   if (cell.side < limits.min_cell && cell.level > 0) {
     finer = Advance::none;
   } else if (cell.level < last_level(cell)) {
-    const bool is_allowed = cell.level == 0 || SAMPLES_OF_LEVEL[cell.level + 1] <= limits.max_samples;
+    const bool is_allowed =
+        cell.level == 0 || SAMPLES_OF_LEVEL[cell.level + 1] <= limits.max_samples;
     if (is_allowed) finer = Advance::sample;
   } else if (cell.side > 2 && cell.side / 2 >= limits.min_cell &&
              quantities.contrast >= limits.min_contrast) {
@@ -89,8 +92,8 @@ Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
   if (quantities.depth > 0) importance.sum += w.depth / quantities.depth;
   const int column = (cell.x - image.x) / cell.side, row = (cell.y - image.y) / cell.side;
   const auto drawn = [&] {
-    return base::random_at(seed, interleave(static_cast<std::uint32_t>(cell.x),
-                                            static_cast<std::uint32_t>(cell.y)));
+    return base::random_at(
+        seed, interleave(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y)));
   };
   switch (order) {
     case CellOrder::bayer:

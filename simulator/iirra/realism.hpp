@@ -23,13 +23,13 @@ struct Weights {
 /// The user's parameters. An advance of a cell that would take a quantity beyond its limit waits
 /// for the non-interactive phase.
 struct Limits {
-  double min_influence = 0.0;    ///< influence factor of a ray, at least
-  int depth_reflected = 1000;    ///< level, at most, of rays with only reflections before them
-  int depth_transmitted = 1000;  ///< level, at most, of transmitted rays and their descendants
-  int min_cell = 2;              ///< pixels, side of a cell, at least
-  int max_samples = 13;          ///< of a cell, at most
-  double min_contrast = 0.0;     ///< of a cell that is divided, at least
-  renderer::Area area;           ///< pixels of interest, of which a cell has one; 0 x 0: all
+  double min_influence = 0.0;      ///< influence factor of a ray, at least
+  int depth_reflected = 1000;      ///< level, at most, of rays with only reflections before them
+  int depth_transmitted = 1000;    ///< level, at most, of transmitted rays and their descendants
+  int min_cell = 2;                ///< pixels, side of a cell, at least
+  int max_samples = 13;            ///< of a cell, at most
+  double min_contrast = 0.0;       ///< of a cell that is divided, at least
+  renderer::Area area;             ///< pixels of interest, of which a cell has one; 0 x 0: all
   std::optional<Weights> weights;  ///< none: the program's
   bool operator==(const Limits&) const = default;
 };

@@ -8,13 +8,13 @@ namespace iirra {
 struct Counts {
   std::uint64_t samples = 0;          ///< computed
   std::uint64_t samples_outside = 0;  ///< of them, beyond the image: for interpolation only
-  std::uint64_t samples_shared = 0;   ///< needed by a second cell of a processor: not computed again
+  std::uint64_t samples_shared = 0;  ///< needed by a second cell of a processor: not computed again
   std::uint64_t cells_divided = 0;
   std::uint64_t requests = 0;  ///< messages for tasks: requests and those passed on,
   std::uint64_t refusals = 0;  ///< answers without tasks,
   std::uint64_t moves = 0;     ///< and messages with tasks, except the first ones
   std::uint64_t tasks_moved = 0, bytes_moved = 0;
-  std::uint64_t reports = 0;   ///< of workers without tasks to the coordinator
+  std::uint64_t reports = 0;  ///< of workers without tasks to the coordinator
   std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;  ///< to the display
   std::uint64_t looks = 0;     ///< of workers at the network, between samples
   std::size_t tasks_most = 0;  ///< that a worker held

@@ -39,9 +39,9 @@ class Coordinator {
   std::size_t next_of_pool_ = 0, next_worker_ = 0;
   std::uint32_t phase_ = 0;
   std::size_t stage_ = 0;
-  Limits limits_;           // of the interactive phase
-  bool is_last_ = false;    // the phase has no limits
-  bool is_null_ = false;    // nothing is left within the limits, and the user has more to say
+  Limits limits_;         // of the interactive phase
+  bool is_last_ = false;  // the phase has no limits
+  bool is_null_ = false;  // nothing is left within the limits, and the user has more to say
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
   std::uint64_t parked_ = 0, finished_pixels_ = 0;  // reported in this phase
@@ -60,7 +60,8 @@ class Display {
   void await_answers(std::size_t most);
   void obey(const network::Message& message);
   void show(const network::Message& message, const Picture& picture);
-  void end_round(bool is_all);
+  void ask(int worker);
+  void finish();
   growth::Shown look() const;
   void keep(const std::string& name);
   std::vector<std::uint8_t> draw_borders() const;
@@ -77,10 +78,9 @@ class Display {
   shared_memory::DataManager& manager_;
   Screen screen_, scratch_;
   growth::Recorder recorder_;
-  std::vector<std::string> to_keep_, kept_next_;  // after this round, after the next one
-  bool is_finishing_ = false, was_finishing_ = false, is_stopped_ = false;
-  bool is_all_ = true;     // nothing was left in this round
-  std::size_t asked_ = 0;  // questions without an answer
+  std::vector<std::string> to_keep_;  // pictures, after the next round
+  std::size_t asked_ = 0;             // workers that have not told all
+  bool is_finishing_ = false, is_stopped_ = false;
 };
 
 }  // namespace iirra

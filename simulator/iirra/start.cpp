@@ -11,7 +11,8 @@ namespace iirra {
 
 namespace {
 
-// Places along a curve through quadrants of quadrants, so that neighbours on it are near each other.
+// Places along a curve through quadrants of quadrants, so that neighbours on it are near each
+// other.
 std::uint64_t place_on_curve(int column, int row) {
   std::uint64_t place = 0;
   for (int bit = 0; bit < 16; ++bit)
@@ -44,8 +45,7 @@ Places find_places(const topologies::Topology& topology, bool is_far) {
 std::vector<SampledCell> make_cells(const renderer::Area& area, int side) {
   std::vector<SampledCell> cells;
   for (int y = area.y; y < area.y + area.height; y += side)
-    for (int x = area.x; x < area.x + area.width; x += side)
-      cells.push_back({x, y, side, 0});
+    for (int x = area.x; x < area.x + area.width; x += side) cells.push_back({x, y, side, 0});
   return cells;
 }
 
@@ -73,8 +73,7 @@ std::vector<int> assign(Start start, int columns, int rows, int workers) {
     for (int column = 0; column < columns; ++column) {
       const int place = row % down * across + column % across;
       worker_of[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                static_cast<std::size_t>(column)] =
-          place < workers ? place : turn++ % workers;
+                static_cast<std::size_t>(column)] = place < workers ? place : turn++ % workers;
     }
   return worker_of;
 }

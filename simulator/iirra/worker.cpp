@@ -16,8 +16,7 @@ using renderer::Ray;
 namespace {
 
 bool is_in(const renderer::Area& area, const Point& p) {
-  return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width &&
-         p.y < area.y + area.height;
+  return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width && p.y < area.y + area.height;
 }
 
 bool is_same_place(const SampledCell& a, const SampledCell& b) {
@@ -44,7 +43,8 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
       counts_(shared.record.counts),
       ordering_{shared.area, params_.max_cell, params_.order, params_.seed, params_.weights},
       balance_(make_balance(params_.balance, *this, std::move(peers))),
-      limits_(params_.stages[0]) {}
+      limits_(params_.stages[0]),
+      has_begun_(params_.balance == BalanceMethod::green) {}
 
 void Worker::run() {
   work();
@@ -207,9 +207,8 @@ void Worker::paint_cell(TaskCell& cell) {
   std::vector<renderer::Rgb> colours;
   for (const Point& p : points_of(cell)) colours.push_back(to_rgb(samples_.at(p).sums));
   auto painting = shared_.paint_cost(
-      [cell = SampledCell(cell), colours = std::move(colours), area = shared_.area](renderer::Work& work) {
-        return paint(cell, area, colours, work);
-      });
+      [cell = SampledCell(cell), colours = std::move(colours),
+       area = shared_.area](renderer::Work& work) { return paint(cell, area, colours, work); });
   std::erase_if(unshown_, [&](const Painted& old) { return is_same_place(old.cell, cell); });
   // A block that is longer than a message goes in several, of whole rows.
   const auto row = 3 * static_cast<std::size_t>(painting.area.width);
@@ -233,7 +232,8 @@ void Worker::paint_cell(TaskCell& cell) {
 std::uint64_t Worker::pixels_of(const SampledCell& cell) const {
   const auto& area = shared_.area;
   const auto overlap = [](int a, int a_size, int b, int b_size) {
-    return static_cast<std::uint64_t>(std::max(0, std::min(a + a_size, b + b_size) - std::max(a, b)));
+    return static_cast<std::uint64_t>(
+        std::max(0, std::min(a + a_size, b + b_size) - std::max(a, b)));
   };
   return overlap(cell.x, cell.side, area.x, area.width) *
          overlap(cell.y, cell.side, area.y, area.height);
@@ -264,7 +264,7 @@ void Worker::finish(TaskCell cell) {
 void Worker::rest() {
   if (!params_.is_polled) send_pictures();
   report();
-  balance_->ask();
+  if (has_begun_) balance_->ask();
   obey(manager_.serve_at_once());
 }
 
@@ -337,7 +337,7 @@ MovedCell Worker::pack(const TaskCell& cell) {
 }
 
 // Of two states of a sample the one that is further is kept.
-void Worker::unpack(const MovedCell& moved) {
+void Worker::unpack(const MovedCell& moved, bool is_first) {
   std::size_t i = 0;
   for (const Point& p : points_of(moved.cell)) {
     const Sample& sample = moved.samples.at(i++);
@@ -348,7 +348,7 @@ void Worker::unpack(const MovedCell& moved) {
     allocate(sizes_.of(sample), "samples");
     samples_[p] = sample;
   }
-  put(moved.cell, true);
+  put(moved.cell, !is_first);
 }
 
 void Worker::charge_work() {
@@ -385,14 +385,18 @@ void Worker::obey(const Message& message) {
   case_of(
       read(sizes_, message),
       [&](const Tasks& tasks) {
-        for (const auto& moved : tasks.cells) unpack(moved);
+        const bool is_first = from == shared_.places.coordinator;
+        for (const auto& moved : tasks.cells) unpack(moved, is_first);
+        has_begun_ = true;
         balance_->received(from, tasks.load);
       },
       [&](const TaskRequest& request) { balance_->requested(message, request); },
       [&](const NoTasks& refusal) { balance_->refused(from, refusal.load); },
       [&](const Measure& cells) { measure(from, cells); },
       [&](const NewPhase& phase) { begin_phase(phase); },
-      [&](const Poll&) { send_to({from, DISPLAY_PROCESS}, take_picture()); },
+      [&](const Poll&) {
+        send_to({from, DISPLAY_PROCESS}, take_picture());
+      },
       [&](const Shown&) { is_under_way_ = false; }, [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
 }

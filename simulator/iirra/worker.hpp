@@ -32,7 +32,7 @@ class Worker : private TaskGiver {
   void report();
   std::uint64_t pixels_of(const SampledCell& cell) const;
   MovedCell pack(const TaskCell& cell);
-  void unpack(const MovedCell& moved);
+  void unpack(const MovedCell& moved, bool is_first);
   void charge_work();
 
   // The network.
@@ -61,13 +61,14 @@ class Worker : private TaskGiver {
   TaskWork work_;
   Limits limits_;
   std::uint32_t phase_ = 0;
-  int order_ = 0;                               // of the user, that has set the limits
-  std::uint64_t finished_ = 0;                  // pixels
+  int order_ = 0;                                    // of the user, that has set the limits
+  std::uint64_t finished_ = 0;                       // pixels
   std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
-  std::deque<Painted> unshown_;                 // blocks of virtual frame buffers
-  bool is_under_way_ = false;                   // a picture that was not asked for
-  std::deque<network::Message> deferred_;       // until the sample in hand is complete
-  std::optional<Point> open_;                   // that sample
+  std::deque<Painted> unshown_;                      // blocks of virtual frame buffers
+  bool is_under_way_ = false;                        // a picture that was not asked for
+  std::deque<network::Message> deferred_;            // until the sample in hand is complete
+  std::optional<Point> open_;                        // that sample
+  bool has_begun_;  // the first tasks have come, or the message that there are none
   bool is_stopped_ = false;
 };
 

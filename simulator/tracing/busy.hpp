@@ -1,6 +1,6 @@
 #pragma once
-// How busy the processors and links of a program that traces rays were, and what limits it: which of
-// its resources is busy when others wait for it.
+// How busy the processors and links of a program that traces rays were, and what limits it: which
+// of its resources is busy when others wait for it.
 #include "simulator/declare/program.hpp"
 
 namespace tracing {
