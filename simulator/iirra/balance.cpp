@@ -74,14 +74,17 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// All on the way are asked, and remember. At last the coordinator hands the request on to any.
+// All on the way are asked. At last the coordinator hands the request on to the workers in turns, one
+// of which remembers it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
   void requested(const Message& message, const TaskRequest& request) override {
     if (giver_.give(request.asker) > 0) return;
-    remember(request.asker);
-    if (!request.is_last) giver_.pass_on(message);
+    if (request.is_last)
+      remember(request.asker);
+    else
+      giver_.pass_on(message);
   }
 
  private:

@@ -74,7 +74,7 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
   for (std::size_t i = 0; i < cells.size();) {
     Tasks tasks;
-    for (; tasks.cells.size() < room && i < cells.size(); ++i) tasks.cells.push_back({cells[i], {}});
+    for (; tasks.cells.size() < room && i < cells.size(); ++i) tasks.cells.push_back({{cells[i]}, {}});
     manager_.look();
     tell({worker, TASK_PROCESS}, std::move(tasks));
   }
@@ -214,7 +214,9 @@ void Coordinator::obey_user(std::size_t place) {
   const auto& what = script[place].what;
   const std::size_t number = place + 1;
   shared_.record.orders_s.emplace_back(shared_.now_s(), std::nullopt);
-  if (is_finishing_) return note(number, "the picture was complete");
+  if (is_finishing_)
+    return note(number, shared_.record.is_aborted ? "the run had been aborted"
+                                                  : "the picture was complete");
   const auto begin_interactive = [&](const Limits& limits) {
     keep_picture(fmt::format("order{}", number));
     stage_ = shared_.params.stages.size();

@@ -12,9 +12,10 @@ using occam::case_of;
 Display::Display(Shared& shared, shared_memory::DataManager& manager)
     : shared_(shared),
       manager_(manager),
-      rgb8_(3 * shared.record.samples.sums.size()),
+      screen_{std::vector<std::uint8_t>(3 * shared.record.samples.sums.size()),
+              std::vector<TaskCell>(shared.record.samples.sums.size())},
       recorder_(shared.params.looks) {
-  if (shared.params.cycles_per_host_s) scratch_ = rgb8_;
+  if (shared.params.cycles_per_host_s) scratch_ = screen_;
 }
 
 void Display::run() {
@@ -27,23 +28,39 @@ void Display::run() {
   manager_.serve_for_ever();
 }
 
-// Each worker is asked in its turn, as soon as the display is at leisure.
+// Each worker is asked in its turn, as soon as the display is at leisure; but none more often than
+// the screen shows a new frame.
 void Display::poll_all() {
+  const auto next_frame =
+      occam::read_timer() + occam::ticks(machine::Seconds{shared_.params.frame_s});
   is_all_ = true;
   kept_next_ = std::exchange(to_keep_, {});
   was_finishing_ = is_finishing_;
   for (const int worker : shared_.places.workers) {
-    ++shared_.record.counts.polls;
-    send(manager_, shared_.sizes, {worker, TASK_PROCESS}, Poll{});
-    for (is_answered_ = false; !is_answered_ && !is_stopped_;) obey(manager_.serve_at_once());
+    await_answers(static_cast<std::size_t>(shared_.params.polls) - 1);
     if (is_stopped_) return;
+    ++shared_.record.counts.polls;
+    ++asked_;
+    send(manager_, shared_.sizes, {worker, TASK_PROCESS}, Poll{});
   }
+  await_answers(0);
+  if (is_stopped_) return;
   end_round(is_all_);
+  while (!is_stopped_ && !is_finishing_) {
+    const auto message = manager_.serve_until(next_frame);
+    if (!message) return;
+    obey(*message);
+  }
+}
+
+// Until so many questions at most are without an answer.
+void Display::await_answers(std::size_t most) {
+  while (asked_ > most && !is_stopped_) obey(manager_.serve_at_once());
 }
 
 void Display::end_round(bool is_all) {
   for (const auto& name : std::exchange(kept_next_, {}))
-    shared_.record.key_images.push_back({machine::this_process().now(), name, rgb8_});
+    keep(name);
   if (!was_finishing_ || !is_all) return;
   send(manager_, shared_.sizes, {shared_.places.coordinator, TASK_PROCESS}, Finished{});
   while (!is_stopped_) obey(manager_.serve_at_once());
@@ -53,7 +70,7 @@ void Display::obey(const Message& message) {
   case_of(
       read(shared_.sizes, message),
       [&](const Picture& picture) {
-        is_answered_ = true;
+        if (shared_.params.is_polled) --asked_;
         is_all_ &= picture.is_all;
         show(message, picture);
         if (!shared_.params.is_polled)
@@ -74,6 +91,25 @@ void Display::obey(const Message& message) {
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a display"); });
 }
 
+// The pixels of which no newer picture is shown. Returns whether one has another colour now.
+bool Display::draw(const Painted& block, int width, Screen& screen, renderer::Work& work) {
+  bool is_changed = false;
+  auto from = block.rgb8.begin();
+  const auto& area = block.area;
+  for (int y = area.y; y < area.y + area.height; ++y)
+    for (int x = area.x; x < area.x + area.width; ++x, from += 3) {
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x);
+      if (screen.cells[pixel].paintings > block.cell.paintings) continue;
+      work[renderer::Op::pixel_drawn] += 1;
+      screen.cells[pixel] = block.cell;
+      const auto at = screen.rgb8.begin() + static_cast<std::ptrdiff_t>(3 * pixel);
+      is_changed |= !std::equal(from, from + 3, at);
+      std::copy_n(from, 3, at);
+    }
+  return is_changed;
+}
+
 void Display::show(const Message& message, const Picture& picture) {
   auto& record = shared_.record;
   ++record.counts.pictures;
@@ -82,35 +118,52 @@ void Display::show(const Message& message, const Picture& picture) {
   for (const auto& block : picture.blocks) {
     ++record.counts.blocks;
     bool is_changed = false;
-    shared_.display_cost(
-        rgb8_, scratch_,
-        [kept = message.contents, &block, width = record.samples.width, &changed = is_changed, this](auto& to, renderer::Work& work) {
-          const auto row = 3 * static_cast<std::size_t>(block.area.width);
-          for (int y = 0; y < block.area.height; ++y) {
-            const auto from = block.rgb8.begin() + static_cast<std::ptrdiff_t>(row) * y;
-            const auto at = to.begin() + 3 * (static_cast<std::ptrdiff_t>(block.area.y + y) * width +
-                                              block.area.x);
-            if (&to == &rgb8_ && !std::equal(from, from + static_cast<std::ptrdiff_t>(row), at))
-              changed = true;
-            std::copy_n(from, row, at);
-            work[renderer::Op::pixel_drawn] += static_cast<std::uint64_t>(block.area.width);
-          }
-        });
+    machine::this_process().charge(static_cast<std::int64_t>(block.rgb8.size() / 3) *
+                                   shared_.pixel_tested);
+    shared_.display_cost(screen_, scratch_,
+                         [kept = message.contents, &block, width = record.samples.width,
+                          &is_changed, this](Screen& to, renderer::Work& work) {
+                           const bool changed = draw(block, width, to, work);
+                           if (&to == &screen_) is_changed = changed;
+                         });
     if (!is_changed || block.order == 0) continue;
     auto& shown = record.orders_s.at(static_cast<std::size_t>(block.order) - 1).second;
     if (!shown) shown = shared_.now_s();
   }
 }
 
+void Display::keep(const std::string& name) {
+  const auto now = machine::this_process().now();
+  shared_.record.key_images.push_back({now, name, screen_.rgb8});
+  if (shared_.params.has_borders)
+    shared_.record.key_images.push_back({now, "borders-" + name, draw_borders()});
+}
+
+// White along the upper and left borders of cells; those of two pixels would be nothing else.
+std::vector<std::uint8_t> Display::draw_borders() const {
+  auto rgb8 = screen_.rgb8;
+  const int width = shared_.record.samples.width;
+  for (std::size_t pixel = 0; pixel < screen_.cells.size(); ++pixel) {
+    const auto& cell = screen_.cells[pixel];
+    const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
+    if (cell.paintings == 0 || cell.side < 4 || (x != cell.x && y != cell.y)) continue;
+    std::fill_n(rgb8.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, 255);
+  }
+  return rgb8;
+}
+
 growth::Shown Display::look() const {
   return {.rays = shared_.record.rays.total(),
           .cycles = static_cast<std::uint64_t>(shared_.kernel_cycles().value),
-          .rgb8 = rgb8_};
+          .rgb8 = screen_.rgb8};
 }
 
 void Display::end(double at_s) {
   recorder_.end(at_s, [&] { return look(); });
-  shared_.record.rgb8 = rgb8_;
+  shared_.record.rgb8 = screen_.rgb8;
+  if (shared_.params.has_borders)
+    shared_.record.key_images.push_back(
+        {machine::Seconds{shared_.record.ended_s}, "borders", draw_borders()});
   shared_.record.pictures = recorder_.pictures();
   shared_.record.growth = recorder_.growth();
 }

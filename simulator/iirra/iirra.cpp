@@ -49,6 +49,11 @@ std::vector<int> find_parents(const topologies::Topology& topology, const Places
   return tree.parent;
 }
 
+machine::Cycles cost_of_testing(const machine::Model& model) {
+  static constexpr std::string_view NAMES[] = {"pixel_tested"};
+  return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
+}
+
 class Run {
  public:
   Run(const machine::Model& model, const topologies::Topology& topology,
@@ -67,6 +72,7 @@ class Run {
                 .sizes = Sizes(model),
                 .longest = LONGEST,
                 .task_cost = machine::OperationCosts(model, "central", TaskWork::NAMES),
+                .pixel_tested = cost_of_testing(model),
                 .ray_cost = {"ray", kernels::tree_costs(model), params.cycles_per_host_s},
                 .paint_cost = {"interpolation", kernels::tree_costs(model),
                                params.cycles_per_host_s},
@@ -89,6 +95,8 @@ class Run {
       record.ended_s = machine_.now().value;
     }
     record.end = end;
+    // After an abort the workers go on until they hear of it.
+    record.last_task_s = std::min(record.last_task_s, record.ended_s);
     record.setup_s = record.begun_s;
     record.time_s = record.ended_s - record.begun_s;
     display_->end(record.time_s);
@@ -236,11 +244,11 @@ void check_weights(const char* key, const Weights& w) {
                 "found weights that are all 0, expected one above 0 at least");
 }
 
-void check_limits(const renderer::Params& image, const Limits& limits) {
+void check_limits(const char* key, const renderer::Params& image, const Limits& limits) {
   renderer::Params with_area = image;
   with_area.area = limits.area;
   check(with_area);
-  if (limits.weights) check_weights("stage.weights", *limits.weights);
+  if (limits.weights) check_weights(key, *limits.weights);
 }
 
 }  // namespace
@@ -259,9 +267,10 @@ void check(const Params& params, const topologies::Topology& topology) {
                 "found double, but every worker holds the scene: there are no data managers; "
                 "expected single, or data.cache_percent above 0");
   base::require(!params.stages.empty(), "stage", "found none, expected one at least");
-  for (const auto& limits : params.stages) check_limits(params.image, limits);
+  for (const auto& limits : params.stages) check_limits("stage.weights", params.image, limits);
   for (const auto& order : params.script)
-    if (const auto* limits = std::get_if<Limits>(&order.what)) check_limits(params.image, *limits);
+    if (const auto* limits = std::get_if<Limits>(&order.what))
+      check_limits("order.weights", params.image, *limits);
   tracing::check_script(params.script);
   tracing::check_looks("iirra", params.looks, params.image);
   const auto places = find_places(topology, params.is_far);

@@ -39,6 +39,9 @@ struct Params {
   /// A worker's data manager has a processor of its own, on the same memory (6.2).
   bool is_double = false;
   bool is_polled = true;  ///< the display asks for pictures; else they are sent to it
+  int polls = 4;           ///< questions of the display that wait for an answer at once, at most
+  bool has_borders = false;  ///< each picture comes once more, with its cells' borders
+  double frame_s = 0.04;   ///< the display asks no worker more often than it shows a frame
   std::uint64_t seed = 1;  ///< of the order `random` and `adaptive`
   growth::Looks looks;
   network::Method method = network::Method::green;

@@ -12,15 +12,17 @@ Columns<Result> sample_columns() {
   using C = Counts;
   const auto of_image = [](const R& r) { return r.rays_image.total(); };
   const auto outside = [](const R& r) { return r.rays_outside.total(); };
-  const auto twice = [](const R& r) {
-    return r.rays.total() - r.rays_outside.total() - r.rays_image.total();
+  // Else there are samples that were computed once, of pixels that were not finished.
+  const auto is_complete = [](const R& r) { return !r.is_aborted && r.end == machine::End::done; };
+  const auto twice = [is_complete](const R& r) {
+    return is_complete(r) ? r.rays.total() - r.rays_outside.total() - r.rays_image.total() : 0;
   };
   const auto finished = [](const R& r) {
     return std::uint64_t(std::ranges::count(r.finished, true));
   };
-  const auto samples_twice = [finished](const R& r) {
+  const auto samples_twice = [finished, is_complete](const R& r) {
     const auto inside = r.counts.samples - r.counts.samples_outside;
-    return r.is_aborted ? 0 : inside - finished(r);
+    return is_complete(r) ? inside - finished(r) : 0;
   };
   return base::join(
       Columns<R>{column<R>("rays_image", of_image, "rays of the image's samples, each once"),

@@ -57,7 +57,7 @@ struct UserOrder {
 // --- display ----------------------------------------------------------------------------------
 /// A part of a cell's virtual frame buffer.
 struct Painted : renderer::progressive::Painting {
-  SampledCell cell;
+  TaskCell cell;
   int order = 0;  ///< of the user, under which it was painted
 };
 struct Poll {};
@@ -97,8 +97,8 @@ struct Sizes {
     for (const auto& s : moved.samples) sum += of(s);
     return sum;
   }
-  /// A block of a picture: where it is, in two words, and three bytes a pixel.
-  static std::uint64_t of(const Painted& block) { return 2 * WORD + block.rgb8.size(); }
+  /// A block of a picture: where it is and how new, in three words, and three bytes a pixel.
+  static std::uint64_t of(const Painted& block) { return 3 * WORD + block.rgb8.size(); }
   std::uint64_t of(const IirraMessage::Content& content) const;
 };
 

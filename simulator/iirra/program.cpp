@@ -92,6 +92,13 @@ base::Fields<Params> machine_fields() {
                     base::Names<bool>{{"polled", true}, {"sent", false}},
                     "the display asks each worker for its part of the picture, or is sent "
                     "everything"),
+          D::whole("polls_at_once", &Params::polls, 1, 1000, "",
+                   "questions of the display that wait for an answer at once, at most; 1: it asks "
+                   "one worker after the other"),
+          D::flag("borders", &Params::has_borders,
+                  "true: each picture comes once more, with the borders of its cells"),
+          D::number("frame_s", &Params::frame_s, 0, 1000, "s",
+                    "time of a frame on the screen: the display asks no worker more often"),
           D::whole("buffers", &Params::buffers, 1, 1e6, "",
                    "messages that a router has room for; else as many as processors, and 64")};
 }

@@ -54,22 +54,33 @@ class Display {
   void run();  ///< until it is stopped
   /// The run has ended, or has been cut short: the last picture.
   void end(double at_s);
-  const std::vector<std::uint8_t>& rgb8() const { return rgb8_; }
 
  private:
   void poll_all();
+  void await_answers(std::size_t most);
   void obey(const network::Message& message);
   void show(const network::Message& message, const Picture& picture);
   void end_round(bool is_all);
   growth::Shown look() const;
+  void keep(const std::string& name);
+  std::vector<std::uint8_t> draw_borders() const;
+
+  // What is shown, and of each pixel the cell whose picture it is.
+  struct Screen {
+    std::vector<std::uint8_t> rgb8;
+    std::vector<TaskCell> cells;
+  };
+
+  static bool draw(const Painted& block, int width, Screen& screen, renderer::Work& work);
 
   Shared& shared_;
   shared_memory::DataManager& manager_;
-  std::vector<std::uint8_t> rgb8_, scratch_;
+  Screen screen_, scratch_;
   growth::Recorder recorder_;
   std::vector<std::string> to_keep_, kept_next_;  // after this round, after the next one
   bool is_finishing_ = false, was_finishing_ = false, is_stopped_ = false;
-  bool is_all_ = true, is_answered_ = false;  // nothing was left in this round; to the last poll
+  bool is_all_ = true;     // nothing was left in this round
+  std::size_t asked_ = 0;  // questions without an answer
 };
 
 }  // namespace iirra

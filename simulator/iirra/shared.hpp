@@ -14,6 +14,7 @@ struct Shared {
   Sizes sizes;
   std::uint64_t longest;  ///< bytes of a message
   machine::OperationCosts task_cost;
+  machine::Cycles pixel_tested;  ///< of the display, which of two pictures of it is newer
   kernels::KernelCost ray_cost, paint_cost, display_cost;
   const shared_memory::SceneItems* items = nullptr;  ///< where the scene is shared
   machine::Cycles charged_with_data{};               ///< for rays that read it so

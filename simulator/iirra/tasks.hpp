@@ -12,9 +12,16 @@ namespace iirra {
 
 using renderer::progressive::Point;
 
+/// A cell of a task.
+struct TaskCell : SampledCell {
+  /// How often it, or a cell that it is a part of, has been painted: of two pictures of a pixel the
+  /// display knows which is newer.
+  std::uint32_t paintings = 0;
+};
+
 /// A cell, and what was found when it was put into a store.
 struct Task {
-  SampledCell cell;
+  TaskCell cell;
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
@@ -30,9 +37,8 @@ struct Sample {
 
 /// A cell that goes to another processor, and its samples in the order of points_of().
 struct MovedCell {
-  SampledCell cell;
+  TaskCell cell;
   std::vector<Sample> samples;
-  bool is_unshown = false;  ///< the display has not been sent what they show
 };
 
 /// The operations of a task manager, with the names that model files use.

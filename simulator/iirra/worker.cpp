@@ -72,20 +72,25 @@ void Worker::work() {
 // --- application --------------------------------------------------------------------------------
 
 void Worker::advance(const Task& task) {
-  SampledCell cell = task.cell;
+  TaskCell cell = task.cell;
   if (task.next == Advance::divide) return divide_cell(cell);
+  const std::uint32_t phase = phase_;
   if (task.next == Advance::sample)
     sample_next_level(cell);
   else
     deepen(cell, task.quantities.depth);
   if (is_stopped_) return;
+  // What has been done stays; what comes next is chosen within the new limits.
+  if (phase_ != phase) return put(cell);
   if (!is_finished(cell, samples_)) paint_cell(cell);
   put(cell);
   if (!params_.is_polled) send_pictures();
 }
 
-void Worker::sample_next_level(SampledCell& cell) {
+void Worker::sample_next_level(TaskCell& cell) {
+  const std::uint32_t phase = phase_;
   for (const Point& p : points_of_level(cell, cell.level + 1)) {
+    if (phase_ != phase || is_stopped_) return;
     if (samples_.has(p)) {
       ++counts_.samples_shared;
       continue;
@@ -94,26 +99,32 @@ void Worker::sample_next_level(SampledCell& cell) {
     ++counts_.samples;
     counts_.samples_outside += is_outside;
     allocate(sizes_.sample, "samples");
+    open_ = p;
     trace(samples_[p], make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    open_.reset();
     serve_waiting();
   }
+  if (phase_ != phase) return;
   ++cell.level;
 }
 
-void Worker::divide_cell(const SampledCell& cell) {
+void Worker::divide_cell(const TaskCell& cell) {
   ++counts_.cells_divided;
   for (const auto& daughter : progressive::divide(cell)) {
     if (pixels_of(daughter) == 0) continue;
     for (const Point& p : points_of(daughter))
       if (!samples_.has(p)) throw base::InvariantBroken("a sample that a divided cell has not");
-    put(daughter);
+    put({daughter, cell.paintings});
   }
   balance_->created();
 }
 
 // One level of the shading trees of all samples held.
 void Worker::deepen(const SampledCell& cell, int level) {
+  const std::uint32_t phase = phase_;
   for (const Point& p : points_to_deepen(cell)) {
+    if (phase_ != phase || is_stopped_) return;
+    open_ = p;
     Sample& sample = samples_.at(p);
     const bool is_outside = !is_in(shared_.area, p);
     for (std::size_t i = 0; i < sample.waiting.size();) {
@@ -126,6 +137,7 @@ void Worker::deepen(const SampledCell& cell, int level) {
       memory().release(sizes_.ray);
       trace(sample, ray, is_outside);
     }
+    open_.reset();
     serve_waiting();
   }
 }
@@ -162,6 +174,7 @@ Traced trace_ray(const renderer::Scene& scene, const renderer::Params& params, c
 }  // namespace
 
 renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
+  look();
   const auto& scene = shared_.scene;
   const auto& params = params_.image;
   Traced traced;
@@ -189,11 +202,12 @@ renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside
 }
 
 // Into the cell's virtual frame buffer, in place of what it was.
-void Worker::paint_cell(const SampledCell& cell) {
+void Worker::paint_cell(TaskCell& cell) {
+  ++cell.paintings;
   std::vector<renderer::Rgb> colours;
   for (const Point& p : points_of(cell)) colours.push_back(to_rgb(samples_.at(p).sums));
   auto painting = shared_.paint_cost(
-      [cell, colours = std::move(colours), area = shared_.area](renderer::Work& work) {
+      [cell = SampledCell(cell), colours = std::move(colours), area = shared_.area](renderer::Work& work) {
         return paint(cell, area, colours, work);
       });
   std::erase_if(unshown_, [&](const Painted& old) { return is_same_place(old.cell, cell); });
@@ -225,7 +239,7 @@ std::uint64_t Worker::pixels_of(const SampledCell& cell) const {
          overlap(cell.y, cell.side, area.y, area.height);
 }
 
-void Worker::put(const SampledCell& cell, bool has_just_come) {
+void Worker::put(const TaskCell& cell, bool has_just_come) {
   if (is_finished(cell, samples_)) return finish(cell);
   Task task{cell, find_quantities(cell, samples_, limits_, work_)};
   task.next = choose(cell, task.quantities, limits_);
@@ -238,7 +252,7 @@ void Worker::put(const SampledCell& cell, bool has_just_come) {
   charge_work();
 }
 
-void Worker::finish(const SampledCell& cell) {
+void Worker::finish(TaskCell cell) {
   paint_cell(cell);
   for (const Point& p : points_to_deepen(cell))
     if (is_in(shared_.area, p)) shared_.record.finish(p.x, p.y, samples_.at(p));
@@ -275,15 +289,6 @@ void Worker::begin_phase(const NewPhase& phase) {
   balance_->created();
 }
 
-bool Worker::is_unshown(const SampledCell& cell) const {
-  const auto covers = [&](const SampledCell& other) {
-    return owns(other, {cell.x, cell.y}) && !is_same_place(other, cell);
-  };
-  return std::ranges::any_of(unshown_, covers, &Painted::cell) ||
-         std::ranges::any_of(under_way_,
-                             [&](const auto& other) { return owns(other, {cell.x, cell.y}); });
-}
-
 std::size_t Worker::give(int to) {
   const auto reserve = static_cast<std::size_t>(params_.reserve);
   if (stores_.active() <= reserve) return 0;
@@ -295,8 +300,11 @@ std::size_t Worker::give(int to) {
   const auto may_go = [&](const Task& task) {
     if (task.has_just_come && !goes_on) return false;
     std::uint64_t needed = bytes + sizes_.cell;
-    for (const Point& p : points_of(task.cell)) needed += sizes_.of(samples_.at(p));
-    return needed <= shared_.longest && !is_unshown(task.cell);
+    for (const Point& p : points_of(task.cell)) {
+      if (p == open_) return false;
+      needed += sizes_.of(samples_.at(p));
+    }
+    return needed <= shared_.longest;
   };
   while (tasks.cells.size() < most) {
     const auto task = stores_.take_last(may_go, work_);
@@ -317,17 +325,14 @@ std::size_t Worker::give(int to) {
 }
 
 // The samples that no other cell here can need go with it; its borders stay as well.
-MovedCell Worker::pack(const SampledCell& cell) {
-  MovedCell moved{cell, {}, false};
+MovedCell Worker::pack(const TaskCell& cell) {
+  MovedCell moved{cell, {}};
   for (const Point& p : points_of(cell)) {
     moved.samples.push_back(samples_.at(p));
     if (!is_inner(cell, p)) continue;
     memory().release(sizes_.of(moved.samples.back()));
     samples_.erase(p);
   }
-  moved.is_unshown = std::erase_if(unshown_, [&](const Painted& block) {
-                       return is_same_place(block.cell, cell);
-                     }) > 0;
   return moved;
 }
 
@@ -343,7 +348,6 @@ void Worker::unpack(const MovedCell& moved) {
     allocate(sizes_.of(sample), "samples");
     samples_[p] = sample;
   }
-  if (moved.is_unshown && !is_finished(moved.cell, samples_)) paint_cell(moved.cell);
   put(moved.cell, true);
 }
 
@@ -353,9 +357,27 @@ void Worker::charge_work() {
 
 // --- network ------------------------------------------------------------------------------------
 
+// Between samples everything can be done.
 void Worker::serve_waiting() {
+  look();
+  while (!deferred_.empty()) {
+    const Message message = std::move(deferred_.front());
+    deferred_.pop_front();
+    obey(message);
+  }
+}
+
+// Between rays, while a sample is not complete, only what does not touch the cell in hand.
+void Worker::look() {
   ++counts_.looks;
-  while (const auto message = manager_.take_other()) obey(*message);
+  while (auto message = manager_.take_other()) {
+    const auto& content = static_cast<const IirraMessage&>(*message->contents).content;
+    if (std::holds_alternative<Poll>(content) || std::holds_alternative<TaskRequest>(content) ||
+        std::holds_alternative<NoTasks>(content))
+      obey(*message);
+    else
+      deferred_.push_back(*std::move(message));
+  }
 }
 
 void Worker::obey(const Message& message) {
@@ -371,7 +393,7 @@ void Worker::obey(const Message& message) {
       [&](const Measure& cells) { measure(from, cells); },
       [&](const NewPhase& phase) { begin_phase(phase); },
       [&](const Poll&) { send_to({from, DISPLAY_PROCESS}, take_picture()); },
-      [&](const Shown&) { under_way_.clear(); }, [&](const Stop&) { is_stopped_ = true; },
+      [&](const Shown&) { is_under_way_ = false; }, [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
 }
 
@@ -412,12 +434,10 @@ Picture Worker::take_picture() {
 // Where the display does not ask: it has to have taken each before the next one goes.
 void Worker::send_pictures() {
   while (!unshown_.empty() && !is_stopped_) {
-    if (under_way_.empty()) {
-      Picture picture = take_picture();
-      for (const auto& block : picture.blocks) under_way_.push_back(block.cell);
-      send_to({shared_.places.display, DISPLAY_PROCESS}, std::move(picture));
-    }
-    while (!under_way_.empty() && !is_stopped_) obey(manager_.serve_at_once());
+    if (!std::exchange(is_under_way_, true))
+      send_to({shared_.places.display, DISPLAY_PROCESS}, take_picture());
+    serve_waiting();
+    while (is_under_way_ && !is_stopped_) obey(manager_.serve_at_once());
   }
 }
 

@@ -18,26 +18,26 @@ class Worker : private TaskGiver {
 
   // The application (AP).
   void advance(const Task& task);
-  void sample_next_level(SampledCell& cell);
-  void divide_cell(const SampledCell& cell);
+  void sample_next_level(TaskCell& cell);
+  void divide_cell(const TaskCell& cell);
   void deepen(const SampledCell& cell, int level);
   void trace(Sample& sample, const renderer::Ray& ray, bool is_outside);
   renderer::Children shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
-  void paint_cell(const SampledCell& cell);
+  void paint_cell(TaskCell& cell);
 
   // The task manager (TM).
-  void put(const SampledCell& cell, bool has_just_come = false);
-  void finish(const SampledCell& cell);
+  void put(const TaskCell& cell, bool has_just_come = false);
+  void finish(TaskCell cell);
   void rest();
   void report();
   std::uint64_t pixels_of(const SampledCell& cell) const;
-  bool is_unshown(const SampledCell& cell) const;
-  MovedCell pack(const SampledCell& cell);
+  MovedCell pack(const TaskCell& cell);
   void unpack(const MovedCell& moved);
   void charge_work();
 
   // The network.
   void serve_waiting();
+  void look();
   void obey(const network::Message& message);
   void begin_phase(const NewPhase& phase);
   void measure(int asker, const Measure& measure);
@@ -65,7 +65,9 @@ class Worker : private TaskGiver {
   std::uint64_t finished_ = 0;                  // pixels
   std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
   std::deque<Painted> unshown_;                 // blocks of virtual frame buffers
-  std::vector<SampledCell> under_way_;          // cells in the picture that was sent last
+  bool is_under_way_ = false;                   // a picture that was not asked for
+  std::deque<network::Message> deferred_;       // until the sample in hand is complete
+  std::optional<Point> open_;                   // that sample
   bool is_stopped_ = false;
 };
 

@@ -141,6 +141,16 @@ Message DataManager::serve_every(Seconds period) {
   return *std::move(message);
 }
 
+std::optional<Message> DataManager::serve_until(std::int64_t tick) {
+  auto message = take_other();
+  for (bool is_early = true; !message && is_early; message = take_other()) {
+    const occam::Guard guards[] = {occam::Guard(&client_.from_router()),
+                                   occam::Guard::at(tick, true)};
+    is_early = occam::select(guards) == 0;
+  }
+  return message;
+}
+
 void DataManager::serve_for_ever() {
   this_process().set_server();
   for (;;) serve();

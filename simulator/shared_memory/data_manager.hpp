@@ -105,6 +105,8 @@ class DataManager {
   network::Message serve() { return serve_every(costs_.idle_period); }
   /// The same for an application that waits in an ALT until something comes: serves at once.
   network::Message serve_at_once() { return serve_every({}); }
+  /// The same up to a tick of the timer (see occam::wait_until); then nothing is returned.
+  std::optional<network::Message> serve_until(std::int64_t tick);
   /// The same for an application that has ended: its process becomes a server, and never returns.
   [[noreturn]] void serve_for_ever();
 

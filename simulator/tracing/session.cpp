@@ -10,7 +10,7 @@ bool is_picture_name(const std::string& name) {
 void check_saved_names(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const auto& name : names) {
-    for (const char* taken : {"stage", "order", "shown", "growth"})
+    for (const char* taken : {"stage", "order", "shown", "growth", "borders"})
       if (name.starts_with(taken))
         base::refuse("order.save", "found \"{}\", expected a name that does not begin with {}",
                      name, taken);

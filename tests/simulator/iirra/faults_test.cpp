@@ -1,0 +1,114 @@
+// Processors that stop and links that are cut: the right image, or a fault that names who; never a
+// wrong image, and never a run without an end.
+#include <gtest/gtest.h>
+
+#include "simulator/machine/faults.hpp"
+#include "tests/simulator/iirra/iirra_support.hpp"
+
+namespace iirra {
+namespace {
+
+constexpr unsigned LIMIT_S = 20;  // of the host; a run takes well under one
+
+// "right" or "wrong", the image; or what was thrown, "machine::Fault: ...".
+std::string outcome(const Params& params, const std::string& topology) {
+  try {
+    return isolated(
+        [&] {
+          const auto result = run(params, topology);
+          const auto expected = render(make_glass_scene(), params.image);
+          return result.samples == expected.samples && result.rgb8 == make_rgb8(expected.samples)
+                     ? "right"
+                     : "wrong";
+        },
+        LIMIT_S);
+  } catch (const test::ChildThrew& thrown) {
+    return thrown.type + ": " + thrown.what();
+  }
+}
+
+TEST(IirraFaults, AProcessorThatStopsIsNamed) {
+  const struct {
+    int processor;
+    const char* name;
+  } roles[] = {{0, "coordinator"}, {8, "display"}, {4, "worker4"}, {1, "worker1"}};
+  for (const auto& [processor, name] : roles)
+    for (const double at_s : {0.0, 0.05, 0.3}) {
+      SCOPED_TRACE(fmt::format("{} at {} s", name, at_s));
+      auto params = small_params();
+      params.faults = {{at_s, processor, -1}};
+      const auto told = outcome(params, "mesh:3x3");
+      EXPECT_TRUE(told.starts_with(fmt::format("machine::Fault: {} has stopped at ", name)))
+          << told;
+    }
+}
+
+// Every method of balancing sends other messages, which have to find another way.
+TEST(IirraFaults, ACutLinkIsGoneAround) {
+  for (int balance = 0; balance < 7; ++balance)
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      std::mt19937_64 random(seed + 100 * static_cast<std::uint64_t>(balance));
+      const std::string topology = seed % 2 ? "mesh:3x3" : "ring:6";
+      const auto links = topologies::make_topology(topology).links;
+      const auto& link = links[random() % links.size()];
+      auto params = small_params();
+      params.balance = static_cast<BalanceMethod>(balance);
+      params.is_polled = random() % 2;
+      params.start = static_cast<Start>(random() % 3);
+      constexpr network::Method METHODS[] = {network::Method::green, network::Method::chalmers,
+                                             network::Method::acyclic};
+      params.method = METHODS[random() % 3];
+      params.stages = {Limits{}, Limits{}};
+      params.stages[0].min_cell = 4;
+      params.faults = {
+          {static_cast<double>(random() % 400) / 1000, link.a.processor, link.b.processor}};
+      SCOPED_TRACE(
+          fmt::format("seed {}, balance {}, start {}, polled {}, method {}, {}: {} - {} at {} s",
+                      seed, balance, int(params.start), params.is_polled, int(params.method),
+                      topology, link.a.processor, link.b.processor, params.faults[0].at_s));
+      EXPECT_EQ(outcome(params, topology), "right");
+    }
+}
+
+// Without another way a part of the picture is missing, or the end is not told to all.
+TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
+  for (int balance = 0; balance < 7; ++balance)
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      std::mt19937_64 random(seed + 100 * static_cast<std::uint64_t>(balance));
+      auto params = small_params();
+      params.balance = static_cast<BalanceMethod>(balance);
+      params.is_polled = random() % 2;
+      const int from = static_cast<int>(random() % 4);
+      params.faults = {{0.02 + static_cast<double>(random() % 300) / 1000, from, from + 1}};
+      SCOPED_TRACE(fmt::format("seed {}, balance {}, polled {}: {} - {} at {} s", seed, balance,
+                               params.is_polled, from, from + 1, params.faults[0].at_s));
+      const auto told = outcome(params, "line:5");
+      EXPECT_TRUE(told.starts_with("machine::Fault: ") || told.starts_with("machine::Deadlock: "))
+          << told;
+      EXPECT_TRUE(told.find("processor ") != told.npos || told.find("worker") != told.npos ||
+                  told.find("display") != told.npos || told.find("coordinator") != told.npos)
+          << told;
+    }
+}
+
+TEST(IirraFaults, ACutAfterTheEndChangesNothing) {
+  auto params = small_params();
+  params.faults = {{500, 1, 2}};
+  EXPECT_EQ(outcome(params, "line:5"), "right");
+}
+
+TEST(IirraFaults, ALimitOfTimeEndsWithWhatThereIs) {
+  run_isolated([] {
+    auto params = small_params();
+    observe::Watch watch;
+    watch.until = machine::Seconds{0.3};
+    params.watch = &watch;
+    const auto result = run(params);
+    EXPECT_EQ(result.end, machine::End::limit);
+    EXPECT_NEAR(result.setup_s + result.time_s, 0.3, 1e-12);
+    EXPECT_GT(result.counts.samples, 0u);
+  });
+}
+
+}  // namespace
+}  // namespace iirra

@@ -1,0 +1,425 @@
+// Whole runs of IIRRA on random machines, against the sequential renderer and a plain count of what
+// has to be computed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "simulator/tracing/data.hpp"
+#include "tests/simulator/iirra/iirra_support.hpp"
+
+namespace iirra {
+namespace {
+
+// --- random cases -------------------------------------------------------------------------------
+
+struct Case {
+  std::string topology, scene;
+  Params params;
+  std::optional<tracing::SharedParams> data;
+};
+
+using Random = std::mt19937_64;
+int below(Random& random, int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); }
+
+// 3 to 20 processors.
+std::string random_topology(Random& random) {
+  const auto from = [&](int least, int most) { return least + below(random, most - least + 1); };
+  switch (below(random, 7)) {
+    case 0:
+      return fmt::format("line:{}", from(3, 7));
+    case 1:
+      return fmt::format("ring:{}", from(3, 10));
+    case 2:
+      return fmt::format("mesh:{}x{}", from(2, 4), from(2, 5));
+    case 3:
+      return fmt::format("torus:{}x{}", from(2, 4), from(2, 5));
+    case 4:
+      return fmt::format("tree:{}", from(3, 20));
+    case 5:
+      return fmt::format("hypercube:{}", from(2, 4));
+    default:
+      return fmt::format("amp:{}", from(3, 18));
+  }
+}
+
+Limits random_limits(Random& random, const renderer::Area& area) {
+  Limits limits;
+  limits.min_influence = below(random, 4) / 4.0;
+  limits.depth_reflected = below(random, 5);
+  limits.depth_transmitted = below(random, 5);
+  limits.min_cell = 1 << random() % 5;
+  limits.max_samples = 5 + below(random, 9);
+  limits.min_contrast = below(random, 4) / 8.0;
+  if (random() % 3 == 0)
+    limits.area = {area.x + below(random, area.width - 1), area.y + below(random, area.height - 1),
+                   1, 1 + below(random, 2)};
+  if (random() % 3 == 0) limits.weights = Weights{double(random() % 3), 1, 0, 2, 0, 1};
+  return limits;
+}
+
+std::vector<Order> random_script(Random& random, const renderer::Area& area) {
+  std::vector<Order> script;
+  double at_s = 0;
+  for (int n = below(random, 5); n-- > 0;) {
+    at_s += 0.05 * below(random, 12);
+    Order order{{at_s}, random_limits(random, area)};
+    switch (below(random, 9)) {
+      case 0:
+        order.what = tracing::NonInteractive{};
+        break;
+      case 1:
+        order.what = tracing::Interactive{};
+        break;
+      case 2:
+        order.what = tracing::Save{fmt::format("kept-{}", script.size())};
+        break;
+      case 3:
+        if (n == 0) order.what = tracing::Abort{};
+        break;
+      default:
+        break;
+    }
+    script.push_back(order);
+  }
+  return script;
+}
+
+tracing::SharedParams random_data(Random& random, network::Method method) {
+  tracing::SharedParams data;
+  data.cache_percent = 40 + below(random, 61);
+  data.server_cache_percent = 50 + below(random, 51);
+  data.scheme = random() % 2 ? shared_memory::Scheme::pages : shared_memory::Scheme::items;
+  data.page_items = 1 + below(random, 2);
+  data.in_path = random() % 2;
+  data.waiting_queue = random() % 2;
+  data.method = method;
+  return data;
+}
+
+Case make_case(std::uint64_t seed) {
+  Random random(seed);
+  Case made;
+  made.topology = random_topology(random);
+  const char* const scenes[] = {"own glass", "spheres", "glass.nff", "mirrors.nff"};
+  made.scene = scenes[below(random, 4)];
+  auto& params = made.params;
+  const bool is_shared = random() % 2;  // the scene: a cache that is too small takes its time
+  params.image.width = 8 + below(random, is_shared ? 9 : 33);
+  params.image.height = 8 + below(random, is_shared ? 9 : 33);
+  params.image.limits.depth = 1 + below(random, is_shared ? 2 : 4);
+  if (random() % 4 == 0)
+    params.image.area = {1 + below(random, 3), below(random, 4), 4, 3 + below(random, 3)};
+  const auto area = get_area(params.image);
+  const int least = std::min(area.width, area.height);
+  do params.max_cell = 2 << random() % 4;
+  while (params.max_cell > least);
+  params.order = static_cast<CellOrder>(random() % 5);
+  params.start = static_cast<Start>(random() % 3);
+  params.balance = static_cast<BalanceMethod>(random() % 7);
+  params.reserve = 1 + below(random, 3);
+  params.is_far = params.balance == BalanceMethod::green || random() % 2;
+  params.is_polled = random() % 2;
+  params.seed = seed;
+  constexpr network::Method METHODS[] = {network::Method::green, network::Method::chalmers,
+                                         network::Method::acyclic};
+  params.method = METHODS[random() % 3];
+  if (random() % 2 == 0) params.stages = {random_limits(random, area), random_limits(random, area)};
+  params.script = random_script(random, area);
+  if (is_shared) made.data = random_data(random, params.method);
+  return made;
+}
+
+std::string describe(const Case& c) {
+  const auto& p = c.params;
+  return fmt::format(
+      "{}, {}, {} x {} pixels, cells {}, order {}, start {}, balance {}, reserve {}, "
+      "far {}, polled {}, method {}, data {}, orders {}",
+      c.topology, c.scene, p.image.width, p.image.height, p.max_cell, int(p.order), int(p.start),
+      int(p.balance), p.reserve, p.is_far, p.is_polled, int(p.method),
+      c.data ? fmt::format("{} {} %", int(c.data->scheme), c.data->cache_percent) : "whole",
+      p.script.size());
+}
+
+renderer::Scene load(const std::string& scene) {
+  if (scene == "own glass") return make_glass_scene();
+  if (scene == "spheres") return renderer::make_spheres(40);
+  return renderer::load_scene(std::string(TLAB_SOURCE_DIR) + "/experiments/scenes/" + scene);
+}
+
+Result run_case(const Case& c) {
+  const auto scene = load(c.scene);
+  auto params = c.params;
+  if (c.data) {
+    const auto model = machine::load_model("t805-25");
+    check_data(model, tracing::size_of(scene), *c.data);
+    params.data = make_data_params(model, tracing::size_of(scene), *c.data);
+  }
+  return run(params, topologies::make_topology(c.topology), scene);
+}
+
+// --- what has to be computed --------------------------------------------------------------------
+
+// Samples of the cells of a worker that keeps them all.
+struct Needed {
+  std::set<std::pair<int, int>> points;
+  std::uint64_t asked = 0;    // samples of all levels, before those that are there are left out
+  std::uint64_t divided = 0;  // cells
+};
+
+void need(Needed& needed, SampledCell cell, const renderer::Area& area) {
+  const int right = area.x + area.width, down = area.y + area.height;
+  if (cell.x >= right || cell.y >= down) return;
+  while (cell.level < last_level(cell))
+    for (const Point& p : points_of_level(cell, ++cell.level)) {
+      needed.points.insert({p.x, p.y});
+      ++needed.asked;
+    }
+  if (cell.side == 2) return;
+  ++needed.divided;
+  for (const auto& daughter : divide(cell)) need(needed, daughter, area);
+}
+
+Needed need_all(const Params& params) {
+  Needed needed;
+  const auto area = get_area(params.image);
+  for (const auto& cell : make_cells(area, params.max_cell)) need(needed, cell, area);
+  return needed;
+}
+
+std::uint64_t count_outside(const Needed& needed, const renderer::Area& area) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(needed.points, [&](const auto& p) {
+    return p.first >= area.x + area.width || p.second >= area.y + area.height;
+  }));
+}
+
+// Where no cell moves each worker needs what its own cells do, once.
+void expect_exact_counts(const Case& c, const Result& result) {
+  const auto area = get_area(c.params.image);
+  const auto cells = make_cells(area, c.params.max_cell);
+  const int columns = (area.width + c.params.max_cell - 1) / c.params.max_cell;
+  const auto worker_of =
+      assign(c.params.start, columns, static_cast<int>(cells.size()) / columns, result.workers);
+  std::vector<Needed> of_worker(static_cast<std::size_t>(result.workers));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    need(of_worker.at(static_cast<std::size_t>(worker_of[i])), cells[i], area);
+  std::uint64_t samples = 0, outside = 0, asked = 0;
+  for (const auto& needed : of_worker) {
+    samples += needed.points.size();
+    outside += count_outside(needed, area);
+    asked += needed.asked;
+  }
+  EXPECT_EQ(result.counts.samples, samples);
+  EXPECT_EQ(result.counts.samples_outside, outside);
+  EXPECT_EQ(result.counts.samples + result.counts.samples_shared, asked);
+}
+
+void expect_counts(const Case& c, const Result& result) {
+  const auto& counts = result.counts;
+  const auto area = get_area(c.params.image);
+  const auto pixels = static_cast<std::uint64_t>(area.width * area.height);
+  const auto needed = need_all(c.params);
+  EXPECT_EQ(counts.cells_divided, needed.divided);
+  EXPECT_GE(counts.samples_outside, count_outside(needed, area));
+  EXPECT_GE(counts.samples - counts.samples_outside, pixels);
+  const auto once = result.rays_image.total() + result.rays_outside.total();
+  EXPECT_GE(result.rays.total(), once);
+  const bool is_alone = result.workers == 1 && c.params.start != Start::subsampled;
+  if (is_alone) {
+    EXPECT_EQ(result.rays.total(), once);
+  }
+  if (is_alone || (c.params.balance == BalanceMethod::none && c.params.start != Start::subsampled))
+    expect_exact_counts(c, result);
+}
+
+// --- a run --------------------------------------------------------------------------------------
+
+void expect_pictures(const Case& c, const Result& result) {
+  const auto expected = render(load(c.scene), c.params.image, 1);
+  const auto area = get_area(c.params.image);
+  for (int y = 0; y < c.params.image.height; ++y)
+    for (int x = 0; x < c.params.image.width; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * c.params.image.width + x);
+      const bool is_inside =
+          x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
+      const bool is_finished = result.finished[pixel];
+      EXPECT_EQ(is_finished, is_inside && (is_finished || !result.is_aborted)) << x << " " << y;
+      const auto sums = is_finished ? expected.samples.sums[pixel] : renderer::Samples::Sums{};
+      EXPECT_EQ(result.samples.sums[pixel], sums) << x << " " << y;
+    }
+  if (result.is_aborted) return;
+  EXPECT_EQ(result.samples, expected.samples);
+  EXPECT_EQ(result.rgb8, make_rgb8(expected.samples));
+  EXPECT_EQ(result.rays_image, expected.rays);
+}
+
+void expect_session(const Case& c, const Result& result) {
+  EXPECT_EQ(result.orders_s.size(), c.params.script.size());
+  std::set<std::string> names;
+  double last_s = 0;
+  for (const auto& key : result.key_images) {
+    EXPECT_TRUE(names.insert(key.name).second) << key.name;
+    EXPECT_FALSE(key.name.empty());
+    EXPECT_GE(key.at.value, last_s);
+    last_s = key.at.value;
+    EXPECT_EQ(key.rgb8.size(), result.rgb8.size());
+  }
+  EXPECT_GE(result.interactive_s, 0);
+  EXPECT_LE(result.interactive_s, result.time_s * (1 + 1e-12));
+  EXPECT_LE(result.last_task_s, result.ended_s);
+}
+
+void expect_messages(const Case& c, const Result& result) {
+  const auto& counts = result.counts;
+  EXPECT_EQ(counts.samples, result.rays.primary);  // one of each tree
+  EXPECT_EQ(counts.samples_outside, result.rays_outside.primary);
+  if (c.params.balance == BalanceMethod::none) {
+    EXPECT_EQ(counts.task_messages(), 0u);
+  }
+  if (c.params.balance == BalanceMethod::active) {
+    EXPECT_EQ(counts.requests + counts.refusals, 0u);
+  }
+  EXPECT_GE(counts.tasks_moved, counts.moves);
+  if (c.params.is_polled) {
+    EXPECT_GE(counts.polls, counts.pictures);
+    EXPECT_LE(counts.polls, counts.pictures + 1);
+  } else {
+    EXPECT_EQ(counts.polls, 0u);
+  }
+  for (const auto& cpu : result.use.cpus) {
+    EXPECT_GE(cpu.busy_s, 0) << cpu.name;
+    EXPECT_LE(cpu.busy_s, result.use.time_s * (1 + 1e-12)) << cpu.name;
+  }
+}
+
+// Every bit of what a run tells of times, counts and pictures.
+std::string tell(const Result& r) {
+  const auto& n = r.counts;
+  std::string told =
+      fmt::format("{:a} {:a} {:a} {:a};", r.time_s, r.setup_s, r.interactive_s, r.last_task_s) +
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {};", n.samples,
+                  n.samples_outside, n.samples_shared, n.cells_divided, n.requests, n.refusals,
+                  n.moves, n.tasks_moved, n.bytes_moved, n.reports, n.polls, n.pictures, n.blocks,
+                  n.picture_bytes, n.looks, n.tasks_most, r.rays.total());
+  for (const auto& cpu : r.use.cpus) told += fmt::format(" {:a}", cpu.busy_s);
+  for (const auto& key : r.key_images) {
+    told += fmt::format(";{} {:a} ", key.name, key.at.value);
+    told.append(key.rgb8.begin(), key.rgb8.end());
+  }
+  for (const auto& note : r.notes) told += ";" + note;
+  return told.append(r.rgb8.begin(), r.rgb8.end());
+}
+
+class IirraRuns : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(IirraRuns, EndWithTheImageAndCountAllOfIt) {
+  const Case c = make_case(GetParam());
+  SCOPED_TRACE(fmt::format("seed {}: {}", GetParam(), describe(c)));
+  const auto run_it = [&] {
+    return isolated(
+        [&] {
+          const auto result = run_case(c);
+          EXPECT_EQ(result.end, machine::End::done);
+          expect_pictures(c, result);
+          if (!result.is_aborted) expect_counts(c, result);
+          expect_session(c, result);
+          expect_messages(c, result);
+          return tell(result);
+        },
+        60);
+  };
+  EXPECT_TRUE(run_it() == run_it()) << "two runs differ";
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, IirraRuns, testing::Range<std::uint64_t>(1, 25));
+
+// Each method of balancing with each start, as the random cases may leave some out.
+TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
+  for (int balance = 0; balance < 7; ++balance)
+    for (int start = 0; start < 3; ++start) {
+      Case c{"mesh:2x4", "own glass", small_params(), {}};
+      c.params.balance = static_cast<BalanceMethod>(balance);
+      c.params.start = static_cast<Start>(start);
+      c.params.is_polled = start != 1;
+      SCOPED_TRACE(describe(c));
+      run_isolated([&] {
+        const auto result = run_case(c);
+        expect_pictures(c, result);
+        expect_counts(c, result);
+        expect_messages(c, result);
+      });
+    }
+}
+
+// SimGrid's actors in place of fibers: the same to the last bit.
+TEST(IirraRun, ActorsDoWhatFibersDo) {
+  if (test::IS_SANITIZED) GTEST_SKIP() << "the sanitizer does not know the stacks of actors";
+  Case c{"torus:2x4", "own glass", small_params(), {}};
+  c.params.balance = BalanceMethod::mixed;
+  c.data = tracing::SharedParams{};
+  c.data->cache_percent = 60;
+  const auto told = [&](machine::Processes processes) {
+    c.params.processes = processes;
+    return isolated([&] { return tell(run_case(c)); });
+  };
+  EXPECT_TRUE(told(machine::Processes::fibers) == told(machine::Processes::actors));
+}
+
+// Host time in place of counted work: other times, the same image.
+TEST(IirraRun, TimedKernelsGiveTheImage) {
+  for (const bool is_shared : {false, true}) {
+    Case c{"ring:5", "own glass", small_params(), {}};
+    c.params.cycles_per_host_s = 1e9;
+    if (is_shared) c.data.emplace().cache_percent = 100;
+    run_isolated([&] {
+      const auto result = run_case(c);
+      expect_pictures(c, result);
+      expect_counts(c, result);
+      std::map<std::string, std::uint64_t> calls;
+      for (const auto& kernel : result.kernels) calls[kernel.name] = kernel.calls;
+      EXPECT_EQ(calls["ray"], result.rays.total());
+      EXPECT_GT(calls["interpolation"], 0u);
+      EXPECT_EQ(calls["display"], result.counts.blocks);
+    });
+  }
+}
+
+// A picture of a large cell is longer than a message.
+TEST(IirraRun, LargeCellsAreShownInStrips) {
+  for (const bool is_polled : {true, false}) {
+    Case c{"mesh:2x3", "own glass", small_params(), {}};
+    c.params.image.width = 70;
+    c.params.image.height = 66;
+    c.params.image.limits.depth = 1;
+    c.params.max_cell = 64;
+    c.params.is_polled = is_polled;
+    run_isolated([&] {
+      const auto result = run_case(c);
+      expect_pictures(c, result);
+      expect_counts(c, result);
+    });
+  }
+}
+
+// A worker alone computes every sample once; borders of two are computed by both.
+TEST(IirraRun, SamplesOnBordersAreSharedWithinAProcessor) {
+  Case c{"line:3", "own glass", small_params(), {}};
+  run_isolated([&] {
+    const auto result = run_case(c);
+    EXPECT_EQ(result.workers, 1);
+    expect_counts(c, result);
+    EXPECT_EQ(result.counts.samples - result.counts.samples_outside, 24u * 18u);
+    EXPECT_GT(result.counts.samples_shared, 0u);
+  });
+  c.topology = "line:4";
+  c.params.balance = BalanceMethod::none;
+  run_isolated([&] {
+    const auto result = run_case(c);
+    expect_counts(c, result);
+    EXPECT_GT(result.counts.samples - result.counts.samples_outside, 24u * 18u);
+  });
+}
+
+}  // namespace
+}  // namespace iirra

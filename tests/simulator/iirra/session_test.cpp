@@ -1,0 +1,209 @@
+// What a user sees while the picture grows, and what orders do.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "simulator/iirra/measured.hpp"
+#include "tests/simulator/iirra/iirra_support.hpp"
+
+namespace iirra {
+namespace {
+
+Limits coarse(int min_cell) {
+  Limits limits;
+  limits.min_cell = min_cell;
+  limits.depth_reflected = limits.depth_transmitted = 1;
+  return limits;
+}
+
+std::string names(const Result& result) {
+  std::string all;
+  for (const auto& key : result.key_images) all += key.name + " ";
+  return all;
+}
+
+std::string notes(const Result& result) {
+  std::string all;
+  for (const auto& note : result.notes) all += note + "; ";
+  return all;
+}
+
+// 16 processors, 800 spheres: the area that is pointed at changes at once.
+TEST(IirraSession, AnOrderReachesTheScreenWithinATenthOfASecond) {
+  for (const double at_s : {0.3, 1.0}) {
+    const double waited_s = test::isolated_numbers([&] {
+      Params params;
+      params.image.width = params.image.height = 64;
+      params.stages = {coarse(8), Limits{}};
+      Limits pointed;
+      pointed.area = {20, 30, 16, 12};
+      params.script = {{{at_s}, {pointed}}};
+      const auto result =
+          run(params, topologies::make_topology("mesh:4x4"), renderer::make_spheres(800));
+      return std::vector{result.order_to_pixel_s.value_or(-1)};
+    })[0];
+    EXPECT_GT(waited_s, 0);
+    EXPECT_LE(waited_s, 0.1);
+  }
+}
+
+TEST(IirraSession, KeyImagesHaveNames) {
+  for (const bool is_polled : {true, false}) {
+    SCOPED_TRACE(is_polled);
+    const std::string told = isolated([&] {
+      Params params = small_params();
+      params.is_polled = is_polled;
+      params.stages = {coarse(8), coarse(4), Limits{}};
+      return names(run(params));
+    });
+    EXPECT_EQ(told, "stage1 stage2 ");
+  }
+}
+
+// The user's first limits are reached long before the next order comes: all wait for it.
+TEST(IirraSession, TheNullModeWaitsForTheNextOrder) {
+  for (const bool is_polled : {true, false}) {
+    SCOPED_TRACE(is_polled);
+    run_isolated([&] {
+      Params params = small_params();
+      params.is_polled = is_polled;
+      params.stages = {coarse(8)};
+      params.script = {{{3}, {coarse(4)}}, {{4}, {tracing::Save{"kept"}}}, {{6}, {Limits{}}}};
+      const auto result = run(params);
+      EXPECT_EQ(names(result), "stage1 order1 kept order3 ");
+      EXPECT_GT(result.time_s, 6);
+      EXPECT_GT(result.interactive_s, 6);
+      EXPECT_EQ(notes(result), "");
+      EXPECT_LT(result.order_to_pixel_s.value(), 0.1);
+      EXPECT_NE(result.key_images[0].rgb8, result.rgb8);
+      EXPECT_EQ(result.rgb8, make_rgb8(render(make_glass_scene(), params.image).samples));
+    });
+  }
+}
+
+TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
+  run_isolated([] {
+    Params params = small_params();
+    params.stages = {coarse(8)};
+    params.script = {{{0.02}, {tracing::NonInteractive{}}},
+                     {{0.04}, {tracing::NonInteractive{}}},
+                     {{0.06}, {tracing::Interactive{}}},
+                     {{0.08}, {tracing::Interactive{}}},
+                     {{3}, {tracing::NonInteractive{}}}};
+    const auto result = run(params);
+    EXPECT_EQ(notes(result),
+              "order 2 had no effect: the interactive phase was over; "
+              "order 4 had no effect: the interactive phase was not over; ");
+    EXPECT_NEAR(result.interactive_s, 2.96, 0.03);
+    EXPECT_EQ(result.rgb8, make_rgb8(render(make_glass_scene(), params.image).samples));
+  });
+}
+
+TEST(IirraSession, AnAbortEndsWithThePictureAsItIs) {
+  for (const bool is_polled : {true, false}) {
+    SCOPED_TRACE(is_polled);
+    run_isolated([&] {
+      Params params = small_params();
+      params.is_polled = is_polled;
+      params.script = {
+          {{0.1}, {tracing::Save{"first"}}}, {{0.2}, {tracing::Abort{}}}, {{60}, {Limits{}}}};
+      const auto result = run(params);
+      EXPECT_TRUE(result.is_aborted);
+      EXPECT_EQ(names(result), "first ");
+      EXPECT_GE(result.time_s, 0.2);
+      EXPECT_LT(result.time_s, 0.4);
+      EXPECT_LE(result.last_task_s, result.ended_s);
+      EXPECT_EQ(notes(result), "order 3 had no effect: the run had been aborted; ");
+      const auto finished = std::ranges::count(result.finished, true);
+      EXPECT_GT(finished, 0);
+      EXPECT_LT(finished, 24 * 18);
+    });
+  }
+}
+
+std::int64_t cell_of(const Result& result, const std::string& name) {
+  const Measured measured(result, {});
+  for (const auto& column : make_columns())
+    if (column.name == name) return std::get<std::int64_t>(column.get(measured).at(0));
+  throw std::runtime_error("no column " + name);
+}
+
+// Samples of pixels that are not finished are no double ones.
+TEST(IirraSession, OnlyAWholePictureTellsOfDoubleSamples) {
+  run_isolated([] {
+    Params params = small_params();
+    params.balance = BalanceMethod::none;
+    const auto whole = run(params);
+    const auto inside = whole.counts.samples - whole.counts.samples_outside;
+    EXPECT_EQ(cell_of(whole, "samples_double"), static_cast<std::int64_t>(inside) - 24 * 18);
+    EXPECT_GT(cell_of(whole, "rays_double"), 0);
+  });
+  run_isolated([] {
+    Params params = small_params();
+    params.script = {{{0.1}, {tracing::Abort{}}}};
+    const auto aborted = run(params);
+    EXPECT_EQ(cell_of(aborted, "samples_double"), 0);
+    EXPECT_EQ(cell_of(aborted, "rays_double"), 0);
+  });
+}
+
+// What the coordinator has been told is over changes nothing.
+TEST(IirraSession, OrdersAfterTheEndAreNoted) {
+  run_isolated([] {
+    Params params = small_params();
+    params.script = {{{100}, {coarse(4)}}, {{101}, {tracing::Save{"late"}}}};
+    const auto result = run(params);
+    EXPECT_EQ(notes(result),
+              "order 1 had no effect: the picture was complete; "
+              "order 2 had no effect: the picture was complete; ");
+    EXPECT_LT(result.time_s, 100);
+    EXPECT_EQ(names(result), "");
+  });
+}
+
+// Looking changes nothing, and the last look is the image.
+TEST(IirraSession, LookingCostsNothing) {
+  const double blind_s =
+      test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];
+  run_isolated([blind_s] {
+    Params params = small_params();
+    params.looks = {.at_s = {0.1, 0.25}, .every_s = 0.2, .growth = 10};
+    const auto seen = run(params);
+    EXPECT_EQ(blind_s, seen.time_s);
+    ASSERT_GE(seen.growth.size(), 10u);
+    EXPECT_EQ(seen.rgb8, seen.growth.back().rgb8);
+    EXPECT_EQ(seen.pictures.at(0).at_s, 0.1);
+    EXPECT_EQ(seen.pictures.at(2).at_s, 0.25);
+  });
+}
+
+// Nothing else is begun while the user's area of interest is all that is within the limits.
+TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
+  run_isolated([] {
+    Params params = small_params();
+    Limits pointed;
+    pointed.area = {8, 8, 8, 8};
+    params.stages = {pointed};
+    params.script = {{{5}, {tracing::Save{"kept"}}}, {{6}, {Limits{}}}};
+    const auto result = run(params);
+    ASSERT_EQ(names(result), "stage1 kept order2 ");
+    EXPECT_EQ(result.key_images[0].rgb8, result.key_images[1].rgb8);
+    const auto& key = result.key_images[0].rgb8;
+    std::size_t lit = 0;
+    for (std::size_t y = 0; y < 18; ++y)
+      for (std::size_t x = 0; x < 24; ++x) {
+        const auto at = 3 * (24 * y + x);
+        const bool is_inside = x >= 8 && x < 16 && y >= 8 && y < 16;
+        const bool is_lit = key[at] + key[at + 1] + key[at + 2] > 0;
+        lit += is_lit;
+        if (is_inside)
+          for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(key[at + c], result.rgb8[at + c]);
+        else
+          EXPECT_FALSE(is_lit) << x << " " << y;
+      }
+    EXPECT_GT(lit, 32u);
+  });
+}
+
+}  // namespace
+}  // namespace iirra
