@@ -16,8 +16,9 @@ namespace {
 using machine::Processor;
 
 constexpr std::uint64_t LONGEST = 2048;  // bytes of a message, unless a record of data is longer
-constexpr int TASK_BITS = 1 << shared_memory::DATA_PROCESS | 1 << TASK_PROCESS;
-constexpr int DISPLAY_BITS = 1 << shared_memory::DATA_PROCESS | 1 << DISPLAY_PROCESS;
+constexpr int DATA_BIT = 1 << shared_memory::DATA_PROCESS, TASK_BIT = 1 << TASK_PROCESS;
+constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
+constexpr int DISPLAY_BITS = DATA_BIT | 1 << DISPLAY_PROCESS;
 constexpr int NO_PROCESS = 0;  // of the user's client, to which nothing is sent
 
 // The workers that are nearest to each.
@@ -128,6 +129,7 @@ class Run {
   }
 
   void add_processors(const machine::Model& model, const renderer::Scene& scene) {
+    companions_.resize(static_cast<std::size_t>(topology_.processors));
     for (int id = 0; id < topology_.processors; ++id) {
       const char* role = role_of(id);
       const bool is_worker = role == Role::worker;
@@ -135,7 +137,7 @@ class Run {
           machine_.add_processor(is_worker ? fmt::format("worker{}", id) : role,
                                  params_.memory.value_or(get_bytes(
                                      model, is_worker ? "worker_memory" : "database_memory")),
-                                 role);
+                                 is_worker && params_.is_double ? Role::router : role);
       kernels::load_program(processor);
       if (is_worker && !params_.data)
         processor.memory().allocate(kernels::scene_bytes(model, scene), "the scene", {});
@@ -143,6 +145,11 @@ class Run {
         processor.memory().allocate(3 * static_cast<std::uint64_t>(params_.image.width) *
                                         static_cast<std::uint64_t>(params_.image.height),
                                     "the picture", {});
+    }
+    if (!params_.is_double) return;
+    for (const int id : shared_.places.workers) {
+      auto& router = *machine_.processors()[id];
+      companions_[id] = &machine_.add_companion(router, router.name() + ".second", Role::worker);
     }
   }
 
@@ -159,11 +166,15 @@ class Run {
     network.processes.assign(static_cast<std::size_t>(topology_.processors), {TASK_BITS});
     network.processes[static_cast<std::size_t>(shared_.places.coordinator)].push_back(NO_PROCESS);
     network.processes[static_cast<std::size_t>(shared_.places.display)] = {DISPLAY_BITS};
+    network.companions.assign(companions_.begin(), companions_.end());
+    if (params_.is_double)
+      for (const int id : shared_.places.workers)
+        network.processes[static_cast<std::size_t>(id)] = {DATA_BIT, TASK_BIT};
     network_.emplace(machine_, make_routing(params_.method, topology_, routes, tree), network);
     if (params_.data) {
       auto data = *params_.data;
       data.coordinator = shared_.places.coordinator;
-      memory_.emplace(machine_, *network_, items_->catalogue(), data);
+      memory_.emplace(machine_, *network_, items_->catalogue(), data, 0, companions_);
     }
   }
 
@@ -211,13 +222,15 @@ class Run {
                   places.workers[(i + 1) % places.workers.size()],
                   parents[static_cast<std::size_t>(id)]};
       auto& worker = workers_.emplace_back(shared_, manager(model, id), std::move(peers));
-      start_on(id, "application", [&worker] { worker.run(); });
+      const auto* companion = companions_[static_cast<std::size_t>(id)];
+      start_on(companion ? companion->id() : id, "application", [&worker] { worker.run(); });
     }
   }
 
   const Params& params_;
   const topologies::Topology topology_;
   machine::Machine machine_;
+  std::vector<machine::Processor*> companions_;  // by processor; null where it is alone
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;
@@ -254,6 +267,9 @@ void check(const Params& params, const topologies::Topology& topology) {
     base::refuse("iirra.cell", "found {}, expected at most the side of the image, {} x {} pixels",
                  params.max_cell, area.width, area.height);
   check_weights("iirra.weights", params.weights);
+  base::require(!params.is_double || params.data, "iirra.node",
+                "found double, but every worker holds the scene: there are no data managers; "
+                "expected single, or data.cache_percent above 0");
   base::require(!params.stages.empty(), "stage", "found none, expected one at least");
   for (const auto& limits : params.stages) check_limits("stage.weights", params.image, limits);
   for (const auto& order : params.script)

@@ -1,6 +1,7 @@
 #pragma once
 // IIRRA, the system of the thesis's chapter 5: processors of one kind, each with a router and one
 // sequential process, in which application, data manager and task manager take turns (figure 5.4).
+// In a double node the application and the task manager are on a second processor.
 // One coordinates and serves data, one shows the picture, the others compute it.
 #include "simulator/declare/program.hpp"
 #include "simulator/iirra/balance.hpp"
@@ -33,10 +34,12 @@ struct Params {
   Weights weights;  ///< of stages and orders that have none of their own
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
-  int reserve = 1;        ///< active tasks that a worker does not give away; with fewer it asks
-  bool is_far = true;     ///< the display is as far from the coordinator as can be; else beside it
-  bool is_polled = true;  ///< the display asks for pictures; else they are sent to it
-  int polls = 4;          ///< questions of the display that wait for an answer at once, at most
+  int reserve = 1;     ///< active tasks that a worker does not give away; with fewer it asks
+  bool is_far = true;  ///< the display is as far from the coordinator as can be; else beside it
+  /// A worker's data manager has a processor of its own, on the same memory (6.2).
+  bool is_double = false;
+  bool is_polled = true;     ///< the display asks for pictures; else they are sent to it
+  int polls = 4;             ///< questions of the display that wait for an answer at once, at most
   bool has_borders = false;  ///< each picture comes once more, with its cells' borders
   double frame_s = 0.04;     ///< the display asks no worker more often than it shows a frame
   std::uint64_t seed = 1;    ///< of the order `random` and `adaptive`

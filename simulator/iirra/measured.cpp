@@ -155,7 +155,8 @@ Columns<Measured> make_columns() {
        base::lift_columns<Measured>(loss_columns(), &Measured::losses),
        base::lift_columns<Measured>(task_columns(), counts),
        of_run(base::lift_columns<Result>(observe::message_columns(), &Result::use)),
-       base::lift_columns<Measured>(tracing::busy_columns(), &Measured::busy),
+       base::lift_columns<Measured>(
+           base::join(tracing::busy_columns(), {tracing::router_columns()}), &Measured::busy),
        base::lift_columns<Measured>(tracing::bottleneck_columns(), &Measured::loads),
        base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth),
        base::lift_columns<Measured>(tracing::data_columns(), &Measured::data)});

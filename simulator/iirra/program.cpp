@@ -85,6 +85,9 @@ base::Fields<Params> machine_fields() {
                "tasks that a worker does not give away; with fewer it asks for some"),
       D::choice("display", &Params::is_far, base::Names<bool>{{"far", true}, {"near", false}},
                 "the display's processor: the farthest from the coordinator, or beside it"),
+      D::choice("node", &Params::is_double, base::Names<bool>{{"single", false}, {"double", true}},
+                "a worker: one processor, or two on one memory, of which one has the data "
+                "manager and the router, the other all else"),
       D::choice("refresh", &Params::is_polled, base::Names<bool>{{"polled", true}, {"sent", false}},
                 "the display asks each worker for its part of the picture, or is sent "
                 "everything"),

@@ -248,8 +248,8 @@ void Cpu::account_low() {
   diary_.note(low, Observer::Doing::low, low_.since, now());
 }
 
-void Cpu::set_stolen(std::size_t port, double share) {
-  stolen_.at(port) = share;
+void Cpu::set_stolen(std::size_t thief, double share) {
+  stolen_.at(thief) = share;
   double stolen = 0;
   for (double s : stolen_) stolen += s;
   const double speed = std::max(1 - stolen, model_.memory.least_share);

@@ -86,10 +86,12 @@ class Cpu {
 
   /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
   Seconds duration(Cycles cycles) const { return {(cycles / model_.cpu.clock).value / speed_}; }
-  /// From now on the DMA of link `port` (0 to 3) takes this share of the CPU's cycles: whatever is
-  /// being computed ends later. (What a high-priority process charged just before it blocked is
-  /// certain already: see Process::sync_if_long.)
-  void set_stolen(std::size_t port, double share);
+  /// From now on `thief`, which is the DMA of a link by its port (0 to 3), BY_COMPANION or the DMA
+  /// of a companion's link behind it, takes this share of the CPU's cycles: whatever is being
+  /// computed ends later. (What a high-priority process charged just before it blocked is certain
+  /// already: see Process::sync_if_long.)
+  static constexpr std::size_t BY_COMPANION = 4;
+  void set_stolen(std::size_t thief, double share);
   CpuUse use() const;  ///< up to now
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
@@ -151,8 +153,8 @@ class Cpu {
   High high_;
   Low low_;
   Timer low_timer_;
-  double speed_ = 1;  // share of the cycles that the links' DMA leaves
-  std::array<double, 4> stolen_{};
+  double speed_ = 1;  // share of the cycles that the links' DMA and a companion leave
+  std::array<double, 2 * BY_COMPANION + 1> stolen_{};
   CpuUse use_;
   CpuDiary diary_;
   Seconds stopped_at_ = NEVER;

@@ -29,7 +29,7 @@ class Cable {
   void set_busy(int busy) {
     busy_ = busy;
     for (const End& end : ends_)
-      end.processor->cpu().set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
+      end.processor->set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
   }
 
  private:

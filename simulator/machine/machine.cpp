@@ -118,9 +118,25 @@ std::string_view to_string(End end) {
 }
 
 Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::string role) {
+  auto shared = std::make_shared<Memory>(name, memory);
+  return add(std::move(name), std::move(shared), std::move(role));
+}
+
+Processor& Machine::add_companion(Processor& of, std::string name, std::string role) {
+  if (of.companion())
+    throw Misuse(
+        of.name(), now(),
+        fmt::format("{} would have two companions: {} is one", of.name(), of.companion()->name()));
+  Processor& companion = add(std::move(name), of.share_memory(), std::move(role));
+  companion.join(of);
+  of.join(companion);
+  return companion;
+}
+
+Processor& Machine::add(std::string name, std::shared_ptr<Memory> memory, std::string role) {
   const int id = engine_.add_processor(name);
-  processors_.push_back(std::make_unique<Processor>(engine_, model_, id, std::move(name), memory,
-                                                    std::move(role), software_factor_));
+  processors_.push_back(std::make_unique<Processor>(
+      engine_, model_, id, std::move(name), std::move(memory), std::move(role), software_factor_));
   ports_.push_back(0);
   return *processors_.back();
 }

@@ -32,6 +32,10 @@ class Machine {
 
   /// `memory` in bytes; `role` as Processor::role().
   Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {});
+  /// A second processor on the memory of one that has no companion yet, else Misuse. Each has its
+  /// own CPU and links; soft channels may join their processes, see occam::ChannelBase. If one of
+  /// them stops, the other goes on.
+  Processor& add_companion(Processor& of, std::string name, std::string role = {});
   /// Joins two processors, through a number of C004 link switches. Throws Misuse beyond four links
   /// a processor, for a second link between two, and for a processor and itself.
   void connect(Processor& a, Processor& b, int switches = 0);
@@ -65,6 +69,7 @@ class Machine {
   const std::vector<std::unique_ptr<LinkDirection>>& links() const { return links_; }
 
  private:
+  Processor& add(std::string name, std::shared_ptr<Memory> memory, std::string role);
   void plan(const Failure& failure);
   void expect(const Failure& failure);
   void happen_now();

@@ -37,8 +37,9 @@ struct Model {
     Hertz clock;
   } cpu;
   struct Memory {
-    double steal_word;   // cycles that a link's DMA takes from the CPU, for each 4-byte word
-    double least_share;  // share of the memory's cycles that the CPU keeps however much moves
+    double steal_word;       // cycles that a link's DMA takes from the CPU, for each 4-byte word
+    double least_share;      // share of the memory's cycles that the CPU keeps however much moves
+    double companion_share;  // share of its cycles that a CPU loses to one on the same memory
   } memory;
   struct Link {
     double bit_rate;                      // bits/s
@@ -55,11 +56,12 @@ struct Model {
     Cycles par_setup, par_branch;       // around a PAR, and around each branch it starts
   } scheduler;
   struct Channel {
-    Cycles operands;    // loaded before in or out
-    Cycles blocked;     // in/out that has to wait, or that starts a link
-    Cycles soft_setup;  // in/out that finds its partner on this processor
-    Cycles copy_word;   // and moves one 4-byte word
-    Cycles out_word;    // what outword takes beyond out, for a message of one word
+    Cycles operands;        // loaded before in or out
+    Cycles blocked;         // in/out that has to wait, or that starts a link
+    Cycles soft_setup;      // in/out that finds its partner on this processor
+    Cycles copy_word;       // and moves one 4-byte word
+    Cycles out_word;        // what outword takes beyond out, for a message of one word
+    Cycles wake_companion;  // to make a process of the other CPU on the memory ready
   } channel;
   struct Alternative {
     Cycles setup, timer_setup, end;               // alt, talt, altend

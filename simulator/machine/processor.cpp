@@ -3,14 +3,14 @@
 namespace machine {
 
 Processor::Processor(Engine& engine, const Model& model, int id, std::string name,
-                     std::uint64_t memory, std::string role, double software_factor)
+                     std::shared_ptr<Memory> memory, std::string role, double software_factor)
     : engine_(engine),
       model_(model),
       id_(id),
       name_(std::move(name)),
       role_(std::move(role)),
       software_factor_(software_factor),
-      memory_(name_, memory),
+      memory_(std::move(memory)),
       cpu_(engine, model, *this) {}
 
 Process& Processor::start(std::string name, Priority priority, Process::Body body) {
@@ -47,6 +47,16 @@ void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait, cons
     else
       self.engine_.ignore_event();
   });
+}
+
+void Processor::join(Processor& companion) {
+  companion_ = &companion;
+  cpu_.set_stolen(Cpu::BY_COMPANION, model_.memory.companion_share);
+}
+
+void Processor::set_stolen(std::size_t port, double share) {
+  cpu_.set_stolen(port, share);
+  if (companion_) companion_->cpu_.set_stolen(Cpu::BY_COMPANION + 1 + port, share);
 }
 
 void Processor::set_observer(Observer& observer) {

@@ -1,5 +1,6 @@
 #pragma once
-// A processor: a CPU, its memory, and the processes that have been started on it.
+// A processor: a CPU, its memory, and the processes that have been started on it. Two processors
+// may have one memory: companions.
 #include <exception>
 #include <memory>
 #include <vector>
@@ -42,8 +43,8 @@ class Processor {
  public:
   /// `role` says what the processor is for in its program, or nothing. `software_factor` multiplies
   /// the cycles of occam's channel instructions, see occam::charge.
-  Processor(Engine& engine, const Model& model, int id, std::string name, std::uint64_t memory,
-            std::string role, double software_factor);
+  Processor(Engine& engine, const Model& model, int id, std::string name,
+            std::shared_ptr<Memory> memory, std::string role, double software_factor);
 
   /// A new process, ready at once. The reference stays valid as long as the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
@@ -68,8 +69,17 @@ class Processor {
   const Cpu& cpu() const { return cpu_; }
   CpuUse use() const { return cpu_.use(); }  ///< up to now
   bool stopped() const { return cpu_.stopped(); }
-  Memory& memory() { return memory_; }
+  Memory& memory() { return *memory_; }
+  std::shared_ptr<Memory> share_memory() const { return memory_; }
+  /// The other processor on its memory; null if there is none.
+  Processor* companion() const { return companion_; }
   const std::vector<std::unique_ptr<Process>>& processes() const { return processes_; }
+
+  /// The two have one memory from now on: see Machine::add_companion.
+  void join(Processor& companion);
+  /// From now on the DMA of link `port` (0 to 3) takes this share of the memory's cycles, from the
+  /// companion's CPU too.
+  void set_stolen(std::size_t port, double share);
 
   /// From now on the observer is told what the processes do.
   void set_observer(Observer& observer);
@@ -83,7 +93,8 @@ class Processor {
   int id_;
   std::string name_, role_;
   double software_factor_;
-  Memory memory_;
+  std::shared_ptr<Memory> memory_;
+  Processor* companion_ = nullptr;
   Cpu cpu_;
   std::vector<std::unique_ptr<Process>> processes_;
   std::vector<std::unique_ptr<Process>> removed_;  // a wake_at still refers to them

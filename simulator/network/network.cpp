@@ -42,7 +42,10 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   auto& clients = clients_.emplace_back();
   for (std::size_t n = 0; n < node.processes.size(); ++n) {
     const auto name = fmt::format("{}.client{}", processor.name(), n);
-    clients.push_back(std::make_unique<Client>(id, name, params.pointers, params.longest));
+    const auto* companion =
+        n == 0 || params.companions.empty() ? nullptr : params.companions.at(id);
+    clients.push_back(std::make_unique<Client>(id, name, params.pointers, params.longest,
+                                               companion ? *companion : processor, processor));
     node.client_in.push_back(&clients.back()->into_);
     node.client_out.push_back(&clients.back()->from_);
   }

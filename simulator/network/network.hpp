@@ -25,19 +25,24 @@ struct Params {
   /// For each processor and each of its clients, at most MAX_CLIENTS, the processes that the client
   /// is, one bit each. Empty: one client on each processor, which is every process.
   std::vector<std::vector<std::uint32_t>> processes;
+  /// For each processor its companion, if its clients from number 1 on are processes there, or
+  /// null. Empty: all are on the processor itself.
+  std::vector<const machine::Processor*> companions;
 };
 
 /// The channels that a process of the machine has into its router and from it. One process uses a
 /// client.
 class Client {
  public:
-  /// `longest`: bytes of contents that there are buffers for.
-  Client(int processor, const std::string& name, bool pointers, std::uint64_t longest)
+  /// `longest`: bytes of contents that there are buffers for. `own` is where the client's process
+  /// is: the router's processor or its companion.
+  Client(int processor, const std::string& name, bool pointers, std::uint64_t longest,
+         const machine::Processor& own, const machine::Processor& router)
       : processor_(processor),
         pointers_(pointers),
         longest_(longest),
-        into_(name + ".into", occam::Protocol::counted),
-        from_(name + ".from", occam::Protocol::counted) {}
+        into_(name + ".into", own, router, occam::Protocol::counted),
+        from_(name + ".from", router, own, occam::Protocol::counted) {}
 
   int processor() const { return processor_; }
   /// `into.router ! message`. `from.processor` is filled in. Throws base::InvariantBroken for a

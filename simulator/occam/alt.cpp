@@ -107,16 +107,16 @@ Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Se
 std::size_t select(std::span<const Guard> guards) {
   Process& self = this_process();
   const auto& costs = self.processor().model().alternative;
-  // An output on a link can come from a processor whose time is behind this process's own: whether
-  // it waits is certain only when the clock has come so far.
-  bool looks_at_links = false;
+  // An output of another CPU can come from a time that is behind this process's own: whether it
+  // waits is certain only when the clock has come so far.
+  bool looks_at_others = false;
   for (const Guard& guard : guards) {
     if (!guard.condition || !guard.channel) continue;
     guard.channel->take_input(self);
-    looks_at_links |= guard.channel->hard();
+    looks_at_others |= guard.channel->joins_cpus();
   }
   auto settle = [&] {
-    if (looks_at_links) self.sync();
+    if (looks_at_others) self.sync();
     self.sync_if_long();
   };
   auto some_ready = [&] {

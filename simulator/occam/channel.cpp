@@ -26,6 +26,18 @@ ChannelBase::ChannelBase(std::string name, machine::LinkDirection& link)
   ends_[reader].place = &link.to();
 }
 
+ChannelBase::ChannelBase(std::string name, const machine::Processor& from,
+                         const machine::Processor& to)
+    : name_(std::move(name)) {
+  if (&from != &to && from.companion() != &to)
+    throw machine::Misuse(from.name(), from.now(),
+                          fmt::format("channel {} would join {} and {}, which have neither a link "
+                                      "nor one memory",
+                                      name_, from.name(), to.name()));
+  ends_[writer].place = &from;
+  ends_[reader].place = &to;
+}
+
 void ChannelBase::check_may_take(Side side, Process& self) {
   End& end = ends_[side];
   const machine::Processor& here = self.processor();
@@ -42,6 +54,8 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   else if (hard())
     why = fmt::format("which is on link {}: only processes on {} do", link_->name(),
                       end.place->name());
+  else if (joins_cpus())
+    why = fmt::format("whose end there is on {}", end.place->name());
   else
     why = fmt::format("which is not on a link and has been used on {}: it leads nowhere else",
                       end.place->name());
@@ -54,6 +68,7 @@ void ChannelBase::check_may_take(Side side, Process& self) {
 void ChannelBase::pay(Cycles instructions, Cycles copy) {
   charge(instructions);
   this_process().charge(copy);
+  if (joins_cpus() && !hard()) return this_process().sync();
   this_process().sync_if_long();
 }
 
@@ -64,13 +79,14 @@ void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& par
   const auto& costs = self.processor().model().channel;
   const auto copy = [&] { return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word; };
   const bool is_outword = side == writer && bytes == 4;
+  const Cycles wake = joins_cpus() && !hard() ? costs.wake_companion : Cycles{};
   const Cycles before = is_outword ? costs.operands + costs.out_word : costs.operands;
   const bool came_second = partner.process;
-  if (!hard() && came_second) return pay(before + costs.soft_setup, copy());
-  pay(before + costs.blocked, {});
+  if (!hard() && came_second) return pay(before + costs.soft_setup, copy() + wake);
+  pay(before + costs.blocked, alternative_.process ? wake : Cycles{});
   if (hard() || !partner.process) return;
   // It came meanwhile.
-  const Cycles spent = compiled(costs.blocked), whole = compiled(costs.soft_setup) + copy();
+  const Cycles spent = compiled(costs.blocked), whole = compiled(costs.soft_setup) + copy() + wake;
   pay({}, Cycles{std::max<std::int64_t>(0, whole.value - spent.value)});
 }
 
@@ -105,7 +121,7 @@ void ChannelBase::communicate(Side side, const std::uint64_t& bytes) {
 // Both ends are here; this process came second.
 void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
   Process& self = this_process();
-  machine::Processor& processor = self.processor();
+  machine::Processor& processor = partner.process->processor();
   ++use_.messages;
   use_.bytes += bytes;
   if (!hard()) {
@@ -150,8 +166,8 @@ void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   at = std::max(at, alternative_.since);
   machine::Processor& processor = waiting.processor();
-  if (hard() && at > processor.now())
-    processor.wake_at(at, waiting, alternative_wait_, &link_->is_cut());
+  if (joins_cpus() && at > processor.now())
+    processor.wake_at(at, waiting, alternative_wait_, link_ ? &link_->is_cut() : nullptr);
   else if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     processor.make_ready(waiting, at);
 }

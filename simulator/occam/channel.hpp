@@ -1,7 +1,8 @@
 #pragma once
 // Channels: unbuffered, point to point, synchronised. The transfer happens when both ends are
-// ready. A soft channel joins two processes of one processor and is a memory copy on its CPU; a
-// hard channel is a direction of a link, and its DMA engine moves the bytes.
+// ready. A soft channel joins two processes of one processor, or of two on one memory, and is a
+// memory copy on the CPU of the one that comes second; a hard channel is a direction of a link, and
+// its DMA engine moves the bytes.
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -34,12 +35,17 @@ class ChannelBase : machine::Wait {
   explicit ChannelBase(std::string name) : name_(std::move(name)) {}
   /// Throws Misuse if the link's direction has a channel already.
   ChannelBase(std::string name, machine::LinkDirection& link);
+  /// A soft channel between a processor and itself or its companion, whose processes are woken by
+  /// an event (the model's channel.wake_companion). Throws Misuse for others.
+  ChannelBase(std::string name, const machine::Processor& from, const machine::Processor& to);
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
 
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
+  /// Its ends are on two CPUs: what happens at one is certain only once the clock has come so far.
+  bool joins_cpus() const { return hard() || ends_[writer].place != ends_[reader].place; }
   /// Whether the link has been cut, as far as the clock has come: nothing goes over it any more. A
   /// process that inputs or outputs blocks for ever, unless it does so `_or_fail`; a guard is never
   /// ready.
@@ -138,6 +144,9 @@ class Channel : public ChannelBase {
       : ChannelBase(std::move(name)), protocol_(protocol) {}
   Channel(std::string name, machine::LinkDirection& link, Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), link), protocol_(protocol) {}
+  Channel(std::string name, const machine::Processor& from, const machine::Processor& to,
+          Protocol protocol = Protocol::simple)
+      : ChannelBase(std::move(name), from, to), protocol_(protocol) {}
 
   /// `channel ! message`: blocks until the partner has it. The message's bytes are those after the
   /// tag; those of a counted array include its size.

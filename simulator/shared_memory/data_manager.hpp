@@ -1,7 +1,8 @@
 #pragma once
 // Virtual shared memory (5.1.2): on every processor a manager that finds data for the application
-// there, and answers what others ask. It has no process of its own (LSGP): the application calls
-// it, and whenever it does the manager looks at the channel from the router.
+// there, and answers what others ask. It has no process of its own (LSGP), but in a node of two
+// processors (cache_manager.hpp): the application calls it, and whenever it does the manager looks
+// at the channel from the router.
 #include <array>
 #include <deque>
 #include <variant>
@@ -125,6 +126,8 @@ class DataManager {
   bool touch(std::size_t record);
   /// Puts a record into the cache; it is charged, and each that leaves it.
   void insert(std::size_t record);
+  /// Serves a message for data managers; keeps one that is for another process.
+  void take(network::Message message);
 
   const DataCosts costs_;
   const network::Routing& routing_;
@@ -132,7 +135,6 @@ class DataManager {
   DataUse use_;
 
  private:
-  void take(network::Message message);
   void send(network::Address to, std::uint64_t bytes, const DataMessage& contents);
   void wait_for_message(Seconds period);
   network::Message serve_every(Seconds period);

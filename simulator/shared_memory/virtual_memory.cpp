@@ -11,17 +11,13 @@ using occam::this_process;
 namespace {
 
 // DM: its cache serves the local application; others may read it, and that changes nothing in it.
-class ItemManager : public DataManager {
+class ItemManager : public CacheManager {
  public:
   ItemManager(DataManagerMeans means, const Catalogue& catalogue, const DataParams& params)
-      : DataManager(std::move(means)), catalogue_(catalogue), params_(params) {}
+      : CacheManager(std::move(means)), catalogue_(catalogue), params_(params) {}
 
-  // Figure 5.21.
-  void access(Item item) override {
-    look();
-    const std::size_t record = catalogue_.place(item);
-    this_process().charge(costs_.look_up);
-    if (touch(record)) return count(Level::local);
+  std::size_t record_of(Item item) const override { return catalogue_.place(item); }
+  void ask(std::size_t record) override {
     asked_ = record;
     fetch(record,
           {params_.coordinator, DATA_PROCESS, params_.in_path ? Mode::in_path_to : Mode::unicast});
@@ -146,19 +142,15 @@ struct Pages {
 };
 
 // Its cache holds pages of others.
-class PageManager : public DataManager {
+class PageManager : public CacheManager {
  public:
   PageManager(DataManagerMeans means, const Pages& pages)
-      : DataManager(std::move(means)), pages_(pages) {}
+      : CacheManager(std::move(means)), pages_(pages), here_(client().processor()) {}
 
-  // Figure 5.21, with pages.
-  void access(Item item) override {
-    look();
-    const std::size_t page = pages_.page_of(item);
-    this_process().charge(costs_.look_up);
-    const int owner = pages_.owner(page);
-    if (owner == client().processor() || touch(page)) return count(Level::local);
-    fetch(page, {owner, DATA_PROCESS, Mode::unicast});
+  std::size_t record_of(Item item) const override { return pages_.page_of(item); }
+  bool is_resident(std::size_t page) const override { return pages_.owner(page) == here_; }
+  void ask(std::size_t page) override {
+    fetch(page, {pages_.owner(page), DATA_PROCESS, Mode::unicast});
   }
 
  private:
@@ -175,6 +167,7 @@ class PageManager : public DataManager {
   }
 
   const Pages pages_;
+  const int here_;  // processor
 };
 
 class WholeManager : public DataManager {
@@ -221,7 +214,8 @@ std::unique_ptr<DataManager> make_whole_manager(network::Network& network,
 }
 
 VirtualMemory::VirtualMemory(machine::Machine& machine, network::Network& network,
-                             const Catalogue& catalogue, const DataParams& params, int first) {
+                             const Catalogue& catalogue, const DataParams& params, int first,
+                             const std::vector<machine::Processor*>& companions) {
   const auto& routing = network.routing();
   const DataCosts costs(machine.model());
   const int n = routing.processors();
@@ -238,21 +232,32 @@ VirtualMemory::VirtualMemory(machine::Machine& machine, network::Network& networ
       return DataManagerMeans{network.client(id), routing, costs, std::move(cache)};
     };
     auto& manager = managers_.emplace_back();
+    auto& application = companions_.emplace_back();
+    if (serves) {
+      manager = std::make_unique<ItemServer>(means(catalogue.bytes()), catalogue);
+      continue;
+    }
+    std::unique_ptr<CacheManager> cached;
     if (params.scheme == Scheme::pages) {
       const Pages pages(catalogue, params.page_items, n);
-      manager = std::make_unique<PageManager>(means(std::vector(pages.count, pages.bytes)), pages);
+      cached = std::make_unique<PageManager>(means(std::vector(pages.count, pages.bytes)), pages);
       allocate(processor, "data.resident", pages.resident_bytes(id));
-    } else if (serves) {
-      manager = std::make_unique<ItemServer>(means(catalogue.bytes()), catalogue);
     } else {
-      manager = std::make_unique<ItemManager>(means(catalogue.bytes()), catalogue, params);
+      cached = std::make_unique<ItemManager>(means(catalogue.bytes()), catalogue, params);
     }
+    if (!companions.empty() && companions.at(id))
+      application = std::make_unique<CompanionManager>(
+          DataManagerMeans{network.client(id, 1), routing, costs, LruCache({}, 0, "")}, *cached,
+          processor, *companions.at(id));
+    manager = std::move(cached);
   }
 }
 
 DataUse VirtualMemory::use() const {
   DataUse sum;
-  for (const auto& manager : managers_) sum += manager->use();
+  for (const auto* all : {&managers_, &companions_})
+    for (const auto& manager : *all)
+      if (manager) sum += manager->use();
   return sum;
 }
 

@@ -7,7 +7,7 @@
 //   one address space, and fetched from the processor that holds them (Badouel, 5.1.2.1).
 #include <memory>
 
-#include "simulator/shared_memory/data_manager.hpp"
+#include "simulator/shared_memory/cache_manager.hpp"
 
 namespace shared_memory {
 
@@ -39,15 +39,21 @@ class VirtualMemory {
   /// Allocates caches and resident blocks on the processors. The manager of a processor uses its
   /// client number 0. Throws base::BadInput for a cache smaller than a record or larger than the
   /// memory that is left, a coordinator that is not there and pages without items. The catalogue
-  /// outlives it.
+  /// outlives it. `companions`: by processor the companion that its application is on, which has
+  /// client number 1 to itself, or null; empty: there are none. Not the coordinator's, with items.
   VirtualMemory(machine::Machine& machine, network::Network& network, const Catalogue& catalogue,
-                const DataParams& params, int first = 0);
+                const DataParams& params, int first = 0,
+                const std::vector<machine::Processor*>& companions = {});
 
-  DataManager& manager(int processor) { return *managers_.at(processor); }
+  /// What the application of a processor calls.
+  DataManager& manager(int processor) {
+    auto& companion = companions_.at(processor);
+    return companion ? *companion : *managers_.at(processor);
+  }
   DataUse use() const;  ///< the sum of all
 
  private:
-  std::vector<std::unique_ptr<DataManager>> managers_;
+  std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // none, or by processor
 };
 
 }  // namespace shared_memory

@@ -11,28 +11,36 @@ using base::Columns;
 
 namespace {
 
-bool is_worker(const observe::CpuRow& cpu) { return cpu.role == Role::worker; }
-
-Load load_of_workers(const observe::Use& use) {
+// On average, of the processors of a role.
+Load load_of(const observe::Use& use, const char* role, const char* name, const char* work) {
   double busy_s = 0, high_s = 0, n = 0;
   for (const auto& cpu : use.cpus)
-    if (is_worker(cpu)) {
+    if (cpu.role == role) {
       busy_s += cpu.busy_s;
       high_s += cpu.busy_high_s;
       ++n;
     }
-  return {"workers", busy_s / n / use.time_s,
-          fmt::format("tasks {}, routing {}", percent((busy_s - high_s) / n / use.time_s),
+  return {name, busy_s / n / use.time_s,
+          fmt::format("{} {}, routing {}", work, percent((busy_s - high_s) / n / use.time_s),
                       percent(high_s / n / use.time_s))};
+}
+
+Load load_of_workers(const observe::Use& use) {
+  return load_of(use, Role::worker, "workers", "tasks");
+}
+
+bool routes_for_workers(const observe::Use& use, const observe::CpuRow& cpu) {
+  return cpu.role == (find_role(use, Role::router) ? Role::router : Role::worker);
 }
 
 Load load_of_routing(const observe::Use& use) {
   const observe::CpuRow* most = nullptr;
   for (const auto& cpu : use.cpus)
-    if (is_worker(cpu) && (!most || cpu.busy_high_s > most->busy_high_s)) most = &cpu;
+    if (routes_for_workers(use, cpu) && (!most || cpu.busy_high_s > most->busy_high_s)) most = &cpu;
   const double tasks_s = most->busy_s - most->busy_high_s;
   return {most->name + " (routing)", most->busy_high_s / use.time_s,
-          fmt::format("beside tasks {}", percent(tasks_s / use.time_s))};
+          fmt::format("beside {} {}", most->role == Role::router ? "data" : "tasks",
+                      percent(tasks_s / use.time_s))};
 }
 
 Load load_of_links(const observe::Use& use) {
@@ -64,6 +72,7 @@ Busy make_busy(const observe::Use& use) {
   const auto& link = *std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
   Busy busy;
   add_workers(busy, use);
+  if (find_role(use, Role::router)) busy.router_mean = load_of(use, Role::router, "", "").busy;
   busy.coordinator = share_of(Role::coordinator);
   busy.database = share_of(Role::database);
   busy.display = share_of(Role::display);
@@ -94,6 +103,13 @@ Columns<Busy> busy_columns() {
           column("worker_memory_bytes", &B::worker_memory, "the most memory that a worker used")};
 }
 
+Columns<Busy> router_columns() {
+  return base::only_if(
+      [](const Busy& busy) { return busy.router_mean.has_value(); },
+      Columns<Busy>{column("cpu_busy_router_mean", &Busy::router_mean,
+                           "share of time_s, mean of the processors that route for workers")});
+}
+
 Columns<Loads> bottleneck_columns() {
   using M = Loads;
   const auto load = [](const std::string& name, std::size_t place, auto member,
@@ -115,7 +131,10 @@ Columns<Loads> bottleneck_columns() {
 }
 
 Loads find_loads(const observe::Use& use) {
-  return {load_of_workers(use), load_of_routing(use), load_of_links(use)};
+  Loads loads = {load_of_workers(use), load_of_routing(use), load_of_links(use)};
+  if (find_role(use, Role::router))
+    loads.push_back(load_of(use, Role::router, "data managers", "data"));
+  return loads;
 }
 
 void sort(Loads& loads) { std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy); }

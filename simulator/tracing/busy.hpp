@@ -8,7 +8,8 @@ namespace tracing {
 /// What a processor is for, see machine::Processor::role().
 struct Role {
   static constexpr auto coordinator = "coordinator", worker = "worker", database = "database",
-                        display = "display";
+                        display = "display",
+                        router = "router";  ///< of a node whose worker is its companion
 };
 
 /// The busiest resource limits the program if it was busy for at least this share of the time; else
@@ -19,6 +20,7 @@ constexpr double SATURATED = 0.8;
 struct Busy {
   double worker_mean = 0, worker_max = 0;
   std::optional<double> coordinator, database, display;  ///< where they have processors
+  std::optional<double> router_mean;                     ///< the same
   std::string cpu_busiest;
   double cpu_max = 0, cpu_high = 0;  ///< the busiest CPU; its high priority
   std::string link_busiest;          ///< "from>to"
@@ -30,12 +32,15 @@ struct Busy {
 /// All 0 for a run that was cut short before its first task.
 Busy make_busy(const observe::Use& use);
 base::Columns<Busy> busy_columns();
+/// The column cpu_busy_router_mean; missing where there are no such processors.
+base::Columns<Busy> router_columns();
 
 using programs::Load;
 using Loads = std::vector<Load>;
 /// The resources that every program has:
 /// - "workers": their CPUs on average, with how much of it was routing;
 /// - "workerN (routing)": the routers of the one that routes most, at high priority;
+/// - "data managers": the CPUs of workers' companions on average, where these route for them;
 /// - "link A>B": the busiest direction of a link.
 Loads find_loads(const observe::Use& use);
 void sort(Loads& loads);            ///< the busiest first

@@ -1,0 +1,59 @@
+#pragma once
+// A data manager with a cache; and the same in a node of two processors on one memory
+// (thesis, 6.2): it is a process of its own on the one that has the links, and serves others at
+// once, while the application computes on the companion.
+#include <deque>
+
+#include "simulator/shared_memory/data_manager.hpp"
+
+namespace shared_memory {
+
+class CacheManager : public DataManager {
+ public:
+  using DataManager::DataManager;
+
+  // Figure 5.21.
+  void access(Item item) override;
+
+  virtual std::size_t record_of(Item item) const = 0;
+  /// Whether a record is here beside the cache.
+  virtual bool is_resident(std::size_t /*record*/) const { return false; }
+  bool holds(std::size_t record) const { return is_resident(record) || cache_.holds(record); }
+  /// Asks for a record that is not here, and returns when it is.
+  virtual void ask(std::size_t record) = 0;
+  /// Puts a record that has been accessed on top of the cache's list.
+  void note_access(std::size_t record) { touch(record); }
+  void serve_one(network::Message message) { take(std::move(message)); }
+};
+
+/// What the application on the companion calls. It looks items up in the cache by itself, and notes
+/// its accesses in a queue, by which the manager brings the list up to date; it asks the manager
+/// for what is not there.
+class CompanionManager : public DataManager {
+ public:
+  /// `means`: the application's own client of the router, and no cache. Starts the process of
+  /// `manager` on `router`, the companion of `own`, and allocates the queue.
+  CompanionManager(DataManagerMeans means, CacheManager& manager, machine::Processor& router,
+                   machine::Processor& own);
+  void access(Item item) override;
+
+ private:
+  struct Order {
+    std::optional<std::size_t> record;  ///< to be fetched; none: accesses have been noted
+    static constexpr std::uint64_t bytes() { return 4; }
+  };
+  [[noreturn]] void run_manager();
+  void obey(Order order);
+  void note_first();
+  void handle_request(const network::Message& message, const DataRequest& request) override;
+  void handle_reply(const DataReply& reply) override;
+
+  CacheManager& manager_;
+  Cycles queue_step_;
+  occam::Channel<Order> orders_;
+  occam::Channel<occam::Signal> fetched_;
+  std::deque<std::size_t> noted_;  // in the shared memory, as is
+  bool is_asleep_ = false;         // the manager waits for a message or an order
+};
+
+}  // namespace shared_memory
