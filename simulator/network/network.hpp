@@ -27,7 +27,7 @@ struct Params {
   std::vector<std::vector<std::uint32_t>> processes;
   /// For each processor its companion, if its clients from number 1 on are processes there, or
   /// null. Empty: all are on the processor itself.
-  std::vector<const machine::Processor*> companions;
+  std::vector<const machine::Processor*> companions = {};
 };
 
 /// The channels that a process of the machine has into its router and from it. One process uses a
