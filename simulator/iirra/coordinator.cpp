@@ -32,19 +32,25 @@ Coordinator::Coordinator(Shared& shared, shared_memory::DataManager& manager, ne
 void Coordinator::run() {
   auto& record = shared_.record;
   record.before = observe::collect(shared_.machine);
-  record.begun_s = interactive_since_s_ = Shared::occam_now();
+  record.begun_s = record.last_task_s = interactive_since_s_ = Shared::occam_now();
   auto& self = machine::this_process();
   kernels::start(self.processor(), "interaction", machine::Priority::low,
                  [this] { interact(shared_, user_); });
   hand_out();
   while (occam::turn(!is_finished_)) obey(manager_.serve_at_once());
-  record.ended_s = Shared::occam_now();
-  if (!is_last_) record.interactive_s += record.ended_s - interactive_since_s_;
-  record.after = observe::collect(shared_.machine);
+  end(Shared::occam_now());
   tell(network::make_global(TASK_PROCESS), Stop{});
   tell({shared_.places.display, DISPLAY_PROCESS}, Stop{});
   while (!is_quitting_) obey(manager_.serve_at_once());
   manager_.serve_for_ever();
+}
+
+void Coordinator::end(double at_s) {
+  auto& record = shared_.record;
+  if (record.ended_s > 0) return;
+  record.ended_s = at_s;
+  if (!is_last_) record.interactive_s += at_s - interactive_since_s_;
+  record.after = observe::collect(shared_.machine);
 }
 
 // --- the first tasks ----------------------------------------------------------------------------
@@ -127,7 +133,10 @@ std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cell
 
 // Tasks come down a tree: the first of those that are left here.
 void Coordinator::serve_demand(int child) {
-  if (next_of_pool_ < pool_.size()) give_first(child, {pool_[next_of_pool_++]});
+  if (next_of_pool_ == pool_.size()) return;
+  ++shared_.record.counts.moves;
+  ++shared_.record.counts.tasks_moved;
+  give_first(child, {pool_[next_of_pool_++]});
 }
 
 // --- phases -------------------------------------------------------------------------------------
@@ -210,7 +219,7 @@ void Coordinator::obey_user(std::size_t place) {
   const auto& script = shared_.params.script;
   if (place == script.size()) {
     is_quitting_ = true;
-    if (is_null_) end_interactive();
+    if (is_null_ && !is_finishing_) end_interactive();
     return;
   }
   const auto& what = script[place].what;
@@ -247,7 +256,7 @@ void Coordinator::obey_user(std::size_t place) {
 }
 
 void Coordinator::tell(network::Address to, IirraMessage::Content content) {
-  send(manager_, shared_.sizes, to, std::move(content));
+  send(manager_, shared_.sizes, TASK_PROCESS, to, std::move(content));
 }
 
 }  // namespace iirra

@@ -52,7 +52,7 @@ void Display::poll_all() {
 
 void Display::ask(int worker) {
   ++shared_.record.counts.polls;
-  send(manager_, shared_.sizes, {worker, TASK_PROCESS}, Poll{});
+  send(manager_, shared_.sizes, DISPLAY_PROCESS, {worker, TASK_PROCESS}, Poll{});
 }
 
 // Until so many workers at most have not told all.
@@ -62,7 +62,8 @@ void Display::await_answers(std::size_t most) {
 
 // Tells the coordinator, and is stopped.
 void Display::finish() {
-  send(manager_, shared_.sizes, {shared_.places.coordinator, TASK_PROCESS}, Finished{});
+  send(manager_, shared_.sizes, DISPLAY_PROCESS, {shared_.places.coordinator, TASK_PROCESS},
+       Finished{});
   while (!is_stopped_) obey(manager_.serve_at_once());
 }
 
@@ -74,7 +75,7 @@ void Display::obey(const Message& message) {
       [&](const Picture& picture) {
         show(message, picture);
         if (!is_polled)
-          send(manager_, shared_.sizes, {from, TASK_PROCESS}, Shown{});
+          send(manager_, shared_.sizes, DISPLAY_PROCESS, {from, TASK_PROCESS}, Shown{});
         else if (picture.is_all)
           --asked_;
         else
@@ -143,7 +144,8 @@ void Display::keep(const std::string& name) {
     shared_.record.key_images.push_back({now, "borders-" + name, draw_borders()});
 }
 
-// White along the upper and left borders of cells; those of two pixels would be nothing else.
+// White along the upper and left borders of cells of four pixels a side and more: of smaller ones
+// nothing would be left.
 std::vector<std::uint8_t> Display::draw_borders() const {
   auto rgb8 = screen_.rgb8;
   const int width = shared_.record.samples.width;

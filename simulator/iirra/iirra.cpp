@@ -13,8 +13,6 @@ namespace iirra {
 
 namespace {
 
-using machine::Processor;
-
 constexpr std::uint64_t LONGEST = 2048;  // bytes of a message, unless a record of data is longer
 constexpr int DATA_BIT = 1 << shared_memory::DATA_PROCESS, TASK_BIT = 1 << TASK_PROCESS;
 constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
@@ -90,10 +88,7 @@ class Run {
   Result run() {
     const auto end = observe::run(machine_, params_.watch);
     auto& record = shared_.record;
-    if (end != machine::End::done) {
-      record.after = observe::collect(machine_);
-      record.ended_s = machine_.now().value;
-    }
+    coordinator_->end(machine_.now().value);
     record.end = end;
     // After an abort the workers go on until they hear of it.
     record.last_task_s = std::min(record.last_task_s, record.ended_s);
@@ -118,7 +113,8 @@ class Run {
       result.shared = {memory_->use(), result.routers, params_.data->cache_bytes,
                        result.workers * result.time_s};
     result.kernel_cycles = shared_.kernel_cycles();
-    result.kernels_s = machine_.processors()[0]->duration(result.kernel_cycles).value;
+    result.kernels_s =
+        static_cast<double>(result.kernel_cycles.value) / machine_.model().cpu.clock.value;
     return result;
   }
 
@@ -142,9 +138,9 @@ class Run {
       if (is_worker && !params_.data)
         processor.memory().allocate(kernels::scene_bytes(model, scene), "the scene", {});
       if (role == Role::display)
-        processor.memory().allocate(3 * static_cast<std::uint64_t>(params_.image.width) *
+        processor.memory().allocate(7 * static_cast<std::uint64_t>(params_.image.width) *
                                         static_cast<std::uint64_t>(params_.image.height),
-                                    "the picture", {});
+                                    "the picture, and how new each pixel is", {});
     }
     if (!params_.is_double) return;
     for (const int id : shared_.places.workers) {
@@ -157,7 +153,8 @@ class Run {
                const std::optional<topologies::TreeLinks>& tree) {
     network::Params network;
     network.method = params_.method;
-    // A request for data, one for tasks, tasks, a report, and what the display has asked for.
+    // Each worker has a request or two under way, and the display a few questions. Where more meets
+    // at one router, the run ends with a fault that names it.
     network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
     if (params_.data)
       shared_.longest =
@@ -248,11 +245,23 @@ void check_weights(const char* key, const Weights& w) {
                 "found weights that are all 0, expected one above 0 at least");
 }
 
-void check_limits(const char* key, const renderer::Params& image, const Limits& limits) {
+// `key`: stage, or order.
+void check_limits(const std::string& key, const renderer::Params& image, const Limits& limits) {
   renderer::Params with_area = image;
   with_area.area = limits.area;
-  check(with_area);
-  if (limits.weights) check_weights(key, *limits.weights);
+  try {
+    check(with_area);
+  } catch (const base::BadInput& error) {
+    throw base::BadInput(fmt::format("{}.{}", key, error.what()));
+  }
+  const auto computed = get_area(image), asked = get_area(with_area);
+  const bool is_met = asked.x < computed.x + computed.width && computed.x < asked.x + asked.width &&
+                      asked.y < computed.y + computed.height && computed.y < asked.y + asked.height;
+  base::require(is_met, key + ".area",
+                "found [{}, {}, {}, {}], expected some pixels of image.area, [{}, {}, {}, {}]",
+                asked.x, asked.y, asked.width, asked.height, computed.x, computed.y, computed.width,
+                computed.height);
+  if (limits.weights) check_weights((key + ".weights").c_str(), *limits.weights);
 }
 
 }  // namespace
@@ -271,10 +280,10 @@ void check(const Params& params, const topologies::Topology& topology) {
                 "found double, but every worker holds the scene: there are no data managers; "
                 "expected single, or data.cache_percent above 0");
   base::require(!params.stages.empty(), "stage", "found none, expected one at least");
-  for (const auto& limits : params.stages) check_limits("stage.weights", params.image, limits);
+  for (const auto& limits : params.stages) check_limits("stage", params.image, limits);
   for (const auto& order : params.script)
     if (const auto* limits = std::get_if<Limits>(&order.what))
-      check_limits("order.weights", params.image, *limits);
+      check_limits("order", params.image, *limits);
   tracing::check_script(params.script);
   tracing::check_looks("iirra", params.looks, params.image);
   const auto places = find_places(topology, params.is_far);

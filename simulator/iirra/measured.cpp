@@ -29,9 +29,12 @@ Columns<Result> sample_columns() {
           column<R>("rays_image", of_image, "rays of the image's samples, each once"),
           column<R>("rays_outside", outside,
                     "rays of samples beyond the image, for interpolation only"),
-          column<R>("rays_double", twice, "rays of samples that a second processor computed too"),
+          column<R>(
+              "rays_double", twice,
+              "rays of samples that another processor computed too, or measured for its start"),
           column<R>("samples_double", samples_twice,
-                    "samples of the image that were computed on a second processor too")},
+                    "samples of the image that were computed on another processor too, or measured "
+                    "for its start")},
       {base::lift_columns<R>(
           Columns<C>{column("samples", &C::samples, "samples computed, on all processors"),
                      column("samples_outside", &C::samples_outside,
@@ -108,8 +111,10 @@ Losses find_losses(const Result& result) {
   const double needed =
       static_cast<double>(result.rays_image.total()) / static_cast<double>(result.rays.total());
   Losses losses;
-  losses.data = result.shared ? result.shared->data.waited.value / all_s : 0;
-  losses.idle = std::max(0.0, 1 - busy_s / all_s - losses.data);
+  // The CPU is busy for part of a wait, with what others want.
+  const double not_busy = std::max(0.0, 1 - busy_s / all_s);
+  losses.data = result.shared ? std::min(not_busy, result.shared->data.waited.value / all_s) : 0;
+  losses.idle = not_busy - losses.data;
   losses.repeated = rays_s * (1 - needed) / all_s;
   losses.routing = high_s / all_s;
   losses.managing = (busy_s - high_s - rays_s) / all_s;

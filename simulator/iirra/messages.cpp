@@ -4,35 +4,41 @@
 
 namespace iirra {
 
+namespace {
+std::uint64_t words(std::uint64_t n) { return n * Sizes::WORD; }
+}  // namespace
+
+std::uint64_t Sizes::of(const Tasks& tasks) const {
+  std::uint64_t sum = words(2);
+  for (const auto& moved : tasks.cells) sum += of(moved);
+  return sum;
+}
+
+std::uint64_t Sizes::of(const Picture& picture) const {
+  std::uint64_t sum = words(2);
+  for (const auto& block : picture.blocks) sum += of(block);
+  return sum;
+}
+
 std::uint64_t Sizes::of(const IirraMessage::Content& content) const {
-  const auto words = [](std::uint64_t n) { return n * WORD; };
   return occam::case_of(
-      content,
-      [&](const Tasks& tasks) {
-        std::uint64_t sum = words(2);
-        for (const auto& moved : tasks.cells) sum += of(moved);
-        return sum;
-      },
+      content, [&](const Tasks& tasks) { return of(tasks); },
+      [&](const Picture& picture) { return of(picture); },
       [&](const Measure& measure) { return words(2) + cell * measure.cells.size(); },
       [&](const CellTimes& measured) { return words(2) + (cell + WORD) * measured.times_s.size(); },
-      // The tag, six limits, an area, and the keys' weights where there are any.
-      [&](const NewPhase& phase) { return words(phase.limits.weights ? 18 : 12); },
-      [&](const Picture& picture) {
-        std::uint64_t sum = words(2);
-        for (const auto& block : picture.blocks) sum += of(block);
-        return sum;
-      },
+      // Tag, phase, order, six limits, an area, and the keys' weights where there are any.
+      [&](const NewPhase& phase) { return words(phase.limits.weights ? 19 : 13); },
       [&](const Report&) { return words(4); }, [&](const TaskRequest&) { return words(2); },
       [&](const NoTasks&) { return words(2); }, [&](const UserOrder&) { return words(12); },
       [&](const auto&) { return words(1); });
 }
 
-void send(shared_memory::DataManager& manager, const Sizes& sizes, network::Address to,
+void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage::Content content) {
   machine::this_process().charge(sizes.message.made);
   const auto bytes = sizes.of(content);
   manager.client().send({.to = to,
-                         .from = {.process = to.process},
+                         .from = {.process = from},
                          .length = bytes,
                          .contents = std::make_shared<const IirraMessage>(std::move(content))});
 }

@@ -99,11 +99,13 @@ struct Sizes {
   }
   /// A block of a picture: where it is and how new, in three words, and three bytes a pixel.
   static std::uint64_t of(const Painted& block) { return 3 * WORD + block.rgb8.size(); }
+  std::uint64_t of(const Tasks& tasks) const;
+  std::uint64_t of(const Picture& picture) const;
   std::uint64_t of(const IirraMessage::Content& content) const;
 };
 
-/// Sends over the client of `manager`.
-void send(shared_memory::DataManager& manager, const Sizes& sizes, network::Address to,
+/// Sends over the client of `manager`, as the process `from`, to which a message would come back.
+void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage::Content content);
 /// What a message says. Throws machine::Fault, naming both ends, for one that has come back.
 const IirraMessage::Content& read(const Sizes& sizes, const network::Message& message);

@@ -15,6 +15,8 @@ class Coordinator {
   Coordinator(Shared& shared, shared_memory::DataManager& manager, network::Client& user);
   /// Until all is shown, or the user aborts; then all others are stopped.
   void run();
+  /// The run has ended, or has been cut short.
+  void end(double at_s);
 
  private:
   void hand_out();

@@ -5,6 +5,13 @@
 
 namespace iirra {
 
+/// A ray, traced.
+struct Traced {
+  bool is_hit = false;
+  renderer::Rgb contribution;
+  renderer::Children children;
+};
+
 struct Shared {
   const renderer::Scene& scene;
   const Params& params;
@@ -19,13 +26,14 @@ struct Shared {
   const shared_memory::SceneItems* items = nullptr;  ///< where the scene is shared
   machine::Cycles charged_with_data{};               ///< for rays that read it so
   Record record;
+  Traced scratch = {};  ///< for replays of rays, where costs are timed
 
   double now_s() const { return occam_now() - record.begun_s; }
   static double occam_now() { return machine::this_process().now().value; }
   std::uint64_t pixels() const {
     return static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
   }
-  machine::Cycles kernel_cycles() const { return ray_cost.charged() + charged_with_data; }
+  machine::Cycles kernel_cycles() const { return items ? charged_with_data : ray_cost.charged(); }
 };
 
 }  // namespace iirra

@@ -24,7 +24,6 @@ void TaskStores::add(const Task& task, TaskWork& work) {
   store.push_back(task);
   if (task.next != Advance::none)
     work.heap_step += kernels::sift_up(heap_, heap_.size() - 1, goes_before);
-  most_ = std::max(most_, heap_.size() + later_.size());
 }
 
 std::optional<Task> TaskStores::take(TaskWork& work) {

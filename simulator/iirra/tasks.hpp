@@ -17,6 +17,7 @@ struct TaskCell : SampledCell {
   /// How often it, or a cell that it is a part of, has been painted: of two pictures of a pixel the
   /// display knows which is newer.
   std::uint32_t paintings = 0;
+  int sampled = 0;  ///< points of its next level, of which new limits have interrupted the sampling
 };
 
 /// A cell, and what was found when it was put into a store.
@@ -60,24 +61,22 @@ class TaskStores {
   void add(const Task& task, TaskWork& work);
   /// The most important task; none if the ordered store is empty.
   std::optional<Task> take(TaskWork& work);
-  /// One of the least important tasks of the ordered store that `may_go`; of the last few places of
-  /// the heap, the last.
+  /// A task of the ordered store that `may_go`, of the last few places of the heap: none of the
+  /// most important.
   std::optional<Task> take_last(const std::function<bool(const Task&)>& may_go, TaskWork& work);
   /// All tasks, which are to be classified again: the stores are empty then.
   std::vector<Task> take_all();
 
   std::size_t active() const { return heap_.size(); }
   std::size_t parked() const { return later_.size(); }
-  std::size_t most() const { return most_; }  ///< tasks of both at once, at most
 
  private:
   static constexpr std::size_t LOOKED_AT = 8;
   std::vector<Task> heap_, later_;
-  std::size_t most_ = 0;
 };
 
 /// The samples of a processor, by their places. Each is computed once here, whatever cells share
-/// it: it stays as long as a cell that is here, or may come to be by division, can need it.
+/// it; most stay to the end, since a cell that comes to be by division may need them.
 class SampleTable {
  public:
   /// A new sample, or the one that is there.

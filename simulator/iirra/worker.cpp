@@ -74,23 +74,24 @@ void Worker::work() {
 void Worker::advance(const Task& task) {
   TaskCell cell = task.cell;
   if (task.next == Advance::divide) return divide_cell(cell);
-  const std::uint32_t phase = phase_;
+  const int order = order_;
   if (task.next == Advance::sample)
     sample_next_level(cell);
   else
     deepen(cell, task.quantities.depth);
   if (is_stopped_) return;
-  // What has been done stays; what comes next is chosen within the new limits.
-  if (phase_ != phase) return put(cell);
-  if (!is_finished(cell, samples_)) paint_cell(cell);
+  if (cell.level > 0 && !is_finished(cell, samples_)) paint_cell(cell, order);
   put(cell);
   if (!params_.is_polled) send_pictures();
 }
 
 void Worker::sample_next_level(TaskCell& cell) {
   const std::uint32_t phase = phase_;
-  for (const Point& p : points_of_level(cell, cell.level + 1)) {
+  const auto points = points_of_level(cell, cell.level + 1);
+  for (auto i = static_cast<std::size_t>(cell.sampled); i < points.size(); ++i) {
     if (phase_ != phase || is_stopped_) return;
+    const Point& p = points[i];
+    ++cell.sampled;
     if (samples_.has(p)) {
       ++counts_.samples_shared;
       continue;
@@ -104,7 +105,7 @@ void Worker::sample_next_level(TaskCell& cell) {
     open_.reset();
     serve_waiting();
   }
-  if (phase_ != phase) return;
+  cell.sampled = 0;
   ++cell.level;
 }
 
@@ -114,7 +115,7 @@ void Worker::divide_cell(const TaskCell& cell) {
     if (pixels_of(daughter) == 0) continue;
     for (const Point& p : points_of(daughter))
       if (!samples_.has(p)) throw base::InvariantBroken("a sample that a divided cell has not");
-    put({daughter, cell.paintings});
+    put({daughter, cell.paintings, 0});
   }
   balance_->created();
 }
@@ -155,12 +156,6 @@ void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
 
 namespace {
 
-struct Traced {
-  bool is_hit = false;
-  renderer::Rgb contribution;
-  renderer::Children children;
-};
-
 Traced trace_ray(const renderer::Scene& scene, const renderer::Params& params, const Ray& ray,
                  renderer::Work& work, renderer::Access* access = nullptr) {
   Traced traced;
@@ -183,9 +178,8 @@ renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside
       return trace_ray(scene, params, ray, work);
     });
   } else {
-    static Traced scratch;
-    const double scale =
-        shared_.ray_cost.eval_scale(scratch, [&scene, &params, ray](Traced& to, auto& work) {
+    const double scale = shared_.ray_cost.eval_scale(
+        shared_.scratch, [&scene, &params, ray](Traced& to, auto& work) {
           to = trace_ray(scene, params, ray, work);
         });
     shared_memory::SceneReader reader(*shared_.items, manager_, shared_.ray_cost.counted(), scale);
@@ -202,14 +196,18 @@ renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside
 }
 
 // Into the cell's virtual frame buffer, in place of what it was.
-void Worker::paint_cell(TaskCell& cell) {
+void Worker::paint_cell(TaskCell& cell, int order) {
   ++cell.paintings;
   std::vector<renderer::Rgb> colours;
   for (const Point& p : points_of(cell)) colours.push_back(to_rgb(samples_.at(p).sums));
   auto painting = shared_.paint_cost(
       [cell = SampledCell(cell), colours = std::move(colours),
        area = shared_.area](renderer::Work& work) { return paint(cell, area, colours, work); });
-  std::erase_if(unshown_, [&](const Painted& old) { return is_same_place(old.cell, cell); });
+  std::erase_if(unshown_, [&](const Painted& old) {
+    if (!is_same_place(old.cell, cell)) return false;
+    memory().release(sizes_.of(old));
+    return true;
+  });
   // A block that is longer than a message goes in several, of whole rows.
   const auto row = 3 * static_cast<std::size_t>(painting.area.width);
   const auto room = shared_.longest - sizes_.of(Picture{}) - sizes_.of(Painted{});
@@ -222,7 +220,8 @@ void Worker::paint_cell(TaskCell& cell) {
     const auto from = painting.rgb8.begin() + static_cast<std::ptrdiff_t>(row) * y;
     strip.rgb8.assign(from, from + static_cast<std::ptrdiff_t>(row) * strip.area.height);
     strip.cell = cell;
-    strip.order = order_;
+    strip.order = order;
+    allocate(sizes_.of(strip), "virtual frame buffers");
     unshown_.push_back(std::move(strip));
   }
 }
@@ -253,7 +252,7 @@ void Worker::put(const TaskCell& cell, bool has_just_come) {
 }
 
 void Worker::finish(TaskCell cell) {
-  paint_cell(cell);
+  paint_cell(cell, order_);
   for (const Point& p : points_to_deepen(cell))
     if (is_in(shared_.area, p)) shared_.record.finish(p.x, p.y, samples_.at(p));
   finished_ += pixels_of(cell);
@@ -263,6 +262,7 @@ void Worker::finish(TaskCell cell) {
 // Without a task: tells the coordinator, asks the others, and waits.
 void Worker::rest() {
   if (!params_.is_polled) send_pictures();
+  if (stores_.active() > 0 || is_stopped_) return;  // they have come meanwhile
   report();
   if (has_begun_) balance_->ask();
   obey(manager_.serve_at_once());
@@ -327,12 +327,20 @@ std::size_t Worker::give(int to) {
 // The samples that no other cell here can need go with it; its borders stay as well.
 MovedCell Worker::pack(const TaskCell& cell) {
   MovedCell moved{cell, {}};
+  const auto forget_inner = [&](const Point& p) {
+    if (!is_inner(cell, p)) return;
+    memory().release(sizes_.of(samples_.at(p)));
+    samples_.erase(p);
+  };
   for (const Point& p : points_of(cell)) {
     moved.samples.push_back(samples_.at(p));
-    if (!is_inner(cell, p)) continue;
-    memory().release(sizes_.of(moved.samples.back()));
-    samples_.erase(p);
+    forget_inner(p);
   }
+  // Of a level that is not complete the other one begins anew.
+  if (cell.sampled > 0)
+    for (int i = 0; i < cell.sampled; ++i)
+      forget_inner(points_of_level(cell, cell.level + 1)[static_cast<std::size_t>(i)]);
+  moved.cell.sampled = 0;
   return moved;
 }
 
@@ -414,7 +422,6 @@ void Worker::measure(int asker, const Measure& asked) {
       sample.waiting.pop_back();
       for (const Ray& child : shoot(sample, ray, !is_in(shared_.area, middle)))
         sample.waiting.push_back(child);
-      manager_.look();
     }
     ++counts_.samples;
     counts_.samples_outside += !is_in(shared_.area, middle);
@@ -428,6 +435,7 @@ Picture Worker::take_picture() {
   std::uint64_t bytes = sizes_.of(picture);
   while (!unshown_.empty() && bytes + sizes_.of(unshown_.front()) <= shared_.longest) {
     bytes += sizes_.of(unshown_.front());
+    memory().release(sizes_.of(unshown_.front()));
     picture.blocks.push_back(std::move(unshown_.front()));
     unshown_.pop_front();
   }
@@ -448,7 +456,7 @@ void Worker::send_pictures() {
 void Worker::send_to(network::Address to, IirraMessage::Content content) {
   counts_.requests += std::holds_alternative<TaskRequest>(content);
   counts_.refusals += std::holds_alternative<NoTasks>(content);
-  send(manager_, sizes_, to, std::move(content));
+  send(manager_, sizes_, TASK_PROCESS, to, std::move(content));
 }
 
 void Worker::pass_on(const Message& message) { manager_.client().give_back(message); }

@@ -23,7 +23,7 @@ class Worker : private TaskGiver {
   void deepen(const SampledCell& cell, int level);
   void trace(Sample& sample, const renderer::Ray& ray, bool is_outside);
   renderer::Children shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
-  void paint_cell(TaskCell& cell);
+  void paint_cell(TaskCell& cell, int order);
 
   // The task manager (TM).
   void put(const TaskCell& cell, bool has_just_come = false);

@@ -99,6 +99,36 @@ TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
   });
 }
 
+// The stage has been reached, and the user has had enough: nothing is begun any more.
+TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
+  run_isolated([] {
+    Params params = small_params();
+    params.stages = {coarse(8)};
+    params.script = {{{3}, {tracing::Abort{}}}, {{20}, {tracing::Save{"late"}}}};
+    const auto result = run(params);
+    EXPECT_TRUE(result.is_aborted);
+    EXPECT_LT(result.time_s, 3.5);
+    EXPECT_NEAR(result.interactive_s, result.time_s, 1e-9);
+    EXPECT_NE(result.rgb8, make_rgb8(render(make_glass_scene(), params.image).samples));
+  });
+}
+
+// Limits come while pictures that nobody asked for are on their way: no worker waits for ever.
+TEST(IirraSession, OrdersWhilePicturesAreSentLoseNothing) {
+  for (int order = 0; order < 12; ++order)
+    run_isolated([&] {
+      SCOPED_TRACE(order);
+      Params params = small_params();
+      params.is_polled = false;
+      params.balance = order % 2 == 0 ? BalanceMethod::none : BalanceMethod::active;
+      params.stages = {coarse(8)};
+      const double at_s = 0.03 + 0.011 * order;
+      params.script = {{{at_s}, {coarse(4)}}, {{at_s + 0.004}, {Limits{}}}};
+      const auto result = run(params);
+      EXPECT_EQ(result.rgb8, make_rgb8(render(make_glass_scene(), params.image).samples));
+    });
+}
+
 TEST(IirraSession, AnAbortEndsWithThePictureAsItIs) {
   for (const bool is_polled : {true, false}) {
     SCOPED_TRACE(is_polled);

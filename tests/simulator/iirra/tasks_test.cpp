@@ -25,11 +25,9 @@ auto rank(const Task& task) {
 // What the stores should hold.
 struct Oracle {
   std::vector<Task> active, parked;
-  std::size_t most = 0;
 
   void add(const Task& task) {
     (task.next == Advance::none ? parked : active).push_back(task);
-    most = std::max(most, active.size() + parked.size());
   }
   std::vector<Task>::iterator find(const SampledCell& cell) {
     return std::ranges::find(active, cell, &Task::cell);
@@ -40,7 +38,6 @@ struct Oracle {
 void expect_equal(const TaskStores& stores, const Oracle& oracle) {
   EXPECT_EQ(stores.active(), oracle.active.size());
   EXPECT_EQ(stores.parked(), oracle.parked.size());
-  EXPECT_EQ(stores.most(), oracle.most);
 }
 
 std::vector<SampledCell> sorted_cells(const std::vector<Task>& tasks) {
