@@ -224,7 +224,8 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
                   "tests/benchmarks/raw_simgrid\\.cpp")},
       {{"boost/graph/"}, std::regex("topologies/.*\\.cpp")},
       {{"boost/container/"},
-       std::regex("renderer/radiosity/light/mirrors\\.cpp|simulator/occam/alt\\.hpp")},
+       std::regex("renderer/radiosity/light/mirrors\\.cpp|simulator/occam/alt\\.hpp|"
+                  "renderer/progressive/sampled_cell\\.(hpp|cpp)")},
       {{"boost/context/"}, std::regex("simulator/machine/fiber\\.cpp")},
       {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
       {{"pugixml"}, std::regex("topologies/files/graphml\\.cpp")},

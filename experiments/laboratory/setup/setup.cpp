@@ -19,7 +19,7 @@ namespace {
 
 Topology make_network(const Experiment& experiment) {
   const std::string& name = experiment.topology.path;
-  const auto n = experiment.workers + experiment.program->services;
+  const auto n = experiment.workers + (experiment.program ? experiment.program->services : 0);
   if (has_own_workers(experiment)) return topologies::make_topology(name);
   if (name == "mesh" || name == "torus") {
     auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));

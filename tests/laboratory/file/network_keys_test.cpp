@@ -80,7 +80,7 @@ TEST(ExperimentsNetworkKeys, OnlyProgramsThatUseThemHaveRoutesAndFaults) {
       const auto told = told_by_load(fmt::format("[program]\nname = \"{}\"\n{}", program, network));
       EXPECT_NE(
           told.find(fmt::format("the program {} has no use for routes and trees, expected one "
-                                "of census",
+                                "of iirra, census",
                                 program)),
           std::string::npos)
           << told;

@@ -58,9 +58,8 @@ TEST(DoubleNode, ImageEqualsTheRenderers) {
 // With one worker nothing but its nodes' work makes a difference: tasks do not move.
 TEST(DoubleNode, IsFasterThanOneProcessor) {
   const auto eval_time = [](bool is_double) {
-    return test::isolated_numbers([is_double] {
-      return std::vector<double>{run("line:3", 20, is_double).time_s};
-    });
+    return test::isolated_numbers(
+        [is_double] { return std::vector<double>{run("line:3", 20, is_double).time_s}; });
   };
   EXPECT_LT(eval_time(true).at(0), eval_time(false).at(0));
 }

@@ -99,6 +99,28 @@ TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
   });
 }
 
+// Those of stages, of [data] and of nodes of two processors come only where there are any.
+TEST(IirraSession, MeasuresTheColumnsThatItDeclares) {
+  run_isolated([] {
+    Params params = small_params();
+    params.stages = {coarse(8), Limits{}};
+    const Measured measured(run(params), {});
+    std::vector<std::string> declared;
+    for (const auto& column : make_columns()) declared.push_back(column.name);
+    for (const auto& [name, cell] : base::make_row(make_columns(), measured)) {
+      std::string family = name;
+      if (const auto digit = family.find("stage1"); digit == 0) family.replace(5, 1, "{}");
+      EXPECT_NE(std::ranges::find(declared, family), declared.end()) << name;
+    }
+    const auto& losses = measured.losses;
+    const double of_image =
+        measured.run.kernels_s / (measured.run.workers * measured.run.time_s) - losses.repeated;
+    EXPECT_NEAR(
+        of_image + losses.idle + losses.data + losses.repeated + losses.routing + losses.managing,
+        1, 1e-6);
+  });
+}
+
 // The stage has been reached, and the user has had enough: nothing is begun any more.
 TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   run_isolated([] {

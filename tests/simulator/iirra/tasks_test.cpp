@@ -26,9 +26,7 @@ auto rank(const Task& task) {
 struct Oracle {
   std::vector<Task> active, parked;
 
-  void add(const Task& task) {
-    (task.next == Advance::none ? parked : active).push_back(task);
-  }
+  void add(const Task& task) { (task.next == Advance::none ? parked : active).push_back(task); }
   std::vector<Task>::iterator find(const SampledCell& cell) {
     return std::ranges::find(active, cell, &Task::cell);
   }
