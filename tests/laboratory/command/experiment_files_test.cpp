@@ -61,8 +61,9 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
       {"thesis/figure-5.29", {"scene.objects=50"}},
       {"studies/iirra-balance",
        {"network.topology=\"mesh:3x3\"", "scene.objects=50", "image.width=64", "image.height=64",
-        "sweep.start, cell=[[\"scattered\", 4], [\"blocks\", 4]]",
-        "sweep.balance=[\"neighbours\", \"ring\"]", "let.least=\"0.6\""}},
+        "sweep.start, cell=[[\"scattered\", 4], [\"scattered\", 8], [\"blocks\", 4], "
+        "[\"blocks\", 8]]",
+        "sweep.balance=[\"neighbours\", \"ring\"]", "let.least=\"0.6\"", "let.most=\"0.5\""}},
       {"studies/iirra-caches",
        {"network.topology=\"mesh:3x3\"", "scene.objects=50", "image.width=24", "image.height=24",
         "sweep.cache_percent=[0, 50]"}},
