@@ -59,8 +59,8 @@ struct Painting {
   std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes a pixel
 };
 /// The pixels of the cell within `image`, each in the colour of its sample, if it has one, else
-/// interpolated in its triangle. `colours` are those of points_of(cell), whose level is 1 at least.
-/// Counts pixels drawn and interpolated.
+/// interpolated in its triangle. `colours` are those of points_of(cell). The cell's level is at
+/// least 1. Counts pixels drawn and interpolated.
 Painting paint(const SampledCell& cell, const Area& image, std::span<const Rgb> colours,
                Work& work);
 

@@ -9,7 +9,7 @@ namespace renderer {
 
 namespace {
 
-// Of random numbers; those of the ridges' octaves are 0 and on.
+// Seeds of the random numbers for each purpose. The octaves of the ridges have those from 0 on.
 enum Seed { ROLLING = 100, ROUGHNESS, MASSIFS, BORDERS, FORESTS, ORDER };
 
 // Between -1 and 1, another for every point of the lattice and every `which`.
@@ -123,7 +123,7 @@ void shuffle(std::vector<Corners>& triangles) {
     std::swap(triangles[i - 1], triangles[base::random_at(ORDER, i) % i]);
 }
 
-// Of the points, unit: of all triangles around each, by area.
+// Makes a unit normal for each point: the mean of the triangles around it, weighted by their areas.
 std::vector<Vec> make_normals(const Ground& ground) {
   const auto& p = ground.points;
   std::vector<Vec> normals(p.size());

@@ -7,7 +7,7 @@
 #include "simulator/iirra/services.hpp"
 #include "simulator/iirra/worker.hpp"
 #include "simulator/tracing/looks.hpp"
-#include "topologies/graph/metrics.hpp"
+#include "topologies/route/routes.hpp"
 
 namespace iirra {
 

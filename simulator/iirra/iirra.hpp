@@ -82,8 +82,8 @@ struct Result : Record {
 };
 
 /// `tree`: the way of messages to all; none: each sender has one. Throws base::BadInput as check(),
-/// and if buffers and caches do not fit the memory; machine::Fault, also where a processor has
-/// stopped whose cells are lost, or a message has no way left.
+/// and if buffers and caches do not fit the memory. Throws machine::Fault as any run, and when a
+/// processor stops (its cells are lost) or a message cannot reach its receiver.
 Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
                  const topologies::RoutingTable& routes,
                  const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,

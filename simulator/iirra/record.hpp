@@ -16,8 +16,7 @@ struct Counts {
   std::uint64_t tasks_moved = 0, bytes_moved = 0;
   std::uint64_t reports = 0;  ///< of workers without tasks to the coordinator
   std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;  ///< to the display
-  std::uint64_t looks = 0;     ///< of workers at the network, between samples
-  std::size_t tasks_most = 0;  ///< that a worker held
+  std::size_t tasks_most = 0;                                            ///< that a worker held
   std::uint64_t task_messages() const { return requests + refusals + moves; }
 };
 

@@ -1,6 +1,5 @@
 // Where things are before the first task: the roles on the topology, and the first cells.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 

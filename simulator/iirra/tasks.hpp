@@ -93,8 +93,8 @@ class SampleTable {
   std::unordered_map<std::uint64_t, Sample> table_;  // never walked: its order means nothing
 };
 
-/// The quantities of a cell by its samples. Rays that wait at samples which belong to a neighbour
-/// do not count in a cell whose every pixel is sampled.
+/// Finds the quantities of a cell from its samples. Rays that wait count at the samples of
+/// points_to_deepen() alone.
 Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
                            const Limits& limits, TaskWork& work);
 /// The samples whose shading trees matter to a cell: all, or only its own pixels where every pixel

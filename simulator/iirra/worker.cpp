@@ -377,7 +377,6 @@ void Worker::serve_waiting() {
 
 // Between rays, while a sample is not complete, only what does not touch the cell in hand.
 void Worker::look() {
-  ++counts_.looks;
   while (auto message = manager_.take_other()) {
     const auto& content = static_cast<const IirraMessage&>(*message->contents).content;
     if (std::holds_alternative<Poll>(content) || std::holds_alternative<TaskRequest>(content) ||
