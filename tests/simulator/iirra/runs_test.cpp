@@ -298,10 +298,10 @@ std::string tell(const Result& r) {
   const auto& n = r.counts;
   std::string told =
       fmt::format("{:a} {:a} {:a} {:a};", r.time_s, r.setup_s, r.interactive_s, r.last_task_s) +
-      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {};", n.samples,
-                  n.samples_outside, n.samples_shared, n.cells_divided, n.requests, n.refusals,
-                  n.moves, n.tasks_moved, n.bytes_moved, n.reports, n.polls, n.pictures, n.blocks,
-                  n.picture_bytes, n.looks, n.tasks_most, r.rays.total());
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {};", n.samples, n.samples_outside,
+                  n.samples_shared, n.cells_divided, n.requests, n.refusals, n.moves, n.tasks_moved,
+                  n.bytes_moved, n.reports, n.polls, n.pictures, n.blocks, n.picture_bytes,
+                  n.tasks_most, r.rays.total());
   for (const auto& cpu : r.use.cpus) told += fmt::format(" {:a}", cpu.busy_s);
   for (const auto& key : r.key_images) {
     told += fmt::format(";{} {:a} ", key.name, key.at.value);
