@@ -23,14 +23,6 @@ std::uint8_t to_byte(std::int64_t sum) {
   return static_cast<std::uint8_t>((sum * 255 + ONE / 2) >> 32);
 }
 
-// Wraps, as unsigned integers do: defined, and still associative.
-void add_fixed(Samples::Sums& sums, const Samples::Sums& others) {
-  using Sums = Samples::Sums;
-  for (const auto colour : {&Sums::r, &Sums::g, &Sums::b})
-    sums.*colour = static_cast<std::int64_t>(static_cast<std::uint64_t>(sums.*colour) +
-                                             static_cast<std::uint64_t>(others.*colour));
-}
-
 void check_bytes(int width, int height, const std::vector<std::uint8_t>& rgb8,
                  std::string_view who) {
   require(!rgb8.empty(), who, "an image of no pixels", "1 or more");
@@ -42,8 +34,16 @@ void check_bytes(int width, int height, const std::vector<std::uint8_t>& rgb8,
 
 }  // namespace
 
+void add(Samples::Sums& sums, const Samples::Sums& others) {
+  using Sums = Samples::Sums;
+  for (const auto colour : {&Sums::r, &Sums::g, &Sums::b})
+    sums.*colour = static_cast<std::int64_t>(static_cast<std::uint64_t>(sums.*colour) +
+                                             static_cast<std::uint64_t>(others.*colour));
+}
+
 void add(Samples::Sums& sums, const Rgb& contribution) {
-  add_fixed(sums, {to_fixed(contribution.r), to_fixed(contribution.g), to_fixed(contribution.b)});
+  add(sums,
+      Samples::Sums{to_fixed(contribution.r), to_fixed(contribution.g), to_fixed(contribution.b)});
 }
 
 Rgb to_rgb(const Samples::Sums& s) {
@@ -56,15 +56,15 @@ void Samples::add(std::uint32_t sample, const Rgb& contribution) {
 }
 
 Samples& Samples::operator+=(const Samples& other) {
-  for (std::size_t i = 0; i < sums.size(); ++i) add_fixed(sums[i], other.sums[i]);
+  for (std::size_t i = 0; i < sums.size(); ++i) renderer::add(sums[i], other.sums[i]);
   return *this;
 }
 
 void Samples::add(int x, int y, const Samples& rectangle) {
   for (int row = 0; row < rectangle.height; ++row)
     for (int column = 0; column < rectangle.width; ++column)
-      add_fixed(sums[static_cast<std::size_t>((y + row) * width + x + column)],
-                rectangle.sums[static_cast<std::size_t>(row * rectangle.width + column)]);
+      renderer::add(sums[static_cast<std::size_t>((y + row) * width + x + column)],
+                    rectangle.sums[static_cast<std::size_t>(row * rectangle.width + column)]);
 }
 
 Rgb Samples::get(std::uint32_t sample) const { return to_rgb(sums[sample]); }

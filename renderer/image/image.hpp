@@ -42,6 +42,8 @@ struct Samples {
 
 /// Adds a contribution to the sums of one sample, as Samples::add.
 void add(Samples::Sums& sums, const Rgb& contribution);
+/// Adds other contributions to the same sample; wraps as unsigned integers do.
+void add(Samples::Sums& sums, const Samples::Sums& others);
 /// The colour that sums stand for.
 Rgb to_rgb(const Samples::Sums& sums);
 

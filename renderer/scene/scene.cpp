@@ -70,25 +70,29 @@ void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex
       make_cone(base, base_radius, apex, apex_radius, make_tag(scene)));
 }
 
+void point(View& view) {
+  view.ahead = normalize(view.at - view.from);
+  view.right = normalize(cross(view.ahead, view.up));
+  view.above = cross(view.right, view.ahead);
+}
+
 // tan() in extended precision and rounded: the same double whichever library computes it.
 View make_image_plane(View view) {
   require(view.angle > 0 && view.angle < 180, fmt::format("a view angle of {}", view.angle),
           "degrees between 0 and 180");
   require(length(view.at - view.from) > 0, "a view from the point it looks at",
           "'from' and 'at' apart");
-  view.ahead = normalize(view.at - view.from);
-  const Vec right = cross(view.ahead, view.up);
-  require(length(right) > 1e-9 * length(view.up), "an up direction along the view",
-          "'up' across the line from 'from' to 'at'");
-  view.right = normalize(right);
-  view.above = cross(view.right, view.ahead);
+  require(length(cross(normalize(view.at - view.from), view.up)) > 1e-9 * length(view.up),
+          "an up direction along the view", "'up' across the line from 'from' to 'at'");
+  point(view);
   view.half_height = static_cast<double>(
       std::tan(static_cast<long double>(view.angle) * std::numbers::pi_v<long double> / 360));
   return view;
 }
 
 void finish(Scene& scene) {
-  scene.view = make_image_plane(scene.view);
+  View& view = scene.view = make_image_plane(scene.view);
+  view.has_motion = !scene.moves.empty() || view.from_move != Vec{} || view.at_move != Vec{};
   std::vector<Bounds> bounds;
   bounds.reserve(scene.objects.size());
   double scale = max_abs(scene.view.from);

@@ -17,11 +17,28 @@ struct Surface {
   double shine = 0;  ///< Phong's exponent, >= 0
   double t = 0;      ///< transmitted, 0..1
   double ior = 1;    ///< index of refraction relative to outside; > 0 where t > 0
+  /// Radius of the disc, across the mirrored ray at distance 1, over which reflected rays are
+  /// spread, 0..1; 0: a mirror. (R. Cook et al., 1984.)
+  double gloss = 0;
+  double translucency = 0;  ///< the same of transmitted rays
 };
 
+enum class LightShape : std::uint8_t { point, rectangle, sphere };
+
+/// A light is not seen itself, and does not grow weaker with distance. All points of a rectangle or
+/// a sphere shine alike in all directions.
 struct Light {
-  Vec at;
+  Vec at;  ///< its middle
   Rgb intensity{1, 1, 1};
+  LightShape shape = LightShape::point;
+  Vec u{}, v{};       ///< a rectangle's: from its middle to the middles of two of its edges
+  double radius = 0;  ///< a sphere's
+};
+
+/// A thin lens, whose middle is the view point (M. Potmesil and I. Chakravarty, 1981).
+struct Lens {
+  double aperture = 0;  ///< diameter, scene units; 0: a pinhole, all is in focus
+  double focus = 1;     ///< distance along the view to the plane in focus, scene units, > 0
 };
 
 /// Most pixels that an image may have along a side.
@@ -33,9 +50,13 @@ struct View {
   double angle = 45;              ///< degrees, 0..180 exclusive
   double hither = 0;              ///< has no effect: rays start at `from`
   int width = 512, height = 512;  ///< resolution that the file asks for, pixels
+  Lens lens{};
+  Vec from_move{}, at_move{};  ///< of `from` and `at` while the shutter is open, scene units
   // Derived by make_image_plane():
   Vec right{}, above{}, ahead{};  ///< unit, of the image plane
   double half_height = 0;         ///< of the image plane at distance 1
+  bool has_motion =
+      false;  ///< derived by finish(): it or an object moves while the shutter is open
 };
 
 enum class Kind : std::uint8_t { sphere, polygon, patch, cone };
@@ -64,8 +85,11 @@ struct Scene {
   std::vector<Cone> cones;
   std::vector<Corner> corners;  ///< of polygons and patches
   std::vector<Vec> normals;     ///< of patches' corners
-  Hierarchy hierarchy;          ///< a leaf's item is a Place's bits
-  double epsilon = 0;           ///< least distance of a hit: 1e-10 of the largest coordinate
+  /// How far each object moves while the shutter is open, by its index; empty: nothing moves. The
+  /// primitives are where they are when it opens.
+  std::vector<Vec> moves;
+  Hierarchy hierarchy;  ///< a leaf's item is a Place's bits
+  double epsilon = 0;   ///< least distance of a hit: 1e-10 of the largest coordinate
 };
 
 /// Calls `f` with the Sphere, Polygon, Patch or Cone that is stored at a place. Inlined as
@@ -92,6 +116,8 @@ void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> 
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius);
 
+/// Derives right, above and ahead anew from `from`, `at` and `up`, which must be possible.
+void point(View& view);
 /// The view with what is derived; BadInput for an impossible one.
 View make_image_plane(View view);
 

@@ -29,6 +29,11 @@ struct Ray {
   bool through = false;    ///< whether it, or an ancestor, was transmitted
   bool is_urgent = false;  ///< its cell shows more than its neighbours: see farm::CellOrder
   std::uint8_t order = 0;  ///< of the user, that admitted it or an ancestor; 0: none
+  std::uint16_t pass = 0;  ///< which of its pixel's samples it belongs to, from 0
+  std::uint32_t path = 1;  ///< its place in the sample's shading tree, which its random numbers
+                           ///< depend on
+  float time = 0;          ///< share of the shutter's time that has passed, 0..1
+  float travelled = 0;     ///< from the eye to its origin, along its ancestors, scene units
 };
 
 /// The influence factor that limits are compared with.

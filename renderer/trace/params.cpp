@@ -43,11 +43,28 @@ base::Field<Area> area_field() {
           &get_sides};
 }
 
+base::Fields<Params> sampling_fields() {
+  using D = base::Declare<Params>;
+  const auto samples = [](Params & p) -> auto& { return p.sampling.pixel_samples; };
+  const auto adaptive = [](Params & p) -> auto& { return p.sampling.adaptive; };
+  const auto lens = [](Params & p) -> auto& { return p.sampling.lens; };
+  const auto shutter = [](Params & p) -> auto& { return p.sampling.shutter; };
+  const auto seed = [](Params & p) -> auto& { return p.sampling.seed; };
+  return {D::whole("pixel_samples", samples, 1, MAX_PIXEL_SAMPLES, "",
+                   "samples of a pixel; with adaptive, the most"),
+          D::number("adaptive", adaptive, 0, 1, "",
+                    "standard error of a pixel's colour above which it gets more samples; 0: all "
+                    "pixels get pixel_samples"),
+          D::number("lens", lens, 0, 1000, "", "factor of the scene's aperture; 0: a pinhole"),
+          D::number("shutter", shutter, 0, 1, "", "part of the scene's shutter time"),
+          D::whole("sample_seed", seed, 0, 9007199254740992.0, "", "seed of the samples")};
+}
+
 base::Fields<Params> param_fields() {
   using D = base::Declare<Params>;
   const auto depth = [](Params & p) -> auto& { return p.limits.depth; };
   const auto min_influence = [](Params & p) -> auto& { return p.limits.min_influence; };
-  return {
+  base::Fields<Params> fields = {
       D::whole("width", &Params::width, 1, MAX_SIDE, "pixels", "width of the image"),
       D::whole("height", &Params::height, 1, MAX_SIDE, "pixels", "height of the image"),
       D::whole("depth", depth, 1, 1000, "", "levels of the shading tree"),
@@ -62,6 +79,8 @@ base::Fields<Params> param_fields() {
       D::number("ambient", &Params::ambient, 0, 1000, "", "intensity of ambient light"),
       base::lift<Params>(area_field(), &Params::area),
   };
+  for (auto& field : sampling_fields()) fields.push_back(std::move(field));
+  return fields;
 }
 
 void check(const Params& p) {

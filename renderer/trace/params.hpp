@@ -29,6 +29,18 @@ struct Limits {
                                ///< transmitted ray is made
 };
 
+/// How many samples a pixel has, and what they are distributed over (R. Cook et al., 1984).
+struct Sampling {
+  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; with `adaptive`, the most
+  /// Standard error of a pixel's colour, 0..1, that is allowed: pixels get more samples where
+  /// theirs is larger, or where an object's border runs through them; 0: all get `pixel_samples`.
+  double adaptive = 0;
+  double lens = 1;         ///< times the scene's aperture, 0..1000; 0: a pinhole
+  double shutter = 1;      ///< part of the scene's time that the shutter is open, 0..1
+  std::uint64_t seed = 1;  ///< of all random numbers
+};
+inline constexpr int MAX_PIXEL_SAMPLES = 4096;
+
 /// A rectangle of pixels; the origin is the upper left.
 struct Area {
   int x = 0, y = 0;
@@ -39,6 +51,7 @@ struct Area {
 struct Params {
   int width = 100, height = 100;  ///< pixels, 1..65536 each and 2^28 together
   Limits limits;
+  Sampling sampling;
   Feelers feelers = Feelers::all;
   SamplePosition sample = SamplePosition::corner;
   Area area;  ///< part of the image that render() computes
@@ -46,8 +59,11 @@ struct Params {
   double ambient = 0.1;  ///< intensity of ambient light Ia, 0..1000 (assumed: NFF has none)
 };
 
-/// The fields width, height, depth, min_influence, feelers, sample, traversal, ambient and area.
+/// The fields width, height, depth, min_influence, feelers, sample, traversal, ambient and area,
+/// and those of sampling_fields().
 base::Fields<Params> param_fields();
+/// The fields pixel_samples, adaptive, lens, shutter and sample_seed.
+base::Fields<Params> sampling_fields();
 /// The field "area", [x, y, width, height] in pixels.
 base::Field<Area> area_field();
 

@@ -3,19 +3,18 @@
 
 #include <functional>
 
-#include "renderer/image/image.hpp"
-#include "renderer/trace/params.hpp"
-#include "renderer/trace/shade.hpp"
+#include "renderer/trace/adaptive.hpp"
 
 namespace renderer {
 
 /// Rays intersected, by kind.
 struct RayCounts {
+  std::uint64_t probes = 0;  ///< of pixels' corners, see make_probe()
   std::uint64_t primary = 0;
   std::uint64_t primary_hit = 0;  ///< primary rays that hit something
   std::uint64_t reflected = 0, transmitted = 0, shadow = 0;
 
-  std::uint64_t total() const { return primary + reflected + transmitted + shadow; }
+  std::uint64_t total() const { return probes + primary + reflected + transmitted + shadow; }
   void add(RayKind kind, bool hit);
   RayCounts& operator+=(const RayCounts& other);
   bool operator==(const RayCounts&) const = default;
@@ -23,14 +22,38 @@ struct RayCounts {
 
 struct Rendering {
   Samples samples;  ///< of the whole image; 0 outside the area of interest
+  /// With adaptive sampling, how many samples each pixel has had; else empty.
+  std::vector<std::uint16_t> counts;
   RayCounts rays;
   Work work;
+};
+
+/// Traces one sample after the other, in any order.
+class SampleTracer {
+ public:
+  SampleTracer(const Scene& scene, const Params& params, Access* access = nullptr)
+      : scene_(scene), params_(params), access_(access) {}
+
+  /// A sample's whole shading tree, depth first.
+  TracedSample trace(int x, int y, int pass);
+  /// The object at the upper left corner of a pixel.
+  std::uint32_t probe(int x, int y);
+
+  RayCounts rays;
+  Work work;
+  Children stack;  ///< memory for rays; empty between samples
+
+ private:
+  const Scene& scene_;
+  const Params& params_;
+  Access* access_;
 };
 
 /// A rectangle of the image, rendered alone.
 struct Block {
   Area area;
-  Samples samples;  ///< of the area's pixels only
+  Samples samples;                    ///< of the area's pixels only
+  std::vector<std::uint16_t> counts;  ///< as Rendering's, of the area's pixels only
   RayCounts rays;
   Work work;
 };
@@ -43,7 +66,7 @@ Block render_block(const Scene& scene, const Params& params, const Area& area,
 /// A block, and the memory that rendering needs, for one block after the other.
 struct BlockBuffer {
   Block block;
-  Children pending;  ///< rays
+  Children pending;  ///< memory for rays
 };
 /// The same into a buffer, whose block before is overwritten.
 void render_block(const Scene& scene, const Params& params, const Area& area, BlockBuffer& buffer,

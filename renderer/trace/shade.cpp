@@ -11,6 +11,27 @@ double eval_highlight(double cosine, double shine) {
   return cosine > 0 ? static_cast<double>(static_cast<float>(std::pow(cosine, shine))) : 0.0;
 }
 
+// Of a light that is a sphere, a point on the side that is seen, alike in all directions in which
+// it is seen; its middle from within.
+Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
+  const Vec to_middle = light.at - from;
+  const double square = dot(to_middle, to_middle), radius_square = light.radius * light.radius;
+  if (square <= radius_square) return light.at;
+  // Equal areas of the disc are equal solid angles: 1 - cos grows with the square of the radius.
+  const double most = radius_square / square;  // sine of the largest angle, squared
+  const double rise = most / (1 + std::sqrt(1 - most));
+  const auto [u, v] = map_to_disc(at);
+  const double share = std::min(1.0, u * u + v * v), cosine = 1 - rise * share;
+  // sine / disc's radius, without cancellation: sine^2 = (1 - cosine) (1 + cosine).
+  const double scale = std::sqrt(rise * (1 + cosine));
+  const Vec axis = normalize(to_middle);
+  const Across across = make_across(axis);
+  const Vec way = cosine * axis + scale * (u * across.u + v * across.v);
+  const double middle = std::sqrt(square) * cosine;
+  const double half_square = radius_square - square * (1 - cosine * cosine);
+  return from + (middle - std::sqrt(std::max(0.0, half_square))) * way;
+}
+
 // A ray that leaves the hit of `ray`, without its direction and influence.
 Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   Ray child;
@@ -22,7 +43,34 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   child.through = ray.through || kind == RayKind::transmitted;
   child.is_urgent = ray.is_urgent;
   child.order = ray.order;
+  child.pass = ray.pass;
+  child.path = 2 * ray.path + (kind == RayKind::transmitted);
+  child.time = ray.time;
+  child.travelled = ray.travelled + static_cast<float>(hit.distance);
   return child;
+}
+
+SampleKey key_of(const Ray& ray, std::uint32_t path) { return {ray.sample, ray.pass, path}; }
+
+// The sample's point of a light, seen from `from`. (A feeler's path is that of the ray it belongs
+// to, and its light's.)
+Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std::size_t number,
+               const Vec& from) {
+  if (light.shape == LightShape::point) return light.at;
+  const auto path = ray.path + static_cast<std::uint32_t>(number) * 0x9E3779B9u;
+  const SquarePoint p = sample_square(sampling, key_of(ray, path), Dimension::light);
+  if (light.shape == LightShape::rectangle)
+    return light.at + (2 * p.u - 1) * light.u + (2 * p.v - 1) * light.v;
+  return find_on_sphere(light, p, from);
+}
+
+// Around the direction `axis`: a disc of this radius at distance 1.
+Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint& at) {
+  const auto [u, v] = map_to_disc(at);
+  const Across across = make_across(axis);
+  const Vec way = normalize(axis + radius * (u * across.u + v * across.v));
+  const double side = dot(way, normal);
+  return side * dot(axis, normal) < 0 ? way - 2 * side * normal : way;
 }
 
 // fS = f * (kd * cos(theta) + kr * cos^n(phi)), Eq 4.17; 0 for a light behind the surface.
@@ -38,7 +86,8 @@ void add_feelers(const Scene& scene, const Params& params, const Ray& ray, const
                  const Vec& mirrored, Children& out, Work& work) {
   const Surface& surface = scene.surfaces[hit.surface];
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Vec to_light = scene.lights[i].at - hit.point;
+    const Vec to_light =
+        find_light(scene.lights[i], params.sampling, ray, i, hit.point) - hit.point;
     if (params.feelers == Feelers::front && !(dot(hit.normal, to_light) > 0)) continue;
     Ray feeler = make_child(ray, hit, RayKind::shadow);
     feeler.reach = length(to_light);
@@ -59,6 +108,10 @@ void add_branches(const Scene& scene, const Params& params, const Ray& ray, cons
   if (surface.ks > 0 && influence * surface.ks >= least) {
     Ray reflected = make_child(ray, hit, RayKind::reflected);
     reflected.direction = mirrored;
+    if (surface.gloss > 0)
+      reflected.direction =
+          spread(mirrored, surface.gloss, hit.normal,
+                 sample_square(params.sampling, key_of(ray, reflected.path), Dimension::gloss));
     reflected.influence = surface.ks * ray.influence;
     work[Op::ray_reflected] += 1;
     out.push_back(reflected);
@@ -69,6 +122,10 @@ void add_branches(const Scene& scene, const Params& params, const Ray& ray, cons
     if (!direction) return;
     Ray transmitted = make_child(ray, hit, RayKind::transmitted);
     transmitted.direction = *direction;
+    if (surface.translucency > 0)
+      transmitted.direction = spread(
+          *direction, surface.translucency, hit.normal,
+          sample_square(params.sampling, key_of(ray, transmitted.path), Dimension::translucency));
     transmitted.influence = surface.t * ray.influence;
     work[Op::ray_refracted] += 1;
     out.push_back(transmitted);
@@ -82,14 +139,78 @@ PlanePoint make_plane_point(const View& view, const Params& p, int x, int y) {
   return {(x - raster.left) * raster.step, (raster.top - y) * raster.step};
 }
 
-Ray make_primary(const View& view, const Params& p, int x, int y) {
-  const PlanePoint at = make_plane_point(view, p, x, y);
+namespace {
+
+// The view when `share` of the shutter's time has passed.
+View move(View view, double share) {
+  view.from += share * view.from_move;
+  view.at += share * view.at_move;
+  point(view);
+  return view;
+}
+
+SampleKey make_key(const Params& p, int x, int y, int pass) {
+  return {static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(p.width) +
+              static_cast<std::uint32_t>(x),
+          pass};
+}
+
+// A ray from the middle of the lens, as long as to where it leaves the plane at distance 1.
+Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePoint& in_pixel) {
+  const Raster raster = make_raster(view, p);
+  const double right = (x + in_pixel.u - raster.left) * raster.step;
+  const double above = (raster.top - (y + in_pixel.v)) * raster.step;
   Ray ray;
   ray.origin = view.from;
-  ray.direction = normalize(view.ahead + at.right * view.right + at.above * view.above);
+  ray.direction = view.ahead + right * view.right + above * view.above;
   ray.influence = {1, 1, 1};
-  ray.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(p.width) +
-               static_cast<std::uint32_t>(x);
+  ray.sample = make_key(p, x, y, 0).pixel;
+  return ray;
+}
+
+// From a pixel's upper left corner to where `p.sample` has it.
+double shift_of(const Params& p) { return p.sample == SamplePosition::corner ? 0 : 0.5; }
+
+// `view` is as it is when the ray starts.
+Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
+  const SampleKey key = make_key(p, x, y, pass);
+  SquarePoint in_pixel;
+  if (p.sampling.pixel_samples > 1) {
+    in_pixel = sample_square(p.sampling, key, Dimension::pixel);
+    in_pixel.u -= shift_of(p);
+    in_pixel.v -= shift_of(p);
+  }
+  Ray ray = make_eye_ray(view, p, x, y, in_pixel);
+  ray.pass = static_cast<std::uint16_t>(pass);
+  const double radius = p.sampling.lens * view.lens.aperture / 2;
+  if (radius > 0) {
+    // Rays of one point of the image meet in the plane in focus.
+    const auto [u, v] = map_to_disc(sample_square(p.sampling, key, Dimension::lens));
+    const Vec in_focus = ray.origin + view.lens.focus * ray.direction;
+    ray.origin += radius * (u * view.right + v * view.above);
+    ray.direction = in_focus - ray.origin;
+  }
+  ray.direction = normalize(ray.direction);
+  return ray;
+}
+
+}  // namespace
+
+Ray make_primary(const View& view, const Params& p, int x, int y, int pass) {
+  if (!view.has_motion) return make_lens_ray(view, p, x, y, pass);
+  const double time =
+      p.sampling.shutter * sample_line(p.sampling, make_key(p, x, y, pass), Dimension::time);
+  Ray ray = make_lens_ray(move(view, time), p, x, y, pass);
+  ray.time = static_cast<float>(time);
+  return ray;
+}
+
+Ray make_probe(const View& view, const Params& p, int x, int y) {
+  const double time = 0.5 * p.sampling.shutter;
+  const SquarePoint corner{-shift_of(p), -shift_of(p)};
+  Ray ray = make_eye_ray(view.has_motion ? move(view, time) : view, p, x, y, corner);
+  ray.direction = normalize(ray.direction);
+  ray.time = static_cast<float>(time);
   return ray;
 }
 
@@ -125,12 +246,13 @@ Rgb eval_contribution(const Scene& scene, const Params& params, const Ray& ray,
   if (ray.kind == RayKind::shadow) {
     if (hit) return {};
     work[Op::sample_updated] += 1;
-    return ray.influence * scene.lights[ray.light].intensity;
+    return weight_of(params.sampling) * ray.influence * scene.lights[ray.light].intensity;
   }
   work[Op::sample_updated] += 1;
-  if (!hit) return ray.influence * scene.background;
+  const double weight = weight_of(params.sampling);
+  if (!hit) return weight * ray.influence * scene.background;
   const Surface& surface = scene.surfaces[hit->surface];
-  return params.ambient * surface.kd * ray.influence * surface.colour;
+  return weight * params.ambient * surface.kd * ray.influence * surface.colour;
 }
 
 }  // namespace renderer

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/trace/params.hpp"
+#include "renderer/trace/sampling.hpp"
 
 namespace renderer {
 
@@ -17,14 +17,22 @@ struct PlanePoint {
 /// Where the sample of pixel (x, y) is; y grows downwards.
 PlanePoint make_plane_point(const View& view, const Params& params, int x, int y);
 
-/// The ray from the view point of `view` through pixel (x, y) of the image.
-Ray make_primary(const View& view, const Params& params, int x, int y);
+/// The ray of sample `pass` of pixel (x, y) of the image. A pixel that has one sample has it where
+/// `params.sample` says; samples of several are spread over the pixel, whose upper left corner or
+/// middle that is. Rays start all over the lens, at times all over the shutter's.
+Ray make_primary(const View& view, const Params& params, int x, int y, int pass = 0);
+/// The ray through the upper left corner of pixel (x, y), from the middle of the lens, when half
+/// the shutter's time has passed: what it meets shows where objects' borders are.
+Ray make_probe(const View& view, const Params& params, int x, int y);
 
 using Children = std::vector<Ray>;
 
 /// Appends to `out` the rays that `ray` leaves where it hits: a shadow feeler to every light
 /// (Eq 4.17), then the reflected ray where ks > 0 and the transmitted one where t > 0 (Eq 4.15),
-/// within the limits. Total internal reflection transmits nothing. A feeler leaves no rays.
+/// within the limits. Total internal reflection transmits nothing. A feeler leaves no rays. Feelers
+/// go to a point of the light that is the sample's, reflected and transmitted rays of surfaces with
+/// gloss and translucency to a point of a disc; where that is on the wrong side of the surface,
+/// they go to its mirror image.
 void make_children(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work);
 /// The same without shadow feelers.
@@ -33,7 +41,7 @@ void make_branches(const Scene& scene, const Params& params, const Ray& ray, con
 
 /// The contribution of `ray` to its sample (Eq 4.26): fS * IS for an unblocked feeler, nothing for
 /// a blocked one (Eq 4.27); for any other ray f * ka * Ia, or f * background where it hits nothing
-/// (Eq 4.28).
+/// (Eq 4.28). Times weight_of() its sample.
 Rgb eval_contribution(const Scene& scene, const Params& params, const Ray& ray,
                       const std::optional<Hit>& hit, Work& work);
 

@@ -1,0 +1,57 @@
+#include "renderer/trace/adaptive.hpp"
+
+#include <algorithm>
+
+namespace renderer {
+
+namespace {
+
+bool has_border(std::span<const TracedSample> samples, const Corners& corners) {
+  const std::uint32_t object = corners[0];
+  return !std::ranges::all_of(corners, [&](std::uint32_t other) { return other == object; }) ||
+         !std::ranges::all_of(samples, [&](const auto& s) { return s.object == object; });
+}
+
+// The largest of the components' standard errors, squared.
+double eval_error_square(std::span<const TracedSample> samples) {
+  const auto n = static_cast<double>(samples.size());
+  double largest = 0;
+  for (const auto component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+    double sum = 0, squares = 0;
+    for (const auto& sample : samples) {
+      const double shown = std::clamp(to_rgb(sample.sums).*component, 0.0, 1.0);
+      sum += shown;
+      squares += shown * shown;
+    }
+    largest = std::max(largest, (squares - sum * sum / n) / (n * (n - 1)));
+  }
+  return largest;
+}
+
+}  // namespace
+
+int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const Corners& corners) {
+  const int has = static_cast<int>(samples.size());
+  if (has >= s.pixel_samples || has < 2) return has;
+  const bool border = has_border(samples, corners);
+  if (!border && corners[0] == NO_OBJECT) return has;
+  const bool is_first = has == first_round(s);
+  if (!(is_first && border) && !(eval_error_square(samples) > s.adaptive * s.adaptive)) return has;
+  return has + round_of(s, has).count;
+}
+
+Samples::Sums add_up(std::span<const TracedSample> samples) {
+  Samples::Sums sums;
+  for (const auto& sample : samples) add(sums, sample.sums);
+  return sums;
+}
+
+Samples::Sums eval_mean(const Samples::Sums& sums, int samples) {
+  const auto divide = [n = static_cast<std::int64_t>(samples)](std::int64_t sum) {
+    const std::int64_t half = sum < 0 ? -n / 2 : n / 2;
+    return (sum + half) / n;
+  };
+  return {divide(sums.r), divide(sums.g), divide(sums.b)};
+}
+
+}  // namespace renderer
