@@ -40,10 +40,22 @@ int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const 
   return has + round_of(s, has).count;
 }
 
+void OpenPixel::add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& contribution) {
+  if (ray.level == 1) samples.push_back({{}, hit ? hit->object : NO_OBJECT});
+  renderer::add(samples.at(ray.pass).sums, contribution);
+}
+
 Samples::Sums add_up(std::span<const TracedSample> samples) {
   Samples::Sums sums;
   for (const auto& sample : samples) add(sums, sample.sums);
   return sums;
+}
+
+Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples) {
+  if (samples < 2 && sampling.pixel_samples == 1) return to_rgb(sums);
+  const int n = std::max(1, samples);
+  if (sampling.adaptive > 0) return to_rgb(eval_mean(sums, n));
+  return static_cast<double>(sampling.pixel_samples) / n * to_rgb(sums);
 }
 
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples) {

@@ -94,6 +94,7 @@ void share_rows(int rows, int threads, const Work& work) {
 }  // namespace
 
 void RayCounts::add(RayKind kind, bool hit) {
+  probes += kind == RayKind::probe;
   primary += kind == RayKind::primary;
   primary_hit += kind == RayKind::primary && hit;
   reflected += kind == RayKind::reflected;
@@ -127,9 +128,9 @@ TracedSample SampleTracer::trace(int x, int y, int pass) {
 }
 
 std::uint32_t SampleTracer::probe(int x, int y) {
-  ++rays.probes;
   const auto hit =
       intersect(scene_, make_probe(scene_.view, params_, x, y), params_.traversal, work, access_);
+  rays.add(RayKind::probe, hit.has_value());
   return hit ? hit->object : NO_OBJECT;
 }
 

@@ -211,6 +211,10 @@ Ray make_probe(const View& view, const Params& p, int x, int y) {
   Ray ray = make_eye_ray(view.has_motion ? move(view, time) : view, p, x, y, corner);
   ray.direction = normalize(ray.direction);
   ray.time = static_cast<float>(time);
+  ray.kind = RayKind::probe;
+  ray.sample = make_key(p, std::min(x, p.width - 1), std::min(y, p.height - 1), 0).pixel;
+  ray.path = static_cast<std::uint32_t>(y) * (static_cast<std::uint32_t>(p.width) + 1) +
+             static_cast<std::uint32_t>(x);
   return ray;
 }
 
@@ -227,7 +231,7 @@ std::optional<Vec> refract(const Vec& direction, const Vec& normal, double ratio
 
 void make_children(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work) {
-  if (ray.kind == RayKind::shadow) return;
+  if (ray.kind == RayKind::shadow || ray.kind == RayKind::probe) return;
   work[Op::surface_shaded] += 1;
   const Vec mirrored = reflect(ray.direction, hit.normal);
   add_feelers(scene, params, ray, hit, mirrored, out, work);

@@ -28,6 +28,17 @@ bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
 }
 
+renderer::Samples::Sums final_sums(const renderer::Sampling& sampling, const Sample& sample) {
+  return sampling.adaptive > 0 ? renderer::eval_mean(sample.sums, sample.begun) : sample.sums;
+}
+
+Ordering make_ordering(const Shared& shared) {
+  const Params& p = shared.params;
+  const bool is_scan = p.pixels == tracing::PixelOrder::scan;
+  return {shared.area,       p.max_cell, is_scan ? CellOrder::sequential : p.order, p.seed,
+          p.weights, shared.quadrants};
+}
+
 machine::Memory& memory() { return this_process().processor().memory(); }
 void allocate(std::uint64_t bytes, const char* what) {
   memory().allocate(bytes, what, this_process().own_time());
@@ -41,8 +52,9 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
       params_(shared.params),
       sizes_(shared.sizes),
       counts_(shared.record.counts),
-      ordering_{shared.area, params_.max_cell, params_.order, params_.seed, params_.weights},
+      ordering_(make_ordering(shared)),
       balance_(make_balance(params_.balance, *this, std::move(peers))),
+      samples_(params_.image.sampling),
       limits_(params_.stages[0]),
       has_begun_(params_.balance == BalanceMethod::green) {}
 
@@ -78,7 +90,7 @@ void Worker::advance(const Task& task) {
   if (task.next == Advance::sample)
     sample_next_level(cell);
   else
-    deepen(cell, task.quantities.depth);
+    deepen(cell, task.quantities.pass, task.quantities.depth);
   if (is_stopped_) return;
   if (cell.level > 0 && !is_finished(cell, samples_)) paint_cell(cell, order);
   put(cell);
@@ -101,7 +113,9 @@ void Worker::sample_next_level(TaskCell& cell) {
     counts_.samples_outside += is_outside;
     allocate(sizes_.sample, "samples");
     open_ = p;
-    trace(samples_[p], make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    Sample& sample = samples_[p];
+    trace(sample, make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    if (!is_outside) extend(sample, p);
     open_.reset();
     serve_waiting();
   }
@@ -120,8 +134,8 @@ void Worker::divide_cell(const TaskCell& cell) {
   balance_->created();
 }
 
-// One level of the shading trees of all samples held.
-void Worker::deepen(const SampledCell& cell, int level) {
+// One level of the shading trees of all samples held, of those that are their pixels' `pass`th.
+void Worker::deepen(const SampledCell& cell, int pass, int level) {
   const std::uint32_t phase = phase_;
   for (const Point& p : points_to_deepen(cell)) {
     if (phase_ != phase || is_stopped_) return;
@@ -130,7 +144,7 @@ void Worker::deepen(const SampledCell& cell, int level) {
     const bool is_outside = !is_in(shared_.area, p);
     for (std::size_t i = 0; i < sample.waiting.size();) {
       const Ray ray = sample.waiting[i];
-      if (ray.level != level || !is_within(ray, limits_)) {
+      if (ray.pass != pass || ray.level != level || !is_within(ray, limits_)) {
         ++i;
         continue;
       }
@@ -138,6 +152,7 @@ void Worker::deepen(const SampledCell& cell, int level) {
       memory().release(sizes_.ray);
       trace(sample, ray, is_outside);
     }
+    if (!is_outside) extend(sample, p);
     open_.reset();
     serve_waiting();
   }
@@ -145,13 +160,61 @@ void Worker::deepen(const SampledCell& cell, int level) {
 
 // A ray and the feelers from where it hits; what it leaves else waits.
 void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
-  for (const Ray& child : shoot(sample, ray, is_outside))
+  const auto& sampling = params_.image.sampling;
+  const bool is_judged = sampling.adaptive > 0 && !is_outside;
+  if (ray.level == 1 && sample.begun++ == 0) sample.open = renderer::OpenPixel(sampling);
+  const auto keep = [&](const Ray& shot, const Traced& traced) {
+    if (!is_judged) return;
+    if (shot.level == 1) allocate(sizes_.pixel, "samples of pixels");
+    sample.open.add(shot, traced.hit, traced.contribution);
+  };
+  const Traced traced = shoot(sample, ray, is_outside);
+  keep(ray, traced);
+  for (const Ray& child : traced.children)
     if (child.kind == renderer::RayKind::shadow) {
-      shoot(sample, child, is_outside);
+      keep(child, shoot(sample, child, is_outside));
     } else {
       allocate(sizes_.ray, "rays that wait");
       sample.waiting.push_back(child);
     }
+}
+
+// The pixel's next sample, if it has one and the one before has begun, waits for its turn.
+void Worker::extend(Sample& sample, const Point& p) {
+  const auto& sampling = params_.image.sampling;
+  if (sampling.pixel_samples == 1) return;
+  const bool is_primary_waiting =
+      std::ranges::any_of(sample.waiting, [](const Ray& ray) { return ray.level == 1; });
+  if (is_primary_waiting) return;
+  const int wanted = sampling.adaptive > 0 ? find_wanted(sample, p) : sampling.pixel_samples;
+  if (sample.begun >= wanted) return;
+  allocate(sizes_.ray, "rays that wait");
+  sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
+}
+
+// Adaptive sampling: when all of a round is there, the objects at the pixel's corners are looked
+// for and it is judged.
+int Worker::find_wanted(Sample& sample, const Point& p) {
+  auto& open = sample.open;
+  if (sample.begun < open.wanted || !sample.waiting.empty() || open.samples.empty())
+    return open.wanted;
+  renderer::Corners corners;
+  for (int i = 0; i < 4; ++i) {
+    const Ray probe = make_probe(shared_.scene.view, params_.image, p.x + i % 2, p.y + i / 2);
+    const auto [corner, is_new] = corners_.try_emplace(probe.path, renderer::NO_OBJECT);
+    if (is_new) {
+      Sample nothing;
+      const auto hit = shoot(nothing, probe, false).hit;
+      corners_[probe.path] = hit ? hit->object : renderer::NO_OBJECT;
+    }
+    corners[static_cast<std::size_t>(i)] = corners_[probe.path];
+  }
+  open.wanted = renderer::find_wanted(params_.image.sampling, open.samples, corners);
+  if (open.wanted == sample.begun) {
+    memory().release(sizes_.pixel * open.samples.size());
+    open.samples.clear();
+  }
+  return open.wanted;
 }
 
 namespace {
@@ -159,16 +222,16 @@ namespace {
 Traced trace_ray(const renderer::Scene& scene, const renderer::Params& params, const Ray& ray,
                  renderer::Work& work, renderer::Access* access = nullptr) {
   Traced traced;
-  const auto hit = intersect(scene, ray, params.traversal, work, access);
-  traced.is_hit = hit.has_value();
-  traced.contribution = eval_contribution(scene, params, ray, hit, work);
-  if (hit) make_children(scene, params, ray, *hit, traced.children, work);
+  traced.hit = intersect(scene, ray, params.traversal, work, access);
+  if (ray.kind == renderer::RayKind::probe) return traced;
+  traced.contribution = eval_contribution(scene, params, ray, traced.hit, work);
+  if (traced.hit) make_children(scene, params, ray, *traced.hit, traced.children, work);
   return traced;
 }
 
 }  // namespace
 
-renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
+Traced Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
   look();
   const auto& scene = shared_.scene;
   const auto& params = params_.image;
@@ -188,18 +251,19 @@ renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside
     reader.charge(work);
     shared_.charged_with_data += reader.charged();
   }
+  const bool is_hit = traced.hit.has_value();
   add(sample.sums, traced.contribution);
-  sample.rays.add(ray.kind, traced.is_hit);
-  shared_.record.rays.add(ray.kind, traced.is_hit);
-  if (is_outside) shared_.record.rays_outside.add(ray.kind, traced.is_hit);
-  return std::move(traced.children);
+  sample.rays.add(ray.kind, is_hit);
+  shared_.record.rays.add(ray.kind, is_hit);
+  if (is_outside) shared_.record.rays_outside.add(ray.kind, is_hit);
+  return traced;
 }
 
 // Into the cell's virtual frame buffer, in place of what it was.
 void Worker::paint_cell(TaskCell& cell, int order) {
   ++cell.paintings;
   std::vector<renderer::Rgb> colours;
-  for (const Point& p : points_of(cell)) colours.push_back(to_rgb(samples_.at(p).sums));
+  for (const Point& p : points_of(cell)) colours.push_back(samples_.colour_of(p));
   auto painting = shared_.paint_cost(
       [cell = SampledCell(cell), colours = std::move(colours),
        area = shared_.area](renderer::Work& work) { return paint(cell, area, colours, work); });
@@ -254,7 +318,10 @@ void Worker::put(const TaskCell& cell, bool has_just_come) {
 void Worker::finish(TaskCell cell) {
   paint_cell(cell, order_);
   for (const Point& p : points_to_deepen(cell))
-    if (is_in(shared_.area, p)) shared_.record.finish(p.x, p.y, samples_.at(p));
+    if (is_in(shared_.area, p)) {
+      const Sample& sample = samples_.at(p);
+      shared_.record.finish(p.x, p.y, final_sums(params_.image.sampling, sample), sample.rays);
+    }
   finished_ += pixels_of(cell);
   new_finished_ += pixels_of(cell);
 }
@@ -419,7 +486,7 @@ void Worker::measure(int asker, const Measure& asked) {
     while (!sample.waiting.empty()) {
       const Ray ray = sample.waiting.back();
       sample.waiting.pop_back();
-      for (const Ray& child : shoot(sample, ray, !is_in(shared_.area, middle)))
+      for (const Ray& child : shoot(sample, ray, !is_in(shared_.area, middle)).children)
         sample.waiting.push_back(child);
     }
     ++counts_.samples;

@@ -20,9 +20,11 @@ class Worker : private TaskGiver {
   void advance(const Task& task);
   void sample_next_level(TaskCell& cell);
   void divide_cell(const TaskCell& cell);
-  void deepen(const SampledCell& cell, int level);
+  void deepen(const SampledCell& cell, int pass, int level);
   void trace(Sample& sample, const renderer::Ray& ray, bool is_outside);
-  renderer::Children shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
+  void extend(Sample& sample, const Point& point);
+  int find_wanted(Sample& sample, const Point& point);
+  Traced shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
   void paint_cell(TaskCell& cell, int order);
 
   // The task manager (TM).
@@ -58,6 +60,7 @@ class Worker : private TaskGiver {
   std::unique_ptr<Balance> balance_;
   TaskStores stores_;
   SampleTable samples_;
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects at corners of pixels
   TaskWork work_;
   Limits limits_;
   std::uint32_t phase_ = 0;
