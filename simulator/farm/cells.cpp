@@ -34,9 +34,9 @@ int log2_of(int size) { return std::countr_zero(static_cast<unsigned>(size)); }
 std::uint32_t Cells::rank_of(std::uint32_t sample) const {
   const auto p = pixel_of(sample, width);
   const Area& all = quadrants->quadrants[0];
-  return quadrants->ranks[static_cast<std::size_t>(p.y - all.y) *
-                              static_cast<std::size_t>(all.width) +
-                          static_cast<std::size_t>(p.x - all.x)];
+  return quadrants
+      ->ranks[static_cast<std::size_t>(p.y - all.y) * static_cast<std::size_t>(all.width) +
+              static_cast<std::size_t>(p.x - all.x)];
 }
 
 std::uint32_t Cells::fineness_of(std::uint32_t sample) const {
@@ -67,8 +67,7 @@ std::uint64_t Cells::place_of(std::uint32_t sample) const {
 Area Cells::area_of(std::uint32_t sample, const Area& limit) const {
   const auto p = pixel_of(sample, width);
   const int size = size_of(sample);
-  const Area cell =
-      quadrants ? quadrants->quadrants[rank_of(sample)] : Area{p.x, p.y, size, size};
+  const Area cell = quadrants ? quadrants->quadrants[rank_of(sample)] : Area{p.x, p.y, size, size};
   const int left = std::max(cell.x, limit.x), top = std::max(cell.y, limit.y);
   const int right = std::min(cell.x + cell.width, limit.x + limit.width);
   const int bottom = std::min(cell.y + cell.height, limit.y + limit.height);

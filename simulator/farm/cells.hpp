@@ -102,7 +102,7 @@ class FrameBuffer {
   renderer::Sampling sampling_;
   renderer::Samples samples_;
   std::vector<std::uint16_t> counts_;  // of a pixel's samples, if there are more than one
-  std::vector<std::uint32_t> owner_;  // fineness of the cell that each pixel shows
+  std::vector<std::uint32_t> owner_;   // fineness of the cell that each pixel shows
   std::vector<std::uint8_t> rgb8_;
 };
 

@@ -112,8 +112,8 @@ Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
   if (quadrants) {
     const auto& of_size = quadrants->at(cell.side);
     const auto columns = static_cast<std::size_t>(of_size.quadrants[0].width);
-    importance.place = of_size.ranks[static_cast<std::size_t>(row) * columns +
-                                     static_cast<std::size_t>(column)];
+    importance.place =
+        of_size.ranks[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
     return importance;
   }
   switch (order) {

@@ -46,9 +46,9 @@ bool is_within(const renderer::Ray& ray, const Limits& limits);
 /// What decides about a cell, beside where it is and how large.
 struct Quantities {
   double contrast = 0;
-  int pass = 0;          ///< the earliest of pixels' samples that a ray within the limits waits for
-  int depth = 0;         ///< least tree level of such rays of that pass; 0: no ray waits
+  int depth = 0;         ///< least tree level of the rays of `pass` that wait; 0: none does
   double influence = 0;  ///< largest influence factor of these
+  int pass = 0;          ///< the earliest of pixels' samples that a ray within the limits waits for
 };
 
 enum class Advance : std::uint8_t {
@@ -93,7 +93,7 @@ struct Ordering {
   int max_cell = 16;
   CellOrder order = CellOrder::bayer;
   std::uint64_t seed = 1;
-  Weights weights;  ///< where limits have none
+  Weights weights;                                           ///< where limits have none
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< in place of `order`
 
   Importance eval(const SampledCell& cell, const Quantities& quantities,

@@ -24,8 +24,8 @@ struct Shared {
   machine::Cycles pixel_tested;  ///< of the display, which of two pictures of it is newer
   kernels::KernelCost ray_cost, paint_cost, display_cost;
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< where cells have that order
-  const shared_memory::SceneItems* items = nullptr;  ///< where the scene is shared
-  machine::Cycles charged_with_data{};               ///< for rays that read it so
+  const shared_memory::SceneItems* items = nullptr;          ///< where the scene is shared
+  machine::Cycles charged_with_data{};                       ///< for rays that read it so
   Record record;
   Traced scratch = {};  ///< for replays of rays, where costs are timed
 

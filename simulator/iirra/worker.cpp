@@ -35,8 +35,8 @@ renderer::Samples::Sums final_sums(const renderer::Sampling& sampling, const Sam
 Ordering make_ordering(const Shared& shared) {
   const Params& p = shared.params;
   const bool is_scan = p.pixels == tracing::PixelOrder::scan;
-  return {shared.area,       p.max_cell, is_scan ? CellOrder::sequential : p.order, p.seed,
-          p.weights, shared.quadrants};
+  return {shared.area, p.max_cell, is_scan ? CellOrder::sequential : p.order,
+          p.seed,      p.weights,  shared.quadrants};
 }
 
 machine::Memory& memory() { return this_process().processor().memory(); }

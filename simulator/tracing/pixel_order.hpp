@@ -11,7 +11,7 @@ enum class PixelOrder : std::uint8_t {
 };
 
 template <class P>
-base::Field<P> pixel_order_field(PixelOrder P::* member) {
+base::Field<P> pixel_order_field(PixelOrder P::*member) {
   static const base::Names<PixelOrder> ORDERS = {{"cells", PixelOrder::cells},
                                                  {"scan", PixelOrder::scan},
                                                  {"quadrants", PixelOrder::quadrants}};

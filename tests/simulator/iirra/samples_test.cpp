@@ -1,4 +1,5 @@
-// Several samples of a pixel, over lens, lights and rough surfaces, against the sequential renderer.
+// Several samples of a pixel, over lens, lights and rough surfaces, against the sequential
+// renderer.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/iirra/iirra_support.hpp"
