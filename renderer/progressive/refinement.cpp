@@ -19,7 +19,7 @@ RefinementState make_state(const Params& params) {
   RefinementState state;
   state.sums.resize(pixels);
   state.counts.resize(pixels);
-  if (params.sampling.adaptive > 0) state.objects.resize(pixels);
+  if (is_adaptive(params.sampling)) state.objects.resize(pixels);
   state.corners = CornerObjects(params, area);
   return state;
 }
@@ -170,7 +170,7 @@ void Refinement::trace_pixel(const Pixel& pixel, PixelTracer& tracer) {
 }
 
 Samples::Sums Refinement::find_shown(std::size_t index) const {
-  const bool is_share = state_.counts[index] == 1 && !(params_.sampling.adaptive > 0);
+  const bool is_share = state_.counts[index] == 1 && !is_adaptive(params_.sampling);
   return is_share ? repeat(state_.sums[index], pixel_samples()) : state_.sums[index];
 }
 
@@ -180,7 +180,7 @@ Rendering Refinement::make_rendering() const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(params_.width) +
            static_cast<std::size_t>(x);
   };
-  if (params_.sampling.adaptive > 0) made.counts.resize(made.samples.sums.size());
+  if (is_adaptive(params_.sampling)) made.counts.resize(made.samples.sums.size());
   Walk walk(order_, area_);
   for (std::uint64_t i = 0; i < std::min(done(), pixels_); ++i) {
     Area block = *walk.next();

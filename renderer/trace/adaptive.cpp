@@ -54,8 +54,12 @@ Samples::Sums add_up(std::span<const TracedSample> samples) {
 Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples) {
   if (samples < 2 && sampling.pixel_samples == 1) return to_rgb(sums);
   const int n = std::max(1, samples);
-  if (sampling.adaptive > 0) return to_rgb(eval_mean(sums, n));
+  if (is_adaptive(sampling)) return to_rgb(eval_final(sampling, sums, n));
   return static_cast<double>(sampling.pixel_samples) / n * to_rgb(sums);
+}
+
+Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, int samples) {
+  return is_adaptive(sampling) ? eval_mean(sums, std::max(1, samples)) : sums;
 }
 
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples) {

@@ -45,6 +45,9 @@ Samples::Sums add_up(std::span<const TracedSample> samples);
 /// The colour that a pixel shows when so many of its samples have begun: their mean. (Fixed numbers
 /// of samples have their weights, which are made up for until all are there.)
 Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples);
+/// What render() gives for a pixel from the sums of all its samples: with adaptive sampling their
+/// mean.
+Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, int samples);
 /// The mean of as many samples, each component rounded to the nearest unit.
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples);
 

@@ -3,7 +3,7 @@
 namespace renderer {
 
 CornerObjects::CornerObjects(const Params& params, const Area& area) : area_(area) {
-  if (params.sampling.adaptive > 0 && params.sampling.pixel_samples > 1)
+  if (is_adaptive(params.sampling))
     objects.resize(columns() * (static_cast<std::size_t>(area.height) + 1));
 }
 
@@ -15,7 +15,7 @@ void CornerObjects::find_row(int row, SampleTracer& tracer) {
 TracedPixel PixelTracer::finish(int column, int row, const TracedSample& first) {
   const Sampling& s = params_.sampling;
   const int x = area_.x + column, y = area_.y + row;
-  if (!(s.adaptive > 0)) {
+  if (!is_adaptive(s)) {
     TracedPixel pixel{first.sums, s.pixel_samples};
     for (int pass = 1; pass < s.pixel_samples; ++pass)
       add(pixel.sums, tracer_.trace(x, y, pass).sums);

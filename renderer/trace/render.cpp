@@ -63,7 +63,7 @@ void render_block(const Scene& scene, const Params& params, const Area& area, Bl
   block.samples.height = area.height;
   block.samples.sums.assign(
       static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), {});
-  block.counts.assign(params.sampling.adaptive > 0 ? block.samples.sums.size() : 0, 0);
+  block.counts.assign(is_adaptive(params.sampling) ? block.samples.sums.size() : 0, 0);
   SampleTracer tracer(scene, params, access);
   tracer.stack.swap(buffer.pending);
   CornerObjects corners(params, area);
@@ -96,7 +96,7 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
   check_threads(threads);
   const Area area = get_area(params);
   Rendering result{Samples(params.width, params.height), {}, {}, {}};
-  if (params.sampling.adaptive > 0) result.counts.resize(result.samples.sums.size());
+  if (is_adaptive(params.sampling)) result.counts.resize(result.samples.sums.size());
   std::mutex one_by_one;
   const auto add_counts = [&](const SampleTracer& tracer) {
     const std::lock_guard lock(one_by_one);

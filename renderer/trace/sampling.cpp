@@ -42,8 +42,8 @@ double eval_cosine(double x) {
 }  // namespace
 
 Round round_of(const Sampling& s, int pass) {
-  if (!(s.adaptive > 0)) return {0, s.pixel_samples};
-  int first = 0, end = 4;
+  if (!is_adaptive(s)) return {0, s.pixel_samples};
+  int first = 0, end = FIRST_ROUND;
   while (pass >= end) {
     first = end;
     end *= 4;

@@ -29,8 +29,13 @@ struct SampleKey {
 struct Round {
   int first = 0, count = 1;
 };
-/// All of a pixel's samples are one round; with `adaptive`, samples come in rounds that make them
-/// 4, 16, 64 ... together, and at last `pixel_samples`.
+inline constexpr int FIRST_ROUND = 4;
+/// Whether pixels may have different numbers of samples: not unless there is more than one round.
+inline bool is_adaptive(const Sampling& s) {
+  return s.adaptive > 0 && s.pixel_samples > FIRST_ROUND;
+}
+/// All of a pixel's samples are one round; with adaptive sampling, samples come in rounds that make
+/// them 4, 16, 64 ... together, and at last `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// How many samples a pixel has after its first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }
@@ -62,6 +67,6 @@ Across make_across(const Vec& axis);
 
 /// What a contribution to the image's sums is multiplied with: 1 / N, or 1 where a pixel's number
 /// of samples is not known before.
-inline double weight_of(const Sampling& s) { return s.adaptive > 0 ? 1.0 : 1.0 / s.pixel_samples; }
+inline double weight_of(const Sampling& s) { return is_adaptive(s) ? 1.0 : 1.0 / s.pixel_samples; }
 
 }  // namespace renderer

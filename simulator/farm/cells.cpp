@@ -120,9 +120,8 @@ FrameBuffer::FrameBuffer(int width, int height, Cells cells, CellLight light, Ar
 
 renderer::Samples FrameBuffer::samples() const {
   renderer::Samples means = samples_;
-  if (sampling_.adaptive > 0)
-    for (std::size_t i = 0; i < counts_.size(); ++i)
-      means.sums[i] = renderer::eval_mean(means.sums[i], std::max<int>(1, counts_[i]));
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    means.sums[i] = eval_final(sampling_, means.sums[i], counts_[i]);
   return means;
 }
 

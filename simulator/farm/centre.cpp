@@ -147,7 +147,7 @@ class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
       : setup_(setup), to_(channels), progress_(progress), limits_(setup.stages[0]) {
-    if (setup.params.sampling.adaptive > 0) ledger_.emplace(setup.params);
+    if (is_adaptive(setup.params.sampling)) ledger_.emplace(setup.params);
   }
 
   void run() {

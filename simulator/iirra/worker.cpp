@@ -28,10 +28,6 @@ bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
 }
 
-renderer::Samples::Sums final_sums(const renderer::Sampling& sampling, const Sample& sample) {
-  return sampling.adaptive > 0 ? renderer::eval_mean(sample.sums, sample.begun) : sample.sums;
-}
-
 Ordering make_ordering(const Shared& shared) {
   const Params& p = shared.params;
   const bool is_scan = p.pixels == tracing::PixelOrder::scan;
@@ -161,7 +157,7 @@ void Worker::deepen(const SampledCell& cell, int pass, int level) {
 // A ray and the feelers from where it hits; what it leaves else waits.
 void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
   const auto& sampling = params_.image.sampling;
-  const bool is_judged = sampling.adaptive > 0 && !is_outside;
+  const bool is_judged = is_adaptive(sampling) && !is_outside;
   if (ray.level == 1 && sample.begun++ == 0) sample.open = renderer::OpenPixel(sampling);
   const auto keep = [&](const Ray& shot, const Traced& traced) {
     if (!is_judged) return;
@@ -186,7 +182,7 @@ void Worker::extend(Sample& sample, const Point& p) {
   const bool is_primary_waiting =
       std::ranges::any_of(sample.waiting, [](const Ray& ray) { return ray.level == 1; });
   if (is_primary_waiting) return;
-  const int wanted = sampling.adaptive > 0 ? find_wanted(sample, p) : sampling.pixel_samples;
+  const int wanted = is_adaptive(sampling) ? find_wanted(sample, p) : sampling.pixel_samples;
   if (sample.begun >= wanted) return;
   allocate(sizes_.ray, "rays that wait");
   sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
@@ -320,7 +316,8 @@ void Worker::finish(TaskCell cell) {
   for (const Point& p : points_to_deepen(cell))
     if (is_in(shared_.area, p)) {
       const Sample& sample = samples_.at(p);
-      shared_.record.finish(p.x, p.y, final_sums(params_.image.sampling, sample), sample.rays);
+      shared_.record.finish(p.x, p.y, eval_final(params_.image.sampling, sample.sums, sample.begun),
+                            sample.rays);
     }
   finished_ += pixels_of(cell);
   new_finished_ += pixels_of(cell);

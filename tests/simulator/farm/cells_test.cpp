@@ -176,14 +176,15 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   for (int pass = 0; pass < 4; ++pass) {
     renderer::Ray ray = ray_of(5);
     ray.pass = static_cast<std::uint16_t>(pass);
-    picture.add(ray, {0.1 * (pass + 1) / 4, 0, 0}, work);
+    picture.add(ray, {0.12 * (pass + 1) / 4, 0, 0}, work);
     ray.level = 2;  // what the sample's other rays contribute
     picture.add(ray, {0, 0.2 / 4, 0}, work);
-    const double mean = 0.1 * (pass + 2) / 2;
+    const double mean = 0.12 * (pass + 2) / 2;
     EXPECT_EQ(picture.rgb8()[15], renderer::make_rgb8(renderer::Rgb{mean, 0, 0})[0]) << pass;
     EXPECT_EQ(picture.rgb8()[16], 51) << pass;
   }
   sampling.adaptive = 0.1;
+  sampling.pixel_samples = 8;
   FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
   for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
   EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
