@@ -77,6 +77,30 @@ Bitmap make_bitmap(const Samples& samples) {
   return {samples.width, samples.height, make_rgb8(samples)};
 }
 
+Bitmap load_png(const std::string& path) {
+  constexpr std::size_t MAX_BYTES = 16 * static_cast<std::size_t>(MAX_PICTURE);
+  const std::string bytes = base::read_text(path, MAX_BYTES);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const auto check_read = [&](int done) {
+    if (done == 0) png_image_free(&image);
+    require(done != 0, path, fmt::format("what is no whole PNG ({})", image.message), "a picture");
+  };
+  check_read(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
+  const auto pixels = std::uint64_t{image.width} * image.height;
+  if (pixels > std::uint64_t{MAX_PICTURE}) png_image_free(&image);
+  require(pixels <= std::uint64_t{MAX_PICTURE}, path,
+          fmt::format("{} x {} pixels", image.width, image.height),
+          fmt::format("at most {} together", MAX_PICTURE));
+  image.format = PNG_FORMAT_RGB;
+  image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // or 16 bits would be taken for linear
+  Bitmap bitmap{static_cast<int>(image.width), static_cast<int>(image.height),
+                std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};
+  constexpr png_color WHITE{255, 255, 255};
+  check_read(png_image_finish_read(&image, &WHITE, bitmap.rgb8.data(), 0, nullptr));
+  return bitmap;
+}
+
 std::vector<std::uint8_t> make_rgb8(const Samples& samples) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * samples.sums.size());

@@ -59,6 +59,13 @@ void check(const Bitmap& bitmap, std::string_view who);
 
 Bitmap make_bitmap(const Samples& samples);
 
+/// Most pixels of a picture that is read.
+inline constexpr std::int64_t MAX_PICTURE = std::int64_t{1} << 24;
+/// Reads a PNG of any kind (grey, palette, 16 bits, alpha) as a display shows it, on white where it
+/// is transparent: the bytes of one that save_png() wrote. BadInput naming the file if it cannot be
+/// read, is no whole PNG or has more than MAX_PICTURE pixels.
+Bitmap load_png(const std::string& path);
+
 /// Rows from the top, 3 bytes a pixel: 0..1 becomes 0..255, rounded; what is outside is clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
 /// One of its pixels, and a colour, in the same way.

@@ -119,28 +119,34 @@ Vec eval_normal(const Cone& c, const Vec& point) {
   return normalize((1 / radius) * across - c.slope * c.axis);
 }
 
-Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
-                       std::span<const Vec> normal_pool, const Vec& point) {
-  const auto corners = pool.subspan(patch.first, patch.count);
-  const auto normals = normal_pool.subspan(patch.normals, patch.count);
-  const double pu = point[patch.u], pv = point[patch.v];
+Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::span<const Vec> values,
+                  const Vec& point) {
+  const auto corners = pool.subspan(polygon.first, polygon.count);
+  const double pu = point[polygon.u], pv = point[polygon.v];
   const auto spoke = [&](std::size_t i) { return Corner{corners[i].u - pu, corners[i].v - pv}; };
   const auto size = [](const Corner& c) { return std::sqrt(c.u * c.u + c.v * c.v); };
 
   Vec sum;
-  for (std::size_t i = patch.count - 1, j = 0; j < patch.count; i = j++) {
+  for (std::size_t i = polygon.count - 1, j = 0; j < polygon.count; i = j++) {
     const Corner a = spoke(i), b = spoke(j);
-    const Vec &normal_a = normals[i], &normal_b = normals[j];
+    const Vec &value_a = values[i], &value_b = values[j];
     const double a_size = size(a), b_size = size(b);
-    if (a_size == 0) return normal_a;
-    if (b_size == 0) return normal_b;
+    if (a_size == 0) return {value_a, Blend::On::corner};
+    if (b_size == 0) return {value_b, Blend::On::corner};
     const double below = a_size * b_size + a.u * b.u + a.v * b.v;
     // On the edge itself: linear between its ends.
-    if (!(below > 0)) return normalize(b_size * normal_a + a_size * normal_b);
+    if (!(below > 0)) return {b_size * value_a + a_size * value_b, Blend::On::edge};
     const double half_tan = (a.u * b.v - a.v * b.u) / below;  // of the angle the edge is seen under
-    sum += (half_tan / a_size) * normal_a + (half_tan / b_size) * normal_b;
+    sum += (half_tan / a_size) * value_a + (half_tan / b_size) * value_b;
   }
-  // From the back of the projection all angles are negative.
+  return {sum};
+}
+
+Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
+                       std::span<const Vec> normal_pool, const Vec& point) {
+  auto [sum, on] = interpolate(patch, pool, normal_pool.subspan(patch.normals, patch.count), point);
+  if (on == Blend::On::corner) return sum;
+  if (on == Blend::On::edge) return normalize(sum);
   if (dot(sum, patch.normal) < 0) sum = -sum;
   const double norm = length(sum);
   return norm > 0 && norm < Bounds::INF ? (1 / norm) * sum : patch.normal;

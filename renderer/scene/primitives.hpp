@@ -72,8 +72,18 @@ inline Vec eval_normal(const Sphere& s, const Vec& point) { return normalize(poi
 inline Vec eval_normal(const Polygon& p, const Vec&) { return p.normal; }
 Vec eval_normal(const Cone& c, const Vec& point);
 
-/// The normal at a point, interpolated between those of the corners by mean value coordinates
-/// (M. Floater, 2003), which are barycentric in a triangle and defined for any polygon.
+/// Values at a polygon's corners, interpolated at a point by mean value coordinates (M. Floater,
+/// 2003), which are barycentric in a triangle and defined for any polygon. `sum` is what they make
+/// times a number: at a corner 1; on an edge > 0; elsewhere any, < 0 from the back of the
+/// projection.
+struct Blend {
+  Vec sum;
+  enum class On : std::uint8_t { inside, edge, corner } on = On::inside;
+};
+Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::span<const Vec> values,
+                  const Vec& point);
+
+/// The normal at a point, interpolated between those of the corners.
 Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
                        std::span<const Vec> normal_pool, const Vec& point);
 

@@ -11,10 +11,18 @@ namespace {
 constexpr double SELF_RELATIVE = 1e-10, BOX_RELATIVE = 1e-12;
 constexpr std::size_t MAX_OBJECTS = std::size_t{1} << 30;
 
-Tag make_tag(const Scene& scene) {
+bool has_mesh_texture(const Scene& scene) {
+  const std::uint32_t texture = scene.surfaces.back().texture;
+  return texture != NO_TEXTURE && scene.textures[texture].mapping.kind == Mapping::Kind::mesh;
+}
+
+// `shape` is what is to be added, `corners` how many it has with texture coordinates.
+Tag make_tag(const Scene& scene, std::string_view shape, std::size_t corners = 0) {
   require(!scene.surfaces.empty(), "a primitive", "a surface ('f') before the first primitive");
   require(scene.objects.size() < MAX_OBJECTS, "more objects",
           fmt::format("at most {}", MAX_OBJECTS));
+  require(corners > 0 || !has_mesh_texture(scene), fmt::format("{} without coordinates", shape),
+          "polygons with coordinates ('# uv') of their surface's texture, which is a mesh's");
   return {static_cast<std::uint32_t>(scene.objects.size()),
           static_cast<std::uint32_t>(scene.surfaces.size() - 1)};
 }
@@ -23,6 +31,62 @@ template <class Primitive>
 void add(Scene& scene, Kind kind, std::vector<Primitive>& list, const Primitive& made) {
   list.push_back(made);
   scene.objects.push_back(Place::of(kind, list.size() - 1));
+}
+
+void check_coordinates(std::span<const Vec> corners, std::span<const Corner> coordinates) {
+  require(coordinates.empty() || coordinates.size() == corners.size(),
+          fmt::format("{} texture coordinates for {} vertices", coordinates.size(), corners.size()),
+          "one pair each");
+}
+
+// Of the polygon whose corners are the last.
+void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
+  if (coordinates.empty() || !has_mesh_texture(scene)) return;
+  scene.coordinates.resize(scene.corners.size() - coordinates.size());
+  for (const auto& [u, v] : coordinates) scene.coordinates.push_back({u, v, 1});
+}
+
+// How coordinates grow over a polygon: the plane that fits them best, which in a triangle is exact.
+void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const Corner> corners,
+                   std::span<const Vec> coordinates) {
+  const double share = 1.0 / static_cast<double>(corners.size());
+  Corner middle;
+  Vec middle_of_texture;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    middle = {middle.u + share * corners[i].u, middle.v + share * corners[i].v};
+    middle_of_texture += share * coordinates[i];
+  }
+  double uu = 0, uv = 0, vv = 0;
+  Vec along_u, along_v;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double u = corners[i].u - middle.u, v = corners[i].v - middle.v;
+    const Vec way = coordinates[i] - middle_of_texture;
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    along_u += u * way;
+    along_v += v * way;
+  }
+  const double scale = 1 / (uu * vv - uv * uv);
+  const Vec by_u = scale * (vv * along_u - uv * along_v);
+  const Vec by_v = scale * (uu * along_v - uv * along_u);
+  const auto to_scene = [&](double u, double v) {
+    double at[3] = {};
+    at[polygon.u] = u;
+    at[polygon.v] = v;
+    return Vec{at[0], at[1], at[2]};
+  };
+  found.grow_u = to_scene(by_u.x, by_v.x);
+  found.grow_v = to_scene(by_u.y, by_v.y);
+}
+
+TexturePoint find_mesh_point(const Scene& scene, const Polygon& polygon, const Vec& point) {
+  const auto coordinates = std::span(scene.coordinates).subspan(polygon.first, polygon.count);
+  const Vec sum = interpolate(polygon, scene.corners, coordinates, point).sum;
+  TexturePoint found{sum.x / sum.z, sum.y / sum.z};
+  set_gradients(found, polygon, std::span(scene.corners).subspan(polygon.first, polygon.count),
+                coordinates);
+  return found;
 }
 
 Bounds make_bounds(const Scene& scene, Place place) {
@@ -52,22 +116,29 @@ void reorder(std::vector<Primitive>& primitives, Kind kind, Scene& scene) {
 }  // namespace
 
 void add_sphere(Scene& scene, const Vec& centre, double radius) {
-  add(scene, Kind::sphere, scene.spheres, make_sphere(centre, radius, make_tag(scene)));
+  add(scene, Kind::sphere, scene.spheres, make_sphere(centre, radius, make_tag(scene, "a sphere")));
 }
 
-void add_polygon(Scene& scene, std::span<const Vec> corners) {
-  add(scene, Kind::polygon, scene.polygons, make_polygon(corners, make_tag(scene), scene.corners));
+void add_polygon(Scene& scene, std::span<const Vec> corners, std::span<const Corner> coordinates) {
+  check_coordinates(corners, coordinates);
+  const Tag tag = make_tag(scene, "a polygon", coordinates.size());
+  add(scene, Kind::polygon, scene.polygons, make_polygon(corners, tag, scene.corners));
+  add_coordinates(scene, coordinates);
 }
 
-void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals) {
+void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals,
+               std::span<const Corner> coordinates) {
+  check_coordinates(corners, coordinates);
+  const Tag tag = make_tag(scene, "a polygon", coordinates.size());
   add(scene, Kind::patch, scene.patches,
-      make_patch(corners, normals, make_tag(scene), scene.corners, scene.normals));
+      make_patch(corners, normals, tag, scene.corners, scene.normals));
+  add_coordinates(scene, coordinates);
 }
 
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius) {
   add(scene, Kind::cone, scene.cones,
-      make_cone(base, base_radius, apex, apex_radius, make_tag(scene)));
+      make_cone(base, base_radius, apex, apex_radius, make_tag(scene, "a cone")));
 }
 
 void point(View& view) {
@@ -88,6 +159,17 @@ View make_image_plane(View view) {
   view.half_height = static_cast<double>(
       std::tan(static_cast<long double>(view.angle) * std::numbers::pi_v<long double> / 360));
   return view;
+}
+
+TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std::uint32_t object,
+                                const Vec& point) {
+  if (texture.mapping.kind != Mapping::Kind::mesh) return eval_mapping(texture.mapping, point);
+  return visit(scene, scene.objects[object], [&](const auto& primitive) {
+    if constexpr (requires { primitive.count; })
+      return find_mesh_point(scene, primitive, point);
+    else
+      return TexturePoint{};  // no other has a mesh's texture
+  });
 }
 
 void finish(Scene& scene) {

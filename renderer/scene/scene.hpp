@@ -6,6 +6,7 @@
 
 #include "renderer/scene/hierarchy.hpp"
 #include "renderer/scene/primitives.hpp"
+#include "renderer/scene/texture.hpp"
 
 namespace renderer {
 
@@ -20,7 +21,8 @@ struct Surface {
   /// Radius of the disc, across the mirrored ray at distance 1, over which reflected rays are
   /// spread, 0..1; 0: a mirror. (R. Cook et al., 1984.)
   double gloss = 0;
-  double translucency = 0;  ///< the same of transmitted rays
+  double translucency = 0;             ///< the same of transmitted rays
+  std::uint32_t texture = NO_TEXTURE;  ///< index in Scene::textures; its colour times `colour`
 };
 
 enum class LightShape : std::uint8_t { point, rectangle, sphere };
@@ -85,6 +87,11 @@ struct Scene {
   std::vector<Cone> cones;
   std::vector<Corner> corners;  ///< of polygons and patches
   std::vector<Vec> normals;     ///< of patches' corners
+  std::vector<Texture> textures;
+  std::vector<Pyramid> pyramids;  ///< their pictures
+  /// (u, v, 1) of corners, by their index in `corners`, for polygons and patches that have a
+  /// texture by coordinates; of others there is anything or none.
+  std::vector<Vec> coordinates;
   /// How far each object moves while the shutter is open, by its index; empty: nothing moves. The
   /// primitives are where they are when it opens.
   std::vector<Vec> moves;
@@ -109,10 +116,13 @@ template <class F>
 }
 
 // Each adds one object, which has the surface added last. BadInput for a degenerate shape, for a
-// scene without surfaces, and beyond 2^30 objects.
+// scene without surfaces, beyond 2^30 objects, and where the surface's texture needs coordinates,
+// one of each corner, and the object has none.
 void add_sphere(Scene& scene, const Vec& centre, double radius);
-void add_polygon(Scene& scene, std::span<const Vec> corners);
-void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals);
+void add_polygon(Scene& scene, std::span<const Vec> corners,
+                 std::span<const Corner> coordinates = {});
+void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> normals,
+               std::span<const Corner> coordinates = {});
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius);
 
@@ -125,6 +135,11 @@ View make_image_plane(View view);
 /// so that rounding never makes a ray miss the box of what it hits) and epsilon. BadInput for an
 /// impossible view.
 void finish(Scene& scene);
+
+/// The point of its texture that a point of an object has, which is where it was when the shutter
+/// opened.
+TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std::uint32_t object,
+                                const Vec& point);
 
 inline std::size_t object_count(const Scene& scene) { return scene.objects.size(); }
 /// Boxes that rays are tested against; an object has none of its own.

@@ -23,6 +23,8 @@ enum class Op : std::uint8_t {
   feeler_made,         ///< a shadow feeler made, with its influence factor (Eq 4.17)
   ray_reflected,       ///< a reflected ray made
   ray_refracted,       ///< a transmitted ray made
+  texture_mapped,      ///< a point of a texture found, and how large the pixel is there
+  texel_mixed,         ///< a texel of it read and mixed with its neighbours
   sample_updated,      ///< a contribution to be added to a sample (Eq 4.26)
   pixel_drawn,         ///< a pixel of a cell written into the display's memory
   pixel_interpolated,  ///< its colour found between four samples
@@ -52,11 +54,11 @@ struct Work {
 /// Names as model files and reports spell them; the index is the Op's value.
 inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
-      "box_test",           "sphere_test",   "sphere_root",     "polygon_test",   "patch_test",
-      "polygon_edges",      "cone_test",     "ray_intersected", "hit_made",       "surface_shaded",
-      "feeler_made",        "ray_reflected", "ray_refracted",   "sample_updated", "pixel_drawn",
-      "pixel_interpolated", "factor_begun",  "delta_area",      "light_mirrored", "vertex_lit",
-      "patch_lit",          "patch_compared"};
+      "box_test",       "sphere_test",   "sphere_root",        "polygon_test",   "patch_test",
+      "polygon_edges",  "cone_test",     "ray_intersected",    "hit_made",       "surface_shaded",
+      "feeler_made",    "ray_reflected", "ray_refracted",      "texture_mapped", "texel_mixed",
+      "sample_updated", "pixel_drawn",   "pixel_interpolated", "factor_begun",   "delta_area",
+      "light_mirrored", "vertex_lit",    "patch_lit",          "patch_compared"};
   static_assert(!NAMES.back().empty(), "an Op has no name here");
   return NAMES;
 }

@@ -73,18 +73,49 @@ Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint&
   return side * dot(axis, normal) < 0 ? way - 2 * side * normal : way;
 }
 
+// Half of a pixel where it has several samples: what they should find must not depend on their
+// number, which adaptive sampling finds out as it goes, and 2 x 2 of them cover all of the pixel.
+double eval_pixel_width(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit) {
+  const double share = params.sampling.pixel_samples > 1 ? 0.5 : 1;
+  return share * make_raster(scene.view, params).step * (ray.travelled + hit.distance);
+}
+
+Rgb eval_texture(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
+                 Work& work) {
+  const Texture& texture = scene.textures[scene.surfaces[hit.surface].texture];
+  const Pyramid& pyramid = scene.pyramids[texture.pyramid];
+  const Vec point =
+      scene.moves.empty() ? hit.point : hit.point - ray.time * scene.moves[hit.object];
+  const TexturePoint at = find_texture_point(scene, texture, hit.object, point);
+  // Along the surface; gradients of spheres and planes need not lie in it.
+  const auto along = [&](const Vec& way) {
+    return length(way - dot(way, hit.normal) * hit.normal);
+  };
+  const Level& first = pyramid.levels.front();
+  const double texels = std::max(first.width * along(at.grow_u), first.height * along(at.grow_v));
+  const double width = eval_pixel_width(scene, params, ray, hit);
+  const double cosine = std::abs(dot(ray.direction, hit.normal));
+  const auto [colour, read] =
+      eval_filtered(pyramid, at.u, at.v, width * texels / cosine, at.beyond);
+  work[Op::texture_mapped] += 1;
+  work[Op::texel_mixed] += static_cast<std::uint64_t>(read);
+  return colour;
+}
+
 // fS = f * (kd * cos(theta) + kr * cos^n(phi)), Eq 4.17; 0 for a light behind the surface.
-Rgb eval_feeler_influence(const Surface& s, const Hit& hit, const Rgb& f, const Vec& to_light,
-                          const Vec& mirrored) {
+Rgb eval_feeler_influence(const Surface& s, const Rgb& colour, const Hit& hit, const Rgb& f,
+                          const Vec& to_light, const Vec& mirrored) {
   const double cosine = dot(hit.normal, to_light);
   if (!(cosine > 0)) return {};
   const double highlight = s.ks > 0 ? s.ks * eval_highlight(dot(mirrored, to_light), s.shine) : 0;
-  return f * (s.kd * cosine * s.colour + Rgb{highlight, highlight, highlight});
+  return f * (s.kd * cosine * colour + Rgb{highlight, highlight, highlight});
 }
 
 void add_feelers(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                  const Vec& mirrored, Children& out, Work& work) {
   const Surface& surface = scene.surfaces[hit.surface];
+  if (scene.lights.empty()) return;
+  const Rgb colour = colour_of(scene, params, ray, hit, work);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Vec to_light =
         find_light(scene.lights[i], params.sampling, ray, i, hit.point) - hit.point;
@@ -93,7 +124,7 @@ void add_feelers(const Scene& scene, const Params& params, const Ray& ray, const
     feeler.reach = length(to_light);
     feeler.direction = feeler.reach > 0 ? (1 / feeler.reach) * to_light : hit.normal;
     feeler.influence =
-        eval_feeler_influence(surface, hit, ray.influence, feeler.direction, mirrored);
+        eval_feeler_influence(surface, colour, hit, ray.influence, feeler.direction, mirrored);
     feeler.light = static_cast<std::uint16_t>(i);
     work[Op::feeler_made] += 1;
     out.push_back(feeler);
@@ -245,6 +276,14 @@ void make_branches(const Scene& scene, const Params& params, const Ray& ray, con
   add_branches(scene, params, ray, hit, reflect(ray.direction, hit.normal), out, work);
 }
 
+Rgb colour_of(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
+              Work& work) {
+  const Surface& surface = scene.surfaces[hit.surface];
+  return surface.texture == NO_TEXTURE
+             ? surface.colour
+             : surface.colour * eval_texture(scene, params, ray, hit, work);
+}
+
 Rgb eval_contribution(const Scene& scene, const Params& params, const Ray& ray,
                       const std::optional<Hit>& hit, Work& work) {
   if (ray.kind == RayKind::shadow) {
@@ -255,8 +294,8 @@ Rgb eval_contribution(const Scene& scene, const Params& params, const Ray& ray,
   work[Op::sample_updated] += 1;
   const double weight = weight_of(params.sampling);
   if (!hit) return weight * ray.influence * scene.background;
-  const Surface& surface = scene.surfaces[hit->surface];
-  return weight * params.ambient * surface.kd * ray.influence * surface.colour;
+  const double kd = scene.surfaces[hit->surface].kd;
+  return weight * params.ambient * kd * ray.influence * colour_of(scene, params, ray, *hit, work);
 }
 
 }  // namespace renderer

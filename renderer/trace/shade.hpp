@@ -41,6 +41,11 @@ void make_children(const Scene& scene, const Params& params, const Ray& ray, con
 void make_branches(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work);
 
+/// The surface's colour where `ray` hits it, its texture included. The texture is filtered over
+/// what a pixel covers there (with several samples, over half of its width, whatever their number):
+/// the way from the eye times the pixel's angle, divided by the cosine, in all directions alike.
+Rgb colour_of(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit, Work& work);
+
 /// The contribution of `ray` to its sample (Eq 4.26): fS * IS for an unblocked feeler, nothing for
 /// a blocked one (Eq 4.27); for any other ray f * ka * Ia, or f * background where it hits nothing
 /// (Eq 4.28). Times weight_of() its sample.

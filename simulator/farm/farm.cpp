@@ -86,11 +86,12 @@ machine::Cycles cost_of_judging(const machine::Model& model) {
   return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
 }
 
-// What the display keeps of the scene: surfaces and lights (4.3.6.6), for a preview all of it.
+// What the display keeps of the scene: surfaces with their textures, and lights (4.3.6.6), for a
+// preview all of it.
 std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene,
                             const Params& params) {
   return scene.surfaces.size() * get_bytes(model, "surface") +
-         scene.lights.size() * get_bytes(model, "light") +
+         scene.lights.size() * get_bytes(model, "light") + kernels::texture_bytes(model, scene) +
          (params.preview ? kernels::scene_bytes(model, scene) : 0);
 }
 
@@ -259,14 +260,16 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                                 "surfaces and lights", on_.display.now());
 }
 
-// Takes the memory of the worker's copy of the scene.
-void load_scene(Processor& worker, const renderer::Scene& scene) {
+// Takes the memory of the worker's copy of the scene; one that shades has textures too.
+void load_scene(Processor& worker, const renderer::Scene& scene, bool shades) {
   const auto& model = worker.model();
   auto& memory = worker.memory();
   memory.allocate(object_count(scene) * get_bytes(model, "object"), "the scene's objects",
                   worker.now());
   memory.allocate(box_count(scene) * get_bytes(model, "box"), "the scene's hierarchy",
                   worker.now());
+  if (shades)
+    memory.allocate(kernels::texture_bytes(model, scene), "the scene's textures", worker.now());
 }
 
 Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
@@ -307,7 +310,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   const Workers workers =
       wire_workers(wires, machine, topology, centre.coordinator(), worker_memory(model, params));
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
-    load_scene(*workers.processors[id], scene);
+    load_scene(*workers.processors[id], scene, params.block.has_value());
     start_worker(wires, workers, id, kernel);
   }
   centre.start(wires, workers);

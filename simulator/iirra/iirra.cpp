@@ -144,6 +144,8 @@ class Run {
       kernels::load_program(processor);
       if (is_worker && !params_.data)
         processor.memory().allocate(kernels::scene_bytes(model, scene), "the scene", {});
+      if (is_worker)
+        processor.memory().allocate(kernels::texture_bytes(model, scene), "textures", {});
       if (role == Role::display)
         processor.memory().allocate(7 * static_cast<std::uint64_t>(params_.image.width) *
                                         static_cast<std::uint64_t>(params_.image.height),

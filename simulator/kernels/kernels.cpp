@@ -28,6 +28,12 @@ std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& sc
          box_count(scene) * get_bytes(model, "box");
 }
 
+std::uint64_t texture_bytes(const machine::Model& model, const renderer::Scene& scene) {
+  std::uint64_t texels = 0;
+  for (const auto& pyramid : scene.pyramids) texels += texel_count(pyramid);
+  return texels * get_bytes(model, "texel");
+}
+
 std::vector<KernelUse> uses_of(std::initializer_list<const KernelCost*> kernels) {
   std::vector<KernelUse> uses;
   for (const auto* kernel : kernels)

@@ -47,6 +47,8 @@ MessageCosts message_costs(const machine::Model& model);
 
 /// Bytes of a copy of the scene: its objects and their hierarchy.
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
+/// Bytes of a copy of its textures' pictures in all their sizes, which who shades needs.
+std::uint64_t texture_bytes(const machine::Model& model, const renderer::Scene& scene);
 
 /// A sentence for each kernel that was too short for the host's clock.
 std::vector<std::string> note_short(const std::vector<KernelUse>& uses);

@@ -113,5 +113,101 @@ TEST_F(Png, WhatCannotBeWrittenIsAnError) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/full"));
 }
 
+// A picture of one row, as libpng's own functions write it; of a taller one the header, and bytes
+// that are no picture.
+void save_row(const std::string& path, int width, int height, int bits, int type,
+              const std::vector<std::uint8_t>& row) {
+  FILE* file = std::fopen(path.c_str(), "wb");
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, file);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
+               type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  if (height == 1) {
+    png_write_row(png, row.data());
+    png_write_end(png, info);
+  } else {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), row.data(), row.size());
+  }
+  png_destroy_write_struct(&png, &info);
+  std::fclose(file);
+}
+
+TEST_F(Png, LoadsWhatItSaved) {
+  const Samples samples = make_image();
+  save_png(path("a.png"), samples);
+  EXPECT_EQ(load_png(path("a.png")), make_bitmap(samples));
+}
+
+TEST_F(Png, LoadsAnyKind) {
+  using Bytes = std::vector<std::uint8_t>;
+  const auto load = [&](int bits, int type, const Bytes& row) {
+    save_row(path("a.png"), 1, 1, bits, type, row);
+    const Bitmap found = load_png(path("a.png"));
+    EXPECT_EQ(found.width * found.height, 1);
+    return found.rgb8;
+  };
+  EXPECT_EQ(load(8, PNG_COLOR_TYPE_RGB, {1, 128, 255}), (Bytes{1, 128, 255}));
+  EXPECT_EQ(load(8, PNG_COLOR_TYPE_GRAY, {77}), (Bytes{77, 77, 77}));
+  EXPECT_EQ(load(1, PNG_COLOR_TYPE_GRAY, {0x80}), (Bytes{255, 255, 255}));
+  EXPECT_EQ(load(16, PNG_COLOR_TYPE_RGB, {0, 0, 0x80, 0x80, 255, 255}), (Bytes{0, 128, 255}));
+  // Opaque, and where there is nothing: white.
+  EXPECT_EQ(load(8, PNG_COLOR_TYPE_RGB_ALPHA, {9, 8, 7, 255}), (Bytes{9, 8, 7}));
+  EXPECT_EQ(load(8, PNG_COLOR_TYPE_GRAY_ALPHA, {9, 0}), (Bytes{255, 255, 255}));
+}
+
+TEST_F(Png, WhatCannotBeLoadedIsAnErrorThatNamesTheFile) {
+  const std::string file = path("a.png");
+  const auto refused = [&](std::string_view bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    try {
+      load_png(file);
+      return std::string("no error");
+    } catch (const base::BadInput& error) {
+      return std::string(error.what());
+    }
+  };
+  const auto names = [&](const std::string& message) {
+    return message.starts_with(file + ": found ") && message.ends_with(", expected a picture");
+  };
+  EXPECT_PRED1(names, refused(""));
+  EXPECT_PRED1(names, refused("P6 1 1 255 abc"));
+  save_png(file, make_image());
+  const std::string whole = read(file);
+  // (The last 12 bytes are the end's mark.)
+  for (std::size_t size = 0; size + 12 < whole.size(); size += 37)
+    EXPECT_PRED1(names, refused(whole.substr(0, size))) << size;
+  // Bytes changed anywhere: an error, or a picture, but the program goes on.
+  Random random{8};
+  for (int i = 0; i < 300; ++i) {
+    std::string bytes = whole;
+    const auto at = static_cast<std::size_t>(random.below(static_cast<int>(whole.size())));
+    bytes[at] = static_cast<char>(random.below(256));
+    std::ofstream(file, std::ios::binary) << bytes;
+    try {
+      const Bitmap found = load_png(file);
+      EXPECT_EQ(found.rgb8.size(), std::size_t{3} * static_cast<unsigned>(found.width) *
+                                       static_cast<unsigned>(found.height));
+    } catch (const base::BadInput& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(file));
+    }
+  }
+  EXPECT_THROW(load_png(path("none.png")), base::BadInput);
+  EXPECT_THROW(load_png(path("")), base::BadInput);  // a folder
+}
+
+TEST_F(Png, TooManyPixelsAreAnError) {
+  const std::string file = path("a.png");
+  save_row(file, 4097, 4096, 8, PNG_COLOR_TYPE_GRAY, std::vector<std::uint8_t>(4097));
+  try {
+    load_png(file);
+    ADD_FAILURE() << "loaded";
+  } catch (const base::BadInput& error) {
+    EXPECT_EQ(error.what(),
+              file + ": found 4097 x 4096 pixels, expected at most 16777216 together");
+  }
+}
+
 }  // namespace
 }  // namespace renderer::test
