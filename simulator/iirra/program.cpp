@@ -114,11 +114,12 @@ base::Fields<ProgramParams> make_fields() {
                                "memory of a worker; else the model's")},
       {base::lift_all<P>(tracing::scene_fields(), &P::scene),
        base::lift_all<P>(renderer::param_fields(), image, "image."),
-       base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
-                         &P::iirra, "image."),
        base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
+       // Behind the program's own order: "order" alone is that.
+       base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
+                         &P::iirra, "image."),
        base::lift_all<P>(tracing::data_fields(), data)});
 }
 
