@@ -5,6 +5,7 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
+#include "experiments/laboratory/command/render_refined.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
@@ -17,18 +18,35 @@ struct Options : RenderTask {
   std::string size, area;
   std::optional<renderer::PreviewStep> preview;
   ProgressiveOptions progressive;
+  RefinedOptions refined;
 };
 
-void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
-  const nlohmann::ordered_json stats = {
-      {"scene", o.scene},
-      {"width", o.params.width},
-      {"height", o.params.height},
-      {"rays", make_json(image.rays)},
-      {"work", make_json(image.work)},
-      {"seconds", seconds},
-      {"rays_per_second", static_cast<double>(image.rays.total()) / seconds}};
+// `rays` were traced in that time.
+void save_stats(const Options& o, const renderer::Rendering& image, std::uint64_t rays,
+                double seconds, const nlohmann::ordered_json& more) {
+  nlohmann::ordered_json stats = {{"scene", o.scene},
+                                  {"width", o.params.width},
+                                  {"height", o.params.height},
+                                  {"rays", make_json(image.rays)},
+                                  {"work", make_json(image.work)}};
+  stats.update(more);
+  stats["seconds"] = seconds;
+  stats["rays_per_second"] = static_cast<double>(rays) / seconds;
   base::save_whole(o.stats, stats.dump(2) + "\n");
+}
+
+void render_in_order(const Options& o) {
+  const auto scene = renderer::load_scene(o.scene);
+  Clock clock;
+  const auto refined = render_refined(o.refined, o, scene);
+  const double seconds = clock.lap();
+  renderer::save_png(o.output, refined.image.samples);
+  if (!o.stats.empty())
+    save_stats(o, refined.image, refined.rays, seconds,
+               {{"samples", refined.all},
+                {"samples_done", refined.done},
+                {"queue_peak", refined.queue_peak}});
+  if (refined.interrupted) report_interrupt(o.refined, o, refined);
 }
 
 void render_scene(Options& o) {
@@ -46,6 +64,9 @@ void render_scene(Options& o) {
   renderer::check(o.params);
   if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
   if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
+  if (o.refined.are_wanted()) return render_in_order(o);
+  if (!o.key_images.empty())
+    throw CLI::ValidationError("--key-images", "expected --progressive or --order with it");
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
   Clock clock;
@@ -54,7 +75,7 @@ void render_scene(Options& o) {
   });
   const double seconds = clock.lap();
   renderer::save_png(o.output, image.samples);
-  if (!o.stats.empty()) save_stats(o, image, seconds);
+  if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, {});
 }
 
 }  // namespace
@@ -75,6 +96,7 @@ void add_render_command(CLI::App& app) {
                base::select(renderer::param_fields(), {"depth", "min_influence", "feelers",
                                                        "sample", "traversal", "ambient"}),
                o->params, {{"min_influence", "influence"}});
+  bind_options(*command, renderer::sampling_fields(), o->params);
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
   add_progressive_options(*command, o->progressive);
   command->add_option("--threads", o->threads, "host threads")
@@ -82,6 +104,10 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
   add_preview_option(*command, o->preview);
+  add_refined_options(*command, o->refined);
+  command->add_option("--key-images", o->key_images,
+                      "folder for pictures on the way: after each step of --progressive; or, with "
+                      "--order, after 1, 5, 25 and 100 % of the samples");
   command->callback([o] { render_scene(*o); });
 }
 
