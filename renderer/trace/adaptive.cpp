@@ -62,6 +62,17 @@ Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, in
   return is_adaptive(sampling) ? eval_mean(sums, std::max(1, samples)) : sums;
 }
 
+std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts) {
+  const int most = counts.empty() ? 0 : *std::ranges::max_element(counts);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(3 * counts.size());
+  for (const std::uint16_t count : counts) {
+    const double share = count > 1 ? std::log(count) / std::log(most) : 0;
+    bytes.insert(bytes.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
+  }
+  return bytes;
+}
+
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples) {
   const auto divide = [n = static_cast<std::int64_t>(samples)](std::int64_t sum) {
     const std::int64_t half = sum < 0 ? -n / 2 : n / 2;

@@ -51,4 +51,8 @@ Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, in
 /// The mean of as many samples, each component rounded to the nearest unit.
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples);
 
+/// A picture of how many samples pixels have had, 3 bytes each, in grey: 0 where that is at most 1,
+/// 255 where it is the largest of `counts`, and in between by the logarithm.
+std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts);
+
 }  // namespace renderer

@@ -229,10 +229,10 @@ Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
 
 Ray make_primary(const View& view, const Params& p, int x, int y, int pass) {
   if (!view.has_motion) return make_lens_ray(view, p, x, y, pass);
-  const double time =
-      p.sampling.shutter * sample_line(p.sampling, make_key(p, x, y, pass), Dimension::time);
+  const auto time = static_cast<float>(
+      p.sampling.shutter * sample_line(p.sampling, make_key(p, x, y, pass), Dimension::time));
   Ray ray = make_lens_ray(move(view, time), p, x, y, pass);
-  ray.time = static_cast<float>(time);
+  ray.time = time;
   return ray;
 }
 

@@ -19,10 +19,6 @@ bool is_in(const renderer::Area& area, const Point& p) {
   return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width && p.y < area.y + area.height;
 }
 
-bool is_same_place(const SampledCell& a, const SampledCell& b) {
-  return a.x == b.x && a.y == b.y && a.side == b.side;
-}
-
 // No other cell has a sample there.
 bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
@@ -52,6 +48,7 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
       balance_(make_balance(params_.balance, *this, std::move(peers))),
       samples_(params_.image.sampling),
       limits_(params_.stages[0]),
+      unshown_(shared),
       has_begun_(params_.balance == BalanceMethod::green) {}
 
 void Worker::run() {
@@ -88,7 +85,7 @@ void Worker::advance(const Task& task) {
   else
     deepen(cell, task.quantities.pass, task.quantities.depth);
   if (is_stopped_) return;
-  if (cell.level > 0 && !is_finished(cell, samples_)) paint_cell(cell, order);
+  if (cell.level > 0 && !is_finished(cell, samples_)) unshown_.paint(cell, samples_, order);
   put(cell);
   if (!params_.is_polled) send_pictures();
 }
@@ -255,37 +252,6 @@ Traced Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
   return traced;
 }
 
-// Into the cell's virtual frame buffer, in place of what it was.
-void Worker::paint_cell(TaskCell& cell, int order) {
-  ++cell.paintings;
-  std::vector<renderer::Rgb> colours;
-  for (const Point& p : points_of(cell)) colours.push_back(samples_.colour_of(p));
-  auto painting = shared_.paint_cost(
-      [cell = SampledCell(cell), colours = std::move(colours),
-       area = shared_.area](renderer::Work& work) { return paint(cell, area, colours, work); });
-  std::erase_if(unshown_, [&](const Painted& old) {
-    if (!is_same_place(old.cell, cell)) return false;
-    memory().release(sizes_.of(old));
-    return true;
-  });
-  // A block that is longer than a message goes in several, of whole rows.
-  const auto row = 3 * static_cast<std::size_t>(painting.area.width);
-  const auto room = shared_.longest - sizes_.of(Picture{}) - sizes_.of(Painted{});
-  const int rows = static_cast<int>(room / std::max<std::size_t>(1, row));
-  for (int y = 0; y < painting.area.height; y += rows) {
-    Painted strip;
-    strip.area = painting.area;
-    strip.area.y += y;
-    strip.area.height = std::min(rows, painting.area.height - y);
-    const auto from = painting.rgb8.begin() + static_cast<std::ptrdiff_t>(row) * y;
-    strip.rgb8.assign(from, from + static_cast<std::ptrdiff_t>(row) * strip.area.height);
-    strip.cell = cell;
-    strip.order = order;
-    allocate(sizes_.of(strip), "virtual frame buffers");
-    unshown_.push_back(std::move(strip));
-  }
-}
-
 // --- task manager -------------------------------------------------------------------------------
 
 std::uint64_t Worker::pixels_of(const SampledCell& cell) const {
@@ -312,7 +278,7 @@ void Worker::put(const TaskCell& cell, bool has_just_come) {
 }
 
 void Worker::finish(TaskCell cell) {
-  paint_cell(cell, order_);
+  unshown_.paint(cell, samples_, order_);
   for (const Point& p : points_to_deepen(cell))
     if (is_in(shared_.area, p)) {
       const Sample& sample = samples_.at(p);
@@ -466,7 +432,7 @@ void Worker::obey(const Message& message) {
       [&](const Measure& cells) { measure(from, cells); },
       [&](const NewPhase& phase) { begin_phase(phase); },
       [&](const Poll&) {
-        send_to({from, DISPLAY_PROCESS}, take_picture());
+        send_to({from, DISPLAY_PROCESS}, unshown_.take());
       },
       [&](const Shown&) { is_under_way_ = false; }, [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
@@ -493,24 +459,11 @@ void Worker::measure(int asker, const Measure& asked) {
   send_to({asker, TASK_PROCESS}, std::move(measured));
 }
 
-Picture Worker::take_picture() {
-  Picture picture;
-  std::uint64_t bytes = sizes_.of(picture);
-  while (!unshown_.empty() && bytes + sizes_.of(unshown_.front()) <= shared_.longest) {
-    bytes += sizes_.of(unshown_.front());
-    memory().release(sizes_.of(unshown_.front()));
-    picture.blocks.push_back(std::move(unshown_.front()));
-    unshown_.pop_front();
-  }
-  picture.is_all = unshown_.empty();
-  return picture;
-}
-
 // Where the display does not ask: it has to have taken each before the next one goes.
 void Worker::send_pictures() {
   while (!unshown_.empty() && !is_stopped_) {
     if (!std::exchange(is_under_way_, true))
-      send_to({shared_.places.display, DISPLAY_PROCESS}, take_picture());
+      send_to({shared_.places.display, DISPLAY_PROCESS}, unshown_.take());
     serve_waiting();
     while (is_under_way_ && !is_stopped_) obey(manager_.serve_at_once());
   }

@@ -4,24 +4,30 @@
 #include "experiments/laboratory/command/command_progressive.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/render_frames.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
 #include "experiments/laboratory/command/render_refined.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
 #include "renderer/trace/render.hpp"
+#include "renderer/trace/sampling.hpp"
 
 namespace laboratory {
 namespace {
+
+using Endings = std::vector<std::string>;
 
 struct Options : RenderTask {
   std::string size, area;
   std::optional<renderer::PreviewStep> preview;
   ProgressiveOptions progressive;
   RefinedOptions refined;
+  FramesOptions frames;
+  std::string samples_map;
 };
 
-// `rays` were traced in that time.
+// `rays` were traced in `seconds`; `more` is added.
 void save_stats(const Options& o, const renderer::Rendering& image, std::uint64_t rays,
                 double seconds, const nlohmann::ordered_json& more) {
   nlohmann::ordered_json stats = {{"scene", o.scene},
@@ -35,12 +41,42 @@ void save_stats(const Options& o, const renderer::Rendering& image, std::uint64_
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
+void save_image(const Options& o, const renderer::Rendering& image) {
+  renderer::save_png(o.output, image.samples);
+  if (!o.samples_map.empty())
+    renderer::save_png(o.samples_map, o.params.width, o.params.height,
+                       renderer::make_count_map(image.counts));
+}
+
+void check_samples_map(const Options& o) {
+  if (!is_adaptive(o.params.sampling))
+    throw CLI::ValidationError(
+        "--samples-map", fmt::format("expected --adaptive above 0 and --pixel-samples above {} "
+                                     "with it, or all pixels have as many",
+                                     renderer::FIRST_ROUND));
+  if (o.samples_map == o.output || o.samples_map == o.stats)
+    throw CLI::ValidationError("--samples-map", "expected another file than the others");
+  base::check_can_save(o.samples_map);
+}
+
+void render_at_once(const Options& o) {
+  const auto scene = renderer::load_scene(o.scene);
+  Progress bar("rendering");
+  Clock clock;
+  const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
+    bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
+  });
+  const double seconds = clock.lap();
+  save_image(o, image);
+  if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, {});
+}
+
 void render_in_order(const Options& o) {
   const auto scene = renderer::load_scene(o.scene);
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);
   const double seconds = clock.lap();
-  renderer::save_png(o.output, refined.image.samples);
+  save_image(o, refined.image);
   if (!o.stats.empty())
     save_stats(o, refined.image, refined.rays, seconds,
                {{"samples", refined.all},
@@ -59,23 +95,18 @@ void render_scene(Options& o) {
                                                        "height above zero",
                                                        o.area));
   }
-  check_output(o.output, {".png"}, o.stats);
+  const bool has_frames = !o.frames.frames.empty();
+  check_output(o.output, has_frames ? Endings{".png", ".webp"} : Endings{".png"}, o.stats);
+  if (!o.samples_map.empty()) check_samples_map(o);
 
   renderer::check(o.params);
   if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
   if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
+  if (has_frames) return render_frames(o.frames, o);
   if (o.refined.are_wanted()) return render_in_order(o);
   if (!o.key_images.empty())
     throw CLI::ValidationError("--key-images", "expected --progressive or --order with it");
-  const auto scene = renderer::load_scene(o.scene);
-  Progress bar("rendering");
-  Clock clock;
-  const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
-    bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
-  });
-  const double seconds = clock.lap();
-  renderer::save_png(o.output, image.samples);
-  if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, {});
+  render_at_once(o);
 }
 
 }  // namespace
@@ -97,6 +128,9 @@ void add_render_command(CLI::App& app) {
                                                        "sample", "traversal", "ambient"}),
                o->params, {{"min_influence", "influence"}});
   bind_options(*command, renderer::sampling_fields(), o->params);
+  command->add_option("--samples-map", o->samples_map,
+                      "write how many samples each pixel has had to this PNG file, on a scale of "
+                      "logarithms: 1 is black, the most are white");
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
   add_progressive_options(*command, o->progressive);
   command->add_option("--threads", o->threads, "host threads")
@@ -108,6 +142,9 @@ void add_render_command(CLI::App& app) {
   command->add_option("--key-images", o->key_images,
                       "folder for pictures on the way: after each step of --progressive; or, with "
                       "--order, after 1, 5, 25 and 100 % of the samples");
+  add_frames_options(*command, o->frames);
+  for (const char* other : {"--progressive", "--preview"})
+    command->get_option("--samples-map")->excludes(command->get_option(other));
   command->callback([o] { render_scene(*o); });
 }
 
