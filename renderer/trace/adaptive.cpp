@@ -12,20 +12,33 @@ bool has_border(std::span<const TracedSample> samples, const Corners& corners) {
          !std::ranges::all_of(samples, [&](const auto& s) { return s.object == object; });
 }
 
-// The largest of the components' standard errors, squared.
+// The sum of the squares of what a component of samples first, first + step ... is from their mean,
+// for one sample less than there are; times their number.
+double eval_spread(std::span<const TracedSample> samples, std::size_t first, std::size_t step,
+                   double Rgb::*component) {
+  double sum = 0, squares = 0, n = 0;
+  for (std::size_t i = first; i < samples.size(); i += step) {
+    const double shown = std::clamp(to_rgb(samples[i].sums).*component, 0.0, 1.0);
+    sum += shown;
+    squares += shown * shown;
+    ++n;
+  }
+  return n > 1 ? (squares - sum * sum / n) * n / (n - 1) : 0;
+}
+
+// The largest of the components' standard errors, squared. Two or four samples share a region of
+// the pixel (see sample_square()): how they differ there is all that is not known of it.
 double eval_error_square(std::span<const TracedSample> samples) {
-  const auto n = static_cast<double>(samples.size());
+  std::size_t regions = 1;
+  while (4 * regions < samples.size()) regions *= 4;
   double largest = 0;
   for (const auto component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
-    double sum = 0, squares = 0;
-    for (const auto& sample : samples) {
-      const double shown = std::clamp(to_rgb(sample.sums).*component, 0.0, 1.0);
-      sum += shown;
-      squares += shown * shown;
-    }
-    largest = std::max(largest, (squares - sum * sum / n) / (n * (n - 1)));
+    double sum = 0;
+    for (std::size_t i = 0; i < regions; ++i) sum += eval_spread(samples, i, regions, component);
+    largest = std::max(largest, sum);
   }
-  return largest;
+  const auto n = static_cast<double>(samples.size());
+  return largest / (n * n);
 }
 
 }  // namespace
@@ -35,8 +48,9 @@ int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const 
   if (has >= s.pixel_samples || has < 2) return has;
   const bool border = has_border(samples, corners);
   if (!border && corners[0] == NO_OBJECT) return has;
-  const bool is_first = has == first_round(s);
-  if (!(is_first && border) && !(eval_error_square(samples) > s.adaptive * s.adaptive)) return has;
+  const int second_round = round_of(s, first_round(s)).count + first_round(s);
+  const bool is_early = has < second_round || (has == second_round && border);
+  if (!is_early && !(eval_error_square(samples) > s.adaptive * s.adaptive)) return has;
   return has + round_of(s, has).count;
 }
 

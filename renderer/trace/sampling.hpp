@@ -30,13 +30,14 @@ struct Round {
   int first = 0, count = 1;
 };
 /// All of a pixel's samples are one round; with `adaptive`, samples come in rounds that make them
-/// 4, 16, 64 ... together, and at last `pixel_samples`.
+/// 4, 16, 32, 64 ... together, and at last `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// How many samples a pixel has after its first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }
 
-/// The sample's point of a square: one of the round's samples lies in each of `count` regions of
-/// equal area, in rows as equal as can be.
+/// The sample's point of a square: one of the samples lies in each of `count` regions of equal
+/// area, in rows as equal as can be. With `adaptive`, one of the first 4^k samples lies in each of
+/// 2^k x 2^k squares, for any k; in the pixel, samples i and i + 4^k share such a square.
 SquarePoint sample_square(const Sampling& sampling, const SampleKey& key, Dimension dimension);
 /// The sample's point of a line, 0..1.
 double sample_line(const Sampling& sampling, const SampleKey& key, Dimension dimension);
