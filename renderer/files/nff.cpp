@@ -1,10 +1,13 @@
 #include "renderer/files/nff.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <functional>
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
+#include "renderer/files/scene_target.hpp"
 #include "renderer/files/tokens.hpp"
 #include "renderer/scene/generators.hpp"
 #include "renderer/scene/require.hpp"
@@ -13,18 +16,46 @@ namespace renderer {
 
 namespace {
 
-constexpr int MAX_LIGHTS = 65535, MAX_VERTICES = 1 << 24;
-constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000;
+constexpr int MAX_VERTICES = 1 << 24;
+constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000, MAX_TIME = 1e6;
+
+// The first words of a comment.
+struct Words {
+  std::string_view name, second, third;
+};
+Words split(std::string_view comment) {
+  const auto take = [&] {
+    constexpr std::string_view BLANKS = " \t\r\v\f";
+    const auto end = std::min(comment.find_first_of(BLANKS), comment.size());
+    const std::string_view word = comment.substr(0, end);
+    comment.remove_prefix(std::min(comment.find_first_not_of(BLANKS, end), comment.size()));
+    return word;
+  };
+  const auto name = take(), second = take();
+  return {name, second, take()};
+}
+
+// How a comment that is a statement goes on after its name. Others are prose.
+bool always(const Words&) { return true; }
+bool has_number(const Words& words) { return parse_number(words.second).has_value(); }
+bool has_shape(const Words& words) {
+  return (words.second == "rect" || words.second == "sphere") && parse_number(words.third);
+}
+bool has_file(const Words& words) {
+  return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {
+    return words.second.ends_with(ending) && words.third.empty();
+  });
+}
 
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name, NffTarget& target)
-      : tokens_(text, name, target.takes_emission() ? "emit" : ""), target_(target) {}
+      : tokens_(text, name, target.is_room() ? &is_statement<true> : &is_statement<false>),
+        target_(target) {}
 
-  int read() {
+  void read() {
     while (!tokens_.peek().empty()) read_statement();
     if (view_line_ == 0) tokens_.fail_next("a view ('v')");
-    return view_line_;
   }
 
  private:
@@ -40,13 +71,57 @@ class Reader {
         {"pp", [](Reader& r) { r.read_corners(true); }},
         {"c", [](Reader& r) { r.read_cone(); }}};
     const std::string_view name = tokens_.peek();
-    if (target_.takes_emission() && tokens_.take_if("emit")) return read_emission();
+    if (tokens_.take_if("#")) return read_comment();
     const Read read = tokens_.take_choice(
-        STATEMENTS, target_.takes_emission() ? "a statement: v, b, l, f, # emit, p or pp"
-                                             : "a statement: v, b, l, f, s, p, pp or c");
+        STATEMENTS, target_.is_room() ? "a statement: v, b, l, f, # emit, p or pp"
+                                      : "a statement: v, b, l, f, s, p, pp or c");
     target_.line = tokens_.line();
     if (name == "s" || name == "p" || name == "pp" || name == "c") require_surface(name);
     read(*this);
+  }
+
+  // A statement that other readers of NFF take for a comment.
+  struct Comment {
+    std::string_view name;
+    bool is_of_rooms;
+    bool (*goes_on)(const Words&);
+    void (*read)(Reader&);
+  };
+  static std::span<const Comment> comments() {
+    static constexpr Comment COMMENTS[] = {
+        {"emit", true, &always, [](Reader& r) { r.read_emission(); }},
+        {"lens", false, &has_number, [](Reader& r) { r.read_lens(); }},
+        {"shutter", false, &has_number, [](Reader& r) { r.read_shutter(); }},
+        {"move", false, &has_number, [](Reader& r) { r.read_move(); }},
+        {"path", false, &has_file, [](Reader& r) { r.read_path(); }},
+        {"camera", false, &has_file, [](Reader& r) { r.read_camera(); }},
+        {"light", false, &has_shape, [](Reader& r) { r.read_area_light(); }},
+        {"gloss", false, &has_number, [](Reader& r) { r.read_spread("# gloss", &Surface::gloss); }},
+        {"translucent", false, &has_number,
+         [](Reader& r) { r.read_spread("# translucent", &Surface::translucency); }}};
+    return COMMENTS;
+  }
+
+  template <bool IS_ROOM>
+  static bool is_statement(std::string_view comment) {
+    const Words words = split(comment);
+    return std::ranges::any_of(comments(), [&](const Comment& known) {
+      return known.name == words.name && known.is_of_rooms == IS_ROOM && known.goes_on(words);
+    });
+  }
+
+  void read_comment() {
+    target_.line = tokens_.line();
+    const auto known = std::ranges::find(comments(), tokens_.take(), &Comment::name);
+    tokens_.within_line([&] { known->read(*this); });
+  }
+
+  // Of a statement that a file has once.
+  void require_first(std::string_view statement, int& line) {
+    if (line != 0)
+      tokens_.fail(target_.line, fmt::format("found a second '{}', expected one, that of line {}",
+                                             statement, line));
+    line = target_.line;
   }
 
   template <class Action>
@@ -67,10 +142,7 @@ class Reader {
   }
 
   void read_view() {
-    if (view_line_ != 0)
-      tokens_.fail(target_.line,
-                   fmt::format("found a second 'v', expected one, that of line {}", view_line_));
-    view_line_ = target_.line;
+    require_first("v", view_line_);
     const View view = take_view();
     tell([&] { target_.set_view(view); });
   }
@@ -104,14 +176,91 @@ class Reader {
   }
 
   void read_light() {
-    const Vec at = tokens_.take_vec("the light's position");
+    Light light;
+    light.at = tokens_.take_vec("the light's position");
+    end_light(light);
+  }
+
+  void read_area_light() {
+    Light light;
+    const bool is_sphere = tokens_.take() == "sphere";
+    light.shape = is_sphere ? LightShape::sphere : LightShape::rectangle;
+    light.at = tokens_.take_vec("the light's middle");
+    if (is_sphere) {
+      light.radius = tokens_.take_number("the light's radius", 0, MAX_NUMBER);
+      tell([&] { require(light.radius > 0, "a light of radius 0", "a radius > 0"); });
+    } else {
+      light.u = tokens_.take_vec("the light's first half edge");
+      light.v = tokens_.take_vec("the light's second half edge");
+      tell([&] {
+        require(length(cross(light.u, light.v)) > 1e-9 * length(light.u) * length(light.v),
+                "a light without area", "half edges that are not parallel, and not of length 0");
+      });
+    }
+    end_light(light);
+  }
+
+  void end_light(const Light& light) {
     std::optional<Rgb> colour;
     if (tokens_.continues()) colour = take_colour("the light's colour");
-    tell([&] { target_.add_light(at, colour); });
+    tell([&] { target_.add_light(light, colour); });
+  }
+
+  void read_lens() {
+    require_first("# lens", lens_line_);
+    Lens lens;
+    lens.aperture = tokens_.take_number("the lens's aperture", 0, MAX_NUMBER);
+    lens.focus = tokens_.take_number("the distance in focus", 0, MAX_NUMBER);
+    tell([&] {
+      require(lens.focus > 0, "a distance in focus of 0", "a distance > 0");
+      target_.set_lens(lens);
+    });
+  }
+
+  void read_shutter() {
+    require_first("# shutter", shutter_line_);
+    Shutter shutter;
+    shutter.open = tokens_.take_number("the time in frames when it opens", 0, MAX_TIME);
+    shutter.close =
+        tokens_.take_number("the time in frames when it closes", shutter.open, MAX_TIME);
+    tell([&] { target_.set_shutter(shutter); });
+  }
+
+  void read_move() {
+    const Vec velocity = tokens_.take_vec("a velocity in scene units a frame");
+    tell([&] { target_.set_motion({velocity, {}}); });
+  }
+
+  Path take_path(bool has_target) {
+    const auto folder = std::filesystem::path(tokens_.name()).parent_path();
+    Path path;
+    const auto file = (folder / tokens_.take_word("a file")).string();
+    tell([&] {
+      target_.add_file(file);
+      path = load_path(file, has_target);
+    });
+    return path;
+  }
+
+  void read_path() {
+    Path path = take_path(false);
+    tell([&] { target_.set_motion({{}, std::move(path)}); });
+  }
+
+  void read_camera() {
+    require_first("# camera", camera_line_);
+    Path path = take_path(true);
+    tell([&] { target_.set_camera(std::move(path)); });
+  }
+
+  void read_spread(std::string_view statement, double Surface::*radius) {
+    require_surface(statement);
+    surface_.*radius = tokens_.take_number("the radius of a disc at distance 1", 0, 1);
+    tell([&] { target_.change_surface(surface_); });
   }
 
   void read_surface() {
-    Surface s;
+    Surface& s = surface_ = {};
     s.colour = take_colour("the surface's colour");
     s.kd = tokens_.take_number("Kd", 0, 1);
     s.ks = tokens_.take_number("Ks", 0, 1);
@@ -128,7 +277,6 @@ class Reader {
   }
 
   void read_emission() {
-    target_.line = tokens_.line();
     require_surface("# emit");
     const Rgb emission = tokens_.take_rgb("an emission");
     tell([&] { target_.set_emission(emission); });
@@ -160,58 +308,31 @@ class Reader {
 
   Tokens tokens_;
   NffTarget& target_;
-  int view_line_ = 0;
+  int view_line_ = 0, lens_line_ = 0, shutter_line_ = 0, camera_line_ = 0;
   bool has_surface_ = false;
-};
-
-// A scene, but for what finish() does.
-struct SceneTarget : NffTarget {
-  Scene scene;
-  std::vector<bool> has_colour;  // by light
-
-  void set_view(const View& view) override { scene.view = view; }
-  void set_background(const Rgb& colour) override { scene.background = colour; }
-  void add_light(const Vec& at, const std::optional<Rgb>& colour) override {
-    require(scene.lights.size() < MAX_LIGHTS, "more lights", fmt::format("at most {}", MAX_LIGHTS));
-    scene.lights.push_back({at, colour.value_or(Rgb{})});
-    has_colour.push_back(colour.has_value());
-  }
-  void set_surface(const Surface& surface) override { scene.surfaces.push_back(surface); }
-  void add_sphere(const Vec& centre, double radius) override {
-    renderer::add_sphere(scene, centre, radius);
-  }
-  void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) override {
-    if (normals.empty())
-      renderer::add_polygon(scene, corners);
-    else
-      add_patch(scene, corners, normals);
-  }
-  void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override {
-    renderer::add_cone(scene, base, base_radius, apex, apex_radius);
-  }
+  Surface surface_;  // set last
 };
 
 }  // namespace
 
-int read_nff(std::string_view text, const std::string& name, NffTarget& target) {
-  return Reader(text, name, target).read();
+void read_nff(std::string_view text, const std::string& name, NffTarget& target) {
+  Reader(text, name, target).read();
 }
 
-Scene parse_nff(std::string_view text, const std::string& name) {
-  SceneTarget target;
-  const int view_line = read_nff(text, name, target);
-  Scene& scene = target.scene;
-  // SPD: all lights together have the same energy, however many there are.
-  const double share =
-      1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, scene.lights.size())));
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (!target.has_colour[i]) scene.lights[i].intensity = {share, share, share};
-  at_place(fmt::format("{}:{}", name, view_line), [&] { finish(scene); });
-  return std::move(scene);
+Scene parse_nff(std::string_view text, const std::string& name, int frame) {
+  SceneTarget target(name);
+  read_nff(text, name, target);
+  return target.make_scene(frame);
 }
 
-Scene load_scene(const std::string& source) {
-  if (source.ends_with(".nff")) return parse_nff(base::read_text(source), source);
+std::vector<std::string> find_files(const std::string& nff) {
+  SceneTarget target(nff);
+  read_nff(base::read_text(nff), nff, target);
+  return target.files();
+}
+
+Scene load_scene(const std::string& source, int frame) {
+  if (source.ends_with(".nff")) return parse_nff(base::read_text(source), source, frame);
   std::vector<std::string> forms;
   for (const auto& [name, number, least, most, make] : GENERATORS) {
     const auto prefix = fmt::format("{}:", name);

@@ -12,12 +12,31 @@
 //
 // Words may be broken over lines anywhere; only a light's colour must be on the light's line. '#'
 // starts a comment. A primitive before any `f` is an error, as is anything degenerate.
+//
+// What NFF has no word for is said in comments that begin a line, so that other readers pass over
+// it:
+//
+//   # lens APERTURE FOCUS                              diameter, and the distance in focus
+//   # shutter T0 T1                                    when it opens and closes, frames
+//   # move DX DY DZ                                    velocity of the objects that follow it, a
+//                                                      frame
+//   # path FILE                                        their displacement over time: T X Y Z
+//   # camera FILE                                      the view over time: T FROM AT
+//   # light rect X Y Z  UX UY UZ  VX VY VZ [R G B]     middle and two half edges
+//   # light sphere X Y Z R [R G B]
+//   # gloss S                                          of the surface of the objects that follow
+//   # translucent S
+//
+// A comment is a statement if its first word is a statement's name and what follows begins as
+// above: with a number, with the one name of a file that ends in .path, .csv or .txt, or with a
+// light's shape and a number. It ends with its line. Any other comment is prose.
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "renderer/files/path.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {
@@ -25,24 +44,52 @@ namespace renderer {
 /// A generator with its number, such as "spheres:800" or "hills:20000", or the path of an .nff
 /// file. BadInput as parse_nff(), if the file cannot be read, and for anything else, naming what is
 /// valid.
-Scene load_scene(const std::string& source);
+Scene load_scene(const std::string& source, int frame = 0);
 
-/// Reads an NFF scene. BadInput "name:line: found ..., expected ...".
-Scene parse_nff(std::string_view text, const std::string& name);
+/// Reads an NFF scene as it is in a frame of an animation: objects and view are where they are when
+/// the shutter opens, at the time frame + T0, and move evenly to where they are when it closes, at
+/// frame + T1. Other files that it names are looked for beside `name`. BadInput "name:line: found
+/// ..., expected ...".
+Scene parse_nff(std::string_view text, const std::string& name, int frame = 0);
+
+/// Paths of the further files that an .nff file names, in its order. BadInput as load_scene().
+std::vector<std::string> find_files(const std::string& nff);
+
+/// When the shutter opens and closes, in frames after the frame's own time.
+struct Shutter {
+  double open = 0, close = 0;
+};
+
+/// How objects move: their displacement at a time, in frames, is time * velocity, or as the path
+/// has it if there is one.
+struct Motion {
+  Vec velocity;  ///< scene units a frame
+  Path path;
+};
 
 /// What is made of a file: it is told every statement, in the file's order. A BadInput that it
 /// throws is reported with the statement's line.
 class NffTarget {
  public:
   virtual ~NffTarget() = default;
-  /// Whether `# emit R G B`, a comment in NFF, is a statement.
-  virtual bool takes_emission() const { return false; }
+  /// A room has `# emit R G B`, and none of the other statements in comments.
+  virtual bool is_room() const { return false; }
 
   virtual void set_view(const View& view) = 0;
   virtual void set_background(const Rgb&) {}
-  virtual void add_light(const Vec& at, const std::optional<Rgb>& colour) = 0;
+  /// Without its colour.
+  virtual void add_light(const Light& light, const std::optional<Rgb>& colour) = 0;
   virtual void set_surface(const Surface& surface) = 0;
+  /// What the surface set last is from here on.
+  virtual void change_surface(const Surface&) {}
   virtual void set_emission(const Rgb&) {}
+  virtual void set_lens(const Lens&) {}
+  virtual void set_shutter(const Shutter&) {}
+  /// Of the objects that follow.
+  virtual void set_motion(Motion) {}
+  virtual void set_camera(Path) {}
+  /// A further file that is read for the statement.
+  virtual void add_file(const std::string&) {}
   virtual void add_sphere(const Vec& centre, double radius) = 0;
   /// As many normals as corners, or none.
   virtual void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) = 0;
@@ -52,7 +99,7 @@ class NffTarget {
   int line = 0;  ///< of the statement that is told
 };
 
-/// Tells `target` a text. BadInput "name:line: ..."; returns the line of the view.
-int read_nff(std::string_view text, const std::string& name, NffTarget& target);
+/// Tells `target` a text, which has a view. BadInput "name:line: ...".
+void read_nff(std::string_view text, const std::string& name, NffTarget& target);
 
 }  // namespace renderer

@@ -1,15 +1,11 @@
 #include "renderer/files/tokens.hpp"
 
 #include <charconv>
-#include <optional>
 
 #include "base/text.hpp"
 
 namespace renderer {
 
-namespace {
-
-// A finite decimal number and nothing else, whatever the locale.
 std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   double value = 0;
@@ -19,8 +15,6 @@ std::optional<double> parse_number(std::string_view word) {
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return value;
 }
-
-}  // namespace
 
 void Tokens::fetch() {
   constexpr std::string_view BLANKS = " \t\r\v\f", ENDS = " \t\r\v\f\n#";
@@ -33,9 +27,10 @@ void Tokens::fetch() {
     } else if (text_[at_] == '#') {
       ++at_;
       const auto comment = base::trim(text_.substr(at_, find_end("\n") - at_));
-      const bool is_statement = !uncovered_.empty() && taken_line_ != line_ &&
-                                comment.substr(0, comment.find_first_of(BLANKS)) == uncovered_;
-      if (!is_statement) at_ = find_end("\n");
+      if (taken_line_ != line_ && is_statement_ && is_statement_(comment))
+        next_ = text_.substr(at_ - 1, 1);
+      else
+        at_ = find_end("\n");
     } else if (BLANKS.find(text_[at_]) != BLANKS.npos) {
       ++at_;
     } else {

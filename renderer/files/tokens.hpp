@@ -1,6 +1,7 @@
 #pragma once
 // Words of a text file, with the line each was found on.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,17 +14,32 @@ namespace renderer {
 /// Largest magnitude of a number in a scene: products of several must stay finite.
 inline constexpr double MAX_NUMBER = 1e15;
 
+/// A finite decimal number and nothing else, whatever the locale.
+std::optional<double> parse_number(std::string_view word);
+
 /// Reads words separated by blanks from a text, which has to outlive it; '#' starts a comment that
-/// ends with the line, unless it begins the line and the next word is `uncovered`. Every error is a
-/// BadInput "name:line: found ..., expected ...".
+/// ends with the line. Where a comment begins its line and `is_statement` is true of it, '#' is a
+/// word, and those of the comment follow. Every error is a BadInput "name:line: found ...,
+/// expected ...".
 class Tokens {
  public:
-  Tokens(std::string_view text, std::string name, std::string_view uncovered = "")
-      : text_(text), uncovered_(uncovered), name_(std::move(name)) {}
+  using IsStatement = bool (*)(std::string_view comment);
+  Tokens(std::string_view text, std::string name, IsStatement is_statement = nullptr)
+      : text_(text), name_(std::move(name)), is_statement_(is_statement) {}
 
   /// Begins a statement that ends with its line: until the next call no function takes words of
   /// another line. False at the end of the file. Files that never call it may break lines anywhere.
   bool begin_line();
+
+  /// Runs `read`, in which no function takes words of another line than that of the word taken
+  /// last; the line must end there.
+  template <class Read>
+  void within_line(const Read& read) {
+    by_line_ = true;
+    read();
+    end_line();
+    by_line_ = false;
+  }
 
   /// The next word without taking it; empty at the end of the file or of the statement.
   std::string_view peek();
@@ -76,8 +92,9 @@ class Tokens {
  private:
   void fetch();
 
-  std::string_view text_, uncovered_, next_;
+  std::string_view text_, next_;
   std::string name_;
+  IsStatement is_statement_;
   std::size_t at_ = 0;
   int line_ = 1, taken_line_ = 0;
   bool by_line_ = false;

@@ -78,6 +78,22 @@ double rmse(const Bitmap& a, const Bitmap& b) {
   return std::sqrt(static_cast<double>(squares) / static_cast<double>(a.rgb8.size()));
 }
 
+double rms_difference(const Samples& a, const Samples& b) {
+  require(a.width == b.width && a.height == b.height && !a.sums.empty(), "rms_difference",
+          fmt::format("images of {} x {} and {} x {} pixels", a.width, a.height, b.width, b.height),
+          "equal sizes, and a pixel");
+  double squares = 0;
+  for (std::size_t i = 0; i < a.sums.size(); ++i) {
+    const Rgb p = to_rgb(a.sums[i]), q = to_rgb(b.sums[i]);
+    for (const auto component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+      const double difference =
+          std::clamp(p.*component, 0.0, 1.0) - std::clamp(q.*component, 0.0, 1.0);
+      squares += difference * difference;
+    }
+  }
+  return std::sqrt(squares / (3 * static_cast<double>(a.sums.size())));
+}
+
 double ssim(const Bitmap& a, const Bitmap& b) {
   check_pair(a, b, "ssim");
   constexpr double C1 = 0.01 * 255 * 0.01 * 255, C2 = 0.03 * 255 * 0.03 * 255;

@@ -9,6 +9,10 @@ namespace renderer {
 /// pictures have equal sizes and a pixel.
 double rmse(const Bitmap& a, const Bitmap& b);
 
+/// The same of colours that are not rounded to levels, components clamped to 0..1. BadInput unless
+/// the images have equal sizes and a pixel.
+double rms_difference(const Samples& a, const Samples& b);
+
 /// Structural similarity (Z. Wang et al., IEEE Transactions on Image Processing 13(4), 2004),
 /// -1..1, 1 for equal pictures only; symmetric. It is the mean over every window of 8 x 8 pixels
 /// that lies in the picture (they begin at every pixel; a picture that is less wide or high has

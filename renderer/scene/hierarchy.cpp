@@ -114,6 +114,20 @@ void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
     tree.nodes[up].bounds = join(tree.nodes[up].bounds, object);
 }
 
+// The bounds of all boxes when those of the objects are these.
+std::vector<Bounds> eval_bounds(const std::vector<Box>& boxes, std::span<const Bounds> objects) {
+  std::vector<Bounds> all(boxes.size());
+  for (std::size_t i = boxes.size(); i-- > 0;) {
+    if (boxes[i].item != NONE) {
+      all[i] = objects[boxes[i].item];
+      continue;
+    }
+    for (std::size_t child = i + 1; child < boxes[i].skip; child = boxes[child].skip)
+      all[i] = join(all[i], all[child]);
+  }
+  return all;
+}
+
 }  // namespace
 
 Hierarchy make_hierarchy(std::span<const Bounds> objects) {
@@ -146,6 +160,21 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
       steps.push_back({*child, false});
   }
   return flat;
+}
+
+Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close) {
+  std::vector<Bounds> halfway;
+  halfway.reserve(at_open.size());
+  for (std::size_t i = 0; i < at_open.size(); ++i)
+    halfway.push_back(
+        {0.5 * (at_open[i].lo + at_close[i].lo), 0.5 * (at_open[i].hi + at_close[i].hi)});
+  Hierarchy made = make_hierarchy(halfway);
+  const auto open = eval_bounds(made.boxes, at_open), close = eval_bounds(made.boxes, at_close);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    made.boxes[i].bounds = open[i];
+    made.moves.push_back({close[i].lo - open[i].lo, close[i].hi - open[i].hi});
+  }
+  return made;
 }
 
 }  // namespace renderer

@@ -24,9 +24,17 @@ struct alignas(64) Box {
 /// is met comes the one stored next, after one that is missed the one at its `skip`.
 struct Hierarchy {
   std::vector<Box> boxes;
+  /// In a scene where objects move: how far the corners of each box do while the shutter is open.
+  /// They move evenly, as the objects do, so that a box holds what is in it all the time (A.
+  /// Glassner, "Spacetime Ray Tracing for Animation", 1988). The boxes are where they are when it
+  /// opens. Empty: nothing moves.
+  std::vector<Bounds> moves;
 };
 
 /// A leaf's `item` is the object's index in `objects`. No objects, no boxes.
 Hierarchy make_hierarchy(std::span<const Bounds> objects);
+/// The same of objects that move, from where they are when the shutter opens to where they are when
+/// it closes; what lies close together is judged halfway.
+Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close);
 
 }  // namespace renderer

@@ -89,6 +89,16 @@ Vec eval_corner(const Polygon& polygon, const Corner& c) {
   return polygon.w == 0 ? Vec{w, c.u, c.v} : polygon.w == 1 ? Vec{c.v, w, c.u} : Vec{c.u, c.v, w};
 }
 
+void translate(Sphere& sphere, const Vec& by) { sphere.centre += by; }
+
+void translate(Polygon& polygon, const Vec& by, std::vector<Corner>& pool) {
+  polygon.offset += dot(polygon.normal, by);
+  for (Corner& c : std::span(pool).subspan(polygon.first, polygon.count))
+    c = {c.u + by[polygon.u], c.v + by[polygon.v]};
+}
+
+void translate(Cone& cone, const Vec& by) { cone.base += by; }
+
 Bounds make_bounds(const Sphere& sphere) {
   return grow({sphere.centre, sphere.centre}, sphere.radius);
 }

@@ -63,6 +63,11 @@ Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex
 /// Where a corner of a polygon is: the dropped coordinate follows from the plane.
 Vec eval_corner(const Polygon& polygon, const Corner& corner);
 
+// Each moves a primitive; a polygon's corners are in `pool`.
+void translate(Sphere& sphere, const Vec& by);
+void translate(Polygon& polygon, const Vec& by, std::vector<Corner>& pool);
+void translate(Cone& cone, const Vec& by);
+
 Bounds make_bounds(const Sphere& sphere);
 Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool);
 Bounds make_bounds(const Cone& cone);

@@ -8,7 +8,7 @@ namespace renderer {
 
 namespace {
 
-constexpr double SELF_RELATIVE = 1e-10, BOX_RELATIVE = 1e-12;
+constexpr double SELF_RELATIVE = 1e-10, BOX_RELATIVE = 1e-12, LEAST_ANGLE = 1e-9;
 constexpr std::size_t MAX_OBJECTS = std::size_t{1} << 30;
 
 bool has_mesh_texture(const Scene& scene) {
@@ -98,6 +98,33 @@ Bounds make_bounds(const Scene& scene, Place place) {
   });
 }
 
+std::vector<Bounds> move_all(const std::vector<Bounds>& bounds, const std::vector<Vec>& moves) {
+  std::vector<Bounds> moved;
+  moved.reserve(bounds.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    moved.push_back({bounds[i].lo + moves[i], bounds[i].hi + moves[i]});
+  return moved;
+}
+
+// The least length of a vector on its way from `open`, when it goes as far as `move`.
+double eval_least_length(const Vec& open, const Vec& move) {
+  const double square = dot(move, move);
+  const double time = square > 0 ? std::clamp(-dot(open, move) / square, 0.0, 1.0) : 0.0;
+  return length(open + time * move);
+}
+
+// Throws unless the view, which is possible when the shutter opens, is so until it closes.
+void check_motion(const View& view) {
+  const Vec open = view.at - view.from, move = view.at_move - view.from_move;
+  const double longest = std::max(length(open), length(open + move));
+  require(eval_least_length(open, move) > LEAST_ANGLE * longest,
+          "a view whose 'from' and 'at' meet while the shutter is open", "'from' and 'at' apart");
+  require(eval_least_length(cross(open, view.up), cross(move, view.up)) >
+              LEAST_ANGLE * length(view.up) * longest,
+          "a view that turns along the up direction while the shutter is open",
+          "'up' across the line from 'from' to 'at'");
+}
+
 // Moves one kind's primitives into the order of the leaves.
 template <class Primitive>
 void reorder(std::vector<Primitive>& primitives, Kind kind, Scene& scene) {
@@ -153,7 +180,7 @@ View make_image_plane(View view) {
           "degrees between 0 and 180");
   require(length(view.at - view.from) > 0, "a view from the point it looks at",
           "'from' and 'at' apart");
-  require(length(cross(normalize(view.at - view.from), view.up)) > 1e-9 * length(view.up),
+  require(length(cross(normalize(view.at - view.from), view.up)) > LEAST_ANGLE * length(view.up),
           "an up direction along the view", "'up' across the line from 'from' to 'at'");
   point(view);
   view.half_height = static_cast<double>(
@@ -172,19 +199,38 @@ TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std:
   });
 }
 
+void translate(Scene& scene, std::uint32_t object, const Vec& by) {
+  const Place place = scene.objects[object];
+  switch (place.kind()) {
+    case Kind::sphere:
+      return translate(scene.spheres[place.index()], by);
+    case Kind::polygon:
+      return translate(scene.polygons[place.index()], by, scene.corners);
+    case Kind::patch:
+      return translate(scene.patches[place.index()], by, scene.corners);
+    case Kind::cone:
+      return translate(scene.cones[place.index()], by);
+  }
+}
+
 void finish(Scene& scene) {
   View& view = scene.view = make_image_plane(scene.view);
   view.has_motion = !scene.moves.empty() || view.from_move != Vec{} || view.at_move != Vec{};
+  if (view.has_motion) check_motion(view);
   std::vector<Bounds> bounds;
   bounds.reserve(scene.objects.size());
-  double scale = max_abs(scene.view.from);
-  for (const Place place : scene.objects) {
-    bounds.push_back(make_bounds(scene, place));
-    scale = std::max({scale, max_abs(bounds.back().lo), max_abs(bounds.back().hi)});
-  }
+  for (const Place place : scene.objects) bounds.push_back(make_bounds(scene, place));
+  std::vector<Bounds> at_close;
+  if (!scene.moves.empty()) at_close = move_all(bounds, scene.moves);
+
+  double scale =
+      std::max(max_abs(view.from), max_abs(view.from + view.from_move)) + 0.5 * view.lens.aperture;
+  for (const auto* all : {&bounds, &at_close})
+    for (const Bounds& b : *all) scale = std::max({scale, max_abs(b.lo), max_abs(b.hi)});
   scene.epsilon = SELF_RELATIVE * scale;
-  for (Bounds& b : bounds) b = grow(b, BOX_RELATIVE * scale);
-  scene.hierarchy = make_hierarchy(bounds);
+  for (auto* all : {&bounds, &at_close})
+    for (Bounds& b : *all) b = grow(b, BOX_RELATIVE * scale);
+  scene.hierarchy = scene.moves.empty() ? make_hierarchy(bounds) : make_hierarchy(bounds, at_close);
 
   reorder(scene.spheres, Kind::sphere, scene);
   reorder(scene.polygons, Kind::polygon, scene);

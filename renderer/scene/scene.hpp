@@ -39,7 +39,7 @@ struct Light {
 
 /// A thin lens, whose middle is the view point (M. Potmesil and I. Chakravarty, 1981).
 struct Lens {
-  double aperture = 0;  ///< diameter, scene units; 0: a pinhole, all is in focus
+  double aperture = 0;  ///< diameter, scene units, >= 0; 0: a pinhole, all is in focus
   double focus = 1;     ///< distance along the view to the plane in focus, scene units, > 0
 };
 
@@ -126,20 +126,29 @@ void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> 
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius);
 
+/// Moves an object of a scene that is not finished.
+void translate(Scene& scene, std::uint32_t object, const Vec& by);
+
 /// Derives right, above and ahead anew from `from`, `at` and `up`, which must be possible.
 void point(View& view);
 /// The view with what is derived; BadInput for an impossible one.
 View make_image_plane(View view);
 
 /// Derives the view's image plane, the hierarchy (boxes grown by 1e-12 of the largest coordinate,
-/// so that rounding never makes a ray miss the box of what it hits) and epsilon. BadInput for an
-/// impossible view.
+/// so that rounding never makes a ray miss the box of what it hits) and epsilon. BadInput for a
+/// view that is impossible at any time while the shutter is open.
 void finish(Scene& scene);
 
 /// The point of its texture that a point of an object has, which is where it was when the shutter
 /// opened.
 TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std::uint32_t object,
                                 const Vec& point);
+
+/// How far an object of a scene with `moves` is from where it was when the shutter opened, when
+/// this share of the shutter's time has passed.
+inline Vec eval_shift(const Scene& scene, std::uint32_t object, double time) {
+  return time * scene.moves[object];
+}
 
 inline std::size_t object_count(const Scene& scene) { return scene.objects.size(); }
 /// Boxes that rays are tested against; an object has none of its own.

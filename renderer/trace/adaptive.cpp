@@ -54,10 +54,37 @@ int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const 
   return has + round_of(s, has).count;
 }
 
+void OpenPixel::add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& contribution) {
+  if (ray.level == 1) samples.push_back({{}, hit ? hit->object : NO_OBJECT});
+  renderer::add(samples.at(ray.pass).sums, contribution);
+}
+
 Samples::Sums add_up(std::span<const TracedSample> samples) {
   Samples::Sums sums;
   for (const auto& sample : samples) add(sums, sample.sums);
   return sums;
+}
+
+Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples) {
+  if (samples < 2 && sampling.pixel_samples == 1) return to_rgb(sums);
+  const int n = std::max(1, samples);
+  if (is_adaptive(sampling)) return to_rgb(eval_final(sampling, sums, n));
+  return static_cast<double>(sampling.pixel_samples) / n * to_rgb(sums);
+}
+
+Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, int samples) {
+  return is_adaptive(sampling) ? eval_mean(sums, std::max(1, samples)) : sums;
+}
+
+std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts) {
+  const int most = counts.empty() ? 0 : *std::ranges::max_element(counts);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(3 * counts.size());
+  for (const std::uint16_t count : counts) {
+    const double share = count > 1 ? std::log(count) / std::log(most) : 0;
+    bytes.insert(bytes.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
+  }
+  return bytes;
 }
 
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples) {

@@ -29,9 +29,31 @@ using Corners = std::array<std::uint32_t, 4>;
 int find_wanted(const Sampling& sampling, std::span<const TracedSample> samples,
                 const Corners& corners);
 
+/// A pixel's samples while their rays are traced one by one, in any order.
+struct OpenPixel {
+  std::vector<TracedSample> samples;  ///< by pass, those whose primary ray has been traced
+  int wanted = 0;
+
+  OpenPixel() = default;
+  explicit OpenPixel(const Sampling& sampling) : wanted(first_round(sampling)) {}
+  /// What a ray of one of its samples has met and contributes. A sample's primary ray comes first,
+  /// and samples begin in their order.
+  void add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& contribution);
+};
+
 /// The sum of the samples' contributions.
 Samples::Sums add_up(std::span<const TracedSample> samples);
+/// The colour that a pixel shows when so many of its samples have begun: their mean. (Fixed numbers
+/// of samples have their weights, which are made up for until all are there.)
+Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples);
+/// What render() gives for a pixel from the sums of all its samples: with adaptive sampling their
+/// mean.
+Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, int samples);
 /// The mean of as many samples, each component rounded to the nearest unit.
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples);
+
+/// A picture of how many samples pixels have had, 3 bytes each, in grey: 0 where that is at most 1,
+/// 255 where it is the largest of `counts`, and in between by the logarithm.
+std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts);
 
 }  // namespace renderer

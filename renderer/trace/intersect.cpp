@@ -51,7 +51,19 @@ struct Somebody {
   }
 };
 
-template <class Told>
+// One primitive where it is at the ray's time: as if the ray, not the primitive, had moved.
+template <class Primitive>
+[[gnu::always_inline]] inline double intersect_moved(const Primitive& primitive, Walk& walk) {
+  const Vec origin = walk.ray.origin - eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
+  Probe probe{origin, walk.ray.direction, walk.probe.from, walk.probe.epsilon, walk.probe.corners};
+  const double distance = intersect(primitive, probe);
+  walk.probe.roots += probe.roots;
+  walk.probe.edges += probe.edges;
+  return distance;
+}
+
+// MOVES: the scene's objects move.
+template <bool MOVES, class Told>
 [[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Told& told) {
   if constexpr (Told::LISTENS) told.object(walk, place);
   ++walk.tests[static_cast<int>(place.kind())];
@@ -59,7 +71,10 @@ template <class Told>
   const double distance = visit(
       walk.scene, place, [&](const auto& primitive) __attribute__((always_inline)) {
         tag = primitive.tag;
-        return intersect(primitive, walk.probe);
+        if constexpr (MOVES)
+          return intersect_moved(primitive, walk);
+        else
+          return intersect(primitive, walk.probe);
       });
   Nearest& best = walk.best;
   if (distance < best.distance ||
@@ -67,15 +82,17 @@ template <class Told>
     best = {distance, tag.object, place};
 }
 
-template <class Told>
+template <bool MOVES, class Told>
 void walk_linear(Walk& walk, const Told& told) {
-  for (const Place place : walk.scene.objects) consider(walk, place, told);
+  for (const Place place : walk.scene.objects) consider<MOVES>(walk, place, told);
 }
 
 // Walks depth first in stored order. CLIP: boxes end at the nearest hit so far; ANY: stop at a hit.
-template <bool CLIP, bool ANY, class Told>
+template <bool CLIP, bool ANY, bool MOVES, class Told>
 void walk_boxes(Walk& walk, const Told& told) {
   const Box* boxes = walk.scene.hierarchy.boxes.data();
+  [[maybe_unused]] const Bounds* moves = walk.scene.hierarchy.moves.data();
+  [[maybe_unused]] const double time = walk.ray.time;
   const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
   const Vec o = walk.ray.origin;
   const Vec inverse{1 / walk.ray.direction.x, 1 / walk.ray.direction.y, 1 / walk.ray.direction.z};
@@ -92,7 +109,7 @@ void walk_boxes(Walk& walk, const Told& told) {
     const Box& box = boxes[i];
     if constexpr (Told::LISTENS) walk.boxes = std::exchange(tested, 0);
     if (box.item != Box::INNER) {
-      consider(walk, Place{box.item}, told);
+      consider<MOVES>(walk, Place{box.item}, told);
       if (ANY && walk.best.object != NO_OBJECT) break;
       ++i;
       continue;
@@ -102,15 +119,20 @@ void walk_boxes(Walk& walk, const Told& told) {
     // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
     // compares false and leaves the interval as it is.
     double enter = 0, leave = CLIP ? walk.best.distance : NO_HIT;
-    const auto clip = [&](double in_plane, double out_plane, double from, double inv) {
-      const double in = (in_plane - from) * inv, out = (out_plane - from) * inv;
+    const auto clip = [&](Face in_face, Face out_face, double Vec::*axis) {
+      double in_plane = (box.bounds.*in_face).*axis, out_plane = (box.bounds.*out_face).*axis;
+      if constexpr (MOVES) {
+        in_plane += time * ((moves[i].*in_face).*axis);
+        out_plane += time * ((moves[i].*out_face).*axis);
+      }
+      const double in = (in_plane - o.*axis) * (inverse.*axis);
+      const double out = (out_plane - o.*axis) * (inverse.*axis);
       enter = in > enter ? in : enter;
       leave = out < leave ? out : leave;
     };
-    const Bounds& b = box.bounds;
-    clip((b.*in_x).x, (b.*out_x).x, o.x, inverse.x);
-    clip((b.*in_y).y, (b.*out_y).y, o.y, inverse.y);
-    clip((b.*in_z).z, (b.*out_z).z, o.z, inverse.z);
+    clip(in_x, out_x, &Vec::x);
+    clip(in_y, out_y, &Vec::y);
+    clip(in_z, out_z, &Vec::z);
     i = enter <= leave ? i + 1 : box.skip;
   }
   walk.boxes = tested;
@@ -118,6 +140,7 @@ void walk_boxes(Walk& walk, const Told& told) {
 
 // The hit on the nearest object; a feeler's has neither point nor normal. Inlined, since a call
 // that takes the walk would keep its counts in memory.
+template <bool MOVES>
 [[gnu::always_inline]] inline Hit make_hit(const Walk& walk) {
   const Scene& scene = walk.scene;
   const Ray& ray = walk.ray;
@@ -127,14 +150,16 @@ void walk_boxes(Walk& walk, const Told& told) {
   hit.object = walk.best.object;
   if (ray.kind == RayKind::shadow) return hit;
   hit.point = ray.origin + hit.distance * ray.direction;
+  Vec still = hit.point;  // where the point is as long as the object has not moved
+  if constexpr (MOVES) still = hit.point - eval_shift(scene, hit.object, ray.time);
   const Vec geometric = visit(scene, place, [&](const auto& primitive) {
     hit.surface = primitive.tag.surface;
-    return eval_normal(primitive, hit.point);
+    return eval_normal(primitive, still);
   });
   hit.normal = geometric;
   if (place.kind() == Kind::patch) {
     const Vec smooth =
-        eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, hit.point);
+        eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
     // At a silhouette the interpolated normal may be on the other side than the plane's.
     if (!(dot(smooth, ray.direction) * dot(geometric, ray.direction) <= 0)) hit.normal = smooth;
   }
@@ -151,47 +176,61 @@ void walk_boxes(Walk& walk, const Told& told) {
 }
 
 // What the walk found.
+template <bool MOVES>
 [[gnu::always_inline]] inline std::optional<Hit> conclude(Walk& walk, Work& work) {
   count(walk, work);
   if (walk.best.object == NO_OBJECT) return std::nullopt;
   work[Op::hit_made] += walk.ray.kind != RayKind::shadow;
-  return make_hit(walk);
+  return make_hit<MOVES>(walk);
 }
 
-template <class Told>
+template <bool MOVES, class Told>
 std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                         const Told& told) {
   Walk walk = make_walk(scene, ray);
   switch (traversal) {
     case Traversal::linear:
-      walk_linear(walk, told);
+      walk_linear<MOVES>(walk, told);
       break;
     case Traversal::exhaustive:
-      walk_boxes<false, false>(walk, told);
+      walk_boxes<false, false, MOVES>(walk, told);
       break;
     case Traversal::nearest:
       if (ray.kind == RayKind::shadow)
-        walk_boxes<true, true>(walk, told);
+        walk_boxes<true, true, MOVES>(walk, told);
       else
-        walk_boxes<true, false>(walk, told);
+        walk_boxes<true, false, MOVES>(walk, told);
       break;
   }
   work[Op::ray_intersected] += 1;
-  return conclude(walk, work);
+  return conclude<MOVES>(walk, work);
+}
+
+template <class Told>
+std::optional<Hit> choose(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
+                          const Told& told) {
+  return scene.moves.empty() ? find<false>(scene, ray, traversal, work, told)
+                             : find<true>(scene, ray, traversal, work, told);
+}
+
+template <bool MOVES>
+std::optional<Hit> find_on(const Scene& scene, const Ray& ray, Place place, Work& work) {
+  Walk walk = make_walk(scene, ray);
+  consider<MOVES>(walk, place, Nobody{});
+  return conclude<MOVES>(walk, work);
 }
 
 }  // namespace
 
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access) {
-  return access ? find(scene, ray, traversal, work, Somebody{*access, work})
-                : find(scene, ray, traversal, work, Nobody{});
+  return access ? choose(scene, ray, traversal, work, Somebody{*access, work})
+                : choose(scene, ray, traversal, work, Nobody{});
 }
 
 std::optional<Hit> intersect_object(const Scene& scene, const Ray& ray, Place place, Work& work) {
-  Walk walk = make_walk(scene, ray);
-  consider(walk, place, Nobody{});
-  return conclude(walk, work);
+  return scene.moves.empty() ? find_on<false>(scene, ray, place, work)
+                             : find_on<true>(scene, ray, place, work);
 }
 
 }  // namespace renderer

@@ -9,7 +9,8 @@
 
 namespace renderer {
 
-enum class RayKind : std::uint8_t { primary, reflected, transmitted, shadow };
+/// A probe is a primary ray of no sample, see make_probe().
+enum class RayKind : std::uint8_t { primary, reflected, transmitted, shadow, probe };
 
 /// The object of a ray that starts on none.
 inline constexpr std::uint32_t NO_OBJECT = std::numeric_limits<std::uint32_t>::max();

@@ -1,99 +1,15 @@
 #include "renderer/trace/render.hpp"
 
-#include <atomic>
-#include <future>
 #include <mutex>
 
 #include "renderer/scene/require.hpp"
+#include "renderer/trace/pixel_tracer.hpp"
+#include "renderer/trace/share.hpp"
 
 namespace renderer {
 
-namespace {
-
-constexpr int MAX_THREADS = 1024;
-
-// The objects at the corners of an area's pixels.
-class CornerObjects {
- public:
-  CornerObjects(const Params& params, const Area& area) : area_(area) {
-    if (params.sampling.adaptive > 0)
-      objects_.resize(columns() * (static_cast<std::size_t>(area.height) + 1));
-  }
-  /// Rows of corners: one more than of pixels, or none if nobody asks.
-  int rows() const { return objects_.empty() ? 0 : area_.height + 1; }
-  void find_row(int row, SampleTracer& tracer) {
-    for (int column = 0; column <= area_.width; ++column)
-      objects_[at(column, row)] = tracer.probe(area_.x + column, area_.y + row);
-  }
-  Corners of_pixel(int column, int row) const {
-    return {objects_[at(column, row)], objects_[at(column + 1, row)], objects_[at(column, row + 1)],
-            objects_[at(column + 1, row + 1)]};
-  }
-
- private:
-  std::size_t columns() const { return static_cast<std::size_t>(area_.width) + 1; }
-  std::size_t at(int column, int row) const {
-    return static_cast<std::size_t>(row) * columns() + static_cast<std::size_t>(column);
-  }
-  const Area area_;
-  std::vector<std::uint32_t> objects_;
-};
-
-// All samples of the pixels of an area.
-class PixelTracer {
- public:
-  PixelTracer(const Params& params, const Area& area, const CornerObjects& corners,
-              SampleTracer& tracer)
-      : params_(params), area_(area), corners_(corners), tracer_(tracer) {}
-
-  /// Returns the sums of the pixel's samples, and how many there were.
-  std::pair<Samples::Sums, int> trace(int column, int row) {
-    const Sampling& s = params_.sampling;
-    const int x = area_.x + column, y = area_.y + row;
-    if (!(s.adaptive > 0)) {
-      Samples::Sums sums;
-      for (int pass = 0; pass < s.pixel_samples; ++pass) add(sums, tracer_.trace(x, y, pass).sums);
-      return {sums, s.pixel_samples};
-    }
-    samples_.clear();
-    int has = 0;
-    for (int wanted = first_round(s); has < wanted;
-         wanted = find_wanted(s, samples_, corners_.of_pixel(column, row)))
-      for (; has < wanted; ++has) samples_.push_back(tracer_.trace(x, y, has));
-    return {eval_mean(add_up(samples_), has), has};
-  }
-
- private:
-  const Params& params_;
-  const Area area_;
-  const CornerObjects& corners_;
-  SampleTracer& tracer_;
-  std::vector<TracedSample> samples_;
-};
-
-// Calls work(row) for every row; the rows are handed out one by one. An exception leaves none for
-// the other threads.
-template <class Work>
-void share_rows(int rows, int threads, const Work& work) {
-  std::atomic<int> next = 0;
-  const auto work_on_rows = [&] {
-    try {
-      for (int row = next++; row < rows; row = next++) work(row);
-    } catch (...) {
-      next = rows;
-      throw;
-    }
-  };
-  std::vector<std::future<void>> helpers;
-  for (int i = 1; i < std::min(threads, rows); ++i)
-    helpers.push_back(std::async(std::launch::async, work_on_rows));
-  work_on_rows();
-  for (auto& helper : helpers) helper.get();
-}
-
-}  // namespace
-
 void RayCounts::add(RayKind kind, bool hit) {
+  probes += kind == RayKind::probe;
   primary += kind == RayKind::primary;
   primary_hit += kind == RayKind::primary && hit;
   reflected += kind == RayKind::reflected;
@@ -127,9 +43,9 @@ TracedSample SampleTracer::trace(int x, int y, int pass) {
 }
 
 std::uint32_t SampleTracer::probe(int x, int y) {
-  ++rays.probes;
   const auto hit =
       intersect(scene_, make_probe(scene_.view, params_, x, y), params_.traversal, work, access_);
+  rays.add(RayKind::probe, hit.has_value());
   return hit ? hit->object : NO_OBJECT;
 }
 
@@ -147,7 +63,7 @@ void render_block(const Scene& scene, const Params& params, const Area& area, Bl
   block.samples.height = area.height;
   block.samples.sums.assign(
       static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), {});
-  block.counts.assign(params.sampling.adaptive > 0 ? block.samples.sums.size() : 0, 0);
+  block.counts.assign(is_adaptive(params.sampling) ? block.samples.sums.size() : 0, 0);
   SampleTracer tracer(scene, params, access);
   tracer.stack.swap(buffer.pending);
   CornerObjects corners(params, area);
@@ -170,13 +86,17 @@ void add_block(Samples& image, const Block& block, Work& work) {
   work[Op::sample_updated] += block.samples.sums.size();
 }
 
+void check_threads(int threads) {
+  constexpr int MOST = 1024;
+  require(threads >= 1 && threads <= MOST, "threads", threads, fmt::format("1 to {}", MOST));
+}
+
 Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {
   check(params);
-  require(threads >= 1 && threads <= MAX_THREADS, "threads", threads,
-          fmt::format("1 to {}", MAX_THREADS));
+  check_threads(threads);
   const Area area = get_area(params);
   Rendering result{Samples(params.width, params.height), {}, {}, {}};
-  if (params.sampling.adaptive > 0) result.counts.resize(result.samples.sums.size());
+  if (is_adaptive(params.sampling)) result.counts.resize(result.samples.sums.size());
   std::mutex one_by_one;
   const auto add_counts = [&](const SampleTracer& tracer) {
     const std::lock_guard lock(one_by_one);
@@ -184,13 +104,13 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     result.work += tracer.work;
   };
   CornerObjects corners(params, area);
-  share_rows(corners.rows(), threads, [&](int row) {
+  share(corners.rows(), threads, [&](int row) {
     SampleTracer tracer(scene, params);
     corners.find_row(row, tracer);
     add_counts(tracer);
   });
   int done = 0;
-  share_rows(area.height, threads, [&](int row) {
+  share(area.height, threads, [&](int row) {
     SampleTracer tracer(scene, params);
     PixelTracer pixels(params, area, corners, tracer);
     for (int column = 0; column < area.width; ++column) {

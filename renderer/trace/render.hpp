@@ -78,8 +78,11 @@ void add_block(Samples& image, const Block& block, Work& work);
 /// Is called after every row, by one thread at a time.
 using Progress = std::function<void(int done, int rows)>;
 
-/// Traces every ray of `params.area`. Result, counts and work do not depend on `threads` (host
-/// threads, 1..1024). BadInput as check(); what `progress` throws ends the rendering.
+/// BadInput unless there are 1 to 1024 host threads.
+void check_threads(int threads);
+
+/// Traces every ray of `params.area`. Result, counts and work do not depend on `threads`.
+/// BadInput as check() and check_threads(); what `progress` throws ends the rendering.
 Rendering render(const Scene& scene, const Params& params, int threads = 1,
                  const Progress& progress = {});
 

@@ -93,8 +93,8 @@ double eval_cosine(double x) {
 }  // namespace
 
 Round round_of(const Sampling& s, int pass) {
-  if (!(s.adaptive > 0)) return {0, s.pixel_samples};
-  int first = 0, end = 4;
+  if (!is_adaptive(s)) return {0, s.pixel_samples};
+  int first = 0, end = FIRST_ROUND;
   while (pass >= end) {
     first = end;
     end *= end == 4 ? 4 : 2;
@@ -144,7 +144,7 @@ int permute(int index, int count, std::uint32_t key) {
 SquarePoint sample_square(const Sampling& s, const SampleKey& key, Dimension dimension) {
   const Round round = round_of(s, key.pass);
   const auto stream = make_stream(s, key, dimension);
-  const Region in = s.adaptive > 0 ? make_nested_region(find_nested(s, key, dimension, stream))
+  const Region in = is_adaptive(s) ? make_nested_region(find_nested(s, key, dimension, stream))
                                    : make_region(find_region(stream, round, key.pass), round.count);
   const auto pass = static_cast<std::uint64_t>(key.pass);
   return {in.u + in.width * to_unit(mix(stream, 2 * pass)),
@@ -155,7 +155,7 @@ double sample_line(const Sampling& s, const SampleKey& key, Dimension dimension)
   const Round round = round_of(s, key.pass);
   const auto stream = make_stream(s, key, dimension);
   const double jitter = to_unit(mix(stream, 2 * static_cast<std::uint64_t>(key.pass)));
-  if (s.adaptive > 0) {
+  if (is_adaptive(s)) {
     const auto [place, levels] = find_nested(s, key, dimension, stream);
     return (place + jitter) / (1 << (2 * levels));
   }

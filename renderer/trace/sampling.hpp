@@ -29,15 +29,20 @@ struct SampleKey {
 struct Round {
   int first = 0, count = 1;
 };
-/// All of a pixel's samples are one round; with `adaptive`, samples come in rounds that make them
-/// 4, 16, 32, 64 ... together, and at last `pixel_samples`.
+inline constexpr int FIRST_ROUND = 4;
+/// Whether pixels may have different numbers of samples: not unless there is more than one round.
+inline bool is_adaptive(const Sampling& s) {
+  return s.adaptive > 0 && s.pixel_samples > FIRST_ROUND;
+}
+/// All of a pixel's samples are one round; with adaptive sampling, samples come in rounds that make
+/// them 4, 16, 32, 64 ... together, and at last `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// How many samples a pixel has after its first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }
 
 /// The sample's point of a square: one of the samples lies in each of `count` regions of equal
-/// area, in rows as equal as can be. With `adaptive`, one of the first 4^k samples lies in each of
-/// 2^k x 2^k squares, for any k; in the pixel, samples i and i + 4^k share such a square.
+/// area, in rows as equal as can be. With adaptive sampling, one of the first 4^k samples lies in
+/// each of 2^k x 2^k squares, for any k; in the pixel, samples i and i + 4^k share such a square.
 SquarePoint sample_square(const Sampling& sampling, const SampleKey& key, Dimension dimension);
 /// The sample's point of a line, 0..1.
 double sample_line(const Sampling& sampling, const SampleKey& key, Dimension dimension);
@@ -63,6 +68,6 @@ Across make_across(const Vec& axis);
 
 /// What a contribution to the image's sums is multiplied with: 1 / N, or 1 where a pixel's number
 /// of samples is not known before.
-inline double weight_of(const Sampling& s) { return s.adaptive > 0 ? 1.0 : 1.0 / s.pixel_samples; }
+inline double weight_of(const Sampling& s) { return is_adaptive(s) ? 1.0 : 1.0 / s.pixel_samples; }
 
 }  // namespace renderer

@@ -229,10 +229,10 @@ Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
 
 Ray make_primary(const View& view, const Params& p, int x, int y, int pass) {
   if (!view.has_motion) return make_lens_ray(view, p, x, y, pass);
-  const double time =
-      p.sampling.shutter * sample_line(p.sampling, make_key(p, x, y, pass), Dimension::time);
+  const auto time = static_cast<float>(
+      p.sampling.shutter * sample_line(p.sampling, make_key(p, x, y, pass), Dimension::time));
   Ray ray = make_lens_ray(move(view, time), p, x, y, pass);
-  ray.time = static_cast<float>(time);
+  ray.time = time;
   return ray;
 }
 
@@ -242,6 +242,10 @@ Ray make_probe(const View& view, const Params& p, int x, int y) {
   Ray ray = make_eye_ray(view.has_motion ? move(view, time) : view, p, x, y, corner);
   ray.direction = normalize(ray.direction);
   ray.time = static_cast<float>(time);
+  ray.kind = RayKind::probe;
+  ray.sample = make_key(p, std::min(x, p.width - 1), std::min(y, p.height - 1), 0).pixel;
+  ray.path = static_cast<std::uint32_t>(y) * (static_cast<std::uint32_t>(p.width) + 1) +
+             static_cast<std::uint32_t>(x);
   return ray;
 }
 
@@ -258,7 +262,7 @@ std::optional<Vec> refract(const Vec& direction, const Vec& normal, double ratio
 
 void make_children(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work) {
-  if (ray.kind == RayKind::shadow) return;
+  if (ray.kind == RayKind::shadow || ray.kind == RayKind::probe) return;
   work[Op::surface_shaded] += 1;
   const Vec mirrored = reflect(ray.direction, hit.normal);
   add_feelers(scene, params, ray, hit, mirrored, out, work);

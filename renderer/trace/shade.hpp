@@ -23,6 +23,8 @@ PlanePoint make_plane_point(const View& view, const Params& params, int x, int y
 Ray make_primary(const View& view, const Params& params, int x, int y, int pass = 0);
 /// The ray through the upper left corner of pixel (x, y), from the middle of the lens, when half
 /// the shutter's time has passed: what it meets shows where objects' borders are.
+/// `x` may be the image's width and `y` its height. The path is y * (width + 1) + x, the sample a
+/// pixel of which it is a corner.
 Ray make_probe(const View& view, const Params& params, int x, int y);
 
 using Children = std::vector<Ray>;

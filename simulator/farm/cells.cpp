@@ -31,13 +31,28 @@ int log2_of(int size) { return std::countr_zero(static_cast<unsigned>(size)); }
 
 }  // namespace
 
+std::uint32_t Cells::rank_of(std::uint32_t sample) const {
+  const auto p = pixel_of(sample, width);
+  const Area& all = quadrants->quadrants[0];
+  return quadrants
+      ->ranks[static_cast<std::size_t>(p.y - all.y) * static_cast<std::size_t>(all.width) +
+              static_cast<std::size_t>(p.x - all.x)];
+}
+
+std::uint32_t Cells::fineness_of(std::uint32_t sample) const {
+  if (quadrants) return static_cast<std::uint32_t>(quadrants->ranks.size()) - 1 - rank_of(sample);
+  return static_cast<std::uint32_t>(log2_of(size_of(sample)));
+}
+
 int Cells::size_of(std::uint32_t sample) const {
+  if (quadrants) return 1;
   const auto p = pixel_of(sample, width);
   const auto corner = static_cast<unsigned>((p.x - x) | (p.y - y) | max_cell);
   return 1 << std::countr_zero(corner);
 }
 
 std::uint64_t Cells::place_of(std::uint32_t sample) const {
+  if (quadrants) return rank_of(sample);
   if (order == CellOrder::sequential) return sample;
   if (order != CellOrder::recursive) return 0;
   const auto p = pixel_of(sample, width);
@@ -52,9 +67,10 @@ std::uint64_t Cells::place_of(std::uint32_t sample) const {
 Area Cells::area_of(std::uint32_t sample, const Area& limit) const {
   const auto p = pixel_of(sample, width);
   const int size = size_of(sample);
-  const int left = std::max(p.x, limit.x), top = std::max(p.y, limit.y);
-  const int right = std::min(p.x + size, limit.x + limit.width);
-  const int bottom = std::min(p.y + size, limit.y + limit.height);
+  const Area cell = quadrants ? quadrants->quadrants[rank_of(sample)] : Area{p.x, p.y, size, size};
+  const int left = std::max(cell.x, limit.x), top = std::max(cell.y, limit.y);
+  const int right = std::min(cell.x + cell.width, limit.x + limit.width);
+  const int bottom = std::min(cell.y + cell.height, limit.y + limit.height);
   return {left, top, std::max(0, right - left), std::max(0, bottom - top)};
 }
 
@@ -90,17 +106,33 @@ std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
   return rays;
 }
 
-FrameBuffer::FrameBuffer(int width, int height, Cells cells, CellLight light, Area area)
+FrameBuffer::FrameBuffer(int width, int height, Cells cells, CellLight light, Area area,
+                         const renderer::Sampling& sampling)
     : cells_(cells),
       light_(light),
       width_(width),
       area_(area == Area{} ? Area{0, 0, width, height} : area),
+      sampling_(sampling),
       samples_(width, height),
-      size_(samples_.sums.size(), NOBODY),
+      counts_(sampling.pixel_samples > 1 ? samples_.sums.size() : 0),
+      owner_(samples_.sums.size(), NOBODY),
       rgb8_(3 * samples_.sums.size()) {}
 
-bool FrameBuffer::add(std::uint32_t sample, const Rgb& contribution, renderer::Work& work) {
+renderer::Samples FrameBuffer::samples() const {
+  renderer::Samples means = samples_;
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    means.sums[i] = eval_final(sampling_, means.sums[i], counts_[i]);
+  return means;
+}
+
+Rgb FrameBuffer::colour_of(std::uint32_t sample) const {
+  return eval_shown(sampling_, samples_.sums[sample], counts_.empty() ? 1 : counts_[sample]);
+}
+
+bool FrameBuffer::add(const renderer::Ray& ray, const Rgb& contribution, renderer::Work& work) {
+  const std::uint32_t sample = ray.sample;
   samples_.add(sample, contribution);
+  if (!counts_.empty() && ray.level == 1) ++counts_[sample];
   own(sample);
   bool changed = paint(sample, work);
   if (light_ == CellLight::smooth) changed |= paint_neighbours(sample, work);
@@ -114,14 +146,14 @@ void FrameBuffer::add(const renderer::Block& block, renderer::Work& work) {
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x) {
       const auto pixel = static_cast<std::uint32_t>(y * width_ + x);
-      size_[pixel] = 0;
+      owner_[pixel] = 0;
       draw(pixel, make_rgb8(samples_, pixel));
     }
 }
 
 // Its own pixel shows it, and no larger cell.
 bool FrameBuffer::is_sampled(std::uint32_t sample) const {
-  return size_[sample] <= log2_of(cells_.size_of(sample));
+  return owner_[sample] <= cells_.fineness_of(sample);
 }
 
 // The size of the sample's cell, less what it has been divided into.
@@ -141,12 +173,12 @@ int FrameBuffer::size_now(std::uint32_t sample) const {
 // Takes from larger cells what the sample's cell has of them.
 void FrameBuffer::own(std::uint32_t sample) {
   if (is_sampled(sample)) return;
-  const auto size = static_cast<std::uint8_t>(log2_of(cells_.size_of(sample)));
+  const auto fineness = cells_.fineness_of(sample);
   const Area cell = cells_.area_of(sample, area_);
   for (int y = cell.y; y < cell.y + cell.height; ++y)
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
-      auto& owner = size_[static_cast<std::size_t>(y * width_ + x)];
-      owner = std::min(owner, size);
+      auto& owner = owner_[static_cast<std::size_t>(y * width_ + x)];
+      owner = std::min(owner, fineness);
     }
 }
 
@@ -154,18 +186,18 @@ void FrameBuffer::own(std::uint32_t sample) {
 // within its cell is its own.)
 bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
-  const auto colour = make_rgb8(samples_, sample);
+  const auto colour = renderer::make_rgb8(colour_of(sample));
   if (light_ == CellLight::point) {
     ++work[Op::pixel_drawn];
     return draw(sample, colour);
   }
-  const int size = log2_of(cells_.size_of(sample));
+  const auto fineness = cells_.fineness_of(sample);
   const bool is_one_colour = light_ == CellLight::constant || size_now(sample) == 1;
   const Area cell = cells_.area_of(sample, area_);
   for (int y = cell.y; y < cell.y + cell.height; ++y)
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * width_ + x);
-      if (size_[pixel] != size) continue;
+      if (owner_[pixel] != fineness) continue;
       ++work[Op::pixel_drawn];
       if (is_one_colour) {
         changed |= draw(pixel, colour);
@@ -195,11 +227,11 @@ bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
 Rgb FrameBuffer::eval_smooth(std::uint32_t sample, int x, int y) const {
   const auto p = pixel_of(sample, width_);
   const int size = size_now(sample);
-  const Rgb own = samples_.get(sample);
+  const Rgb own = colour_of(sample);
   const auto corner = [&](int cx, int cy) {
     if (!contains(area_, {cx, cy})) return own;
     const auto other = static_cast<std::uint32_t>(cy * width_ + cx);
-    return is_sampled(other) ? samples_.get(other) : own;
+    return is_sampled(other) ? colour_of(other) : own;
   };
   const double u = static_cast<double>(x - p.x) / size, v = static_cast<double>(y - p.y) / size;
   const Rgb top = (1 - u) * own + u * corner(p.x + size, p.y);

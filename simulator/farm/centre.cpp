@@ -3,6 +3,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "simulator/farm/ledger.hpp"
 #include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
@@ -84,8 +85,8 @@ void Visualisation::run(Channel<Answer>& inp) {
 void Visualisation::show(const Intersection& found) {
   recorder.note(progress.since_begun_s(), [&] { return look(); });
   cost(picture, scratch, [this, found](FrameBuffer& to, renderer::Work& work) {
-    const bool changed = to.add(found.ray.sample,
-                                eval_contribution(scene, params, found.ray, found.hit, work), work);
+    const bool changed =
+        to.add(found.ray, eval_contribution(scene, params, found.ray, found.hit, work), work);
     if (&to == &picture) is_changed = changed;
   });
   ++rays;
@@ -145,7 +146,9 @@ enum class Mode { null, interactive, non_interactive, aborted, ended };
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
-      : setup_(setup), to_(channels), progress_(progress), limits_(setup.stages[0]) {}
+      : setup_(setup), to_(channels), progress_(progress), limits_(setup.stages[0]) {
+    if (is_adaptive(setup.params.sampling)) ledger_.emplace(setup.params);
+  }
 
   void run() {
     wait_for<Begin>(to_.from_interaction);
@@ -272,18 +275,87 @@ class Coordinator {
     const auto& [ray, hit] = std::get<Intersection>(answer.content);
     --rays_in_farm_;
     progress_.rays.add(ray.kind, hit.has_value());
-    this_process().charge(setup_.message.read + setup_.message.made);
+    this_process().charge(setup_.message.read);
+    if (ray.kind == renderer::RayKind::probe) {
+      if (mode_ != Mode::aborted) take_probe(ray, hit);
+      return;
+    }
+    this_process().charge(setup_.message.made);
     out(to_.into_visualisation, answer);
     if (mode_ == Mode::aborted) return;
-    if (ray.level == 1 && setup_.cells.order == CellOrder::adaptive) divide(ray, hit);
-    if (!hit) return;
-    setup_.cost(
-        new_rays_, scratch_,
-        [&setup = setup_, ray = ray, hit = *hit](renderer::Children& out, renderer::Work& work) {
-          out.clear();
-          make_children(setup.scene, setup.params, ray, hit, out, work);
-        });
-    for (const auto& child : new_rays_) deposit(child);
+    const bool is_primary = ray.level == 1;
+    if (is_primary && ray.pass == 0 && setup_.cells.order == CellOrder::adaptive) divide(ray, hit);
+    if (hit || ledger_) shade(ray, hit);
+    if (ledger_)
+      note_sample(ray, hit);
+    else if (is_primary && ray.pass + 1 < setup_.params.sampling.pixel_samples)
+      deposit_sample(ray, ray.pass + 1);
+    if (hit)
+      for (const auto& child : shaded_.rays) deposit(child);
+  }
+
+  // What the ray leaves where it hits; with adaptive sampling, what it contributes as well.
+  void shade(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    setup_.cost(shaded_, scratch_,
+                [&setup = setup_, is_adaptive = ledger_.has_value(), ray, hit](
+                    Shaded& to, renderer::Work& work) {
+                  to.rays.clear();
+                  if (is_adaptive)
+                    to.contribution = eval_contribution(setup.scene, setup.params, ray, hit, work);
+                  if (hit) make_children(setup.scene, setup.params, ray, *hit, to.rays, work);
+                });
+  }
+
+  // The primary ray of another of the samples of the pixel of `ray`.
+  void deposit_sample(const renderer::Ray& ray, int pass) {
+    auto primary = make_primary_of(ray.sample, pass);
+    primary.is_urgent = ray.is_urgent;
+    primary.order = ray.order;
+    deposit(primary);
+  }
+
+  renderer::Ray make_primary_of(std::uint32_t pixel, int pass) const {
+    const auto width = static_cast<std::uint32_t>(setup_.params.width);
+    return make_primary(setup_.scene.view, setup_.params, static_cast<int>(pixel % width),
+                        static_cast<int>(pixel / width), pass);
+  }
+
+  // Adaptive sampling: where the pixel's first sample has come its corners are asked for.
+  void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    const std::size_t held = ledger_->samples_held();
+    ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
+    if (ray.level == 1 && ray.pass == 0)
+      for (const auto& [x, y] : ledger_->corners_of(ray.sample)) {
+        auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
+        probe.pass = 1;  // after all first samples
+        probe.order = ray.order;
+        deposit(probe);
+      }
+    if (const auto next = ledger_->next_sample(ray.sample)) deposit_sample(ray, *next);
+    account(held);
+  }
+
+  void take_probe(const renderer::Ray& probe, const std::optional<renderer::Hit>& hit) {
+    const std::size_t held = ledger_->samples_held();
+    const auto object = hit ? hit->object : renderer::NO_OBJECT;
+    for (const auto pixel : ledger_->note_corner(probe.path, object))
+      if (const auto next = ledger_->next_sample(pixel)) {
+        auto primary = make_primary_of(pixel, *next);
+        primary.order = probe.order;
+        deposit(primary);
+      }
+    account(held);
+  }
+
+  // The memory of the samples that the ledger holds; there were `before`.
+  void account(std::size_t before) {
+    auto& memory = this_process().processor().memory();
+    const std::size_t now = ledger_->samples_held();
+    if (now > before)
+      memory.allocate((now - before) * setup_.bytes.pixel, "samples of pixels",
+                      this_process().own_time());
+    else
+      memory.release((before - now) * setup_.bytes.pixel);
   }
 
   void deposit(const renderer::Ray& ray) {
@@ -307,9 +379,7 @@ class Coordinator {
       this_process().charge(setup_.cell_judged);
     }
     for (const auto sample : setup_.cells.divide(ray.sample, get_area(setup_.params))) {
-      auto primary =
-          make_primary(setup_.scene.view, setup_.params, static_cast<int>(sample) % width,
-                       static_cast<int>(sample) / width);
+      auto primary = make_primary_of(sample, 0);
       primary.is_urgent = is_urgent;
       primary.order = ray.order;
       deposit(primary);
@@ -338,7 +408,13 @@ class Coordinator {
   Mode mode_ = Mode::null;
   bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
   std::size_t rays_in_farm_ = 0, stage_ = 0;
-  renderer::Children new_rays_, scratch_;
+  // What shading a ray gives.
+  struct Shaded {
+    renderer::Children rays;
+    renderer::Rgb contribution;
+  };
+  Shaded shaded_, scratch_;
+  std::optional<Ledger> ledger_;  // with adaptive sampling
   Progress& progress_;
   Limits limits_;                                          // that are set
   std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // objects at samples, to divide by

@@ -11,6 +11,7 @@ namespace farm {
 using machine::Machine;
 using machine::Priority;
 using machine::Processor;
+using tracing::PixelOrder;
 
 namespace {
 
@@ -28,6 +29,20 @@ void check_block(const Params& params) {
                  block.height);
   if (params.stages != std::vector<Limits>(1) || !params.script.empty())
     base::refuse("farm.task", "found a block, expected ray: stages and orders choose among rays");
+}
+
+// Quadrants and rows of pixels are no cells with a size.
+void check_order(const Params& params) {
+  if (params.pixels == PixelOrder::cells) return;
+  constexpr auto EXPECTED = "found {}, expected {}: image.order is not cells";
+  if (params.cells == CellLight::smooth && params.pixels == PixelOrder::quadrants)
+    base::refuse("farm.cells", EXPECTED, "smooth", "constant or point");
+  const auto check_limits = [&](const Limits& limits) {
+    if (limits.min_cell > 1) base::refuse("min_cell", EXPECTED, limits.min_cell, "1");
+  };
+  for (const Limits& limits : params.stages) check_limits(limits);
+  for (const Order& order : params.script)
+    if (const auto* limits = std::get_if<Limits>(&order.what)) check_limits(*limits);
 }
 
 // Coordinator, ray database and display on processors of their own; the second and the third are
@@ -50,12 +65,20 @@ CentralProcessors add_central_processors(machine::Machine& machine, const Params
 // From the first pixel that is rendered on.
 Cells make_cells(const Params& params) {
   const renderer::Area area = get_area(params.image);
-  return {params.image.width, params.max_cell, area.x, area.y, params.order};
+  Cells cells{params.image.width, params.max_cell, area.x, area.y, params.order};
+  if (params.pixels == PixelOrder::cells) return cells;
+  cells.max_cell = 1;
+  cells.order = CellOrder::sequential;
+  if (params.pixels == PixelOrder::quadrants)
+    cells.quadrants = std::make_shared<const renderer::progressive::QuadrantOrder>(
+        renderer::progressive::make_order(area));
+  return cells;
 }
 
 FrameBuffer make_picture(const Params& params) {
-  return {params.image.width, params.image.height, make_cells(params), params.cells,
-          get_area(params.image)};
+  return {params.image.width,     params.image.height,
+          make_cells(params),     params.cells,
+          get_area(params.image), params.block ? renderer::Sampling() : params.image.sampling};
 }
 
 machine::Cycles cost_of_judging(const machine::Model& model) {
@@ -84,7 +107,9 @@ machine::Cycles cost_of_preview(const machine::Model& model, const renderer::Pre
 // refused at once.
 void check_initial_rays(Processor& database, const Params& params, std::uint64_t ray) {
   const renderer::Area area = get_area(params.image);
-  const int cell = params.order == CellOrder::adaptive ? params.max_cell : 1;
+  const bool is_adaptive =
+      params.order == CellOrder::adaptive && params.pixels == PixelOrder::cells;
+  const int cell = is_adaptive ? params.max_cell : 1;
   const auto cells = [cell](int side) { return static_cast<std::uint64_t>((side - 1) / cell + 1); };
   const std::uint64_t bytes = ray * cells(area.width) * cells(area.height);
   database.memory().allocate(bytes, "the initial rays", database.now());
@@ -267,6 +292,7 @@ void check(const Params& params) {
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
   check_block(params);
+  check_order(params);
   if (params.stages.empty()) base::refuse("stages", "at least one is needed");
   for (const Limits& limits : params.stages) check_area(params.image, limits.area);
   for (const Order& order : params.script)

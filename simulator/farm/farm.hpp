@@ -8,6 +8,7 @@
 #include "simulator/farm/centre.hpp"
 #include "simulator/observe/watch.hpp"
 #include "simulator/tracing/busy.hpp"
+#include "simulator/tracing/pixel_order.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace farm {
@@ -22,6 +23,7 @@ struct Params {
   int max_cell = 16;           ///< pixels, the largest image cell; a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
+  tracing::PixelOrder pixels = tracing::PixelOrder::cells;  ///< else in place of cells and `order`
   /// Drawn by the display itself before the first ray (thesis, 4.1); none: it begins black.
   std::optional<renderer::PreviewStep> preview;
   Weights weights;             ///< of stages and orders that have none of their own

@@ -116,13 +116,17 @@ base::Fields<ProgramParams> make_fields() {
   const auto image = [](P & p) -> auto& { return p.farm.image; };
   const auto looks = [](P & p) -> auto& { return p.farm.looks; };
   const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
-  return base::join(base::lift_all<P>(memory_fields(), &P::farm, "machine."),
-                    {base::lift_all<P>(tracing::scene_fields(), &P::scene),
-                     base::lift_all<P>(renderer::param_fields(), image, "image."),
-                     base::lift_all<P>(cell_fields(), &P::farm, "farm."),
-                     base::lift_all<P>(farm_fields(), &P::farm, "farm."),
-                     base::lift_all<P>(tracing::look_fields(), looks, "farm."),
-                     base::lift_all<P>(tracing::data_fields(), data)});
+  return base::join(
+      base::lift_all<P>(memory_fields(), &P::farm, "machine."),
+      {base::lift_all<P>(tracing::scene_fields(), &P::scene),
+       base::lift_all<P>(renderer::param_fields(), image, "image."),
+       base::lift_all<P>(cell_fields(), &P::farm, "farm."),
+       base::lift_all<P>(farm_fields(), &P::farm, "farm."),
+       base::lift_all<P>(tracing::look_fields(), looks, "farm."),
+       // Behind the program's own order: "order" alone is that.
+       base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
+                         &P::farm, "image."),
+       base::lift_all<P>(tracing::data_fields(), data)});
 }
 
 base::Fields<Limits> limit_fields() {

@@ -35,6 +35,7 @@ double eval_priority(const renderer::Ray& ray, const Cells& cells, const Weights
 
 bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
                  const Weights& weights) {
+  if (a.pass != b.pass) return a.pass < b.pass;
   if (weights != Weights{}) {
     const double pa = eval_priority(a, cells, weights), pb = eval_priority(b, cells, weights);
     if (pa != pb) return pa > pb;

@@ -33,8 +33,9 @@ struct Limits {
 
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells);
 
-/// Whether `a` goes before `b`: larger influence factor, then lower level, then larger cell, as
-/// long as the keys have no weights; then by the order of cells. An urgent ray's cell counts as
+/// Whether `a` goes before `b`: the earlier of its pixel's samples; then larger influence factor,
+/// then lower level, then larger cell, as long as the keys have no weights; then by the order of
+/// cells. An urgent ray's cell counts as
 /// four times as large.
 bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
                  const Weights& weights = {});

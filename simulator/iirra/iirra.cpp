@@ -47,6 +47,12 @@ std::vector<int> find_parents(const topologies::Topology& topology, const Places
   return tree.parent;
 }
 
+std::shared_ptr<const CellQuadrants> make_quadrants(const Params& params) {
+  if (params.pixels != tracing::PixelOrder::quadrants) return nullptr;
+  return std::make_shared<const CellQuadrants>(
+      make_cell_quadrants(get_area(params.image), params.max_cell));
+}
+
 machine::Cycles cost_of_testing(const machine::Model& model) {
   static constexpr std::string_view NAMES[] = {"pixel_tested"};
   return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
@@ -77,6 +83,7 @@ class Run {
             .display_cost = {"display",
                              {model, "central", renderer::op_names()},
                              params.cycles_per_host_s},
+            .quadrants = make_quadrants(params),
             .items = items_ ? &*items_ : nullptr,
             .record = Record(params.image)} {
     add_processors(model, scene);

@@ -9,6 +9,7 @@
 #include "simulator/observe/watch.hpp"
 #include "simulator/tracing/busy.hpp"
 #include "simulator/tracing/data.hpp"
+#include "simulator/tracing/pixel_order.hpp"
 #include "simulator/tracing/session.hpp"
 
 namespace iirra {
@@ -31,6 +32,7 @@ struct Params {
   std::vector<Order> script;                            ///< in the order of their times
   int max_cell = 16;  ///< pixels, side of the first cells; a power of two, 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
+  tracing::PixelOrder pixels = tracing::PixelOrder::cells;  ///< else of cells, in place of `order`
   Weights weights;  ///< of stages and orders that have none of their own
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;

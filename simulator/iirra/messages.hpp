@@ -86,12 +86,16 @@ struct Sizes {
       : cell(get_bytes(model, "cell")),
         sample(get_bytes(model, "cell_sample")),
         ray(get_bytes(model, "ray")),
+        pixel(get_bytes(model, "pixel")),
         message(kernels::message_costs(model)) {}
   std::uint64_t cell, sample, ray;
+  std::uint64_t pixel;            ///< one of several samples of a pixel, until the last is there
   kernels::MessageCosts message;  ///< cycles, not bytes
 
   static constexpr std::uint64_t WORD = 4;
-  std::uint64_t of(const Sample& s) const { return sample + ray * s.waiting.size(); }
+  std::uint64_t of(const Sample& s) const {
+    return sample + ray * s.waiting.size() + pixel * s.open.samples.size();
+  }
   std::uint64_t of(const MovedCell& moved) const {
     std::uint64_t sum = cell;
     for (const auto& s : moved.samples) sum += of(s);

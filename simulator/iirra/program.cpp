@@ -109,14 +109,18 @@ base::Fields<ProgramParams> make_fields() {
   const auto looks = [](P & p) -> auto& { return p.iirra.looks; };
   const auto memory = [](P & p) -> auto& { return p.iirra.memory; };
   const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
-  return base::join(base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40,
-                                             "bytes", "memory of a worker; else the model's")},
-                    {base::lift_all<P>(tracing::scene_fields(), &P::scene),
-                     base::lift_all<P>(renderer::param_fields(), image, "image."),
-                     base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
-                     base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
-                     base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
-                     base::lift_all<P>(tracing::data_fields(), data)});
+  return base::join(
+      base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
+                               "memory of a worker; else the model's")},
+      {base::lift_all<P>(tracing::scene_fields(), &P::scene),
+       base::lift_all<P>(renderer::param_fields(), image, "image."),
+       base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
+       base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
+       base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
+       // Behind the program's own order: "order" alone is that.
+       base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
+                         &P::iirra, "image."),
+       base::lift_all<P>(tracing::data_fields(), data)});
 }
 
 base::Fields<Limits> limit_fields() {

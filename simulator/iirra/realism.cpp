@@ -67,7 +67,8 @@ Advance choose(const SampledCell& cell, const Quantities& quantities, const Limi
   }
   if (quantities.depth == 0) return finer;
   if (finer == Advance::none) return Advance::deepen;
-  return quantities.contrast >= quantities.influence || cell.level == 0 ? finer : Advance::deepen;
+  const bool is_finer = quantities.contrast >= quantities.influence || quantities.pass > 0;
+  return is_finer || cell.level == 0 ? finer : Advance::deepen;
 }
 
 std::uint64_t eval_bayer(int x, int y, int bits) {
@@ -78,6 +79,19 @@ std::uint64_t eval_bayer(int x, int y, int bits) {
     element = element << 2 | (right ^ down) << 1 | down;
   }
   return element;
+}
+
+CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
+  CellQuadrants quadrants;
+  for (int side = max_cell; side >= 2; side /= 2) {
+    // Those of the largest cells that reach beyond the image are counted.
+    const auto cells = [&](int pixels) {
+      return (pixels + max_cell - 1) / max_cell * (max_cell / side);
+    };
+    quadrants[side] =
+        renderer::progressive::make_order({0, 0, cells(image.width), cells(image.height)});
+  }
+  return quadrants;
 }
 
 Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
@@ -95,6 +109,13 @@ Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
     return base::random_at(
         seed, interleave(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y)));
   };
+  if (quadrants) {
+    const auto& of_size = quadrants->at(cell.side);
+    const auto columns = static_cast<std::size_t>(of_size.quadrants[0].width);
+    importance.place =
+        of_size.ranks[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+    return importance;
+  }
   switch (order) {
     case CellOrder::bayer:
       importance.place = eval_bayer(column, row, 16);

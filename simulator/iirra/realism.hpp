@@ -1,8 +1,11 @@
 #pragma once
 // Increasing realism in IIRRA (thesis, 5.1.3 and 5.3): the six quantities of an image cell, the
 // user's limits to them, what is done next with a cell, and in which order cells come.
+#include <map>
+#include <memory>
 #include <optional>
 
+#include "renderer/progressive/quadrants.hpp"
 #include "renderer/progressive/sampled_cell.hpp"
 
 namespace iirra {
@@ -43,8 +46,9 @@ bool is_within(const renderer::Ray& ray, const Limits& limits);
 /// What decides about a cell, beside where it is and how large.
 struct Quantities {
   double contrast = 0;
-  int depth = 0;         ///< least tree level of the rays within the limits that wait; 0: none
+  int depth = 0;         ///< least tree level of the rays of `pass` that wait; 0: none does
   double influence = 0;  ///< largest influence factor of these
+  int pass = 0;          ///< the earliest of pixels' samples that a ray within the limits waits for
 };
 
 enum class Advance : std::uint8_t {
@@ -55,7 +59,8 @@ enum class Advance : std::uint8_t {
 };
 
 /// What is done next with a cell: resolution as long as its contrast is at least the influence of
-/// the rays that wait, since that much of its light is not where it belongs yet; else depth.
+/// the rays that wait, since that much of its light is not where it belongs yet; else depth. What
+/// waits for a second sample of a pixel comes last.
 Advance choose(const SampledCell& cell, const Quantities& quantities, const Limits& limits);
 
 /// The order of cells of one importance.
@@ -77,13 +82,19 @@ struct Importance {
   std::uint64_t place = 0;
 };
 
+/// The quadrant's rank of every cell of a size, by the cells' side; cells are counted from the
+/// image's upper left.
+using CellQuadrants = std::map<int, renderer::progressive::QuadrantOrder>;
+CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
+
 /// Where cells are judged: the image and its largest cells.
 struct Ordering {
   renderer::Area image;  ///< pixels, of which the first cell is at the upper left
   int max_cell = 16;
   CellOrder order = CellOrder::bayer;
   std::uint64_t seed = 1;
-  Weights weights;  ///< where limits have none
+  Weights weights;                                           ///< where limits have none
+  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< in place of `order`
 
   Importance eval(const SampledCell& cell, const Quantities& quantities,
                   const Limits& limits) const;

@@ -38,9 +38,10 @@ struct Record : tracing::Rendering {
   std::vector<std::pair<double, std::optional<double>>> orders_s;
   observe::Use before, after;
 
-  /// A pixel has its last colour, of a sample whose rays are `of_sample`. Throws
+  /// A pixel has its last colour, which `of_pixel` rays were traced for. Throws
   /// base::InvariantBroken if it was finished before.
-  void finish(int x, int y, const Sample& sample);
+  void finish(int x, int y, const renderer::Samples::Sums& sums,
+              const renderer::RayCounts& of_pixel);
 };
 
 }  // namespace iirra

@@ -7,7 +7,7 @@ namespace iirra {
 
 /// A ray, traced.
 struct Traced {
-  bool is_hit = false;
+  std::optional<renderer::Hit> hit;
   renderer::Rgb contribution;
   renderer::Children children;
 };
@@ -23,8 +23,9 @@ struct Shared {
   machine::OperationCosts task_cost;
   machine::Cycles pixel_tested;  ///< of the display, which of two pictures of it is newer
   kernels::KernelCost ray_cost, paint_cost, display_cost;
-  const shared_memory::SceneItems* items = nullptr;  ///< where the scene is shared
-  machine::Cycles charged_with_data{};               ///< for rays that read it so
+  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< where cells have that order
+  const shared_memory::SceneItems* items = nullptr;          ///< where the scene is shared
+  machine::Cycles charged_with_data{};                       ///< for rays that read it so
   Record record;
   Traced scratch = {};  ///< for replays of rays, where costs are timed
 

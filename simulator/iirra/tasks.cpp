@@ -10,7 +10,11 @@ namespace progressive = renderer::progressive;
 
 namespace {
 
+// First samples of pixels come first.
+int pass_of(const Task& task) { return task.next == Advance::deepen ? task.quantities.pass : 0; }
+
 bool goes_before(const Task& a, const Task& b) {
+  if (pass_of(a) != pass_of(b)) return pass_of(a) < pass_of(b);
   if (a.importance.sum != b.importance.sum) return a.importance.sum > b.importance.sum;
   if (a.importance.place != b.importance.place) return a.importance.place < b.importance.place;
   return std::pair(a.cell.y, a.cell.x) < std::pair(b.cell.y, b.cell.x);
@@ -77,7 +81,7 @@ Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
   if (cell.level == 0) return found;
   std::optional<progressive::Range> range;
   for (const Point& p : points_of(cell)) {
-    const auto colour = to_rgb(samples.at(p).sums);
+    const auto colour = samples.colour_of(p);
     ++work.cell_judged;
     range = widen(range.value_or(progressive::Range{colour, colour}), colour);
   }
@@ -85,8 +89,10 @@ Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
   for (const Point& p : points_to_deepen(cell))
     for (const auto& ray : samples.at(p).waiting) {
       ++work.ray_classified;
-      if (!is_within(ray, limits)) continue;
-      found.depth = found.depth == 0 ? ray.level : std::min<int>(found.depth, ray.level);
+      if (!is_within(ray, limits) || (found.depth > 0 && ray.pass > found.pass)) continue;
+      if (found.depth == 0 || ray.pass < found.pass) found.depth = ray.level, found.influence = 0;
+      found.pass = ray.pass;
+      found.depth = std::min<int>(found.depth, ray.level);
       found.influence = std::max(found.influence, max_influence(ray));
     }
   return found;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "renderer/trace/adaptive.hpp"
 #include "renderer/trace/render.hpp"
 #include "simulator/iirra/realism.hpp"
 
@@ -29,11 +30,14 @@ struct Task {
   bool has_just_come = false;  ///< from another processor: nothing has been done with it here
 };
 
-/// What is known of a sample.
+/// What is known of a place on the lattice. A pixel that has several samples has them one after the
+/// other: the next one's primary ray waits when the one before has been traced.
 struct Sample {
   renderer::Samples::Sums sums;
-  std::vector<renderer::Ray> waiting;  ///< the rays of its shading tree that were not traced yet
+  std::vector<renderer::Ray> waiting;  ///< the rays of shading trees that were not traced yet
   renderer::RayCounts rays;            ///< those that were
+  int begun = 0;                       ///< samples whose primary ray has been traced
+  renderer::OpenPixel open;            ///< with adaptive sampling, until the last sample is there
 };
 
 /// A cell that goes to another processor, and its samples in the order of points_of().
@@ -79,6 +83,14 @@ class TaskStores {
 /// it; most stay to the end, since a cell that comes to be by division may need them.
 class SampleTable {
  public:
+  SampleTable() = default;
+  explicit SampleTable(const renderer::Sampling& sampling) : sampling_(sampling) {}
+
+  /// What is shown of it.
+  renderer::Rgb colour_of(const Point& point) const {
+    const Sample& sample = at(point);
+    return eval_shown(sampling_, sample.sums, sample.begun);
+  }
   /// A new sample, or the one that is there.
   Sample& operator[](const Point& point) { return table_[key(point)]; }
   bool has(const Point& point) const { return table_.contains(key(point)); }
@@ -90,6 +102,7 @@ class SampleTable {
   static std::uint64_t key(const Point& p) {
     return static_cast<std::uint64_t>(p.y) << 32 | static_cast<std::uint32_t>(p.x);
   }
+  renderer::Sampling sampling_;
   std::unordered_map<std::uint64_t, Sample> table_;  // never walked: its order means nothing
 };
 

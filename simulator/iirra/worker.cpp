@@ -19,13 +19,16 @@ bool is_in(const renderer::Area& area, const Point& p) {
   return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width && p.y < area.y + area.height;
 }
 
-bool is_same_place(const SampledCell& a, const SampledCell& b) {
-  return a.x == b.x && a.y == b.y && a.side == b.side;
-}
-
 // No other cell has a sample there.
 bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
+}
+
+Ordering make_ordering(const Shared& shared) {
+  const Params& p = shared.params;
+  const bool is_scan = p.pixels == tracing::PixelOrder::scan;
+  return {shared.area, p.max_cell, is_scan ? CellOrder::sequential : p.order,
+          p.seed,      p.weights,  shared.quadrants};
 }
 
 machine::Memory& memory() { return this_process().processor().memory(); }
@@ -41,9 +44,11 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
       params_(shared.params),
       sizes_(shared.sizes),
       counts_(shared.record.counts),
-      ordering_{shared.area, params_.max_cell, params_.order, params_.seed, params_.weights},
+      ordering_(make_ordering(shared)),
       balance_(make_balance(params_.balance, *this, std::move(peers))),
+      samples_(params_.image.sampling),
       limits_(params_.stages[0]),
+      unshown_(shared),
       has_begun_(params_.balance == BalanceMethod::green) {}
 
 void Worker::run() {
@@ -78,9 +83,9 @@ void Worker::advance(const Task& task) {
   if (task.next == Advance::sample)
     sample_next_level(cell);
   else
-    deepen(cell, task.quantities.depth);
+    deepen(cell, task.quantities.pass, task.quantities.depth);
   if (is_stopped_) return;
-  if (cell.level > 0 && !is_finished(cell, samples_)) paint_cell(cell, order);
+  if (cell.level > 0 && !is_finished(cell, samples_)) unshown_.paint(cell, samples_, order);
   put(cell);
   if (!params_.is_polled) send_pictures();
 }
@@ -101,7 +106,9 @@ void Worker::sample_next_level(TaskCell& cell) {
     counts_.samples_outside += is_outside;
     allocate(sizes_.sample, "samples");
     open_ = p;
-    trace(samples_[p], make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    Sample& sample = samples_[p];
+    trace(sample, make_primary(shared_.scene.view, params_.image, p.x, p.y), is_outside);
+    if (!is_outside) extend(sample, p);
     open_.reset();
     serve_waiting();
   }
@@ -120,8 +127,8 @@ void Worker::divide_cell(const TaskCell& cell) {
   balance_->created();
 }
 
-// One level of the shading trees of all samples held.
-void Worker::deepen(const SampledCell& cell, int level) {
+// One level of the shading trees of all samples held, of those that are their pixels' `pass`th.
+void Worker::deepen(const SampledCell& cell, int pass, int level) {
   const std::uint32_t phase = phase_;
   for (const Point& p : points_to_deepen(cell)) {
     if (phase_ != phase || is_stopped_) return;
@@ -130,7 +137,7 @@ void Worker::deepen(const SampledCell& cell, int level) {
     const bool is_outside = !is_in(shared_.area, p);
     for (std::size_t i = 0; i < sample.waiting.size();) {
       const Ray ray = sample.waiting[i];
-      if (ray.level != level || !is_within(ray, limits_)) {
+      if (ray.pass != pass || ray.level != level || !is_within(ray, limits_)) {
         ++i;
         continue;
       }
@@ -138,6 +145,7 @@ void Worker::deepen(const SampledCell& cell, int level) {
       memory().release(sizes_.ray);
       trace(sample, ray, is_outside);
     }
+    if (!is_outside) extend(sample, p);
     open_.reset();
     serve_waiting();
   }
@@ -145,13 +153,61 @@ void Worker::deepen(const SampledCell& cell, int level) {
 
 // A ray and the feelers from where it hits; what it leaves else waits.
 void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
-  for (const Ray& child : shoot(sample, ray, is_outside))
+  const auto& sampling = params_.image.sampling;
+  const bool is_judged = is_adaptive(sampling) && !is_outside;
+  if (ray.level == 1 && sample.begun++ == 0) sample.open = renderer::OpenPixel(sampling);
+  const auto keep = [&](const Ray& shot, const Traced& traced) {
+    if (!is_judged) return;
+    if (shot.level == 1) allocate(sizes_.pixel, "samples of pixels");
+    sample.open.add(shot, traced.hit, traced.contribution);
+  };
+  const Traced traced = shoot(sample, ray, is_outside);
+  keep(ray, traced);
+  for (const Ray& child : traced.children)
     if (child.kind == renderer::RayKind::shadow) {
-      shoot(sample, child, is_outside);
+      keep(child, shoot(sample, child, is_outside));
     } else {
       allocate(sizes_.ray, "rays that wait");
       sample.waiting.push_back(child);
     }
+}
+
+// The pixel's next sample, if it has one and the one before has begun, waits for its turn.
+void Worker::extend(Sample& sample, const Point& p) {
+  const auto& sampling = params_.image.sampling;
+  if (sampling.pixel_samples == 1) return;
+  const bool is_primary_waiting =
+      std::ranges::any_of(sample.waiting, [](const Ray& ray) { return ray.level == 1; });
+  if (is_primary_waiting) return;
+  const int wanted = is_adaptive(sampling) ? find_wanted(sample, p) : sampling.pixel_samples;
+  if (sample.begun >= wanted) return;
+  allocate(sizes_.ray, "rays that wait");
+  sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
+}
+
+// Adaptive sampling: when all of a round is there, the objects at the pixel's corners are looked
+// for and it is judged.
+int Worker::find_wanted(Sample& sample, const Point& p) {
+  auto& open = sample.open;
+  if (sample.begun < open.wanted || !sample.waiting.empty() || open.samples.empty())
+    return open.wanted;
+  renderer::Corners corners;
+  for (int i = 0; i < 4; ++i) {
+    const Ray probe = make_probe(shared_.scene.view, params_.image, p.x + i % 2, p.y + i / 2);
+    const auto [corner, is_new] = corners_.try_emplace(probe.path, renderer::NO_OBJECT);
+    if (is_new) {
+      Sample nothing;
+      const auto hit = shoot(nothing, probe, false).hit;
+      corners_[probe.path] = hit ? hit->object : renderer::NO_OBJECT;
+    }
+    corners[static_cast<std::size_t>(i)] = corners_[probe.path];
+  }
+  open.wanted = renderer::find_wanted(params_.image.sampling, open.samples, corners);
+  if (open.wanted == sample.begun) {
+    memory().release(sizes_.pixel * open.samples.size());
+    open.samples.clear();
+  }
+  return open.wanted;
 }
 
 namespace {
@@ -159,16 +215,16 @@ namespace {
 Traced trace_ray(const renderer::Scene& scene, const renderer::Params& params, const Ray& ray,
                  renderer::Work& work, renderer::Access* access = nullptr) {
   Traced traced;
-  const auto hit = intersect(scene, ray, params.traversal, work, access);
-  traced.is_hit = hit.has_value();
-  traced.contribution = eval_contribution(scene, params, ray, hit, work);
-  if (hit) make_children(scene, params, ray, *hit, traced.children, work);
+  traced.hit = intersect(scene, ray, params.traversal, work, access);
+  if (ray.kind == renderer::RayKind::probe) return traced;
+  traced.contribution = eval_contribution(scene, params, ray, traced.hit, work);
+  if (traced.hit) make_children(scene, params, ray, *traced.hit, traced.children, work);
   return traced;
 }
 
 }  // namespace
 
-renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
+Traced Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
   look();
   const auto& scene = shared_.scene;
   const auto& params = params_.image;
@@ -188,42 +244,12 @@ renderer::Children Worker::shoot(Sample& sample, const Ray& ray, bool is_outside
     reader.charge(work);
     shared_.charged_with_data += reader.charged();
   }
+  const bool is_hit = traced.hit.has_value();
   add(sample.sums, traced.contribution);
-  sample.rays.add(ray.kind, traced.is_hit);
-  shared_.record.rays.add(ray.kind, traced.is_hit);
-  if (is_outside) shared_.record.rays_outside.add(ray.kind, traced.is_hit);
-  return std::move(traced.children);
-}
-
-// Into the cell's virtual frame buffer, in place of what it was.
-void Worker::paint_cell(TaskCell& cell, int order) {
-  ++cell.paintings;
-  std::vector<renderer::Rgb> colours;
-  for (const Point& p : points_of(cell)) colours.push_back(to_rgb(samples_.at(p).sums));
-  auto painting = shared_.paint_cost(
-      [cell = SampledCell(cell), colours = std::move(colours),
-       area = shared_.area](renderer::Work& work) { return paint(cell, area, colours, work); });
-  std::erase_if(unshown_, [&](const Painted& old) {
-    if (!is_same_place(old.cell, cell)) return false;
-    memory().release(sizes_.of(old));
-    return true;
-  });
-  // A block that is longer than a message goes in several, of whole rows.
-  const auto row = 3 * static_cast<std::size_t>(painting.area.width);
-  const auto room = shared_.longest - sizes_.of(Picture{}) - sizes_.of(Painted{});
-  const int rows = static_cast<int>(room / std::max<std::size_t>(1, row));
-  for (int y = 0; y < painting.area.height; y += rows) {
-    Painted strip;
-    strip.area = painting.area;
-    strip.area.y += y;
-    strip.area.height = std::min(rows, painting.area.height - y);
-    const auto from = painting.rgb8.begin() + static_cast<std::ptrdiff_t>(row) * y;
-    strip.rgb8.assign(from, from + static_cast<std::ptrdiff_t>(row) * strip.area.height);
-    strip.cell = cell;
-    strip.order = order;
-    allocate(sizes_.of(strip), "virtual frame buffers");
-    unshown_.push_back(std::move(strip));
-  }
+  sample.rays.add(ray.kind, is_hit);
+  shared_.record.rays.add(ray.kind, is_hit);
+  if (is_outside) shared_.record.rays_outside.add(ray.kind, is_hit);
+  return traced;
 }
 
 // --- task manager -------------------------------------------------------------------------------
@@ -252,9 +278,13 @@ void Worker::put(const TaskCell& cell, bool has_just_come) {
 }
 
 void Worker::finish(TaskCell cell) {
-  paint_cell(cell, order_);
+  unshown_.paint(cell, samples_, order_);
   for (const Point& p : points_to_deepen(cell))
-    if (is_in(shared_.area, p)) shared_.record.finish(p.x, p.y, samples_.at(p));
+    if (is_in(shared_.area, p)) {
+      const Sample& sample = samples_.at(p);
+      shared_.record.finish(p.x, p.y, eval_final(params_.image.sampling, sample.sums, sample.begun),
+                            sample.rays);
+    }
   finished_ += pixels_of(cell);
   new_finished_ += pixels_of(cell);
 }
@@ -402,7 +432,7 @@ void Worker::obey(const Message& message) {
       [&](const Measure& cells) { measure(from, cells); },
       [&](const NewPhase& phase) { begin_phase(phase); },
       [&](const Poll&) {
-        send_to({from, DISPLAY_PROCESS}, take_picture());
+        send_to({from, DISPLAY_PROCESS}, unshown_.take());
       },
       [&](const Shown&) { is_under_way_ = false; }, [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
@@ -419,7 +449,7 @@ void Worker::measure(int asker, const Measure& asked) {
     while (!sample.waiting.empty()) {
       const Ray ray = sample.waiting.back();
       sample.waiting.pop_back();
-      for (const Ray& child : shoot(sample, ray, !is_in(shared_.area, middle)))
+      for (const Ray& child : shoot(sample, ray, !is_in(shared_.area, middle)).children)
         sample.waiting.push_back(child);
     }
     ++counts_.samples;
@@ -429,24 +459,11 @@ void Worker::measure(int asker, const Measure& asked) {
   send_to({asker, TASK_PROCESS}, std::move(measured));
 }
 
-Picture Worker::take_picture() {
-  Picture picture;
-  std::uint64_t bytes = sizes_.of(picture);
-  while (!unshown_.empty() && bytes + sizes_.of(unshown_.front()) <= shared_.longest) {
-    bytes += sizes_.of(unshown_.front());
-    memory().release(sizes_.of(unshown_.front()));
-    picture.blocks.push_back(std::move(unshown_.front()));
-    unshown_.pop_front();
-  }
-  picture.is_all = unshown_.empty();
-  return picture;
-}
-
 // Where the display does not ask: it has to have taken each before the next one goes.
 void Worker::send_pictures() {
   while (!unshown_.empty() && !is_stopped_) {
     if (!std::exchange(is_under_way_, true))
-      send_to({shared_.places.display, DISPLAY_PROCESS}, take_picture());
+      send_to({shared_.places.display, DISPLAY_PROCESS}, unshown_.take());
     serve_waiting();
     while (is_under_way_ && !is_stopped_) obey(manager_.serve_at_once());
   }

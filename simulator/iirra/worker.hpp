@@ -3,7 +3,7 @@
 // data manager and task manager in turns.
 #include <deque>
 
-#include "simulator/iirra/shared.hpp"
+#include "simulator/iirra/frame_buffers.hpp"
 
 namespace iirra {
 
@@ -20,10 +20,11 @@ class Worker : private TaskGiver {
   void advance(const Task& task);
   void sample_next_level(TaskCell& cell);
   void divide_cell(const TaskCell& cell);
-  void deepen(const SampledCell& cell, int level);
+  void deepen(const SampledCell& cell, int pass, int level);
   void trace(Sample& sample, const renderer::Ray& ray, bool is_outside);
-  renderer::Children shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
-  void paint_cell(TaskCell& cell, int order);
+  void extend(Sample& sample, const Point& point);
+  int find_wanted(Sample& sample, const Point& point);
+  Traced shoot(Sample& sample, const renderer::Ray& ray, bool is_outside);
 
   // The task manager (TM).
   void put(const TaskCell& cell, bool has_just_come = false);
@@ -41,7 +42,6 @@ class Worker : private TaskGiver {
   void obey(const network::Message& message);
   void begin_phase(const NewPhase& phase);
   void measure(int asker, const Measure& measure);
-  Picture take_picture();
   void send_pictures();
 
   std::size_t load() const override { return stores_.active(); }
@@ -58,16 +58,17 @@ class Worker : private TaskGiver {
   std::unique_ptr<Balance> balance_;
   TaskStores stores_;
   SampleTable samples_;
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects at corners of pixels
   TaskWork work_;
   Limits limits_;
   std::uint32_t phase_ = 0;
   int order_ = 0;                                    // of the user, that has set the limits
   std::uint64_t finished_ = 0;                       // pixels
   std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
-  std::deque<Painted> unshown_;                      // blocks of virtual frame buffers
-  bool is_under_way_ = false;                        // a picture that was not asked for
-  std::deque<network::Message> deferred_;            // until the sample in hand is complete
-  std::optional<Point> open_;                        // that sample
+  FrameBuffers unshown_;
+  bool is_under_way_ = false;              // a picture that was not asked for
+  std::deque<network::Message> deferred_;  // until the sample in hand is complete
+  std::optional<Point> open_;              // that sample
   bool has_begun_;  // the first tasks have come, or the message that there are none
   bool is_stopped_ = false;
 };

@@ -32,6 +32,7 @@ Program make_soak();
 Program make_in_path();
 Program make_data();
 Program make_progressive();
+Program make_noise();
 
 const std::vector<Program>& all_programs() {
   static const std::vector<Program> all = {
@@ -41,7 +42,7 @@ const std::vector<Program>& all_programs() {
       make_traffic(),        make_task_farm(),      make_law(),         make_commstime(),
       make_flops(),          make_metrics(),        make_census(),      make_deadlock(),
       make_global(),         make_random_traffic(), make_router_load(), make_soak(),
-      make_in_path(),        make_data(),           make_progressive(), amp::make_radiosity(),
+      make_in_path(),        make_data(),           make_progressive(), make_noise(), amp::make_radiosity(),
       amp::make_scan_line(),
   };
   return all;

@@ -46,9 +46,11 @@ programs::Row describe(const SceneChoice& scene) {
 
 std::string picture_key(const SceneChoice& scene, const renderer::Params& image) {
   const auto& p = image;
-  return fmt::format("{} {}x{} {} {} {} {} {} {},{},{},{}", scene_source(scene), p.width, p.height,
-                     p.limits.depth, p.limits.min_influence, int(p.feelers), int(p.sample),
-                     p.ambient, p.area.x, p.area.y, p.area.width, p.area.height);
+  const auto& s = p.sampling;
+  return fmt::format("{} {}x{} {} {} {} {} {} {},{},{},{} {} {} {} {} {}", scene_source(scene),
+                     p.width, p.height, p.limits.depth, p.limits.min_influence, int(p.feelers),
+                     int(p.sample), p.ambient, p.area.x, p.area.y, p.area.width, p.area.height,
+                     s.pixel_samples, s.adaptive, s.lens, s.shutter, s.seed);
 }
 
 std::string find_void(const SceneChoice& scene, const std::string& key) {

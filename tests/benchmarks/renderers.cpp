@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/random.hpp"
 #include "renderer/scene/generators.hpp"
 #include "tests/benchmarks/machine.hpp"
 
@@ -44,8 +45,9 @@ std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
 
 // A view, its image and its rays; made when the first benchmark wants it.
 struct View {
-  View(int spheres, int depth)
-      : scene(make_spheres(spheres)),
+  View(int spheres, int depth) : View(make_spheres(spheres), depth) {}
+  View(Scene made, int depth)
+      : scene(std::move(made)),
         params(make_params(depth)),
         samples(render(scene, params).samples),
         rays(collect_rays(scene, params)) {}
@@ -62,6 +64,21 @@ Sample run_ours(const View& view, Traversal traversal) {
   std::uint64_t rays = 0;
   const double cpu_s = time_of([&] { rays = render(view.scene, params).rays.total(); });
   return {rays, cpu_s};
+}
+
+// Spheres that each move on by up to their own size while the shutter is open, against the same
+// spheres at rest.
+Scene make_moving_spheres(int spheres) {
+  Scene scene = make_spheres(spheres);
+  scene.moves.resize(object_count(scene));
+  std::uint64_t n = 0;
+  const auto random = [&] {
+    return 2 * static_cast<double>(base::random_at(1, n++) >> 11) * 0x1p-53 - 1;
+  };
+  for (const Sphere& s : scene.spheres)
+    scene.moves[s.tag.object] = 2 * s.radius * Vec{random(), random(), random()};
+  finish(scene);
+  return scene;
 }
 
 // The queries alone, without shading: what Embree is asked.
@@ -121,6 +138,11 @@ void add_view(const std::string& name, GetView view) {
 }  // namespace
 
 void add_renderers() {
+  for (const bool moves : {false, true})
+    add("rays, 3200 spheres", moves ? "tlab moving" : "tlab", [moves](benchmark::State&) {
+      static const View views[] = {{make_spheres(3200), 5}, {make_moving_spheres(3200), 5}};
+      return run_ours(views[moves], Traversal::nearest);
+    });
   add_view("800 spheres", []() -> const View& {
     static const View view(800, 15);
     return view;

@@ -4,6 +4,7 @@
 #include "experiments/laboratory/command/command_progressive.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/render_frames.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
@@ -13,10 +14,14 @@
 namespace laboratory {
 namespace {
 
+using Endings = std::vector<std::string>;
+
 struct Options : RenderTask {
   std::string size, area;
   std::optional<renderer::PreviewStep> preview;
   ProgressiveOptions progressive;
+  FramesOptions frames;
+  std::string samples_map;
 };
 
 void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
@@ -31,6 +36,14 @@ void save_stats(const Options& o, const renderer::Rendering& image, double secon
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
+void check_samples_map(const Options& o) {
+  if (!(o.params.sampling.adaptive > 0))
+    throw CLI::ValidationError("--samples-map", "expected --adaptive, above 0, with it");
+  if (o.samples_map == o.output || o.samples_map == o.stats)
+    throw CLI::ValidationError("--samples-map", "expected another file than the others");
+  base::check_can_save(o.samples_map);
+}
+
 void render_scene(Options& o) {
   parse_size(o.size, o.params);
   if (!o.area.empty()) {
@@ -41,11 +54,14 @@ void render_scene(Options& o) {
                                                        "height above zero",
                                                        o.area));
   }
-  check_output(o.output, {".png"}, o.stats);
+  const bool has_frames = !o.frames.frames.empty();
+  check_output(o.output, has_frames ? Endings{".png", ".webp"} : Endings{".png"}, o.stats);
+  if (!o.samples_map.empty()) check_samples_map(o);
 
   renderer::check(o.params);
   if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
   if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
+  if (has_frames) return render_frames(o.frames, o);
   const auto scene = renderer::load_scene(o.scene);
   Progress bar("rendering");
   Clock clock;
@@ -54,6 +70,9 @@ void render_scene(Options& o) {
   });
   const double seconds = clock.lap();
   renderer::save_png(o.output, image.samples);
+  if (!o.samples_map.empty())
+    renderer::save_png(o.samples_map, o.params.width, o.params.height,
+                       renderer::make_count_map(image.counts));
   if (!o.stats.empty()) save_stats(o, image, seconds);
 }
 
@@ -75,6 +94,10 @@ void add_render_command(CLI::App& app) {
                base::select(renderer::param_fields(), {"depth", "min_influence", "feelers",
                                                        "sample", "traversal", "ambient"}),
                o->params, {{"min_influence", "influence"}});
+  bind_options(*command, renderer::sampling_fields(), o->params);
+  command->add_option("--samples-map", o->samples_map,
+                      "write how many samples each pixel has had to this PNG file, on a scale of "
+                      "logarithms: 1 is black, the most are white");
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
   add_progressive_options(*command, o->progressive);
   command->add_option("--threads", o->threads, "host threads")
@@ -82,6 +105,9 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
   add_preview_option(*command, o->preview);
+  add_frames_options(*command, o->frames);
+  for (const char* other : {"--progressive", "--preview"})
+    command->get_option("--samples-map")->excludes(command->get_option(other));
   command->callback([o] { render_scene(*o); });
 }
 

@@ -78,9 +78,13 @@ nlohmann::ordered_json make_json(const renderer::Work& work) {
 }
 
 nlohmann::ordered_json make_json(const renderer::RayCounts& rays) {
-  return {{"primary", rays.primary},     {"primary_hit", rays.primary_hit},
-          {"reflected", rays.reflected}, {"transmitted", rays.transmitted},
-          {"shadow", rays.shadow},       {"total", rays.total()}};
+  return {{"probes", rays.probes},
+          {"primary", rays.primary},
+          {"primary_hit", rays.primary_hit},
+          {"reflected", rays.reflected},
+          {"transmitted", rays.transmitted},
+          {"shadow", rays.shadow},
+          {"total", rays.total()}};
 }
 
 void check_output(const std::string& output, const std::vector<std::string>& endings,

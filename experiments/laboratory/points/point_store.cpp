@@ -11,6 +11,7 @@
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "renderer/files/nff.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "simulator/machine/engine.hpp"
 
@@ -36,14 +37,15 @@ std::string describe_entries(const Experiment& experiment) {
   return text;
 }
 
-// Finds the MTL files of an OBJ. What cannot be read is refused elsewhere.
-std::vector<std::string> find_libraries(const std::string& path) {
-  if (!path.ends_with(".obj")) return {};
+// Finds the MTL files of an OBJ, and the files of paths of an NFF. What cannot be read is refused
+// elsewhere.
+std::vector<std::string> find_further_files(const std::string& path) {
   try {
-    return radiosity::load_room(path).libraries;
+    if (path.ends_with(".obj")) return radiosity::load_room(path).libraries;
+    if (path.ends_with(".nff")) return renderer::find_files(path);
   } catch (const base::BadInput&) {
-    return {};
   }
+  return {};
 }
 
 // Makes the end of a record: a hash of all that is before it.
@@ -90,7 +92,7 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
     text += "model " + model;
     for (const auto& source : files_of(experiment)) {
       text += describe_file(source);
-      for (const auto& library : find_libraries(source)) text += describe_file(library);
+      for (const auto& further : find_further_files(source)) text += describe_file(further);
     }
     keys.push_back(hash_of(text));
   }

@@ -190,9 +190,9 @@ struct RoomTarget : renderer::NffTarget {
   Material material;  // of the faces to come
   bool used = false;  // whether it is the last of the room's materials
 
-  bool takes_emission() const override { return true; }
+  bool is_room() const override { return true; }
   void set_view(const renderer::View& view) override { room.view = check_view(view); }
-  void add_light(const Vec&, const std::optional<Rgb>&) override {}
+  void add_light(const renderer::Light&, const std::optional<Rgb>&) override {}
 
   void set_surface(const renderer::Surface& s) override {
     if (s.t > 0) throw BadInput(fmt::format("found T {}, expected 0: opaque surfaces", s.t));

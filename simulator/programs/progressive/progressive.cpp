@@ -128,6 +128,9 @@ base::Columns<Measured> make_columns() {
 }
 
 void check_program(const Setup&, const Params& params) {
+  if (params.image.sampling.pixel_samples > 1)
+    base::refuse("pixel_samples", "found {}, expected 1: cells have one sample each",
+                 params.image.sampling.pixel_samples);
   renderer::progressive::check(last_step(params), params.image, params.max_cell);
 }
 

@@ -101,7 +101,7 @@ TEST(Adaptive, EachSampleIsAnywhereInItsSquare) {
 
 TracedSample make_sample(double grey, std::uint32_t object = 7) {
   TracedSample traced;
-  add(traced.sums, {grey, grey, grey});
+  add(traced.sums, Rgb{grey, grey, grey});
   traced.object = object;
   return traced;
 }

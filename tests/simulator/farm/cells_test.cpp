@@ -15,6 +15,14 @@ namespace {
 
 using renderer::Area;
 
+// A primary ray of a pixel.
+template <class Sample>
+renderer::Ray ray_of(Sample sample) {
+  renderer::Ray ray;
+  ray.sample = static_cast<std::uint32_t>(sample);
+  return ray;
+}
+
 constexpr int WIDTH = 29, HEIGHT = 22;
 constexpr Area ALL{0, 0, WIDTH, HEIGHT};
 
@@ -63,7 +71,7 @@ TEST(FrameBuffer, PaintsWhatNoSmallerCellShows) {
     renderer::Work work;
     for (const auto& [sample, contribution] : random_contributions(random)) {
       const auto before = picture.rgb8();
-      const bool is_changed = picture.add(sample, contribution, work);
+      const bool is_changed = picture.add(ray_of(sample), contribution, work);
       there.insert(sample);
       EXPECT_EQ(is_changed, picture.rgb8() != before);
     }
@@ -75,7 +83,7 @@ TEST(FrameBuffer, PointsLightOnePixelEach) {
   std::mt19937_64 random(1);
   FrameBuffer picture(WIDTH, HEIGHT, {.width = WIDTH, .max_cell = 16}, CellLight::point);
   renderer::Work work;
-  for (std::uint32_t sample : {0u, 16u, 16u * WIDTH}) picture.add(sample, {1, 1, 1}, work);
+  for (std::uint32_t sample : {0u, 16u, 16u * WIDTH}) picture.add(ray_of(sample), {1, 1, 1}, work);
   EXPECT_EQ(std::ranges::count(picture.rgb8(), 255), 9);
   EXPECT_EQ(work[renderer::Op::pixel_drawn], 3u);
 }
@@ -91,7 +99,8 @@ TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
       const auto paint = [&] {
         FrameBuffer picture(WIDTH, HEIGHT, cells, light);
         renderer::Work work;
-        for (const auto& [sample, colour] : contributions) picture.add(sample, colour, work);
+        for (const auto& [sample, colour] : contributions)
+          picture.add(ray_of(sample), colour, work);
         return picture.rgb8();
       };
       const auto first = paint();
@@ -105,7 +114,8 @@ TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   const auto paint = [](std::vector<std::uint32_t> samples) {
     FrameBuffer picture(16, 16, {.width = 16, .max_cell = 8}, CellLight::smooth);
     renderer::Work work;
-    for (const auto sample : samples) picture.add(sample, {sample > 0 ? 0.2 : 1, 0, 0}, work);
+    for (const auto sample : samples)
+      picture.add(ray_of(sample), {sample > 0 ? 0.2 : 1, 0, 0}, work);
     return picture.rgb8();
   };
   EXPECT_EQ(paint({0, 2, 32, 34, 4, 64, 68}), paint({4, 64, 68, 0, 2, 32, 34}));
@@ -119,8 +129,7 @@ TEST(FrameBuffer, PaintsNothingOutsideItsArea) {
                         area);
     renderer::Work work;
     for (const int y : {3, 11})
-      for (const int x : {5, 13})
-        picture.add(static_cast<std::uint32_t>(y * WIDTH + x), {1, 1, 1}, work);
+      for (const int x : {5, 13}) picture.add(ray_of(y * WIDTH + x), {1, 1, 1}, work);
     EXPECT_EQ(std::ranges::count(picture.rgb8(), 255), 3 * 10 * 9);
   }
 }
@@ -134,7 +143,7 @@ TEST(FrameBuffer, IsTheImageWhenAllSamplesAreThere) {
     std::iota(samples.begin(), samples.end(), 0u);
     std::ranges::shuffle(samples, random);
     for (const auto sample : samples)
-      picture.add(sample, {0.01 * (sample % 97), 0.3, 0.002 * (sample % 400)}, work);
+      picture.add(ray_of(sample), {0.01 * (sample % 97), 0.3, 0.002 * (sample % 400)}, work);
     EXPECT_EQ(picture.rgb8(), make_rgb8(picture.samples()));
   }
 }
@@ -145,8 +154,7 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
   renderer::Work work;
   const double at[2][2] = {{0.2, 0.6}, {0.4, 1.0}};
   for (int y = 0; y < 2; ++y)
-    for (int x = 0; x < 2; ++x)
-      picture.add(static_cast<std::uint32_t>(32 * y + 4 * x), {at[y][x], 0, 0}, work);
+    for (int x = 0; x < 2; ++x) picture.add(ray_of(32 * y + 4 * x), {at[y][x], 0, 0}, work);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x) {
       const double u = x / 4.0, v = y / 4.0;
@@ -159,6 +167,61 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
 
 // A cell's samples are told apart by their size and place; those that a cell is divided into make
 // up all samples but the largest ones', once each.
+// A pixel shows the mean of its samples that have begun, and at the end their sum.
+TEST(FrameBuffer, ShowsTheMeanOfSamples) {
+  renderer::Sampling sampling;
+  sampling.pixel_samples = 4;
+  FrameBuffer picture(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
+  renderer::Work work;
+  for (int pass = 0; pass < 4; ++pass) {
+    renderer::Ray ray = ray_of(5);
+    ray.pass = static_cast<std::uint16_t>(pass);
+    picture.add(ray, {0.12 * (pass + 1) / 4, 0, 0}, work);
+    ray.level = 2;  // what the sample's other rays contribute
+    picture.add(ray, {0, 0.2 / 4, 0}, work);
+    const double mean = 0.12 * (pass + 2) / 2;
+    EXPECT_EQ(picture.rgb8()[15], renderer::make_rgb8(renderer::Rgb{mean, 0, 0})[0]) << pass;
+    EXPECT_EQ(picture.rgb8()[16], 51) << pass;
+  }
+  sampling.adaptive = 0.1;
+  sampling.pixel_samples = 8;
+  FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
+  for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
+  EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
+}
+
+// Quadrants whose samples come in any order: each pixel has the colour of the latest in the queue.
+TEST(FrameBuffer, PaintsQuadrants) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const Area area{2, 3, WIDTH - 5, HEIGHT - 4};
+    Cells cells{.width = WIDTH, .max_cell = 1};
+    const auto order = std::make_shared<const renderer::progressive::QuadrantOrder>(
+        renderer::progressive::make_order(area));
+    cells.quadrants = order;
+    FrameBuffer picture(WIDTH, HEIGHT, cells, CellLight::constant, area);
+    std::vector<std::size_t> ranks(order->quadrants.size());
+    std::iota(ranks.begin(), ranks.end(), 0);
+    std::ranges::shuffle(ranks, random);
+    std::vector<int> latest(WIDTH * HEIGHT, -1);
+    renderer::Work work;
+    for (std::size_t i = 0; i < ranks.size() / 2; ++i) {
+      const Area& quadrant = order->quadrants[ranks[i]];
+      const auto own = renderer::progressive::own_pixel(quadrant);
+      picture.add(ray_of(own.y * WIDTH + own.x), {static_cast<double>(ranks[i] % 256) / 255, 0, 0},
+                  work);
+      for (int y = quadrant.y; y < quadrant.y + quadrant.height; ++y)
+        for (int x = quadrant.x; x < quadrant.x + quadrant.width; ++x) {
+          int& owner = latest[static_cast<std::size_t>(y * WIDTH + x)];
+          owner = std::max(owner, static_cast<int>(ranks[i]));
+        }
+    }
+    for (std::size_t pixel = 0; pixel < latest.size(); ++pixel)
+      ASSERT_EQ(picture.rgb8()[3 * pixel], latest[pixel] < 0 ? 0 : latest[pixel] % 256) << pixel;
+  }
+}
+
 TEST(Cells, AreDividedIntoAllSamples) {
   for (const int max_cell : {1, 2, 8, 32}) {
     const Cells cells{.width = WIDTH, .max_cell = max_cell, .order = CellOrder::adaptive};

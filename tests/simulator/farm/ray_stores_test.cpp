@@ -83,6 +83,19 @@ TEST(RayStores, GiveEveryRayOnceByPriority) {
   }
 }
 
+// Whatever the influence, the level and the weights.
+TEST(Priority, FirstSamplesOfPixelsComeFirst) {
+  renderer::Ray first, second;
+  first.influence = {0.001, 0, 0};
+  first.level = 9;
+  second.influence = {1, 1, 1};
+  second.pass = 1;
+  for (const Weights& weights : {Weights{}, Weights{1, 2, 3}}) {
+    EXPECT_TRUE(goes_before(first, second, CELLS, weights));
+    EXPECT_FALSE(goes_before(second, first, CELLS, weights));
+  }
+}
+
 TEST(RayStores, CountTheirWork) {
   RayStores stores(CELLS, {});
   DatabaseWork work;

@@ -72,6 +72,32 @@ TEST(Session, EndsWithTheImage) {
   }
 }
 
+// The same with several samples a pixel, a lens, lights with a size and rough surfaces.
+TEST(Session, EndsWithTheImageOfSeveralSamples) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    run_isolated([&] {
+      std::mt19937_64 random(seed);
+      Params params = small_params();
+      params.image.sampling = test::random_sampling(random);
+      params.image.sample = static_cast<renderer::SamplePosition>(random() % 3);
+      params.max_cell = 1 << random() % 5;
+      params.order = static_cast<CellOrder>(random() % 4);
+      params.cells = static_cast<CellLight>(random() % 3);
+      if (random() % 3 == 0) params.image.area = {5, 3, 13, 10};
+      params.stages = {random_limits(random), random_limits(random)};
+      if (random() % 2 == 0) params.script = {{{0.1}, random_limits(random)}};
+      const auto scene = test::make_soft_scene();
+      const auto result = run_farm(machine::load_model("t805-25"),
+                                   topologies::make_topology("tree:3"), scene, params);
+      const auto expected = render(scene, params.image, 1);
+      EXPECT_EQ(result.samples, expected.samples);
+      EXPECT_EQ(result.rgb8, make_rgb8(expected.samples));
+      EXPECT_EQ(result.rays, expected.rays);
+    });
+  }
+}
+
 // Key images: nothing is black that is not black in the scene, and their level is the last one's.
 TEST(Session, KeyImagesAreWholePictures) {
   for (const auto light : {CellLight::constant, CellLight::smooth}) {

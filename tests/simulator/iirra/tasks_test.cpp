@@ -155,7 +155,7 @@ renderer::Ray make_ray(int level, double influence, bool through = false) {
 
 SampleTable grey_samples(const SampledCell& cell, double grey) {
   SampleTable samples;
-  for (const Point& p : points_of(cell)) add(samples[p].sums, {grey, grey, grey});
+  for (const Point& p : points_of(cell)) add(samples[p].sums, renderer::Rgb{grey, grey, grey});
   return samples;
 }
 
@@ -165,7 +165,7 @@ TEST(IirraTasks, QuantitiesAreThoseOfTheSamples) {
   TaskWork work;
   EXPECT_EQ(find_quantities(cell, samples, {}, work).contrast, 0);
   EXPECT_EQ(work.cell_judged, 9u);
-  add(samples.at({8, 8}).sums, {0, 0.5, 0});
+  add(samples.at({8, 8}).sums, renderer::Rgb{0, 0.5, 0});
   samples.at({0, 0}).waiting = {make_ray(4, 0.2), make_ray(3, 0.1)};
   samples.at({4, 4}).waiting = {make_ray(2, 0.7, true)};
   const auto found = find_quantities(cell, samples, {}, work);
@@ -187,7 +187,7 @@ TEST(IirraTasks, BlackHasNoContrast) {
   TaskWork work;
   EXPECT_EQ(find_quantities(cell, grey_samples(cell, 0), {}, work).contrast, 0);
   auto samples = grey_samples(cell, 0);
-  add(samples.at({4, 4}).sums, {1, 0, 0});
+  add(samples.at({4, 4}).sums, renderer::Rgb{1, 0, 0});
   EXPECT_EQ(find_quantities(cell, samples, {}, work).contrast, 1);
 }
 
@@ -207,6 +207,34 @@ TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   const SampledCell large{0, 0, 8, 3};
   EXPECT_FALSE(is_finished(large, grey_samples(large, 0.5)));
   EXPECT_EQ(points_to_deepen(large).size(), 13u);
+}
+
+// Of rays that wait, those of the earliest samples are told of; they wait for cells that are finer,
+// and for all tasks that are of first samples.
+TEST(Quantities, FirstSamplesOfPixelsComeFirst) {
+  const SampledCell cell{4, 6, 4, 3};
+  auto samples = grey_samples(cell, 0.5);
+  renderer::Ray second = make_ray(1, 1);
+  second.pass = 2;
+  samples.at({4, 6}).waiting = {second};
+  TaskWork work;
+  auto found = find_quantities(cell, samples, {}, work);
+  EXPECT_EQ(found.pass, 2);
+  EXPECT_EQ(choose(cell, found, {}), Advance::divide);
+  samples.at({6, 8}).waiting = {make_ray(3, 0.1)};
+  found = find_quantities(cell, samples, {}, work);
+  EXPECT_EQ(found.pass, 0);
+  EXPECT_EQ(found.depth, 3);
+  EXPECT_EQ(found.influence, 0.1);
+
+  TaskStores stores;
+  Task later{{cell}, {.depth = 1, .influence = 1, .pass = 1}, Advance::deepen, {100, 0}};
+  Task earlier{{cell}, {.depth = 4, .influence = 0.1, .pass = 0}, Advance::deepen, {1, 0}};
+  Task finer{{cell}, {.depth = 1, .influence = 1, .pass = 1}, Advance::divide, {2, 0}};
+  for (const Task& task : {later, earlier, finer}) stores.add(task, work);
+  EXPECT_EQ(stores.take(work)->next, Advance::divide);
+  EXPECT_EQ(stores.take(work)->quantities.depth, 4);
+  EXPECT_EQ(stores.take(work)->quantities.pass, 1);
 }
 
 }  // namespace

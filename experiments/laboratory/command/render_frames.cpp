@@ -1,0 +1,93 @@
+#include "experiments/laboratory/command/render_frames.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/host/progress.hpp"
+#include "renderer/files/nff.hpp"
+#include "renderer/image/animation.hpp"
+
+namespace laboratory {
+namespace {
+
+constexpr int MAX_FRAME = 999'999;
+
+struct Range {
+  int first = 0, last = 0;
+  std::size_t count() const { return static_cast<std::size_t>(last - first) + 1; }
+};
+
+Range parse_range(const std::string& text) {
+  const auto dash = std::min(text.find('-'), text.size());
+  const auto first = base::parse_number<int>(text.substr(0, dash));
+  const auto last = base::parse_number<int>(text.substr(std::min(dash + 1, text.size())));
+  if (!first || !last || *first < 0 || *last < *first || *last > MAX_FRAME)
+    throw CLI::ValidationError(
+        "--frames", fmt::format("found \"{}\", expected A-B, such as 0-24: the first and the last "
+                                "frame, from 0 to {}",
+                                text, MAX_FRAME));
+  return {*first, *last};
+}
+
+// How long frame `n` of an animation is shown: no frame is off by more than half a millisecond.
+int get_duration_ms(int n, double rate) {
+  const auto at = [&](int frame) { return std::lround(1000 * frame / rate); };
+  return static_cast<int>(at(n + 1) - at(n));
+}
+
+void check_webp_side(const renderer::Params& params) {
+  if (std::max(params.width, params.height) <= renderer::MAX_WEBP_SIDE) return;
+  throw CLI::ValidationError(
+      "--size", fmt::format("found {} x {}, expected at most {} pixels a side in a .webp file",
+                            params.width, params.height, renderer::MAX_WEBP_SIDE));
+}
+
+}  // namespace
+
+void add_frames_options(CLI::App& command, FramesOptions& o) {
+  auto* frames = command.add_option("--frames", o.frames,
+                                    "frames A-B of an animation, each an image NAME-0001.png; with "
+                                    "-o NAME.webp an animation too");
+  frames->option_text("A-B");
+  command.add_option("--frame-rate", o.rate, "frames a second of the animation")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str()
+      ->needs(frames);
+  for (const char* name : {"--progressive", "--preview", "--stats", "--samples-map"})
+    frames->excludes(command.get_option(name));
+}
+
+void render_frames(const FramesOptions& o, const RenderTask& task) {
+  const Range range = parse_range(o.frames);
+  const std::filesystem::path output = task.output;
+  const bool is_animation = output.extension() == ".webp";
+  const auto name_of = [&](int frame) {
+    return (output.parent_path() / fmt::format("{}-{:04}.png", output.stem().string(), frame))
+        .string();
+  };
+  if (is_animation) {
+    check_webp_side(task.params);
+    base::check_can_save(output);
+  }
+  base::check_can_save(name_of(range.first));
+  for (int frame = range.first; frame <= range.last; ++frame)
+    renderer::load_scene(task.scene, frame);
+
+  Progress bar("rendering");
+  std::vector<renderer::Frame> animation;
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    const auto scene = renderer::load_scene(task.scene, frame);
+    const auto image = renderer::render(scene, task.params, task.threads);
+    renderer::save_png(name_of(frame), image.samples);
+    const int done = frame - range.first;
+    if (is_animation)
+      animation.push_back({make_bitmap(image.samples), get_duration_ms(done, o.rate)});
+    bar.show(static_cast<std::size_t>(done) + 1, range.count());
+  }
+  if (is_animation) renderer::save_webp(task.output, animation);
+}
+
+}  // namespace laboratory

@@ -1,0 +1,22 @@
+#pragma once
+// tlab render --frames: options and body.
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "experiments/laboratory/command/command_progressive.hpp"
+
+namespace laboratory {
+
+struct FramesOptions {
+  std::string frames;  ///< "A-B"; "": one image
+  double rate = 25;    ///< frames a second
+};
+
+/// Adds --frames and --frame-rate; the options that --frames excludes must be there.
+void add_frames_options(CLI::App& command, FramesOptions& options);
+
+/// Renders an image of every frame; the task's output is a name that ends in .png or .webp. Nothing
+/// is written unless the scene can be read in all of them.
+void render_frames(const FramesOptions& options, const RenderTask& task);
+
+}  // namespace laboratory

@@ -1,0 +1,56 @@
+#pragma once
+// Makes a scene of what an NFF file says.
+
+#include "renderer/files/nff.hpp"
+
+namespace renderer {
+
+class SceneTarget : public NffTarget {
+ public:
+  /// `name` is the file's, for errors.
+  explicit SceneTarget(std::string name) : name_(std::move(name)) {}
+
+  /// The scene, finished, as it is in a frame; once, when everything has been told.
+  Scene make_scene(int frame);
+  /// Further files that it was read from.
+  const std::vector<std::string>& files() const { return files_; }
+
+  void set_view(const View& view) override;
+  void set_background(const Rgb& colour) override { scene_.background = colour; }
+  void add_light(const Light& light, const std::optional<Rgb>& colour) override;
+  void set_surface(const Surface& surface) override;
+  void change_surface(const Surface& surface) override;
+  void set_lens(const Lens& lens) override { lens_ = lens; }
+  void set_shutter(const Shutter& shutter) override { shutter_ = shutter; }
+  void set_motion(Motion motion) override;
+  void set_camera(Path path) override;
+  void add_file(const std::string& path) override { files_.push_back(path); }
+  void add_sphere(const Vec& centre, double radius) override;
+  void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) override;
+  void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override;
+
+ private:
+  // A motion, from its first object to the first of the next one.
+  struct Moving {
+    Motion motion;
+    std::size_t first;
+    int line;
+  };
+
+  void share_energy();
+  void set_view_at(double open, double close);
+  void move_objects(double open, double close);
+
+  std::string name_;
+  std::vector<std::string> files_;
+  Scene scene_;
+  std::vector<bool> has_colour_;  // by light
+  Lens lens_;
+  Shutter shutter_;
+  std::vector<Moving> motions_;
+  Path camera_;
+  int view_line_ = 0;               // of what the view comes from
+  std::size_t objects_before_ = 0;  // that were there when the surface was added last
+};
+
+}  // namespace renderer

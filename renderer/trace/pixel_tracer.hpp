@@ -1,0 +1,63 @@
+#pragma once
+// All samples of one pixel after the other, in any order of pixels.
+
+#include "renderer/trace/render.hpp"
+
+namespace renderer {
+
+/// The objects at the corners of an area's pixels, which adaptive sampling asks for.
+class CornerObjects {
+ public:
+  CornerObjects() = default;
+  CornerObjects(const Params& params, const Area& area);
+
+  /// Rows of corners: one more than of pixels, or none if nobody asks.
+  int rows() const { return objects.empty() ? 0 : area_.height + 1; }
+  void find_row(int row, SampleTracer& tracer);
+  /// All rows must have been found.
+  Corners of_pixel(int column, int row) const {
+    return {objects[at(column, row)], objects[at(column + 1, row)], objects[at(column, row + 1)],
+            objects[at(column + 1, row + 1)]};
+  }
+
+  std::vector<std::uint32_t> objects;  ///< row by row
+
+ private:
+  std::size_t columns() const { return static_cast<std::size_t>(area_.width) + 1; }
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * columns() + static_cast<std::size_t>(column);
+  }
+  Area area_;
+};
+
+/// What is known of a pixel.
+struct TracedPixel {
+  Samples::Sums sums;  ///< as the image has them
+  int count = 0;       ///< of its samples
+};
+
+/// Traces pixels of an area; column and row begin at its upper left.
+class PixelTracer {
+ public:
+  PixelTracer(const Params& params, const Area& area, const CornerObjects& corners,
+              SampleTracer& tracer)
+      : params_(params), area_(area), corners_(corners), tracer_(tracer) {}
+
+  /// The first sample.
+  TracedSample start(int column, int row) {
+    return tracer_.trace(area_.x + column, area_.y + row, 0);
+  }
+  /// The others, and all of them together.
+  TracedPixel finish(int column, int row, const TracedSample& first);
+  /// Both.
+  TracedPixel trace(int column, int row) { return finish(column, row, start(column, row)); }
+
+ private:
+  const Params& params_;
+  const Area area_;
+  const CornerObjects& corners_;
+  SampleTracer& tracer_;
+  std::vector<TracedSample> samples_;
+};
+
+}  // namespace renderer

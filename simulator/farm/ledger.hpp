@@ -1,0 +1,43 @@
+#pragma once
+// Adaptive supersampling in the farm: what has come of each pixel's samples, of which there are
+// more where those that have come call for them.
+#include <unordered_map>
+
+#include "renderer/trace/adaptive.hpp"
+
+namespace farm {
+
+/// Kept by the coordination. Samples of finished pixels are forgotten.
+class Ledger {
+ public:
+  explicit Ledger(const renderer::Params& params);
+
+  /// The corners of a pixel that no pixel before it in the image has, as (x, y) of make_probe().
+  std::vector<std::pair<int, int>> corners_of(std::uint32_t pixel) const;
+  /// What a probe has met. Returns the pixels of which that was the last that had to be known.
+  std::vector<std::uint32_t> note_corner(std::uint32_t corner, std::uint32_t object);
+  /// What a ray of a sample has met and contributes, and how many rays it leaves.
+  void note(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit,
+            const renderer::Rgb& contribution, std::size_t children);
+  /// The pixel's next sample, if one is wanted and can begin: within a round when the primary ray
+  /// of the sample before it has come, a round when all of the round before it and the corners
+  /// have.
+  std::optional<int> next_sample(std::uint32_t pixel);
+  std::size_t samples_held() const { return held_; }
+
+ private:
+  struct Pixel : renderer::OpenPixel {
+    using OpenPixel::OpenPixel;
+    std::size_t under_way = 0;  // rays that its samples have left
+    int begun = 1;              // samples
+  };
+  std::optional<renderer::Corners> find_corners(std::uint32_t pixel) const;
+
+  const renderer::Params& params_;
+  const renderer::Area area_;
+  std::unordered_map<std::uint32_t, Pixel> open_;
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects that are known
+  std::size_t held_ = 0;
+};
+
+}  // namespace farm
