@@ -12,33 +12,35 @@ bool has_border(std::span<const TracedSample> samples, const Corners& corners) {
          !std::ranges::all_of(samples, [&](const auto& s) { return s.object == object; });
 }
 
-// The sum of the squares of what a component of samples first, first + step ... is from their mean,
-// for one sample less than there are; times their number.
-double eval_spread(std::span<const TracedSample> samples, std::size_t first, std::size_t step,
-                   double Rgb::*component) {
-  double sum = 0, squares = 0, n = 0;
-  for (std::size_t i = first; i < samples.size(); i += step) {
-    const double shown = std::clamp(to_rgb(samples[i].sums).*component, 0.0, 1.0);
-    sum += shown;
-    squares += shown * shown;
-    ++n;
-  }
-  return n > 1 ? (squares - sum * sum / n) * n / (n - 1) : 0;
-}
+// How often samples were in a square of the pixel, and what they were.
+struct Square {
+  int count = 0;
+  Rgb sum, squares;
+};
 
-// The largest of the components' standard errors, squared. Two or four samples share a region of
-// the pixel (see sample_square()): how they differ there is all that is not known of it.
+// The largest of the components' standard errors, squared. The pixel is divided into squares that
+// have two or four samples each (see sample_square()): how they differ there is all that is not
+// known of it.
 double eval_error_square(std::span<const TracedSample> samples) {
-  std::size_t regions = 1;
-  while (4 * regions < samples.size()) regions *= 4;
-  double largest = 0;
-  for (const auto component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
-    double sum = 0;
-    for (std::size_t i = 0; i < regions; ++i) sum += eval_spread(samples, i, regions, component);
-    largest = std::max(largest, sum);
+  int levels = 0;
+  while (std::size_t{4} << (2 * levels) < samples.size()) ++levels;
+  std::vector<Square> squares(std::size_t{1} << (2 * levels));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(i));
+    const auto find = [&](std::uint32_t at) { return std::uint64_t{at} >> (32 - levels); };
+    Square& square = squares[find(v) << levels | find(u)];
+    const Rgb colour = to_rgb(samples[i].sums);
+    const auto show = [](double component) { return std::clamp(component, 0.0, 1.0); };
+    const Rgb shown{show(colour.r), show(colour.g), show(colour.b)};
+    ++square.count;
+    square.sum += shown;
+    square.squares += shown * shown;
   }
+  Rgb all;
+  for (const auto& [count, sum, sum_of_squares] : squares)
+    if (count > 1) all += (1.0 / (count - 1)) * (count * sum_of_squares + -1.0 * sum * sum);
   const auto n = static_cast<double>(samples.size());
-  return largest / (n * n);
+  return max_component(all) / (n * n);
 }
 
 }  // namespace

@@ -25,55 +25,30 @@ int find_region(std::uint64_t stream, const Round& round, int pass) {
   return permute(pass - round.first, round.count, key);
 }
 
-// Samples of which nobody knows how many there will be: the square is divided into 4 regions, each
-// of these into 4 and so on, and wherever the samples end at 4^k, each region of that size has one;
-// at 2 * 4^k two that touch at their corners. Returns the digits of the sample's place to base 4,
-// from the largest region to the smallest, of which there are 4^levels.
-int find_nested(std::uint64_t stream, int index, int levels) {
-  std::uint64_t larger = 1;  // the regions around it
-  int place = 0;
-  for (int level = 0; level < levels; ++level, index /= 4) {
-    // In each region another order: a corner, the one across, the other two.
-    const std::uint64_t bits = mix(stream, ~larger);
-    const int first = static_cast<int>(bits & 3), side = (bits & 4) != 0 ? 1 : 2;
-    const int order[] = {first, first ^ 3, first ^ side, first ^ side ^ 3};
-    const int digit = index % 4;
-    place = 4 * place + order[digit];
-    larger = 4 * larger + static_cast<std::uint64_t>(digit);
-  }
-  return place;
+std::uint32_t reverse(std::uint32_t x) {
+  x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+  x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+  x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+  x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
+  return x << 16 | x >> 16;
 }
 
-int count_levels(int samples) {
-  int levels = 0;
-  while (1 << (2 * levels) < samples) ++levels;
-  return levels;
+// Changes each bit at random, in a way that depends on the bits above it alone (A. Owen, 1995):
+// what shares a half, a quarter ... of the line still does.
+std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
+  x = reverse(x) + seed;
+  for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
+    x ^= x * factor;
+  return reverse(x);
 }
 
-// A sample's place among those of a dimension. In the pixel they come as they are,
-// so that samples i and i + 4^k share a region; other dimensions are paired with it at random
-// within each round.
-struct NestedPlace {
-  int place = 0, levels = 0;
-};
-NestedPlace find_nested(const Sampling& s, const SampleKey& key, Dimension dimension,
-                        std::uint64_t stream) {
+// The index of an adaptive pixel's sample in the sequence of a dimension: in the pixel as they
+// come; others are paired with that at random within each round.
+std::uint32_t find_index(const Sampling& s, const SampleKey& key, Dimension dimension,
+                         std::uint64_t stream) {
+  if (dimension == Dimension::pixel) return static_cast<std::uint32_t>(key.pass);
   const Round round = round_of(s, key.pass);
-  const int index =
-      dimension == Dimension::pixel ? key.pass : round.first + find_region(stream, round, key.pass);
-  const int levels = count_levels(s.pixel_samples);
-  return {find_nested(stream, index, levels), levels};
-}
-
-Region make_nested_region(const NestedPlace& nested) {
-  int column = 0, row = 0;
-  for (int level = nested.levels - 1; level >= 0; --level) {
-    const int digit = nested.place >> (2 * level);
-    column = 2 * column + (digit & 1);
-    row = 2 * row + (digit >> 1 & 1);
-  }
-  const double side = 1.0 / (1 << nested.levels);
-  return {column * side, row * side, side, side};
+  return static_cast<std::uint32_t>(round.first + find_region(stream, round, key.pass));
 }
 
 // sin() and cos() for angles of at most pi / 4, by their series.
@@ -97,7 +72,7 @@ Round round_of(const Sampling& s, int pass) {
   int first = 0, end = FIRST_ROUND;
   while (pass >= end) {
     first = end;
-    end *= end == 4 ? 4 : 2;
+    end *= first == FIRST_ROUND ? 4 : 2;
   }
   return {first, std::min(end, s.pixel_samples) - first};
 }
@@ -141,24 +116,33 @@ int permute(int index, int count, std::uint32_t key) {
   return static_cast<int>((static_cast<std::uint64_t>(i) + key) % length);
 }
 
+WholePoint eval_sequence(std::uint32_t index) {
+  WholePoint point{reverse(index), 0};
+  for (std::uint32_t direction = 1u << 31; index != 0; index >>= 1, direction ^= direction >> 1)
+    if ((index & 1) != 0) point.v ^= direction;
+  return point;
+}
+
 SquarePoint sample_square(const Sampling& s, const SampleKey& key, Dimension dimension) {
-  const Round round = round_of(s, key.pass);
   const auto stream = make_stream(s, key, dimension);
-  const Region in = is_adaptive(s) ? make_nested_region(find_nested(s, key, dimension, stream))
-                                   : make_region(find_region(stream, round, key.pass), round.count);
+  if (is_adaptive(s)) {
+    const auto [u, v] = eval_sequence(find_index(s, key, dimension, stream));
+    const std::uint64_t seeds = mix(stream, 0);
+    return {0x1p-32 * scramble(u, static_cast<std::uint32_t>(seeds)),
+            0x1p-32 * scramble(v, static_cast<std::uint32_t>(seeds >> 32))};
+  }
+  const Round round = round_of(s, key.pass);
+  const Region in = make_region(find_region(stream, round, key.pass), round.count);
   const auto pass = static_cast<std::uint64_t>(key.pass);
   return {in.u + in.width * to_unit(mix(stream, 2 * pass)),
           in.v + in.height * to_unit(mix(stream, 2 * pass + 1))};
 }
 
 double sample_line(const Sampling& s, const SampleKey& key, Dimension dimension) {
+  if (is_adaptive(s)) return sample_square(s, key, dimension).u;
   const Round round = round_of(s, key.pass);
   const auto stream = make_stream(s, key, dimension);
   const double jitter = to_unit(mix(stream, 2 * static_cast<std::uint64_t>(key.pass)));
-  if (is_adaptive(s)) {
-    const auto [place, levels] = find_nested(s, key, dimension, stream);
-    return (place + jitter) / (1 << (2 * levels));
-  }
   return (find_region(stream, round, key.pass) + jitter) / round.count;
 }
 
