@@ -10,6 +10,7 @@
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
 #include "renderer/trace/render.hpp"
+#include "renderer/trace/sampling.hpp"
 
 namespace laboratory {
 namespace {
@@ -37,8 +38,11 @@ void save_stats(const Options& o, const renderer::Rendering& image, double secon
 }
 
 void check_samples_map(const Options& o) {
-  if (!(o.params.sampling.adaptive > 0))
-    throw CLI::ValidationError("--samples-map", "expected --adaptive, above 0, with it");
+  if (!is_adaptive(o.params.sampling))
+    throw CLI::ValidationError(
+        "--samples-map", fmt::format("expected --adaptive above 0 and --pixel-samples above {} "
+                                     "with it, or all pixels have as many",
+                                     renderer::FIRST_ROUND));
   if (o.samples_map == o.output || o.samples_map == o.stats)
     throw CLI::ValidationError("--samples-map", "expected another file than the others");
   base::check_can_save(o.samples_map);

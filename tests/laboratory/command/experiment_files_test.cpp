@@ -41,6 +41,17 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
        {"image.width=48", "image.height=48", "sweep.objects=[800]",
         "sweep.cells=[\"constant\", \"point\"]", "sweep.order=[\"random\", \"sequential\"]",
         "let.most=\"0.6\""}},
+      {"paper/noise",
+       {"program.width=32", "program.height=32", "program.pixel_samples=64",
+        "program.reference=512"}},
+      {"paper/samples",
+       {"image.width=16", "image.height=16", "sweep.pixel_samples=[1, 16]",
+        "sweep.program, task, topology=[[\"farm\", \"ray\", \"tree:1\"], "
+        "[\"farm\", \"ray\", \"tree:30\"], [\"iirra\", \"ray\", \"line:3\"], "
+        "[\"iirra\", \"ray\", \"mesh:3x3\"]]"}},
+      {"paper/display",
+       {"image.width=32", "image.height=32", "sweep.objects, depth=[[10, 1], [200, 4]]",
+        "sweep.topology=[\"tree:1\", \"tree:4\"]"}},
       {"thesis/cells", {"image.width=64", "image.height=64"}},
       {"thesis/figure-4.19", {"image.width=96", "image.height=96"}},
       {"studies/soak", {"program.messages=5000"}},
