@@ -95,6 +95,8 @@ struct Scene {
   /// How far each object moves while the shutter is open, by its index; empty: nothing moves. The
   /// primitives are where they are when it opens.
   std::vector<Vec> moves;
+  /// How far translate() has moved each object, and its texture with it, by its index; empty: none.
+  std::vector<Vec> displacements;
   Hierarchy hierarchy;  ///< a leaf's item is a Place's bits
   double epsilon = 0;   ///< least distance of a hit: 1e-10 of the largest coordinate
 };
