@@ -68,7 +68,8 @@ void render_at_once(const Options& o) {
   });
   const double seconds = clock.lap();
   save_image(o, image);
-  if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, {});
+  if (!o.stats.empty())
+    save_stats(o, image, image.rays.total(), seconds, nlohmann::ordered_json::object());
 }
 
 void render_in_order(const Options& o) {
