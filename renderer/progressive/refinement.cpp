@@ -181,12 +181,11 @@ Rendering Refinement::make_rendering() const {
            static_cast<std::size_t>(x);
   };
   if (is_adaptive(params_.sampling)) made.counts.resize(made.samples.sums.size());
-  Walk walk(order_, area_);
+  Walk walk(is_second_pass() ? Order::scan : order_, area_);  // no blocks in the second pass
   for (std::uint64_t i = 0; i < std::min(done(), pixels_); ++i) {
-    Area block = *walk.next();
+    const Area block = *walk.next();
     const Pixel own = own_pixel(block);
     if (!made.counts.empty()) made.counts[to_image(own.x, own.y)] = state_.counts[find_index(own)];
-    if (is_second_pass()) block = {own.x, own.y, 1, 1};
     const auto colour = find_shown(find_index(own));
     for (int y = block.y; y < block.y + block.height; ++y)
       std::fill_n(made.samples.sums.begin() + static_cast<std::ptrdiff_t>(to_image(block.x, y)),

@@ -33,17 +33,22 @@ Program make_in_path();
 Program make_data();
 Program make_progressive();
 Program make_noise();
+Program make_refinement();
+Program make_quadrants();
 
 const std::vector<Program>& all_programs() {
   static const std::vector<Program> all = {
-      farm::make_farm(),     iirra::make_iirra(),   make_message(),     make_soft(),
-      make_both_ways(),      make_unicast(),        make_pipeline(),    make_sources(),
-      make_broadcast(),      make_request(),        make_alternative(), make_interrupt(),
-      make_traffic(),        make_task_farm(),      make_law(),         make_commstime(),
-      make_flops(),          make_metrics(),        make_census(),      make_deadlock(),
-      make_global(),         make_random_traffic(), make_router_load(), make_soak(),
-      make_in_path(),        make_data(),           make_progressive(), make_noise(), amp::make_radiosity(),
-      amp::make_scan_line(),
+      farm::make_farm(),     iirra::make_iirra(),   make_message(),
+      make_soft(),           make_both_ways(),      make_unicast(),
+      make_pipeline(),       make_sources(),        make_broadcast(),
+      make_request(),        make_alternative(),    make_interrupt(),
+      make_traffic(),        make_task_farm(),      make_law(),
+      make_commstime(),      make_flops(),          make_metrics(),
+      make_census(),         make_deadlock(),       make_global(),
+      make_random_traffic(), make_router_load(),    make_soak(),
+      make_in_path(),        make_data(),           make_progressive(),
+      make_noise(),          make_refinement(),     make_quadrants(),
+      amp::make_radiosity(), amp::make_scan_line(),
   };
   return all;
 }

@@ -63,9 +63,7 @@ void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
   bind_options(command, base::select(step_fields(), {"min_cell", "contrast"}), o.last);
   command.add_flag("--no-pyramid", o.no_pyramid,
                    "do not divide cells because they may hide an object");
-  command.add_option("--key-images", o.key_images, "folder for the image after each step");
-  for (const char* name :
-       {"--steps", "--max-cell", "--min-cell", "--contrast", "--no-pyramid", "--key-images"})
+  for (const char* name : {"--steps", "--max-cell", "--min-cell", "--contrast", "--no-pyramid"})
     command.get_option(name)->needs(progressive);
 }
 
@@ -76,13 +74,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   last.area = task.params.area;
   check(last, task.params, o.max_cell);
   const auto scene = renderer::load_scene(task.scene);
-  if (!o.key_images.empty()) {
-    std::error_code failed;
-    fs::create_directories(o.key_images, failed);
-    if (failed)
-      throw CLI::ValidationError("--key-images", fmt::format("found \"{}\", expected a folder: {}",
-                                                             o.key_images, failed.message()));
-  }
+  if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
   const auto steps = make_steps(o.growth, o.max_cell, last);
   Progress bar("rendering");
   Clock clock;
@@ -97,8 +89,8 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     if (o.growth == Growth::depth && counts.rays.fresh.total() == 0) break;
     all += counts.rays;
     rows.push_back(make_step_json(step, counts));
-    if (!o.key_images.empty())
-      renderer::save_png((fs::path(o.key_images) / name_of(o.growth, step)).string(),
+    if (!task.key_images.empty())
+      renderer::save_png((fs::path(task.key_images) / name_of(o.growth, step)).string(),
                          image.make_picture());
     clock.lap();
     bar.show(rows.size(), steps.size());

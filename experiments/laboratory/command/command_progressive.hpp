@@ -12,12 +12,12 @@ struct ProgressiveOptions {
   renderer::progressive::Step last;
   int max_cell = 16;
   renderer::progressive::Growth growth = renderer::progressive::Growth::cells;
-  std::string key_images;  ///< folder; "": none
 };
 
-/// What both ways of rendering are asked for; the parameters have passed renderer::check().
+/// What the ways of rendering are asked for; the parameters have passed renderer::check().
 struct RenderTask {
   std::string scene, output, stats;
+  std::string key_images;  ///< folder for pictures on the way; "": none
   renderer::Params params;
   int threads = 1;
 };

@@ -6,6 +6,7 @@
 #include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/render_frames.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
+#include "experiments/laboratory/command/render_refined.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
@@ -21,20 +22,30 @@ struct Options : RenderTask {
   std::string size, area;
   std::optional<renderer::PreviewStep> preview;
   ProgressiveOptions progressive;
+  RefinedOptions refined;
   FramesOptions frames;
   std::string samples_map;
 };
 
-void save_stats(const Options& o, const renderer::Rendering& image, double seconds) {
-  const nlohmann::ordered_json stats = {
-      {"scene", o.scene},
-      {"width", o.params.width},
-      {"height", o.params.height},
-      {"rays", make_json(image.rays)},
-      {"work", make_json(image.work)},
-      {"seconds", seconds},
-      {"rays_per_second", static_cast<double>(image.rays.total()) / seconds}};
+// `rays` were traced in `seconds`; `more` is added.
+void save_stats(const Options& o, const renderer::Rendering& image, std::uint64_t rays,
+                double seconds, const nlohmann::ordered_json& more) {
+  nlohmann::ordered_json stats = {{"scene", o.scene},
+                                  {"width", o.params.width},
+                                  {"height", o.params.height},
+                                  {"rays", make_json(image.rays)},
+                                  {"work", make_json(image.work)}};
+  stats.update(more);
+  stats["seconds"] = seconds;
+  stats["rays_per_second"] = static_cast<double>(rays) / seconds;
   base::save_whole(o.stats, stats.dump(2) + "\n");
+}
+
+void save_image(const Options& o, const renderer::Rendering& image) {
+  renderer::save_png(o.output, image.samples);
+  if (!o.samples_map.empty())
+    renderer::save_png(o.samples_map, o.params.width, o.params.height,
+                       renderer::make_count_map(image.counts));
 }
 
 void check_samples_map(const Options& o) {
@@ -46,6 +57,32 @@ void check_samples_map(const Options& o) {
   if (o.samples_map == o.output || o.samples_map == o.stats)
     throw CLI::ValidationError("--samples-map", "expected another file than the others");
   base::check_can_save(o.samples_map);
+}
+
+void render_at_once(const Options& o) {
+  const auto scene = renderer::load_scene(o.scene);
+  Progress bar("rendering");
+  Clock clock;
+  const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
+    bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
+  });
+  const double seconds = clock.lap();
+  save_image(o, image);
+  if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, {});
+}
+
+void render_in_order(const Options& o) {
+  const auto scene = renderer::load_scene(o.scene);
+  Clock clock;
+  const auto refined = render_refined(o.refined, o, scene);
+  const double seconds = clock.lap();
+  save_image(o, refined.image);
+  if (!o.stats.empty())
+    save_stats(o, refined.image, refined.rays, seconds,
+               {{"samples", refined.all},
+                {"samples_done", refined.done},
+                {"queue_peak", refined.queue_peak}});
+  if (refined.interrupted) report_interrupt(o.refined, o, refined);
 }
 
 void render_scene(Options& o) {
@@ -66,18 +103,10 @@ void render_scene(Options& o) {
   if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
   if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
   if (has_frames) return render_frames(o.frames, o);
-  const auto scene = renderer::load_scene(o.scene);
-  Progress bar("rendering");
-  Clock clock;
-  const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
-    bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
-  });
-  const double seconds = clock.lap();
-  renderer::save_png(o.output, image.samples);
-  if (!o.samples_map.empty())
-    renderer::save_png(o.samples_map, o.params.width, o.params.height,
-                       renderer::make_count_map(image.counts));
-  if (!o.stats.empty()) save_stats(o, image, seconds);
+  if (o.refined.are_wanted()) return render_in_order(o);
+  if (!o.key_images.empty())
+    throw CLI::ValidationError("--key-images", "expected --progressive or --order with it");
+  render_at_once(o);
 }
 
 }  // namespace
@@ -109,6 +138,10 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
   add_preview_option(*command, o->preview);
+  add_refined_options(*command, o->refined);
+  command->add_option("--key-images", o->key_images,
+                      "folder for pictures on the way: after each step of --progressive; or, with "
+                      "--order, after 1, 5, 25 and 100 % of the samples");
   add_frames_options(*command, o->frames);
   for (const char* other : {"--progressive", "--preview"})
     command->get_option("--samples-map")->excludes(command->get_option(other));

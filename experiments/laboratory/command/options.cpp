@@ -100,4 +100,12 @@ void check_output(const std::string& output, const std::vector<std::string>& end
   check_folder("--stats", stats);
 }
 
+void make_folder(const std::string& option, const std::string& path) {
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed)
+    throw CLI::ValidationError(
+        option, fmt::format("found \"{}\", expected a folder: {}", path, failed.message()));
+}
+
 }  // namespace laboratory

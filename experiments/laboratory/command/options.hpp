@@ -53,6 +53,9 @@ nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
 
+/// Makes the folder that an option names, unless it is there. Throws CLI::ValidationError.
+void make_folder(const std::string& option, const std::string& path);
+
 /// "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
 template <std::size_t N>
 std::array<int, N> parse_numbers(const std::string& option, const std::string& text,

@@ -56,7 +56,8 @@ void add_frames_options(CLI::App& command, FramesOptions& o) {
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str()
       ->needs(frames);
-  for (const char* name : {"--progressive", "--preview", "--stats", "--samples-map"})
+  for (const char* name : {"--progressive", "--preview", "--stats", "--samples-map", "--order",
+                           "--budget", "--state", "--resume", "--key-images"})
     frames->excludes(command.get_option(name));
 }
 

@@ -6,8 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <csignal>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -20,26 +18,6 @@
 
 namespace laboratory {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM};
-
-// While it lives, SIGINT and SIGTERM are counted instead of ending the program.
-class SignalGuard {
- public:
-  SignalGuard() {
-    interrupted = 0;
-    for (std::size_t i = 0; i < old_.size(); ++i)
-      old_[i] = signal(ASKS_TO_END[i], [](int) { interrupted = interrupted + 1; });
-  }
-  ~SignalGuard() {
-    for (std::size_t i = 0; i < old_.size(); ++i) signal(ASKS_TO_END[i], old_[i]);
-  }
-
- private:
-  std::array<void (*)(int), std::size(ASKS_TO_END)> old_{};
-};
 
 // A child process and the text that it has sent so far: one byte of status, then result or message.
 struct Child {
@@ -110,8 +88,8 @@ class Pool {
       std::vector<pollfd> fds;
       for (const auto& [fd, child] : children_) fds.push_back({fd, POLLIN, 0});
       const int ready = poll(fds.data(), fds.size(), 1000);
-      if (interrupted > 1) throw Interrupted();
-      if (interrupted == 1 && !std::exchange(stopping_, true)) stop_all();
+      if (count_interrupts() > 1) throw Interrupted();
+      if (was_interrupted() && !std::exchange(stopping_, true)) stop_all();
       if (ready <= 0) continue;
       for (const auto& p : fds)
         if (p.revents != 0)
@@ -156,18 +134,17 @@ class Pool {
 
 void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
                   const std::function<void(JobEnd)>& ended) {
-  const SignalGuard guard;
+  const InterruptGuard guard;
   Pool pool;
   std::size_t started = 0;
   for (;;) {
-    while (!interrupted && started < count && pool.size() < std::max<std::size_t>(parallel, 1))
+    while (!was_interrupted() && started < count &&
+           pool.size() < std::max<std::size_t>(parallel, 1))
       pool.start(job, started++);
     if (pool.size() == 0) return;
     ended(pool.wait_any());
   }
 }
-
-bool was_interrupted() { return interrupted != 0; }
 
 int exit_code_of(const std::exception& error) {
   if (const auto* failure = dynamic_cast<const Failure*>(&error)) return failure->exit_code;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "experiments/laboratory/host/interrupt.hpp"
+
 namespace laboratory {
 
 /// Ends the program with a message and an exit code: 1 for a defect or a check that does not hold,
@@ -39,9 +41,6 @@ struct JobEnd {
 /// Interrupted.
 void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
                   const std::function<void(JobEnd)>& ended);
-
-/// Whether the user has interrupted since the last time that jobs were run.
-bool was_interrupted();
 
 /// The exit code for an exception: that of a Failure, 1 for a broken invariant, 3 for a simulated
 /// fault, else 2: bad input, or a host that lacks something.

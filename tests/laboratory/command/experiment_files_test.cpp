@@ -87,6 +87,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
        {"scene.objects=50", "image.width=64", "image.height=64",
         "sweep.program, topology, iirra.order, iirra.weights=[[\"farm\", \"tree\", \"random\", "
         "[1, 4, 2, 1, 1, 1]], [\"iirra\", \"mesh\", \"bayer\", [1, 4, 2, 1, 1, 1]]]"}},
+      {"paper/figure-9", {"program.width=64", "program.height=64", "let.least=\"0.7\""}},
       {"thesis/table-4.1", {"program.width=96", "program.height=96"}},
       {"thesis/figure-4.5", {"program.width=64", "program.height=64", "program.depth=4"}},
       {"thesis/figure-4.6", {"program.width=129", "program.height=129"}},

@@ -1,0 +1,163 @@
+#include "experiments/laboratory/command/refinement_file.hpp"
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/host/version.hpp"
+
+// The file: FIRST_LINE; "name: value" for each member of the identity; an empty line; the numbers
+// as the host has them, each list with its length before it; the hash of all that.
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+using renderer::progressive::Order;
+using renderer::progressive::RefinementState;
+
+constexpr std::string_view FIRST_LINE = "state of a tlab rendering\n";
+constexpr std::size_t HASH_LENGTH = 32;
+
+// The scene's bytes, and those of every file beside it that a comment names.
+std::string collect_scene(const std::string& path) {
+  const std::string text = base::read_text(path);
+  std::string all = hash_of(text);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto comment = line.find('#');
+    if (comment == std::string::npos) continue;
+    std::istringstream words(line.substr(comment + 1));
+    for (std::string word; words >> word;) {
+      const auto named = fs::path(path).parent_path() / word;
+      std::error_code ignored;
+      if (fs::is_regular_file(named, ignored)) all += hash_of(base::read_text(named));
+    }
+  }
+  return all;
+}
+
+// Hands every number of a state to `take`, which reads or writes the bytes of an object or a list.
+template <class State, class Take>
+void visit(State& state, const Take& take) {
+  take(state.done);
+  take(state.sums);
+  take(state.counts);
+  take(state.objects);
+  take(state.corners.objects);
+  take(state.corner_rows);
+  take(state.rays);
+  take(state.work.counts);
+}
+
+template <class T>
+constexpr bool is_list = requires(T t) {
+  t.resize(1);
+};
+
+struct Writer {
+  std::string& bytes;
+  void put(const void* from, std::size_t size) const {
+    bytes.append(static_cast<const char*>(from), size);
+  }
+  template <class T>
+  void operator()(const T& value) const {
+    if constexpr (is_list<T>) {
+      const auto length = static_cast<std::uint64_t>(value.size());
+      put(&length, sizeof length);
+      put(value.data(), value.size() * sizeof value[0]);
+    } else {
+      static_assert(std::has_unique_object_representations_v<T>);
+      put(&value, sizeof value);
+    }
+  }
+};
+
+struct Reader {
+  const std::string& path;
+  std::string_view& bytes;
+  void get(void* to, std::size_t size) const {
+    base::require(size <= bytes.size(), path, "found {} bytes of numbers, expected {} more",
+                  bytes.size(), size);
+    if (size > 0) std::memcpy(to, bytes.data(), size);
+    bytes.remove_prefix(size);
+  }
+  template <class T>
+  void operator()(T& value) const {
+    if constexpr (is_list<T>) {
+      std::uint64_t length = 0;
+      get(&length, sizeof length);
+      base::require(length <= bytes.size() / sizeof value[0], path,
+                    "found a list of {} numbers, expected no more than there are bytes", length);
+      value.resize(static_cast<std::size_t>(length));
+      get(value.data(), value.size() * sizeof value[0]);
+    } else {
+      get(&value, sizeof value);
+    }
+  }
+};
+
+// Takes the lines of the identity, and the empty one.
+void check_identity(const std::string& path, std::string_view& text, const Identity& identity) {
+  const auto take_line = [&] {
+    const auto end = std::min(text.find('\n'), text.size());
+    const auto line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+  };
+  for (const auto& [name, value] : identity) {
+    const auto line = take_line();
+    base::require(line == fmt::format("{}: {}", name, value), path,
+                  "the state of another rendering: found {}, expected {}: {}", line, name, value);
+  }
+  const auto line = take_line();
+  base::require(line.empty(), path, "the state of another rendering: found {}, expected no more",
+                line);
+}
+
+}  // namespace
+
+Identity identify(const std::string& scene, const renderer::Params& params, Order order) {
+  Identity identity = {
+      {"version", VERSION},
+      {"byte order", std::endian::native == std::endian::little ? "little" : "big"},
+      scene.ends_with(".nff") ? std::pair("hash of the scene", hash_of(collect_scene(scene)))
+                              : std::pair("scene", scene)};
+  for (const auto& field : renderer::param_fields())
+    identity.emplace_back(field.name, base::to_text(field.get(params)));
+  const auto order_of = renderer::progressive::order_field<Order>(std::identity{});
+  identity.emplace_back(order_of.name, base::to_text(order_of.get(order)));
+  return identity;
+}
+
+void save_state(const std::string& path, const Identity& identity, const RefinementState& state) {
+  std::string bytes(FIRST_LINE);
+  for (const auto& [name, value] : identity) bytes += fmt::format("{}: {}\n", name, value);
+  bytes += '\n';
+  visit(state, Writer{bytes});
+  base::save_whole(path, bytes + hash_of(bytes));
+}
+
+RefinementState load_state(const std::string& path, const Identity& identity) {
+  const std::string bytes = base::read_text(path);
+  base::require(bytes.starts_with(FIRST_LINE), path,
+                "found another file, expected one that tlab render --state has written");
+  std::string_view text(bytes);
+  const auto hash = text.substr(text.size() - std::min(text.size(), HASH_LENGTH));
+  text.remove_suffix(hash.size());
+  const auto expected = hash_of(text);
+  base::require(text.size() >= FIRST_LINE.size() && hash == expected, path,
+                "damaged: found the hash {}, expected {}", base::quote(hash), expected);
+  text.remove_prefix(FIRST_LINE.size());
+  check_identity(path, text, identity);
+  RefinementState state;
+  visit(state, Reader{path, text});
+  base::require(text.empty(), path, "found {} bytes more than expected", text.size());
+  return state;
+}
+
+}  // namespace laboratory

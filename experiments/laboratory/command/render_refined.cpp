@@ -1,0 +1,204 @@
+#include "experiments/laboratory/command/render_refined.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/refinement_file.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/progress.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+using renderer::progressive::Order;
+using renderer::progressive::Refinement;
+
+constexpr double KEY_PERCENTS[] = {1, 5, 25, 100};
+constexpr double STATE_PERCENT = 5;    // a state is written at each multiple,
+constexpr double STATE_SECONDS = 2;    // and when so much time has passed,
+constexpr double STATE_SHARE = 0.05;   // but only so much of all time is spent on that
+constexpr double STEP_SECONDS = 0.05;  // between looks at clock and signals
+
+std::uint64_t samples_at(double percent, std::uint64_t all) {
+  return static_cast<std::uint64_t>(std::ceil(percent / 100 * static_cast<double>(all)));
+}
+
+Budget parse_budget(const std::string& text) {
+  Budget budget;
+  const auto number =
+      text.empty() ? std::nullopt
+                   : base::parse_number<double>(std::string_view(text).substr(0, text.size() - 1));
+  const bool is_percent = text.ends_with('%');
+  if (!number || !(*number > 0) || !std::isfinite(*number) ||
+      !(is_percent ? *number <= 100 : text.ends_with('s')))
+    throw CLI::ValidationError(
+        "--budget", fmt::format("found \"{}\", expected a percentage of the samples, above 0 and "
+                                "up to 100, such as 5%, or seconds above 0, such as 10s",
+                                text));
+  if (is_percent)
+    budget.percent = *number;
+  else
+    budget.seconds = *number;
+  return budget;
+}
+
+// Writes states to one file.
+class StateFile {
+ public:
+  StateFile(std::string path, Identity identity)
+      : path_(std::move(path)), identity_(std::move(identity)) {
+    if (!path_.empty()) base::check_can_save(path_);
+  }
+  bool is_wanted() const { return !path_.empty(); }
+  void save(const Refinement& image) {
+    if (path_.empty() || image.done() == saved_) return;
+    clock_.lap();
+    save_state(path_, identity_, image.state());
+    last_cost_s_ = clock_.lap();
+    saved_ = image.done();
+    since_s_ = 0;
+  }
+  /// To be called often: saves if it is time.
+  void save_in_time(const Refinement& image) {
+    since_s_ += clock_.lap();
+    if (since_s_ > std::max(STATE_SECONDS, last_cost_s_ / STATE_SHARE)) save(image);
+  }
+
+ private:
+  const std::string path_;
+  const Identity identity_;
+  Clock clock_;
+  double last_cost_s_ = 0, since_s_ = 0;
+  std::optional<std::uint64_t> saved_;
+};
+
+// The pictures of the picture's growth.
+class KeyImages {
+ public:
+  KeyImages(std::string folder, const Refinement& image) : folder_(std::move(folder)) {
+    if (folder_.empty()) return;
+    make_folder("--key-images", folder_);
+    for (const double percent : KEY_PERCENTS)
+      names_[samples_at(percent, image.total())] = fmt::format("percent-{}.png", percent);
+  }
+  void add_stops(std::set<std::uint64_t>& stops) const {
+    for (const auto& [samples, name] : names_) stops.insert(samples);
+  }
+  /// Saves the image if it has just reached the number of samples of one of them.
+  void save(const Refinement& image, std::uint64_t before) {
+    for (const auto& [samples, name] : names_)
+      if (before < samples && image.done() >= samples)
+        renderer::save_png((fs::path(folder_) / name).string(), image.make_rendering().samples);
+  }
+
+ private:
+  const std::string folder_;
+  std::map<std::uint64_t, std::string> names_;  // by the number of samples
+};
+
+// How many samples to take before looking up again.
+class Pace {
+ public:
+  explicit Pace(int threads) : samples_(static_cast<std::uint64_t>(threads)) {}
+  std::uint64_t samples() const { return samples_; }
+  void adapt(double seconds) {
+    if (seconds < STEP_SECONDS / 2) samples_ *= 2;
+    if (seconds > STEP_SECONDS * 2) samples_ = std::max<std::uint64_t>(1, samples_ / 2);
+  }
+
+ private:
+  std::uint64_t samples_;
+};
+
+}  // namespace
+
+void add_refined_options(CLI::App& command, RefinedOptions& o) {
+  const auto field = renderer::progressive::order_field<Order>(std::identity{});
+  add_field_option(
+      command, field.name, field.help + "; one sample of each first, then the others", field.domain,
+      field.get(Order::quadrants),
+      [&o, field](const base::Scalar& value) { return field.assign(o.order.emplace(), value); });
+  command
+      .add_option_function<std::string>(
+          "--budget", [&o](const std::string& text) { o.budget = parse_budget(text); },
+          "end after a part of all samples (5%), or after a time (10s), with the picture so far")
+      ->option_text("P%|Ts");
+  command.add_option("--state", o.state,
+                     "write how far it is to this file, now and then and when it ends");
+  command.add_option("--resume", o.resume,
+                     "go on from such a file; the other options as before, and states are written "
+                     "to it unless --state is given");
+  for (const char* name : {"--order", "--budget", "--state", "--resume"})
+    for (const char* other : {"--progressive", "--preview"})
+      command.get_option(name)->excludes(command.get_option(other));
+}
+
+Refined render_refined(const RefinedOptions& o, const RenderTask& task,
+                       const renderer::Scene& scene) {
+  const Order order = o.order.value_or(Order::quadrants);
+  const auto identity =
+      o.state.empty() && o.resume.empty() ? Identity{} : identify(task.scene, task.params, order);
+  Refinement image = o.resume.empty() ? Refinement(scene, task.params, order, task.threads)
+                                      : Refinement(scene, task.params, order, task.threads,
+                                                   load_state(o.resume, identity));
+  const Budget budget = o.budget.value_or(Budget{});
+  const std::uint64_t goal = samples_at(budget.percent, image.total());
+  StateFile states(o.state.empty() ? o.resume : o.state, identity);
+  KeyImages keys(task.key_images, image);
+  std::set<std::uint64_t> stops = {goal};
+  keys.add_stops(stops);
+  if (states.is_wanted())
+    for (double percent = STATE_PERCENT; percent < 100; percent += STATE_PERCENT)
+      stops.insert(samples_at(percent, image.total()));
+
+  const InterruptGuard guard;
+  const std::uint64_t rays_before = image.state().rays.total();
+  Progress bar("rendering");
+  Pace pace(task.threads);
+  double seconds = 0;
+  const auto is_stopped = [&] {
+    return was_interrupted() || (budget.seconds && seconds >= *budget.seconds);
+  };
+  states.save(image);
+  Clock clock;
+  for (const std::uint64_t stop : stops) {
+    if (stop > goal) break;
+    const std::uint64_t before = image.done();
+    while (image.done() < stop && !is_stopped()) {
+      image.advance(std::min(pace.samples(), stop - image.done()));
+      const double step = clock.lap();
+      pace.adapt(step);
+      states.save_in_time(image);
+      seconds += step + clock.lap();
+      bar.show(image.done(), image.total());
+    }
+    keys.save(image, before);
+    if (is_stopped()) break;
+    states.save(image);
+    seconds += clock.lap();
+  }
+  states.save(image);
+  return {image.make_rendering(),
+          image.done(),
+          image.total(),
+          image.state().rays.total() - rays_before,
+          image.queue() ? image.queue()->peak() : 0,
+          was_interrupted() && !image.is_finished()};
+}
+
+void report_interrupt(const RefinedOptions& o, const RenderTask& task, const Refined& refined) {
+  const auto& state = o.state.empty() ? o.resume : o.state;
+  throw Failure(fmt::format("interrupted; {} has the picture after {} of {} samples{}", task.output,
+                            refined.done, refined.all,
+                            state.empty() ? "" : fmt::format("; --resume {} goes on", state)),
+                EXIT_INTERRUPTED);
+}
+
+}  // namespace laboratory
