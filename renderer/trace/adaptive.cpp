@@ -52,7 +52,8 @@ int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const 
   if (!border && corners[0] == NO_OBJECT) return has;
   const int second_round = round_of(s, first_round(s)).count + first_round(s);
   const bool is_early = has < second_round || (has == second_round && border);
-  if (!is_early && !(eval_error_square(samples) > s.adaptive * s.adaptive)) return has;
+  const double allowed = s.adaptive * s.adaptive * has / ADAPTIVE_SAMPLES;
+  if (!is_early && !(eval_error_square(samples) > allowed)) return has;
   return has + round_of(s, has).count;
 }
 

@@ -23,9 +23,9 @@ using Corners = std::array<std::uint32_t, 4>;
 
 /// How many samples a pixel should have. `samples` are those that it has, whole rounds in the order
 /// of their passes; as many: it is finished. Where all rays miss, that is after the first round. An
-/// object's border calls for more after the first two rounds, and whatever it is, after any but the
-/// first, the standard error of the mean of its colours, each component as a screen shows it (0 to
-/// 1), if it is above `sampling.adaptive`.
+/// object's border calls for more after the first two rounds; after any but the first, so does a
+/// standard error of the mean of its colours, each component as a screen shows it (0 to 1), that is
+/// above what `sampling.adaptive` allows.
 int find_wanted(const Sampling& sampling, std::span<const TracedSample> samples,
                 const Corners& corners);
 

@@ -149,8 +149,9 @@ TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
   std::set<int> seen;
   for (int i = 0; i < 16; ++i)
     samples.push_back(make_sample(seen.insert(quarter_of(i)).second ? 1 : 0));
-  EXPECT_EQ(find_wanted(0.126, samples, 7), 16);
-  EXPECT_EQ(find_wanted(0.124, samples, 7), 32);
+  // Of 16 samples half of what 64 may leave is allowed.
+  EXPECT_EQ(find_wanted(0.252, samples, 7), 16);
+  EXPECT_EQ(find_wanted(0.248, samples, 7), 32);
   // What is brighter than white is white.
   for (TracedSample& s : samples) s = make_sample(s.sums.r > 0 ? 50 : 1);
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
@@ -179,7 +180,7 @@ TEST(Adaptive, SavesRaysAtTheSameError) {
     params.sampling = {.pixel_samples = samples, .adaptive = error, .seed = seed};
     return render(scene, params);
   };
-  const Rendering reference = run(400, 0, 99), uniform = run(64, 0, 1), found = run(256, 0.01, 1);
+  const Rendering reference = run(400, 0, 99), uniform = run(64, 0, 1), found = run(256, 0.014, 1);
   EXPECT_LT(eval_rmse(found.samples, reference.samples, params.area),
             eval_rmse(uniform.samples, reference.samples, params.area));
   EXPECT_LT(found.rays.total(), 0.7 * uniform.rays.total());
