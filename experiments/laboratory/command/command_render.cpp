@@ -106,8 +106,9 @@ void add_render_command(CLI::App& app) {
   command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
   add_preview_option(*command, o->preview);
   add_frames_options(*command, o->frames);
-  for (const char* other : {"--progressive", "--preview"})
-    command->get_option("--samples-map")->excludes(command->get_option(other));
+  for (const char* one_sample : {"--progressive", "--preview"})
+    for (const char* name : {"--pixel-samples", "--adaptive", "--samples-map"})
+      command->get_option(name)->excludes(command->get_option(one_sample));
   command->callback([o] { render_scene(*o); });
 }
 
