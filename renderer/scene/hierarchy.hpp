@@ -34,7 +34,7 @@ struct Hierarchy {
 /// A leaf's `item` is the object's index in `objects`. No objects, no boxes.
 Hierarchy make_hierarchy(std::span<const Bounds> objects);
 /// The same of objects that move, from where they are when the shutter opens to where they are when
-/// it closes; what lies close together is judged halfway.
+/// it closes: of those made of where they are then and halfway, the one of least expected cost.
 Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close);
 
 }  // namespace renderer

@@ -32,16 +32,14 @@ struct Limits {
 /// How many samples a pixel has, and what they are distributed over (R. Cook et al., 1984).
 struct Sampling {
   int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; with `adaptive`, the most
-  /// Standard error of a pixel's colour, 0..1, that is allowed after ADAPTIVE_SAMPLES, and sqrt(n)
-  /// times as much after n times as many, so that a ray removes as much of the image's error
-  /// wherever it goes: pixels get more samples where theirs is larger, or where an object's border
-  /// runs through them; 0: all get `pixel_samples`.
+  /// Standard error of a pixel's colour, 0..1, that 64 samples may leave, n of them sqrt(n / 64)
+  /// times as much: above it, and at objects' borders, more are taken; 0: all get `pixel_samples`.
   double adaptive = 0;
   double lens = 1;         ///< times the scene's aperture, 0..1000; 0: a pinhole
   double shutter = 1;      ///< part of the scene's time that the shutter is open, 0..1
   std::uint64_t seed = 1;  ///< of all random numbers
 };
-inline constexpr int MAX_PIXEL_SAMPLES = 4096, ADAPTIVE_SAMPLES = 64;
+inline constexpr int MAX_PIXEL_SAMPLES = 4096;
 
 /// A rectangle of pixels; the origin is the upper left.
 struct Area {

@@ -144,8 +144,9 @@ void add_render_command(CLI::App& app) {
                       "folder for pictures on the way: after each step of --progressive; or, with "
                       "--order, after 1, 5, 25 and 100 % of the samples");
   add_frames_options(*command, o->frames);
-  for (const char* other : {"--progressive", "--preview"})
-    command->get_option("--samples-map")->excludes(command->get_option(other));
+  for (const char* one_sample : {"--progressive", "--preview"})
+    for (const char* name : {"--pixel-samples", "--adaptive", "--samples-map"})
+      command->get_option(name)->excludes(command->get_option(one_sample));
   command->callback([o] { render_scene(*o); });
 }
 

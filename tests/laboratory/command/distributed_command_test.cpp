@@ -103,6 +103,10 @@ TEST(DistributedCommand, WrongFramesAreRefusedBeforeAnythingIsWritten) {
   expect({"-o", "a.webp"}, "expected a name that ends in .png");
   expect({"-o", "a.gif", "--frames", "0-1"}, "expected a name that ends in .png or .webp");
   expect({"-o", "a.png", "--frames", "0-1", "--progressive"}, "--progressive excludes --frames");
+  expect({"-o", "a.png", "--pixel-samples", "4", "--progressive"},
+         "--pixel-samples excludes --progressive");
+  expect({"-o", "a.png", "--adaptive", "0.1", "--preview", "flat"},
+         "--adaptive excludes --preview");
   expect({"-o", "a.webp", "--frames", "0-1", "--size", "20000x1"}, "at most 16383 pixels");
   // The view is impossible in frame 2 alone.
   folder.write("way.csv", "0 0 0 5 0 0 0\n2 0 0 0 0 0 0\n4 0 0 5 0 0 0\n");
