@@ -9,7 +9,7 @@ namespace renderer::progressive {
 
 namespace {
 
-constexpr std::uint64_t MAX_BATCH = 1 << 16, MAX_PART = 256;  // pixels
+constexpr std::uint64_t MAX_BATCH = 1 << 12, MAX_PART = 256;  // pixels, the first for each thread
 
 std::uint64_t divide_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
@@ -133,7 +133,8 @@ void Refinement::find_corners(std::uint64_t samples) {
 
 void Refinement::trace_pixels(std::uint64_t pixels) {
   batch_.clear();
-  while (batch_.size() < std::min(pixels, MAX_BATCH)) {
+  const auto most = std::min(pixels, MAX_BATCH * static_cast<std::uint64_t>(threads_));
+  while (batch_.size() < most) {
     const auto block = walk_.next();
     if (!block) break;
     batch_.push_back(own_pixel(*block));
@@ -174,23 +175,33 @@ Samples::Sums Refinement::find_shown(std::size_t index) const {
   return is_share ? repeat(state_.sums[index], pixel_samples()) : state_.sums[index];
 }
 
+// Draws each block of the first pass over those before it.
+void Refinement::draw_blocks(Samples& picture) const {
+  Walk walk(order_, area_);
+  for (std::uint64_t i = 0; i < done(); ++i) {
+    const Area block = *walk.next();
+    const auto colour = find_shown(find_index(own_pixel(block)));
+    for (int y = block.y; y < block.y + block.height; ++y)
+      std::fill_n(
+          &picture.sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                        static_cast<std::size_t>(block.x)],
+          block.width, colour);
+  }
+}
+
 Rendering Refinement::make_rendering() const {
   Rendering made{Samples(params_.width, params_.height), {}, state_.rays, state_.work};
-  const auto to_image = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(params_.width) +
-           static_cast<std::size_t>(x);
-  };
   if (is_adaptive(params_.sampling)) made.counts.resize(made.samples.sums.size());
-  Walk walk(is_second_pass() ? Order::scan : order_, area_);  // no blocks in the second pass
-  for (std::uint64_t i = 0; i < std::min(done(), pixels_); ++i) {
-    const Area block = *walk.next();
-    const Pixel own = own_pixel(block);
-    if (!made.counts.empty()) made.counts[to_image(own.x, own.y)] = state_.counts[find_index(own)];
-    const auto colour = find_shown(find_index(own));
-    for (int y = block.y; y < block.y + block.height; ++y)
-      std::fill_n(made.samples.sums.begin() + static_cast<std::ptrdiff_t>(to_image(block.x, y)),
-                  block.width, colour);
+  std::size_t from = 0;
+  for (int y = area_.y; y < area_.y + area_.height; ++y) {
+    std::size_t to = static_cast<std::size_t>(y) * static_cast<std::size_t>(params_.width) +
+                     static_cast<std::size_t>(area_.x);
+    for (int column = 0; column < area_.width; ++column, ++from, ++to) {
+      made.samples.sums[to] = find_shown(from);
+      if (!made.counts.empty()) made.counts[to] = state_.counts[from];
+    }
   }
+  if (order_ == Order::quadrants && !is_second_pass()) draw_blocks(made.samples);
   return made;
 }
 

@@ -87,6 +87,7 @@ class Refinement {
   void share_work(int parts, const Trace& trace);
   void trace_pixel(const Pixel& pixel, PixelTracer& tracer);
   Samples::Sums find_shown(std::size_t index) const;
+  void draw_blocks(Samples& picture) const;
 
   const Scene& scene_;
   const Params params_;

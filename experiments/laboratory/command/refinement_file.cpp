@@ -2,43 +2,31 @@
 
 #include <bit>
 #include <cstring>
-#include <filesystem>
 #include <functional>
-#include <sstream>
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/host/version.hpp"
+#include "renderer/files/nff.hpp"
 
 // The file: FIRST_LINE; "name: value" for each member of the identity; an empty line; the numbers
 // as the host has them, each list with its length before it; the hash of all that.
 namespace laboratory {
 namespace {
 
-namespace fs = std::filesystem;
 using renderer::progressive::Order;
 using renderer::progressive::RefinementState;
 
 constexpr std::string_view FIRST_LINE = "state of a tlab rendering\n";
 constexpr std::size_t HASH_LENGTH = 32;
 
-// The scene's bytes, and those of every file beside it that a comment names.
-std::string collect_scene(const std::string& path) {
-  const std::string text = base::read_text(path);
-  std::string all = hash_of(text);
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const auto comment = line.find('#');
-    if (comment == std::string::npos) continue;
-    std::istringstream words(line.substr(comment + 1));
-    for (std::string word; words >> word;) {
-      const auto named = fs::path(path).parent_path() / word;
-      std::error_code ignored;
-      if (fs::is_regular_file(named, ignored)) all += hash_of(base::read_text(named));
-    }
-  }
-  return all;
+// Stands for the bytes of the scene's file and of those that it names.
+std::string hash_scene(const std::string& path) {
+  std::string hashes = hash_of(base::read_text(path));
+  for (const auto& further : renderer::find_files(path))
+    hashes += hash_of(base::read_text(further));
+  return hash_of(hashes);
 }
 
 // Hands every number of a state to `take`, which reads or writes the bytes of an object or a list.
@@ -125,7 +113,7 @@ Identity identify(const std::string& scene, const renderer::Params& params, Orde
   Identity identity = {
       {"version", VERSION},
       {"byte order", std::endian::native == std::endian::little ? "little" : "big"},
-      scene.ends_with(".nff") ? std::pair("hash of the scene", hash_of(collect_scene(scene)))
+      scene.ends_with(".nff") ? std::pair("hash of the scene", hash_scene(scene))
                               : std::pair("scene", scene)};
   for (const auto& field : renderer::param_fields())
     identity.emplace_back(field.name, base::to_text(field.get(params)));

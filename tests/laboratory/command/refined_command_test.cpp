@@ -213,19 +213,19 @@ TEST(RefinedCommand, AStateOfAChangedSceneIsRefused) {
   const TemporaryFolder folder;
   const std::string scene =
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 40\nf 1 0 0 1 0 0 0 1\n"
-      "s 0 0 0 1\n# about my notes.txt\n";
+      "# path way.csv\ns 0 0 0 1\n";
   const auto write = [&](const std::string& name, const std::string& text) {
     write_file(folder.path / name, text);
   };
   const Arguments arguments = {"render", "a.nff", "-o", "i.png", "--size", "9x9"};
   write("a.nff", scene);
-  write("notes.txt", "one");
+  write("way.csv", "0 0 0 0\n1 1 0 0\n");
   const auto plain = render(folder, arguments);
   render(folder, join(arguments, {"--budget", "30%", "--state", "s"}));
   const auto state = read_file(folder.path / "s");
-  write("notes.txt", "two");
+  write("way.csv", "0 0 0 0\n1 2 0 0\n");
   expect_refused(folder, arguments, "the state of another rendering: found hash of the scene");
-  write("notes.txt", "one");
+  write("way.csv", "0 0 0 0\n1 1 0 0\n");
   write("a.nff", scene + "s 1 1 1 1\n");
   expect_refused(folder, arguments, "the state of another rendering: found hash of the scene");
   // The name does not matter.

@@ -160,7 +160,7 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
     Refinement resumed(scene, params, Order::scan, 1, state);
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
-  EXPECT_THROW(resume(make_sampled(8, 8, 2, 0.1), small.state()), base::BadInput);
+  EXPECT_THROW(resume(make_sampled(8, 8, 8, 0.1), small.state()), base::BadInput);
   auto state = small.state();
   state.done = 8 * 8 * 2 + 1;
   EXPECT_THROW(resume(make_sampled(8, 8, 2), state), base::BadInput);
