@@ -185,12 +185,14 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
     seconds += clock.lap();
   }
   states.save(image);
-  return {image.make_rendering(),
-          image.done(),
-          image.total(),
-          image.state().rays.total() - rays_before,
-          image.queue() ? image.queue()->peak() : 0,
-          was_interrupted() && !image.is_finished()};
+  Refined refined;
+  refined.done = image.done();
+  refined.all = image.total();
+  refined.rays = image.state().rays.total() - rays_before;
+  refined.queue_peak = image.queue() ? image.queue()->peak() : 0;
+  refined.interrupted = was_interrupted() && !image.is_finished();
+  refined.image = image.take_rendering();
+  return refined;
 }
 
 void report_interrupt(const RefinedOptions& o, const RenderTask& task, const Refined& refined) {

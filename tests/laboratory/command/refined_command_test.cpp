@@ -1,4 +1,5 @@
 // tlab render in an order of pixels: stopped, gone on with, refused.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
