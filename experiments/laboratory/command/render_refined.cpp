@@ -158,7 +158,6 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
     for (double percent = STATE_PERCENT; percent < 100; percent += STATE_PERCENT)
       stops.insert(samples_at(percent, image.total()));
 
-  const InterruptGuard guard;
   const std::uint64_t rays_before = image.state().rays.total();
   Progress bar("rendering");
   Pace pace(task.threads);
