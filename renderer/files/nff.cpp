@@ -17,7 +17,8 @@ namespace renderer {
 namespace {
 
 constexpr int MAX_VERTICES = 1 << 24;
-constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000, MAX_TIME = 1e6;
+constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000, MAX_TIME = 1e6,
+                 MAX_COORDINATE = 1e6;
 
 // The first words of a comment.
 struct Words {
@@ -47,6 +48,8 @@ bool has_file(const Words& words) {
   });
 }
 
+bool has_picture(const Words& words) { return words.second.ends_with(".png"); }
+
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name, NffTarget& target)
@@ -55,6 +58,7 @@ class Reader {
 
   void read() {
     while (!tokens_.peek().empty()) read_statement();
+    require_polygon({});
     if (view_line_ == 0) tokens_.fail_next("a view ('v')");
   }
 
@@ -72,6 +76,7 @@ class Reader {
         {"c", [](Reader& r) { r.read_cone(); }}};
     const std::string_view name = tokens_.peek();
     if (tokens_.take_if("#")) return read_comment();
+    require_polygon(name);
     const Read read = tokens_.take_choice(
         STATEMENTS, target_.is_room() ? "a statement: v, b, l, f, # emit, p or pp"
                                       : "a statement: v, b, l, f, s, p, pp or c");
@@ -98,7 +103,9 @@ class Reader {
         {"light", false, &has_shape, [](Reader& r) { r.read_area_light(); }},
         {"gloss", false, &has_number, [](Reader& r) { r.read_spread("# gloss", &Surface::gloss); }},
         {"translucent", false, &has_number,
-         [](Reader& r) { r.read_spread("# translucent", &Surface::translucency); }}};
+         [](Reader& r) { r.read_spread("# translucent", &Surface::translucency); }},
+        {"texture", false, &has_picture, [](Reader& r) { r.read_texture(); }},
+        {"uv", false, &has_number, [](Reader& r) { r.read_coordinates(); }}};
     return COMMENTS;
   }
 
@@ -113,6 +120,7 @@ class Reader {
   void read_comment() {
     target_.line = tokens_.line();
     const auto known = std::ranges::find(comments(), tokens_.take(), &Comment::name);
+    require_polygon(known->name);
     tokens_.within_line([&] { known->read(*this); });
   }
 
@@ -231,14 +239,18 @@ class Reader {
     tell([&] { target_.set_motion({velocity, {}}); });
   }
 
-  Path take_path(bool has_target) {
+  // The name of a file beside this one.
+  std::string take_file() {
     const auto folder = std::filesystem::path(tokens_.name()).parent_path();
-    Path path;
     const auto file = (folder / tokens_.take_word("a file")).string();
-    tell([&] {
-      target_.add_file(file);
-      path = load_path(file, has_target);
-    });
+    target_.add_file(file);
+    return file;
+  }
+
+  Path take_path(bool has_target) {
+    Path path;
+    const auto file = take_file();
+    tell([&] { path = load_path(file, has_target); });
     return path;
   }
 
@@ -257,6 +269,60 @@ class Reader {
     require_surface(statement);
     surface_.*radius = tokens_.take_number("the radius of a disc at distance 1", 0, 1);
     tell([&] { target_.change_surface(surface_); });
+  }
+
+  void read_texture() {
+    require_surface("# texture");
+    const auto file = take_file();
+    const Mapping mapping = take_mapping();
+    tell([&] {
+      surface_.texture = target_.add_texture(file, mapping);
+      target_.change_surface(surface_);
+    });
+  }
+
+  Mapping take_mapping() {
+    constexpr std::pair<std::string_view, Mapping (*)(Reader&)> MAPPINGS[] = {
+        {"planar", [](Reader& r) { return r.take_planar(); }},
+        {"spherical", [](Reader& r) { return r.take_spherical(); }},
+        {"mesh", [](Reader&) { return make_mesh_mapping(); }}};
+    return tokens_.take_choice(MAPPINGS, "a mapping: planar, spherical or mesh")(*this);
+  }
+
+  Mapping take_planar() {
+    const Vec origin = tokens_.take_vec("the texture's lower left corner");
+    const Vec u = tokens_.take_vec("the texture's lower edge");
+    const Vec v = tokens_.take_vec("the texture's left edge");
+    Mapping mapping;
+    tell([&] { mapping = make_planar(origin, u, v); });
+    return mapping;
+  }
+
+  Mapping take_spherical() {
+    const Vec middle = tokens_.take_vec("the texture's middle");
+    Vec axis{0, 0, 1};
+    if (tokens_.take_if("axis")) axis = tokens_.take_vec("the texture's axis");
+    Mapping mapping;
+    tell([&] { mapping = make_spherical(middle, axis); });
+    return mapping;
+  }
+
+  void read_coordinates() {
+    while (tokens_.continues()) {
+      const auto take = [&] {
+        return tokens_.take_number("a texture coordinate", -MAX_COORDINATE, MAX_COORDINATE);
+      };
+      const double u = take();
+      coordinates_.push_back({u, take()});
+    }
+  }
+
+  // After '# uv'.
+  void require_polygon(std::string_view statement) {
+    if (coordinates_.empty() || statement == "p" || statement == "pp" || statement == "uv") return;
+    const auto found = statement.empty() ? "the end of the file" : base::quote(statement);
+    tokens_.fail(tokens_.line(),
+                 fmt::format("found {} after '# uv', expected its polygon: p or pp", found));
   }
 
   void read_surface() {
@@ -295,6 +361,7 @@ class Reader {
       corners.push_back(tokens_.take_vec("a vertex"));
       if (with_normals) normals.push_back(tokens_.take_vec("a normal"));
     }
+    target_.set_coordinates(std::exchange(coordinates_, {}));
     tell([&] { target_.add_polygon(std::move(corners), std::move(normals)); });
   }
 
@@ -310,7 +377,8 @@ class Reader {
   NffTarget& target_;
   int view_line_ = 0, lens_line_ = 0, shutter_line_ = 0, camera_line_ = 0;
   bool has_surface_ = false;
-  Surface surface_;  // set last
+  Surface surface_;                  // set last
+  std::vector<Corner> coordinates_;  // of the polygon to come
 };
 
 }  // namespace

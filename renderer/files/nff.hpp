@@ -26,10 +26,17 @@
 //   # light sphere X Y Z R [R G B]
 //   # gloss S                                          of the surface of the objects that follow
 //   # translucent S
+//   # texture FILE planar O U V                        of the same surface; from point O, a picture
+//                                                      goes as far as edges U and V
+//   # texture FILE spherical X Y Z [axis AX AY AZ]     around a middle; axis 0 0 1 by default
+//   # texture FILE mesh                                by coordinates:
+//   # uv U V U V ...                                   a pair for each corner of the `p` or `pp`
+//                                                      that follows; further lines add to it
 //
 // A comment is a statement if its first word is a statement's name and what follows begins as
-// above: with a number, with the one name of a file that ends in .path, .csv or .txt, or with a
-// light's shape and a number. It ends with its line. Any other comment is prose.
+// above: with a number, with the one name of a file that ends in .path, .csv or .txt, with that of
+// a picture, which ends in .png, or with a light's shape and a number. It ends with its line. Any
+// other comment is prose.
 
 #include <optional>
 #include <string>
@@ -90,6 +97,10 @@ class NffTarget {
   virtual void set_camera(Path) {}
   /// A further file that is read for the statement.
   virtual void add_file(const std::string&) {}
+  /// Returns the texture's index.
+  virtual std::uint32_t add_texture(const std::string&, const Mapping&) { return NO_TEXTURE; }
+  /// Of the corners of the polygon that is told next; none: it has none.
+  virtual void set_coordinates(std::vector<Corner>) {}
   virtual void add_sphere(const Vec& centre, double radius) = 0;
   /// As many normals as corners, or none.
   virtual void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) = 0;

@@ -1,5 +1,6 @@
 #include "renderer/files/scene_target.hpp"
 
+#include "renderer/image/image.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace renderer {
@@ -48,15 +49,26 @@ void SceneTarget::set_motion(Motion motion) {
   motions_.push_back({std::move(motion), object_count(scene_), line});
 }
 
+std::uint32_t SceneTarget::add_texture(const std::string& file, const Mapping& mapping) {
+  const auto [known, is_new] =
+      pyramids_.try_emplace(file, static_cast<std::uint32_t>(scene_.pyramids.size()));
+  if (is_new) {
+    const Bitmap picture = load_png(file);
+    scene_.pyramids.push_back(make_pyramid(picture.width, picture.height, picture.rgb8));
+  }
+  scene_.textures.push_back({known->second, mapping});
+  return static_cast<std::uint32_t>(scene_.textures.size() - 1);
+}
+
 void SceneTarget::add_sphere(const Vec& centre, double radius) {
   renderer::add_sphere(scene_, centre, radius);
 }
 
 void SceneTarget::add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) {
   if (normals.empty())
-    renderer::add_polygon(scene_, corners);
+    renderer::add_polygon(scene_, corners, coordinates_);
   else
-    add_patch(scene_, corners, normals);
+    add_patch(scene_, corners, normals, coordinates_);
 }
 
 void SceneTarget::add_cone(const Vec& base, double base_radius, const Vec& apex,

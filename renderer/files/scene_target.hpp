@@ -1,6 +1,8 @@
 #pragma once
 // Makes a scene of what an NFF file says.
 
+#include <map>
+
 #include "renderer/files/nff.hpp"
 
 namespace renderer {
@@ -25,6 +27,10 @@ class SceneTarget : public NffTarget {
   void set_motion(Motion motion) override;
   void set_camera(Path path) override;
   void add_file(const std::string& path) override { files_.push_back(path); }
+  std::uint32_t add_texture(const std::string& file, const Mapping& mapping) override;
+  void set_coordinates(std::vector<Corner> coordinates) override {
+    coordinates_ = std::move(coordinates);
+  }
   void add_sphere(const Vec& centre, double radius) override;
   void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) override;
   void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override;
@@ -44,7 +50,9 @@ class SceneTarget : public NffTarget {
   std::string name_;
   std::vector<std::string> files_;
   Scene scene_;
-  std::vector<bool> has_colour_;  // by light
+  std::vector<bool> has_colour_;                   // by light
+  std::vector<Corner> coordinates_;                // of the polygon to come
+  std::map<std::string, std::uint32_t> pyramids_;  // by their files
   Lens lens_;
   Shutter shutter_;
   std::vector<Moving> motions_;

@@ -190,7 +190,9 @@ View make_image_plane(View view) {
 
 TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std::uint32_t object,
                                 const Vec& point) {
-  if (texture.mapping.kind != Mapping::Kind::mesh) return eval_mapping(texture.mapping, point);
+  if (texture.mapping.kind != Mapping::Kind::mesh)
+    return eval_mapping(texture.mapping,
+                        scene.displacements.empty() ? point : point - scene.displacements[object]);
   return visit(scene, scene.objects[object], [&](const auto& primitive) {
     if constexpr (requires { primitive.count; })
       return find_mesh_point(scene, primitive, point);
@@ -200,6 +202,8 @@ TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std:
 }
 
 void translate(Scene& scene, std::uint32_t object, const Vec& by) {
+  scene.displacements.resize(object_count(scene));
+  scene.displacements[object] += by;
   const Place place = scene.objects[object];
   switch (place.kind()) {
     case Kind::sphere:

@@ -73,7 +73,7 @@ struct Place {
   std::uint32_t index() const { return bits >> 2; }
 };
 
-/// Fill the lists with the add_ functions, then call finish() once.
+/// Fill the lists with the add_ functions, then call finish(); once more after translate().
 struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Light> lights;
@@ -95,6 +95,8 @@ struct Scene {
   /// How far each object moves while the shutter is open, by its index; empty: nothing moves. The
   /// primitives are where they are when it opens.
   std::vector<Vec> moves;
+  /// How far translate() has moved each object, and its texture with it, by its index; empty: none.
+  std::vector<Vec> displacements;
   Hierarchy hierarchy;  ///< a leaf's item is a Place's bits
   double epsilon = 0;   ///< least distance of a hit: 1e-10 of the largest coordinate
 };
@@ -126,7 +128,7 @@ void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> 
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius);
 
-/// Moves an object of a scene that is not finished.
+/// Moves an object. finish() is to be called after it.
 void translate(Scene& scene, std::uint32_t object, const Vec& by);
 
 /// Derives right, above and ahead anew from `from`, `at` and `up`, which must be possible.

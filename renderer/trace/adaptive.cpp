@@ -12,20 +12,35 @@ bool has_border(std::span<const TracedSample> samples, const Corners& corners) {
          !std::ranges::all_of(samples, [&](const auto& s) { return s.object == object; });
 }
 
-// The largest of the components' standard errors, squared.
+// How often samples were in a square of the pixel, and what they were.
+struct Square {
+  int count = 0;
+  Rgb sum, squares;
+};
+
+// The largest of the components' standard errors, squared. The pixel is divided into squares that
+// have two or four samples each (see sample_square()): how they differ there is all that is not
+// known of it.
 double eval_error_square(std::span<const TracedSample> samples) {
-  const auto n = static_cast<double>(samples.size());
-  double largest = 0;
-  for (const auto component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
-    double sum = 0, squares = 0;
-    for (const auto& sample : samples) {
-      const double shown = std::clamp(to_rgb(sample.sums).*component, 0.0, 1.0);
-      sum += shown;
-      squares += shown * shown;
-    }
-    largest = std::max(largest, (squares - sum * sum / n) / (n * (n - 1)));
+  int levels = 0;
+  while (std::size_t{4} << (2 * levels) < samples.size()) ++levels;
+  std::vector<Square> squares(std::size_t{1} << (2 * levels));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(i));
+    const auto find = [&](std::uint32_t at) { return std::uint64_t{at} >> (32 - levels); };
+    Square& square = squares[find(v) << levels | find(u)];
+    const Rgb colour = to_rgb(samples[i].sums);
+    const auto show = [](double component) { return std::clamp(component, 0.0, 1.0); };
+    const Rgb shown{show(colour.r), show(colour.g), show(colour.b)};
+    ++square.count;
+    square.sum += shown;
+    square.squares += shown * shown;
   }
-  return largest;
+  Rgb all;
+  for (const auto& [count, sum, sum_of_squares] : squares)
+    if (count > 1) all += (1.0 / (count - 1)) * (count * sum_of_squares + -1.0 * sum * sum);
+  const auto n = static_cast<double>(samples.size());
+  return max_component(all) / (n * n);
 }
 
 }  // namespace
@@ -35,8 +50,9 @@ int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const 
   if (has >= s.pixel_samples || has < 2) return has;
   const bool border = has_border(samples, corners);
   if (!border && corners[0] == NO_OBJECT) return has;
-  const bool is_first = has == first_round(s);
-  if (!(is_first && border) && !(eval_error_square(samples) > s.adaptive * s.adaptive)) return has;
+  const int second_round = round_of(s, first_round(s)).count + first_round(s);
+  const bool is_early = has < second_round || (has == second_round && border);
+  if (!is_early && !(eval_error_square(samples) > s.adaptive * s.adaptive)) return has;
   return has + round_of(s, has).count;
 }
 

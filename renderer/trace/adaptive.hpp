@@ -22,9 +22,10 @@ struct TracedSample {
 using Corners = std::array<std::uint32_t, 4>;
 
 /// How many samples a pixel should have. `samples` are those that it has, whole rounds in the order
-/// of their passes; as many: it is finished. After the first round an object's border calls for
-/// more; after any round, the standard error of the mean of its colours, each component as a screen
-/// shows it (0 to 1), if it is above `sampling.adaptive`.
+/// of their passes; as many: it is finished. Where all rays miss, that is after the first round. An
+/// object's border calls for more after the first two rounds, and whatever it is, after any but the
+/// first, the standard error of the mean of its colours, each component as a screen shows it (0 to
+/// 1), if it is above `sampling.adaptive`.
 int find_wanted(const Sampling& sampling, std::span<const TracedSample> samples,
                 const Corners& corners);
 

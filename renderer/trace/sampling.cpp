@@ -25,6 +25,32 @@ int find_region(std::uint64_t stream, const Round& round, int pass) {
   return permute(pass - round.first, round.count, key);
 }
 
+std::uint32_t reverse(std::uint32_t x) {
+  x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+  x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+  x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+  x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
+  return x << 16 | x >> 16;
+}
+
+// Changes each bit at random, in a way that depends on the bits above it alone (A. Owen, 1995):
+// what shares a half, a quarter ... of the line still does.
+std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
+  x = reverse(x) + seed;
+  for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
+    x ^= x * factor;
+  return reverse(x);
+}
+
+// The index of an adaptive pixel's sample in the sequence of a dimension: in the pixel as they
+// come; others are paired with that at random within each round.
+std::uint32_t find_index(const Sampling& s, const SampleKey& key, Dimension dimension,
+                         std::uint64_t stream) {
+  if (dimension == Dimension::pixel) return static_cast<std::uint32_t>(key.pass);
+  const Round round = round_of(s, key.pass);
+  return static_cast<std::uint32_t>(round.first + find_region(stream, round, key.pass));
+}
+
 // sin() and cos() for angles of at most pi / 4, by their series.
 double eval_sine(double x) {
   const double square = x * x;
@@ -46,7 +72,7 @@ Round round_of(const Sampling& s, int pass) {
   int first = 0, end = FIRST_ROUND;
   while (pass >= end) {
     first = end;
-    end *= 4;
+    end *= first == FIRST_ROUND ? 4 : 2;
   }
   return {first, std::min(end, s.pixel_samples) - first};
 }
@@ -90,9 +116,22 @@ int permute(int index, int count, std::uint32_t key) {
   return static_cast<int>((static_cast<std::uint64_t>(i) + key) % length);
 }
 
+WholePoint eval_sequence(std::uint32_t index) {
+  WholePoint point{reverse(index), 0};
+  for (std::uint32_t direction = 1u << 31; index != 0; index >>= 1, direction ^= direction >> 1)
+    if ((index & 1) != 0) point.v ^= direction;
+  return point;
+}
+
 SquarePoint sample_square(const Sampling& s, const SampleKey& key, Dimension dimension) {
-  const Round round = round_of(s, key.pass);
   const auto stream = make_stream(s, key, dimension);
+  if (is_adaptive(s)) {
+    const auto [u, v] = eval_sequence(find_index(s, key, dimension, stream));
+    const std::uint64_t seeds = mix(stream, 0);
+    return {0x1p-32 * scramble(u, static_cast<std::uint32_t>(seeds)),
+            0x1p-32 * scramble(v, static_cast<std::uint32_t>(seeds >> 32))};
+  }
+  const Round round = round_of(s, key.pass);
   const Region in = make_region(find_region(stream, round, key.pass), round.count);
   const auto pass = static_cast<std::uint64_t>(key.pass);
   return {in.u + in.width * to_unit(mix(stream, 2 * pass)),
@@ -100,6 +139,7 @@ SquarePoint sample_square(const Sampling& s, const SampleKey& key, Dimension dim
 }
 
 double sample_line(const Sampling& s, const SampleKey& key, Dimension dimension) {
+  if (is_adaptive(s)) return sample_square(s, key, dimension).u;
   const Round round = round_of(s, key.pass);
   const auto stream = make_stream(s, key, dimension);
   const double jitter = to_unit(mix(stream, 2 * static_cast<std::uint64_t>(key.pass)));

@@ -35,13 +35,22 @@ inline bool is_adaptive(const Sampling& s) {
   return s.adaptive > 0 && s.pixel_samples > FIRST_ROUND;
 }
 /// All of a pixel's samples are one round; with adaptive sampling, samples come in rounds that make
-/// them 4, 16, 64 ... together, and at last `pixel_samples`.
+/// them 4, 16, 32, 64 ... together, and at last `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// How many samples a pixel has after its first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }
 
-/// The sample's point of a square: one of the round's samples lies in each of `count` regions of
-/// equal area, in rows as equal as can be.
+/// A point of the unit square in units of 2^-32.
+struct WholePoint {
+  std::uint32_t u = 0, v = 0;
+};
+/// Points of I. Sobol's sequence (1967): of the first 2^n one lies in each rectangle of that area
+/// whose sides are halves, quarters ... of the square's.
+WholePoint eval_sequence(std::uint32_t index);
+
+/// The sample's point of a square: one of the samples lies in each of `count` regions of equal
+/// area, in rows as equal as can be. With adaptive sampling they are eval_sequence()'s, by `pass`
+/// in the pixel, all over the smallest of its rectangles: which share one of them is as it was.
 SquarePoint sample_square(const Sampling& sampling, const SampleKey& key, Dimension dimension);
 /// The sample's point of a line, 0..1.
 double sample_line(const Sampling& sampling, const SampleKey& key, Dimension dimension);

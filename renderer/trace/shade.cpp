@@ -85,7 +85,7 @@ Rgb eval_texture(const Scene& scene, const Params& params, const Ray& ray, const
   const Texture& texture = scene.textures[scene.surfaces[hit.surface].texture];
   const Pyramid& pyramid = scene.pyramids[texture.pyramid];
   const Vec point =
-      scene.moves.empty() ? hit.point : hit.point - ray.time * scene.moves[hit.object];
+      scene.moves.empty() ? hit.point : hit.point - eval_shift(scene, hit.object, ray.time);
   const TexturePoint at = find_texture_point(scene, texture, hit.object, point);
   // Along the surface; gradients of spheres and planes need not lie in it.
   const auto along = [&](const Vec& way) {

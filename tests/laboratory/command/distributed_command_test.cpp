@@ -22,7 +22,8 @@ struct SceneFolder : TemporaryFolder {
     std::ofstream(path / name) << text;
   }
   Outcome render(const Arguments& more) const {
-    Arguments all = {"render", "s.nff", "--size", "24x18"};
+    Arguments all = {"render", "s.nff"};
+    if (std::ranges::find(more, "--size") == more.end()) all.insert(all.end(), {"--size", "24x18"});
     all.insert(all.end(), more.begin(), more.end());
     return tlab(path, all);
   }
@@ -101,7 +102,7 @@ TEST(DistributedCommand, WrongFramesAreRefusedBeforeAnythingIsWritten) {
   expect({"-o", "a.webp", "--frames", "0-1", "--frame-rate", "0"}, "--frame-rate");
   expect({"-o", "a.webp"}, "expected a name that ends in .png");
   expect({"-o", "a.gif", "--frames", "0-1"}, "expected a name that ends in .png or .webp");
-  expect({"-o", "a.png", "--frames", "0-1", "--progressive"}, "--frames excludes --progressive");
+  expect({"-o", "a.png", "--frames", "0-1", "--progressive"}, "--progressive excludes --frames");
   expect({"-o", "a.webp", "--frames", "0-1", "--size", "20000x1"}, "at most 16383 pixels");
   // The view is impossible in frame 2 alone.
   folder.write("way.csv", "0 0 0 5 0 0 0\n2 0 0 0 0 0 0\n4 0 0 5 0 0 0\n");

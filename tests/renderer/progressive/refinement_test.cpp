@@ -161,7 +161,9 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
     Refinement resumed(scene, params, Order::scan, 1, state);
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
-  EXPECT_THROW(resume(make_sampled(8, 8, 8, 0.1), small.state()), base::BadInput);
+  // The same number of samples, but it is not the most.
+  Refinement fixed(scene, make_sampled(8, 8, 8), Order::scan);
+  EXPECT_THROW(resume(make_sampled(8, 8, 8, 0.1), fixed.state()), base::BadInput);
   auto state = small.state();
   state.done = 8 * 8 * 2 + 1;
   EXPECT_THROW(resume(make_sampled(8, 8, 2), state), base::BadInput);

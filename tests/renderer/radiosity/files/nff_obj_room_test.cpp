@@ -49,7 +49,7 @@ TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
       {head + "q", "test.nff:7: found 'q', expected a statement: v, b, l, f, # emit, p or pp"},
       {head + VIEW, "test.nff:7: found a second 'v', expected one, that of line 1"},
       {head + SQUARE, "test.nff: found no face that emits, expected one or more"},
-      {head + "# emit 1 1", "test.nff:7: found the end of the file, expected an emission"},
+      {head + "# emit 1 1", "test.nff:7: found the end of the line, expected an emission"},
       {head + "# emit 1 1 -1", "test.nff:7: found an emission 1 1 -1, expected 0"},
       {head + "# emit nan 1 1", "test.nff:7: found 'nan', expected an emission"},
       {head + "\np 3 0 0 0 1 0 0 2 0 0", "test.nff:8: found 3 corners around no area"},

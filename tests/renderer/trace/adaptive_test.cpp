@@ -1,0 +1,272 @@
+// More samples where they are called for.
+#include "renderer/trace/adaptive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "renderer/scene/generators.hpp"
+#include "tests/renderer/support.hpp"
+
+namespace renderer::test {
+namespace {
+
+Params make_adaptive(int side, double error, int most = 256) {
+  Params params = make_params(side, side, 5);
+  params.limits.min_influence = 0.01;
+  params.sampling.pixel_samples = most;
+  params.sampling.adaptive = error;
+  return params;
+}
+
+SquarePoint sample(const Params& params, int pass, Dimension dimension, std::uint32_t pixel) {
+  return sample_square(params.sampling, {pixel, pass}, dimension);
+}
+
+// Which of columns x rows rectangles a point lies in.
+int find_part(const SquarePoint& at, int columns, int rows) {
+  return static_cast<int>(at.v * rows) * columns + static_cast<int>(at.u * columns);
+}
+
+TEST(Adaptive, RoundsDoubleAfterTheSecond) {
+  const Params params = make_adaptive(1, 0.1, 100);
+  std::vector<int> ends;
+  for (int pass = 0; pass < 100;) {
+    const Round round = round_of(params.sampling, pass);
+    EXPECT_EQ(round.first, pass);
+    ends.push_back(pass += round.count);
+  }
+  EXPECT_EQ(ends, (std::vector<int>{4, 16, 32, 64, 100}));
+}
+
+// In the pixel for any power of two, in other dimensions after whole rounds.
+TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
+  const Params params = make_adaptive(1, 0.1, 1000);
+  for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})
+    for (std::uint32_t pixel = 0; pixel < 30; ++pixel)
+      for (const int count : {2, 4, 8, 16, 32, 64, 128, 256}) {
+        if (dimension != Dimension::pixel && (count == 2 || count == 8)) continue;
+        for (int columns = 1; columns <= count; columns *= 2) {
+          std::set<int> parts;
+          for (int pass = 0; pass < count; ++pass)
+            parts.insert(
+                find_part(sample(params, pass, dimension, pixel), columns, count / columns));
+          EXPECT_EQ(parts.size(), static_cast<std::size_t>(count));
+        }
+      }
+}
+
+TEST(Adaptive, TheSequenceSaysWhichSamplesShareASquare) {
+  const Params params = make_adaptive(1, 0.1, 256);
+  for (std::uint32_t pixel = 0; pixel < 50; ++pixel)
+    for (int levels = 0; levels < 4; ++levels) {
+      std::map<int, std::set<int>> squares;
+      for (int pass = 0; pass < 256; ++pass) {
+        const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(pass));
+        const int part = find_part({0x1p-32 * u, 0x1p-32 * v}, 1 << levels, 1 << levels);
+        squares[part].insert(
+            find_part(sample(params, pass, Dimension::pixel, pixel), 1 << levels, 1 << levels));
+      }
+      EXPECT_EQ(squares.size(), std::size_t{1} << (2 * levels));
+      for (const auto& [part, found] : squares) EXPECT_EQ(found.size(), 1u);
+    }
+}
+
+TEST(Adaptive, TimesAreSpreadEvenlyToo) {
+  const Params params = make_adaptive(1, 0.1, 256);
+  for (std::uint32_t pixel = 0; pixel < 20; ++pixel)
+    for (const int count : {4, 16, 32, 64, 256}) {
+      std::set<int> parts;
+      for (int pass = 0; pass < count; ++pass)
+        parts.insert(
+            static_cast<int>(sample_line(params.sampling, {pixel, pass}, Dimension::time) * count));
+      EXPECT_EQ(parts.size(), static_cast<std::size_t>(count));
+    }
+}
+
+TEST(Adaptive, EachSampleIsAnywhereInItsSquare) {
+  // The mean of a pixel's samples is that of the pixel, whatever their number.
+  const Params params = make_adaptive(1, 0.1, 64);
+  for (const int pass : {0, 1, 7, 40}) {
+    double u = 0, v = 0, uv = 0;
+    constexpr int PIXELS = 20000;
+    for (std::uint32_t pixel = 0; pixel < PIXELS; ++pixel) {
+      const auto at = sample(params, pass, Dimension::pixel, pixel);
+      u += at.u / PIXELS;
+      v += at.v / PIXELS;
+      uv += at.u * at.v / PIXELS;
+    }
+    EXPECT_NEAR(u, 0.5, 0.01);
+    EXPECT_NEAR(v, 0.5, 0.01);
+    EXPECT_NEAR(uv, 0.25, 0.01);
+  }
+}
+
+TracedSample make_sample(double grey, std::uint32_t object = 7) {
+  TracedSample traced;
+  add(traced.sums, Rgb{grey, grey, grey});
+  traced.object = object;
+  return traced;
+}
+
+int find_wanted(double error, const std::vector<TracedSample>& samples, std::uint32_t corner) {
+  return find_wanted(make_adaptive(1, error).sampling, samples, {corner, corner, corner, corner});
+}
+
+TEST(Adaptive, NothingAnywhereIsEnoughAfterOneRound) {
+  std::vector<TracedSample> samples(4, make_sample(0, NO_OBJECT));
+  EXPECT_EQ(find_wanted(0.1, samples, NO_OBJECT), 4);
+  EXPECT_EQ(find_wanted(0.1, samples, 3), 16);
+  samples[2].object = 3;
+  EXPECT_EQ(find_wanted(0.1, samples, NO_OBJECT), 16);
+}
+
+TEST(Adaptive, ABorderHasAThirdRound) {
+  std::vector<TracedSample> samples(16, make_sample(0.5));
+  EXPECT_EQ(find_wanted(0.1, samples, 7), 16);
+  EXPECT_EQ(find_wanted(0.1, samples, 8), 32);
+  samples[9].object = 8;
+  EXPECT_EQ(find_wanted(0.1, samples, 7), 32);
+  samples.resize(32, make_sample(0.5));
+  EXPECT_EQ(find_wanted(0.1, samples, 7), 32);
+}
+
+// The quarter of the pixel that a sample is in.
+int quarter_of(int pass) {
+  const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(pass));
+  return static_cast<int>(u >> 31 | v >> 31 << 1);
+}
+
+TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
+  // Half of the quarters white, half black, none of them mixed: no error.
+  std::vector<TracedSample> samples;
+  for (int i = 0; i < 16; ++i) samples.push_back(make_sample(quarter_of(i) % 2));
+  EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
+  // One white and three black in each: four quarters of variance 1 / 4, of which the mean's is a
+  // 16th of a quarter's, 0.125 squared.
+  samples.clear();
+  std::set<int> seen;
+  for (int i = 0; i < 16; ++i)
+    samples.push_back(make_sample(seen.insert(quarter_of(i)).second ? 1 : 0));
+  EXPECT_EQ(find_wanted(0.126, samples, 7), 16);
+  EXPECT_EQ(find_wanted(0.124, samples, 7), 32);
+  // What is brighter than white is white.
+  for (TracedSample& s : samples) s = make_sample(s.sums.r > 0 ? 50 : 1);
+  EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
+}
+
+double eval_rmse(const Samples& a, const Samples& b, const Area& area) {
+  double sum = 0;
+  for (int y = area.y; y < area.y + area.height; ++y)
+    for (int x = area.x; x < area.x + area.width; ++x)
+      for (const auto component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+        const auto get = [&](const Samples& samples) {
+          const auto at = static_cast<std::uint32_t>(y * samples.width + x);
+          return std::clamp(samples.get(at).*component, 0.0, 1.0);
+        };
+        sum += (get(a) - get(b)) * (get(a) - get(b));
+      }
+  return std::sqrt(sum / (3.0 * area.width * area.height));
+}
+
+TEST(Adaptive, SavesRaysAtTheSameError) {
+  // A part of a larger image that is full of borders. (Of whole images docs/manual says more.)
+  const Scene scene = make_spheres(200);
+  Params params = make_adaptive(512, 0);
+  params.area = {200, 210, 32, 32};
+  const auto run = [&](int samples, double error, std::uint64_t seed) {
+    params.sampling = {.pixel_samples = samples, .adaptive = error, .seed = seed};
+    return render(scene, params);
+  };
+  const Rendering reference = run(400, 0, 99), uniform = run(64, 0, 1), found = run(256, 0.01, 1);
+  EXPECT_LT(eval_rmse(found.samples, reference.samples, params.area),
+            eval_rmse(uniform.samples, reference.samples, params.area));
+  EXPECT_LT(found.rays.total(), 0.7 * uniform.rays.total());
+}
+
+// Pixels in which a grid of rays meets more than one object, or some and none.
+std::vector<bool> find_borders(const Scene& scene, const Params& params, int grid) {
+  Params fine = params;
+  fine.sampling = {};
+  fine.width *= grid;
+  fine.height *= grid;
+  fine.sample = SamplePosition::center;
+  std::vector<bool> borders;
+  Work work;
+  for (int y = 0; y < params.height; ++y)
+    for (int x = 0; x < params.width; ++x) {
+      std::set<std::uint32_t> objects;
+      for (int i = 0; i < grid * grid && objects.size() < 2; ++i) {
+        const Ray ray = make_primary(scene.view, fine, x * grid + i % grid, y * grid + i / grid);
+        const auto hit = intersect(scene, ray, fine.traversal, work);
+        objects.insert(hit ? hit->object : NO_OBJECT);
+      }
+      borders.push_back(objects.size() > 1);
+    }
+  return borders;
+}
+
+// Borders, and those of them whose pixels have at most so many samples.
+std::pair<int, int> count_borders(const Scene& scene, const Params& params, int most) {
+  const auto borders = find_borders(scene, params, 10);
+  const Rendering found = render(scene, params);
+  int all = 0, few = 0;
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    all += borders[i];
+    few += borders[i] && found.counts[i] <= most;
+  }
+  return {all, few};
+}
+
+TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
+  Random random{12};
+  int borders = 0;
+  for (int round = 0; round < 20; ++round) {
+    // Half a plane, black on black: its border alone calls for more.
+    Scene scene;
+    scene.view.from = {0, 0, 8};
+    scene.surfaces.push_back({.colour = {}, .kd = 0});
+    const double angle = random.range(0, 2 * std::numbers::pi);
+    const Vec along{std::cos(angle), std::sin(angle), 0}, across{-along.y, along.x, 0};
+    const Vec at = random.range(-2, 2) * across;
+    const double far = 1000;
+    add_polygon(
+        scene, std::vector<Vec>{at - far * along, at + far * along, at + far * along + far * across,
+                                at - far * along + far * across});
+    finish(scene);
+    const auto [all, few] = count_borders(scene, make_adaptive(32, 1), 16);
+    borders += all;
+    EXPECT_EQ(few, 0) << "of " << all;
+  }
+  EXPECT_GT(borders, 500);
+}
+
+// Balls that are smaller than a pixel, or touch one between its corners and samples, may escape,
+// but not all of the rounds that every object has.
+TEST(Adaptive, HardlyABallsBorderIsWithoutExtraSamples) {
+  for (const int spheres : {200, 3200}) {
+    const Params params = make_adaptive(32, 0.01);
+    const Scene scene = make_spheres(spheres);
+    const auto [all, few] = count_borders(scene, params, 16);
+    EXPECT_EQ(count_borders(scene, params, FIRST_ROUND).second, 0);
+    EXPECT_LT(few, 0.02 * all);
+  }
+}
+
+TEST(Adaptive, AnyThreadsAndBlocksTheSameBits) {
+  const Scene scene = make_random_scene(3, 30);
+  const Params params = make_adaptive(24, 0.02, 64);
+  const Rendering one = render(scene, params), three = render(scene, params, 3);
+  EXPECT_EQ(one.samples, three.samples);
+  EXPECT_EQ(one.counts, three.counts);
+  EXPECT_EQ(one.rays, three.rays);
+  Samples pieces(24, 24);
+  Work work;
+  for (const Area& area : {Area{0, 0, 7, 24}, Area{7, 0, 17, 11}, Area{7, 11, 17, 13}})
+    add_block(pieces, render_block(scene, params, area), work);
+  EXPECT_EQ(pieces, one.samples);
+}
+
+}  // namespace
+}  // namespace renderer::test
