@@ -57,7 +57,7 @@ TEST(RefinedCommand, StoppedByABudgetItGoesOnToTheSameImage) {
   for (const Arguments& sampling :
        {Arguments{"--pixel-samples", "4"}, {"--pixel-samples", "6", "--adaptive", "0.05"}}) {
     const auto plain = render(folder, quick(sampling));
-    for (int i = 0; i < 25; ++i) {
+    for (int i = 0; i < 15; ++i) {
       const auto percent = fmt::format("{}%", 100 * random.uniform());
       SCOPED_TRACE(percent);
       const auto ask = [&](const Arguments& more) { return quick(join(sampling, more)); };
