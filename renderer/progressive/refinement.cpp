@@ -205,4 +205,14 @@ Rendering Refinement::make_rendering() const {
   return made;
 }
 
+Rendering Refinement::take_rendering() {
+  if (!is_finished() || area_ != Area{0, 0, params_.width, params_.height}) return make_rendering();
+  Rendering taken{{}, {}, state_.rays, state_.work};
+  taken.samples.width = params_.width;
+  taken.samples.height = params_.height;
+  taken.samples.sums = std::move(state_.sums);
+  if (is_adaptive(params_.sampling)) taken.counts = std::move(state_.counts);
+  return taken;
+}
+
 }  // namespace renderer::progressive

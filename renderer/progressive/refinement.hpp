@@ -68,6 +68,8 @@ class Refinement {
 
   /// The picture so far. A pixel with one sample has that sample's colour.
   Rendering make_rendering() const;
+  /// The same without a copy of a finished picture; afterwards there is nothing left to go on with.
+  Rendering take_rendering();
   const RefinementState& state() const { return state_; }
   /// Null unless the order is by quadrants.
   const QuadrantQueue* queue() const { return walk_.queue(); }

@@ -7,6 +7,7 @@
 #include "experiments/laboratory/command/render_frames.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
 #include "experiments/laboratory/command/render_refined.hpp"
+#include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
@@ -74,6 +75,7 @@ void render_at_once(const Options& o) {
 
 void render_in_order(const Options& o) {
   const auto scene = renderer::load_scene(o.scene);
+  const InterruptGuard guard;  // until all is written
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);
   const double seconds = clock.lap();

@@ -158,7 +158,6 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
     for (double percent = STATE_PERCENT; percent < 100; percent += STATE_PERCENT)
       stops.insert(samples_at(percent, image.total()));
 
-  const InterruptGuard guard;
   const std::uint64_t rays_before = image.state().rays.total();
   Progress bar("rendering");
   Pace pace(task.threads);
@@ -185,12 +184,14 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
     seconds += clock.lap();
   }
   states.save(image);
-  return {image.make_rendering(),
-          image.done(),
-          image.total(),
-          image.state().rays.total() - rays_before,
-          image.queue() ? image.queue()->peak() : 0,
-          was_interrupted() && !image.is_finished()};
+  Refined refined;
+  refined.done = image.done();
+  refined.all = image.total();
+  refined.rays = image.state().rays.total() - rays_before;
+  refined.queue_peak = image.queue() ? image.queue()->peak() : 0;
+  refined.interrupted = was_interrupted() && !image.is_finished();
+  refined.image = image.take_rendering();
+  return refined;
 }
 
 void report_interrupt(const RefinedOptions& o, const RenderTask& task, const Refined& refined) {

@@ -33,8 +33,8 @@ struct Refined {
   bool interrupted = false;
 };
 
-/// Renders until the end, the budget or the user's interrupt, and writes states, and pictures of
-/// its growth if the task has a folder for them.
+/// Renders until the end, the budget or an interrupt that an InterruptGuard of the caller counts,
+/// and writes states, and pictures of its growth if the task has a folder for them.
 Refined render_refined(const RefinedOptions& options, const RenderTask& task,
                        const renderer::Scene& scene);
 

@@ -57,7 +57,7 @@ TEST(RefinedCommand, StoppedByABudgetItGoesOnToTheSameImage) {
   for (const Arguments& sampling :
        {Arguments{"--pixel-samples", "4"}, {"--pixel-samples", "6", "--adaptive", "0.05"}}) {
     const auto plain = render(folder, quick(sampling));
-    for (int i = 0; i < 25; ++i) {
+    for (int i = 0; i < 15; ++i) {
       const auto percent = fmt::format("{}%", 100 * random.uniform());
       SCOPED_TRACE(percent);
       const auto ask = [&](const Arguments& more) { return quick(join(sampling, more)); };
@@ -120,6 +120,7 @@ void expect_same_after_stops(int signal, std::uint64_t seed) {
       more = join(more, {"--threads", random.below(2) ? "1" : "2"});
       const auto stopped = stop_after(folder, slow(more), 1 + random.below(6), signal);
       if (stopped.exit_code == 0) break;  // it was done before the signal came
+      if (signal != SIGKILL && stopped.exit_code == -1) break;  // all but the exit was done
       ++stops;
       if (signal == SIGKILL) continue;
       ASSERT_EQ(stopped.exit_code, 130) << stopped.err;

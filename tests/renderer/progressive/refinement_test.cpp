@@ -43,8 +43,9 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
                                             << adaptive << ", " << threads << " threads");
             Refinement image(scene, params, order, threads);
             finish(image);
-            expect_equal(image.make_rendering(), expected);
             EXPECT_EQ(image.done(), image.total());
+            expect_equal(image.make_rendering(), expected);
+            expect_equal(image.take_rendering(), expected);
           }
       }
   }
