@@ -44,7 +44,7 @@ bool has_shape(const Words& words) {
 }
 bool has_file(const Words& words) {
   return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {
-    return words.second.ends_with(ending) && words.third.empty();
+    return words.second.ends_with(ending) && (words.third.empty() || words.third.starts_with('#'));
   });
 }
 

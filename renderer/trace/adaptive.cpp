@@ -88,7 +88,8 @@ std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts) 
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * counts.size());
   for (const std::uint16_t count : counts) {
-    const double share = count > 1 ? std::log(count) / std::log(most) : 0;
+    // Rounded, so that it is the same whichever library computes the logarithms.
+    const auto share = count > 1 ? static_cast<float>(std::log(count) / std::log(most)) : 0.0F;
     bytes.insert(bytes.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
   }
   return bytes;

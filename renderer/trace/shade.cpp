@@ -243,7 +243,10 @@ Ray make_probe(const View& view, const Params& p, int x, int y) {
   ray.direction = normalize(ray.direction);
   ray.time = static_cast<float>(time);
   ray.kind = RayKind::probe;
-  ray.sample = make_key(p, std::min(x, p.width - 1), std::min(y, p.height - 1), 0).pixel;
+  const Area area = get_area(p);
+  ray.sample =
+      make_key(p, std::min(x, area.x + area.width - 1), std::min(y, area.y + area.height - 1), 0)
+          .pixel;
   ray.path = static_cast<std::uint32_t>(y) * (static_cast<std::uint32_t>(p.width) + 1) +
              static_cast<std::uint32_t>(x);
   return ray;

@@ -325,9 +325,10 @@ class Coordinator {
     const std::size_t held = ledger_->samples_held();
     ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
     if (ray.level == 1 && ray.pass == 0)
-      for (const auto& [x, y] : ledger_->corners_of(ray.sample)) {
+      for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
         auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
-        probe.pass = 1;  // after all first samples
+        probe.pass = 1;             // after all first samples
+        probe.sample = ray.sample;  // with it within the limits
         probe.order = ray.order;
         deposit(probe);
       }

@@ -14,14 +14,13 @@ std::uint32_t corner_number(const Params& params, int x, int y) {
 
 Ledger::Ledger(const Params& params) : params_(params), area_(get_area(params)) {}
 
-std::vector<std::pair<int, int>> Ledger::corners_of(std::uint32_t pixel) const {
+std::vector<std::pair<int, int>> Ledger::ask_corners(std::uint32_t pixel) {
   const int x = static_cast<int>(pixel) % params_.width,
             y = static_cast<int>(pixel) / params_.width;
-  const bool is_last = x + 1 == area_.x + area_.width, is_lowest = y + 1 == area_.y + area_.height;
-  std::vector<std::pair<int, int>> corners = {{x, y}};
-  if (is_last) corners.emplace_back(x + 1, y);
-  if (is_lowest) corners.emplace_back(x, y + 1);
-  if (is_last && is_lowest) corners.emplace_back(x + 1, y + 1);
+  std::vector<std::pair<int, int>> corners;
+  for (int i = 0; i < 4; ++i)
+    if (asked_.insert(corner_number(params_, x + i % 2, y + i / 2)).second)
+      corners.emplace_back(x + i % 2, y + i / 2);
   return corners;
 }
 

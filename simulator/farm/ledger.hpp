@@ -2,6 +2,7 @@
 // Adaptive supersampling in the farm: what has come of each pixel's samples, of which there are
 // more where those that have come call for them.
 #include <unordered_map>
+#include <unordered_set>
 
 #include "renderer/trace/adaptive.hpp"
 
@@ -12,8 +13,9 @@ class Ledger {
  public:
   explicit Ledger(const renderer::Params& params);
 
-  /// The corners of a pixel that no pixel before it in the image has, as (x, y) of make_probe().
-  std::vector<std::pair<int, int>> corners_of(std::uint32_t pixel) const;
+  /// The corners of a pixel that nobody has asked for, as (x, y) of make_probe(): from now on they
+  /// are asked for.
+  std::vector<std::pair<int, int>> ask_corners(std::uint32_t pixel);
   /// What a probe has met. Returns the pixels of which that was the last that had to be known.
   std::vector<std::uint32_t> note_corner(std::uint32_t corner, std::uint32_t object);
   /// What a ray of a sample has met and contributes, and how many rays it leaves.
@@ -36,6 +38,7 @@ class Ledger {
   const renderer::Params& params_;
   const renderer::Area area_;
   std::unordered_map<std::uint32_t, Pixel> open_;
+  std::unordered_set<std::uint32_t> asked_;                   // corners
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects that are known
   std::size_t held_ = 0;
 };

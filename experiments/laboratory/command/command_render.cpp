@@ -55,8 +55,7 @@ void check_samples_map(const Options& o) {
         "--samples-map", fmt::format("expected --adaptive above 0 and --pixel-samples above {} "
                                      "with it, or all pixels have as many",
                                      renderer::FIRST_ROUND));
-  if (o.samples_map == o.output || o.samples_map == o.stats)
-    throw CLI::ValidationError("--samples-map", "expected another file than the others");
+  check_apart("--samples-map", o.samples_map, {o.output, o.stats});
   base::check_can_save(o.samples_map);
 }
 
@@ -101,6 +100,8 @@ void render_scene(Options& o) {
   const bool has_frames = !o.frames.frames.empty();
   check_output(o.output, has_frames ? Endings{".png", ".webp"} : Endings{".png"}, o.stats);
   if (!o.samples_map.empty()) check_samples_map(o);
+  check_apart("--state", o.refined.state, {o.output, o.stats, o.samples_map});
+  check_apart("--resume", o.refined.resume, {o.output, o.stats, o.samples_map});
 
   renderer::check(o.params);
   if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);

@@ -87,6 +87,15 @@ nlohmann::ordered_json make_json(const renderer::RayCounts& rays) {
           {"total", rays.total()}};
 }
 
+void check_apart(const std::string& option, const std::string& file,
+                 std::initializer_list<std::string> others) {
+  for (const auto& other : others)
+    if (!file.empty() && !other.empty() && whole_path(file) == whole_path(other))
+      throw CLI::ValidationError(option, fmt::format("found \"{}\", expected another file than "
+                                                     "those of the other options",
+                                                     file));
+}
+
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats) {
   const auto ending = fs::path(output).extension().string();
@@ -94,8 +103,7 @@ void check_output(const std::string& output, const std::vector<std::string>& end
     throw CLI::ValidationError("--output",
                                fmt::format("found \"{}\", expected a name that ends in {}", output,
                                            fmt::join(endings, " or ")));
-  if (!stats.empty() && whole_path(stats) == whole_path(output))
-    throw CLI::ValidationError("--stats", "expected another file than the image's");
+  check_apart("--stats", stats, {output});
   check_folder("--output", output);
   check_folder("--stats", stats);
 }

@@ -52,6 +52,9 @@ nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 /// one, too), for a folder that is not there and where both are one file.
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
+/// Refuses `file`, what an option names, if it is one of the `others`; empty ones are none.
+void check_apart(const std::string& option, const std::string& file,
+                 std::initializer_list<std::string> others);
 
 /// Makes the folder that an option names, unless it is there. Throws CLI::ValidationError.
 void make_folder(const std::string& option, const std::string& path);
