@@ -48,7 +48,10 @@ bool has_file(const Words& words) {
   });
 }
 
-bool has_picture(const Words& words) { return words.second.ends_with(".png"); }
+bool has_picture(const Words& words) {
+  return words.second.ends_with(".png") || words.second.ends_with(".PNG") ||
+         words.third == "planar" || words.third == "spherical" || words.third == "mesh";
+}
 
 class Reader {
  public:
@@ -218,11 +221,8 @@ class Reader {
     require_first("# lens", lens_line_);
     Lens lens;
     lens.aperture = tokens_.take_number("the lens's aperture", 0, MAX_NUMBER);
-    lens.focus = tokens_.take_number("the distance in focus", 0, MAX_NUMBER);
-    tell([&] {
-      require(lens.focus > 0, "a distance in focus of 0", "a distance > 0");
-      target_.set_lens(lens);
-    });
+    lens.focus = tokens_.take_number("the distance in focus", MIN_FOCUS, MAX_NUMBER);
+    tell([&] { target_.set_lens(lens); });
   }
 
   void read_shutter() {

@@ -40,8 +40,11 @@ struct Light {
 /// A thin lens, whose middle is the view point (M. Potmesil and I. Chakravarty, 1981).
 struct Lens {
   double aperture = 0;  ///< diameter, scene units, >= 0; 0: a pinhole, all is in focus
-  double focus = 1;     ///< distance along the view to the plane in focus, scene units, > 0
+  double focus = 1;  ///< distance along the view to the plane in focus, scene units, from MIN_FOCUS
 };
+inline constexpr double MIN_FOCUS = 1e-9;
+/// Most that a rendering may multiply an aperture with.
+inline constexpr double MAX_LENS = 10;
 
 /// Most pixels that an image may have along a side.
 inline constexpr int MAX_SIDE = 65536;

@@ -6,10 +6,6 @@ namespace renderer {
 
 namespace {
 
-// After so many samples the error may be what `Sampling::adaptive` says, after n times as many
-// sqrt(n) times that: so a ray removes as much of the image's error wherever it goes.
-constexpr double ADAPTIVE_SAMPLES = 64;
-
 bool has_border(std::span<const TracedSample> samples, const Corners& corners) {
   const std::uint32_t object = corners[0];
   return !std::ranges::all_of(corners, [&](std::uint32_t other) { return other == object; }) ||

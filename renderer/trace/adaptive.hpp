@@ -21,6 +21,10 @@ struct TracedSample {
 /// has a corner on either side of it.)
 using Corners = std::array<std::uint32_t, 4>;
 
+/// After so many samples the error may be what `Sampling::adaptive` says, after n times as many
+/// sqrt(n) times that: so a ray removes as much of the image's error wherever it goes.
+inline constexpr int ADAPTIVE_SAMPLES = 64;
+
 /// How many samples a pixel should have. `samples` are those that it has, whole rounds in the order
 /// of their passes; as many: it is finished. Where all rays miss, that is after the first round. An
 /// object's border calls for more after the first two rounds; after any but the first, so does a

@@ -56,7 +56,7 @@ base::Fields<Params> sampling_fields() {
                     "standard error of a pixel's colour that 64 samples may leave, n of them "
                     "sqrt(n / 64) times as much: above it more are taken; 0: all pixels get "
                     "pixel_samples"),
-          D::number("lens", lens, 0, 1000, "", "factor of the scene's aperture; 0: a pinhole"),
+          D::number("lens", lens, 0, MAX_LENS, "", "factor of the scene's aperture; 0: a pinhole"),
           D::number("shutter", shutter, 0, 1, "", "part of the scene's shutter time"),
           D::whole("sample_seed", seed, 0, 9007199254740992.0, "", "seed of the samples")};
 }

@@ -35,7 +35,7 @@ struct Sampling {
   /// Standard error of a pixel's colour, 0..1, that 64 samples may leave, n of them sqrt(n / 64)
   /// times as much: above it, and at objects' borders, more are taken; 0: all get `pixel_samples`.
   double adaptive = 0;
-  double lens = 1;         ///< times the scene's aperture, 0..1000; 0: a pinhole
+  double lens = 1;         ///< times the scene's aperture, 0..MAX_LENS; 0: a pinhole
   double shutter = 1;      ///< part of the scene's time that the shutter is open, 0..1
   std::uint64_t seed = 1;  ///< of all random numbers
 };

@@ -32,6 +32,7 @@ void add_farm();          // the farm of chapter 4
 void add_scheduler();     // rendezvous and pre-emptions on one processor
 void add_neighbours();    // neighbours of a mesh exchange; memory per transputer
 void add_renderers();     // the sequential renderer
+void add_noise();         // the same, with a lens and a light that has a size
 void add_form_factors();  // radiosity
 
 }  // namespace benchmarks

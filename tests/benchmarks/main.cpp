@@ -11,6 +11,7 @@ int main(int argc, char** argv) try {
   add_scheduler();
   add_neighbours();
   add_renderers();
+  add_noise();
   add_form_factors();
   return run_all(argc, argv);
 } catch (const std::exception& failure) {

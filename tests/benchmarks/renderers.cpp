@@ -1,7 +1,6 @@
 // Rays a second of the sequential renderer, against POV-Ray and Embree on the same scenes.
 #include "tests/benchmarks/renderers.hpp"
 
-#include <filesystem>
 #include <memory>
 
 #include "base/random.hpp"
@@ -96,22 +95,18 @@ HitSample run_queries(const View& view) {
   return result;
 }
 
-// Scene, image and log of POV-Ray are in a folder that is removed when all is over.
-class Folder {
- public:
-  Folder() {
-    path_ = (std::filesystem::temp_directory_path() / "tlab-XXXXXX").string();
-    if (!mkdtemp(path_.data())) throw std::runtime_error("cannot make " + path_);
+void compare(const Samples& ours, const Samples& theirs, benchmark::State& state) {
+  const auto a = make_rgb8(ours), b = make_rgb8(theirs);
+  double sum = 0, differing = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const int apart = std::abs(a[i] - b[i]);
+    sum += apart;
+    differing += apart > 8 ? 1 : 0;
   }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+  const auto count = static_cast<double>(a.size());
+  state.counters["image_difference"] = sum / count;       // mean of 0..255
+  state.counters["image_differing"] = differing / count;  // colour values more than 8 apart
+}
 
 void add_view(const std::string& name, GetView view) {
   const std::string rays = "rays, " + name, queries = "queries, " + name;
@@ -121,10 +116,8 @@ void add_view(const std::string& name, GetView view) {
   add(rays, "tlab", ours(Traversal::nearest));
   add(rays, "tlab exhaustive", ours(Traversal::exhaustive));
   add(rays, "povray", [view](benchmark::State& state) {
-    static const Folder folder;
-    const PovrayRun run = run_povray(view().scene, view().params, view().samples, folder.path());
-    state.counters["image_difference"] = run.difference;
-    state.counters["image_differing"] = run.differing;
+    const PovrayRun run = run_povray(view().scene, view().params, {}, temporary_folder());
+    compare(view().samples, run.image, state);
     return run.sample;
   });
   const auto add_queries = [&](const char* who, std::function<HitSample(const View&)> run) {

@@ -10,15 +10,23 @@
 namespace benchmarks {
 
 struct PovrayRun {
-  Sample sample;                         // rays traced, shadow rays included
-  double difference = 0, differing = 0;  // of its image from ours: mean of 0..255, share of
-                                         // colour values more than 8 apart
+  Sample sample;  // rays traced, shadow rays included
+  renderer::Samples image;
 };
 
-// POV-Ray renders the same view of the same spheres, floor and lights: one thread, one sample at
-// each pixel's centre, no cut-off but the depth. Writes its files into `folder`.
+// Of a pixel's camera rays over the lens, and of feelers to each light that has a size, squared.
+struct PovraySamples {
+  int lens = 1;
+  int light_side = 1;
+};
+
+// POV-Ray renders the same view of the same spheres, floor and lights: one thread, camera rays
+// through each pixel's centre, no cut-off but the depth. Writes its files into `folder`.
 PovrayRun run_povray(const renderer::Scene& scene, const renderer::Params& params,
-                     const renderer::Samples& ours, const std::string& folder);
+                     const PovraySamples& samples, const std::string& folder);
+
+// A folder that is removed when all is over.
+const std::string& temporary_folder();
 
 struct HitSample {
   Sample sample;

@@ -38,11 +38,21 @@ int get_duration_ms(int n, double rate) {
   return static_cast<int>(at(n + 1) - at(n));
 }
 
-void check_webp_side(const renderer::Params& params) {
-  if (std::max(params.width, params.height) <= renderer::MAX_WEBP_SIDE) return;
-  throw CLI::ValidationError(
-      "--size", fmt::format("found {} x {}, expected at most {} pixels a side in a .webp file",
-                            params.width, params.height, renderer::MAX_WEBP_SIDE));
+// An animation is written when all its frames are there.
+constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;  // bytes
+
+void check_webp(const renderer::Params& params, const Range& range) {
+  if (std::max(params.width, params.height) > renderer::MAX_WEBP_SIDE)
+    throw CLI::ValidationError(
+        "--size", fmt::format("found {} x {}, expected at most {} pixels a side in a .webp file",
+                              params.width, params.height, renderer::MAX_WEBP_SIDE));
+  const std::size_t frame = std::size_t{3} * static_cast<std::size_t>(params.width) *
+                            static_cast<std::size_t>(params.height);
+  if (range.count() > MAX_ANIMATION / frame)
+    throw CLI::ValidationError(
+        "--frames", fmt::format("found {} frames of {} x {} pixels, expected at most {} of them in "
+                                "a .webp file (or -o NAME.png)",
+                                range.count(), params.width, params.height, MAX_ANIMATION / frame));
 }
 
 }  // namespace
@@ -70,7 +80,7 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
         .string();
   };
   if (is_animation) {
-    check_webp_side(task.params);
+    check_webp(task.params, range);
     base::check_can_save(output);
   }
   base::check_can_save(name_of(range.first));

@@ -65,10 +65,10 @@ class StateFile {
     saved_ = image.done();
     since_s_ = 0;
   }
-  /// To be called often: saves if it is time.
-  void save_in_time(const Refinement& image) {
+  /// Saves if so much time has passed since the last one, and that did not take too long for it.
+  void save_after(double seconds, const Refinement& image) {
     since_s_ += clock_.lap();
-    if (since_s_ > std::max(STATE_SECONDS, last_cost_s_ / STATE_SHARE)) save(image);
+    if (since_s_ > std::max(seconds, last_cost_s_ / STATE_SHARE)) save(image);
   }
 
  private:
@@ -174,13 +174,13 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
       image.advance(std::min(pace.samples(), stop - image.done()));
       const double step = clock.lap();
       pace.adapt(step);
-      states.save_in_time(image);
+      states.save_after(STATE_SECONDS, image);
       seconds += step + clock.lap();
       bar.show(image.done(), image.total());
     }
     keys.save(image, before);
     if (is_stopped()) break;
-    states.save(image);
+    states.save_after(0, image);
     seconds += clock.lap();
   }
   states.save(image);

@@ -119,6 +119,8 @@ TEST_F(NffTexture, ErrorsNameTheLine) {
   const std::pair<std::string, std::string> WRONG[] = {
       {"# texture a.png mesh\n", "s.nff:2: found '# texture', expected a surface ('f') before it"},
       {SURFACE + "# texture b.png mesh\n", "s.nff:3: b.png: cannot be read"},
+      {SURFACE + "# texture b.jpg mesh\n", "s.nff:3: b.jpg: cannot be read"},
+      {SURFACE + "# texture b.PNG\n", "s.nff:3: found the end of the line, expected a mapping"},
       {SURFACE + "# texture a.png\n", "s.nff:3: found the end of the line, expected a mapping"},
       {SURFACE + "# texture a.png cubic\n",
        "s.nff:3: found 'cubic', expected a mapping: planar, spherical or mesh"},

@@ -1,0 +1,130 @@
+// How long a picture with a lens and a light that has a size takes to a given error.
+#include <limits>
+#include <optional>
+
+#include "renderer/quality/quality.hpp"
+#include "renderer/scene/generators.hpp"
+#include "tests/benchmarks/machine.hpp"
+#include "tests/benchmarks/renderers.hpp"
+
+namespace benchmarks {
+
+using namespace renderer;
+
+namespace {
+
+constexpr int SIZE = 96;
+constexpr int OURS = 16;        // samples a pixel, whose error both are to reach
+constexpr int REFERENCE = 256;  // samples a pixel
+
+Scene make_scene() {
+  Scene scene = make_spheres(800);
+  View& view = scene.view;
+  const double distance = length(view.at - view.from);
+  view.lens = {0.03 * distance, distance};
+  for (Light& light : scene.lights) {
+    light.shape = LightShape::rectangle;
+    const Across across = make_across(normalize(light.at - view.at));
+    const double half = 0.1 * length(light.at - view.at);
+    light.u = half * across.u;
+    light.v = half * across.v;
+  }
+  finish(scene);
+  return scene;
+}
+
+Params make_params(int samples, std::uint64_t seed) {
+  Params params;
+  params.width = params.height = SIZE;
+  params.limits.depth = 5;
+  params.feelers = Feelers::front;  // as POV-Ray
+  params.sample = SamplePosition::center;
+  params.traversal = Traversal::nearest;
+  params.sampling.pixel_samples = samples;
+  params.sampling.seed = seed;
+  return params;
+}
+
+// What both are to reach, and with how many samples POV-Ray does. Each is compared with what it
+// comes to itself, because POV-Ray's camera rays go through the middles of pixels.
+class Contest {
+ public:
+  const Scene scene = make_scene();
+  double error = 0;        // of OURS
+  double apart = 0;        // of what both come to
+  PovraySamples theirs;    // the fastest that reach the error
+  double their_error = 0;  // of them
+
+  Contest() {
+    const Samples ours = render(scene, make_params(REFERENCE, 2)).samples;
+    error = rms_difference(render(scene, make_params(OURS, 1)).samples, ours);
+    reference_ = run({REFERENCE, 2}).image;
+    apart = rms_difference(ours, reference_);
+    double least = std::numeric_limits<double>::infinity();
+    for (const int side : {2, 4})
+      if (const auto found = find_samples(side); found && found->cpu_s < least) {
+        least = found->cpu_s;
+        theirs = found->samples;
+        their_error = found->error;
+      }
+    if (their_error == 0) throw std::runtime_error("povray: does not reach the error");
+  }
+
+  PovrayRun run(const PovraySamples& samples) const {
+    return run_povray(scene, make_params(1, 1), samples, temporary_folder());
+  }
+
+ private:
+  struct Tried {
+    PovraySamples samples;
+    double error = 0, cpu_s = 0;
+  };
+  Tried attempt(const PovraySamples& samples) const {
+    const PovrayRun made = run(samples);
+    return {samples, rms_difference(made.image, reference_), made.sample.cpu_s};
+  }
+  // With so many feelers, squared, the number of camera rays that comes nearest to the error: twice
+  // as many until it is reached, then in proportion between the last two.
+  std::optional<Tried> find_samples(int side) const {
+    Tried before = attempt({4, side});
+    while (before.samples.lens < REFERENCE / 2) {
+      const Tried tried = attempt({2 * before.samples.lens, side});
+      if (tried.error > error) {
+        before = tried;
+        continue;
+      }
+      const double share = std::log(before.error / error) / std::log(before.error / tried.error);
+      const int lens = static_cast<int>(std::ceil(before.samples.lens * std::pow(2, share)));
+      return attempt({lens, side});
+    }
+    return std::nullopt;
+  }
+
+  Samples reference_;
+};
+
+const Contest& contest() {
+  static const Contest made;
+  return made;
+}
+
+}  // namespace
+
+void add_noise() {
+  const std::string what = "pixels of one error, lens and area light";
+  add(what, "tlab", [](benchmark::State& state) {
+    const Params params = make_params(OURS, 1);
+    state.counters["rmse"] = contest().error;
+    const double cpu_s = time_of([&] { render(contest().scene, params); });
+    return Sample{SIZE * SIZE, cpu_s};
+  });
+  add(what, "povray", [](benchmark::State& state) {
+    state.counters["camera_rays"] = contest().theirs.lens;
+    state.counters["feelers"] = std::pow(contest().theirs.light_side, 2);
+    state.counters["rmse"] = contest().their_error;
+    state.counters["apart"] = contest().apart;
+    return Sample{SIZE * SIZE, contest().run(contest().theirs).sample.cpu_s};
+  });
+}
+
+}  // namespace benchmarks
