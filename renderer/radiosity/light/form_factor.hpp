@@ -83,7 +83,22 @@ inline double eval_delta(double area, double square, double here, double there) 
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// The sum over a patch. `sight.sees(point)` says whether the viewpoint sees a point of the patch,
+/// How much a delta area, a parallelogram with the sides a and b whose centre is `way` off, differs
+/// from a point with its area: the exact factor is 1 + eval_extent() times that of the point, up to
+/// the fourth power of side over distance. It is the second derivatives of the kernel along the
+/// sides, over 24. `normal` is the viewpoint's.
+inline double eval_extent(const Vec& normal, const Vec& way, const Vec& a, const Vec& b) {
+  const double square = dot(way, way), here = dot(normal, way);
+  const auto along = [&](const Vec& side) {
+    const double turn = dot(way, side) / square;
+    return turn * (turn - dot(normal, side) / (3 * here)) - dot(side, side) / (6 * square);
+  };
+  return along(a) + along(b);
+}
+
+/// The sum over a patch: of Eq 3.8 where a delta area is wider than it is far, else of what is
+/// exact to the second order in side over distance (Eq 3.8 is for a disc that faces the viewpoint,
+/// and loses 0.3 % of the light of a room). `sight.sees(point)` says whether the viewpoint sees a point of the patch,
 /// `sight.misses(point, radius)` whether it surely sees none within the radius.
 template <class Sight>
 struct DeltaAreas {
@@ -129,7 +144,12 @@ struct DeltaAreas {
     const double here = dot(eye.normal, way), there = -dot(quad.normal, way);
     if (here <= 0 || there <= 0 || !sight.sees(point)) return 0;
     const double area = delta.along * delta.across * quad.eval_density(delta.s, delta.t);
-    return eval_delta(area, square, here, there);
+    const Vec a = delta.along * (quad.a + delta.t * quad.c);
+    const Vec b = delta.across * (quad.b + delta.s * quad.c);
+    if (std::max(dot(a, a), dot(b, b)) > square) return eval_delta(area, square, here, there);
+    const double extent = eval_extent(eye.normal, way, a, b);
+    const double point = here * there * area / (std::numbers::pi * square * square);
+    return extent > 0 ? point * (1 + extent) : point / (1 - extent);
   }
 
   // The sum over the parts of a delta area that is halved along, across, or both.
