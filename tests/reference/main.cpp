@@ -93,7 +93,7 @@ class Comparison {
   }
 
   void compare_room(const NamedRoom& named) {
-    const Room room = read_room(named.text, named.name);
+    const Room room = read_room(named.text, named.name + ".room");
     TracerParams tracer;
     tracer.width = picture_.width;
     tracer.height = picture_.height;
