@@ -125,7 +125,6 @@ Deviation compare(const Picture& picture, const Reference& reference) {
   if (count == 0) return found;
   found.rmse = std::sqrt(std::max(0.0, squares - noise) / count) / mean;
   found.bias = sum / count / mean;
-  found.bias_error = std::sqrt(noise) / count / mean;
   found.noise = std::sqrt(noise / count) / mean;
   if (errors.empty()) return found;
   std::ranges::sort(errors);

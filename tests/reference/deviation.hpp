@@ -12,13 +12,12 @@ inline constexpr double OFF = 0.15;
 /// error of a pixel is relative to the reference there (to 2 % of the mean where that is more), and
 /// e^2 becomes max(0, e^2 - s^2), s the reference's standard error.
 struct Deviation {
-  double rmse = 0;        ///< root mean square of differences, relative to the mean radiosity
-  double bias = 0;        ///< mean of differences, likewise; negative: too dark
-  double bias_error = 0;  ///< standard error of bias
-  double noise = 0;       ///< root mean square of the reference's standard error, likewise
-  double p99 = 0;         ///< 99th percentile of the errors of pixels within a face (find_inner)
-  double worst = 0;       ///< the largest of these
-  int group = 0;          ///< pixels in the largest group that is off, neighbours by edge or corner
+  double rmse = 0;   ///< root mean square of differences, relative to the mean radiosity
+  double bias = 0;   ///< mean of differences, likewise; negative: too dark
+  double noise = 0;  ///< root mean square of the reference's standard error, likewise
+  double p99 = 0;    ///< 99th percentile of the errors of pixels within a face (find_inner)
+  double worst = 0;  ///< the largest of these
+  int group = 0;     ///< pixels in the largest group that is off, neighbours by edge or corner
 };
 
 /// For each pixel whether it shows something that does not emit and its neighbours all show the

@@ -26,7 +26,7 @@ struct Options {
   std::string seeds, size = "160x120", cache, pictures;
   std::vector<int> refine{1};
   std::vector<std::string> creases{"auto"}, reconstructions{"bilinear", "bicubic"};
-  int samples = 512, threads = 0;
+  int samples = 128, threads = 0;
   LightParams light;
 };
 

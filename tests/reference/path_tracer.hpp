@@ -8,7 +8,8 @@
 namespace radiosity::reference {
 
 /// Paths of a pixel are taken in rounds of equal numbers, each a randomised low-discrepancy set of
-/// its own; how the rounds' means differ gives the standard error.
+/// its own; how the rounds' means differ gives the standard error. Errors of pixels that are near
+/// each other are alike, since these share paths.
 struct TracerParams {
   int width = 0, height = 0;  ///< pixels; 0: the view's
   int samples = 256;          ///< paths of a pixel, in whole rounds, at least one each
