@@ -9,15 +9,15 @@
 namespace radiosity::reference {
 namespace {
 
-constexpr int WIDTH = 40, HEIGHT = 30;
-
-Reference trace(const Room& room, int samples) {
+Reference trace(const Room& room, int width, int height, int samples) {
   TracerParams params;
-  params.width = WIDTH;
-  params.height = HEIGHT;
+  params.width = width;
+  params.height = height;
   params.samples = samples;
   return trace_paths(room, params);
 }
+
+constexpr int WIDTH = 40, HEIGHT = 30;
 
 Deviation compare_room(const Room& room, int refine, Reconstruction kind, const std::string& name) {
   LightParams light;
@@ -26,7 +26,7 @@ Deviation compare_room(const Room& room, int refine, Reconstruction kind, const 
   size.width = WIDTH;
   size.height = HEIGHT;
   const Picture picture = trace_picture(light_room(room, light), {kind, {}}, room.view, size);
-  const Deviation found = compare(picture, trace(room, 256));
+  const Deviation found = compare(picture, trace(room, WIDTH, HEIGHT, 256));
   fmt::print(
       "{}, refine {}: RMSE {:.2f} %, bias {:.2f} % (noise {:.2f} %), pixels {:.2f} % (99th "
       "percentile), {:.2f} % (worst), {} together\n",
@@ -64,7 +64,7 @@ TEST(RandomRooms, AreClosedAndSeenFromInside) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const std::string text = make_random_room(seed);
     EXPECT_EQ(text, make_random_room(seed));
-    const Reference made = trace(test::read(text), 8);
+    const Reference made = trace(test::read(text), 16, 12, 8);
     for (const std::uint32_t face : made.faces) EXPECT_NE(face, 0u) << "seed " << seed;
     std::size_t lit = 0;
     for (const Rgb& pixel : made.picture.pixels) lit += max_component(pixel) > 0 ? 1 : 0;
