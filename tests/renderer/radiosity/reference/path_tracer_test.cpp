@@ -99,7 +99,7 @@ std::vector<double> eval_floor(const Room& room, const TracerParams& params, con
 TEST(PathTracer, DirectLightHasItsClosedForm) {
   // B = rho E F; one lamp is far, and one stands on the floor, where F goes to 1/2.
   Room room = make_floor(1);
-  add_quad(room, 1, {-0.6, -1.5, 2}, {0, 1, 0.3}, {1, 0, 0});
+  add_quad(room, 1, {0.1, -1.5, 2}, {0, 1, 0.3}, {1, 0, 0});
   add_quad(room, 1, {-0.02, 0, 0}, {0, 1, 0}, {0, 0, 0.5});
   const auto params = make_params(12, 12, 512);
   const auto expected = eval_floor(room, params, [&](const Vec& at) {
