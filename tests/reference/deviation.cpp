@@ -46,6 +46,14 @@ void each_neighbour(std::size_t i, int width, std::size_t count, const auto& f) 
     }
 }
 
+// The smallest value that so large a share of all does not exceed; 0 if there are none.
+double find_quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(rank) - 1];
+}
+
 void check_size(const Picture& picture, const Reference& reference) {
   const auto write = [](const Picture& p) {
     return fmt::format("{}x{} pixels", p.width, p.height);
@@ -108,7 +116,7 @@ Deviation compare(const Picture& picture, const Reference& reference) {
   const double mean = std::max(eval_mean(reference), 1e-300);
   const std::vector<bool> inner = find_inner(reference);
   double count = 0, sum = 0, squares = 0, noise = 0;
-  std::vector<double> errors;
+  std::vector<double> within, at_edges;
   for (std::size_t i = 0; i < inner.size(); ++i) {
     if (!is_lit(reference, i)) continue;
     const double off = eval_difference(picture, reference, i), s = reference.error[i];
@@ -116,9 +124,8 @@ Deviation compare(const Picture& picture, const Reference& reference) {
     sum += off;
     squares += off * off;
     noise += s * s;
-    if (inner[i])
-      errors.push_back(std::sqrt(std::max(0.0, off * off - s * s)) /
-                       eval_scale(reference, mean, i));
+    (inner[i] ? within : at_edges)
+        .push_back(std::sqrt(std::max(0.0, off * off - s * s)) / eval_scale(reference, mean, i));
   }
   Deviation found;
   found.group = count_largest_group(find_off(picture, reference), picture.width);
@@ -126,10 +133,9 @@ Deviation compare(const Picture& picture, const Reference& reference) {
   found.rmse = std::sqrt(std::max(0.0, squares - noise) / count) / mean;
   found.bias = sum / count / mean;
   found.noise = std::sqrt(noise / count) / mean;
-  if (errors.empty()) return found;
-  std::ranges::sort(errors);
-  found.p99 = errors[(errors.size() - 1) * 99 / 100];
-  found.worst = errors.back();
+  found.p99 = find_quantile(within, 0.99);
+  found.worst = find_quantile(within, 1);
+  found.edges = find_quantile(at_edges, 0.99);
   return found;
 }
 

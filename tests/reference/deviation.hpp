@@ -17,6 +17,7 @@ struct Deviation {
   double noise = 0;  ///< root mean square of the reference's standard error, likewise
   double p99 = 0;    ///< 99th percentile of the errors of pixels within a face (find_inner)
   double worst = 0;  ///< the largest of these
+  double edges = 0;  ///< 99th percentile of the errors of the other pixels, at faces' borders
   int group = 0;     ///< pixels in the largest group that is off, neighbours by edge or corner
 };
 

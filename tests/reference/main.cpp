@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
-#include <iostream>
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
@@ -85,11 +85,12 @@ class Comparison {
   explicit Comparison(const Options& o) : o_(o) {
     laboratory::parse_size(o.size, picture_);
     fmt::print(
-        "# errors in %: of the mean radiosity (rmse, bias, noise), of each pixel (p99, worst);\n"
-        "# group: most pixels together that are {:.0f} % off; beyond: where bilinear is not\n"
-        "{:>16} {:>6} {:>7} {:>14} {:>8} {:>8} {:>6} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6}\n",
+        "# errors in %: of the mean radiosity (rmse, bias, noise), of each pixel (p99 and worst\n"
+        "# within faces, p99 at their edges); group: most pixels together that are {:.0f} % off;\n"
+        "# beyond: where bilinear is not\n"
+        "{:>16} {:>6} {:>7} {:>14} {:>8} {:>8} {:>6} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6} {:>6}\n",
         100 * OFF, "room", "refine", "creases", "reconstruction", "patches", "solve_s", "rmse",
-        "bias", "p99", "worst", "group", "beyond", "noise");
+        "bias", "p99", "worst", "edges", "group", "beyond", "noise");
   }
 
   void compare_room(const NamedRoom& named) {
@@ -107,9 +108,10 @@ class Comparison {
 
   void print_summary() const {
     fmt::print("\n# summary: median and worst of the rooms that were not refused\n");
-    fmt::print("{:>6} {:>7} {:>14} {:>5} {:>7} {:>15} {:>13} {:>13} {:>13} {:>15} {:>11} {:>11}\n",
-               "refine", "creases", "reconstruction", "rooms", "refused", "solve_s", "rmse", "bias",
-               "p99", "worst", "group>=12", "beyond>=12");
+    fmt::print(
+        "{:>6} {:>7} {:>14} {:>5} {:>7} {:>15} {:>13} {:>13} {:>13} {:>15} {:>13} {:>11} {:>11}\n",
+        "refine", "creases", "reconstruction", "rooms", "refused", "solve_s", "rmse", "bias", "p99",
+        "worst", "edges", "group>=12", "beyond>=12");
     for (const int refine : o_.refine)
       for (const auto& creases : o_.creases)
         for (const auto& kind : o_.reconstructions) print_summary({refine, creases, kind});
@@ -158,10 +160,10 @@ class Comparison {
     if (!o.refused.empty())
       fmt::print("refused: {}\n", o.refused);
     else
-      fmt::print("{:>8} {:>8.2f} {:>6.2f} {:>6.2f} {:>6.2f} {:>7.2f} {:>6} {:>6} {:>6.2f}\n",
-                 o.patches, o.solve_s, 100 * d.rmse, 100 * d.bias, 100 * d.p99, 100 * d.worst,
-                 d.group, o.beyond, 100 * d.noise);
-    std::cout.flush();
+      fmt::print(
+          "{:>8} {:>8.2f} {:>6.2f} {:>6.2f} {:>6.2f} {:>7.2f} {:>6.1f} {:>6} {:>6} {:>6.2f}\n",
+          o.patches, o.solve_s, 100 * d.rmse, 100 * d.bias, 100 * d.p99, 100 * d.worst,
+          100 * d.edges, d.group, o.beyond, 100 * d.noise);
     std::fflush(stdout);
   }
 
@@ -190,12 +192,13 @@ class Comparison {
       for (const Outcome& o : solved) count += f(o) >= 12 ? 1 : 0, most = std::max(most, f(o));
       return fmt::format("{} ({})", count, most);
     };
-    fmt::print("{:>15} {:>13} {:>13} {:>13} {:>15} {:>11} {:>11}\n",
+    fmt::print("{:>15} {:>13} {:>13} {:>13} {:>15} {:>13} {:>11} {:>11}\n",
                spread([](const Outcome& o) { return o.solve_s; }),
                spread([](const Outcome& o) { return 100 * o.deviation.rmse; }),
                spread([](const Outcome& o) { return 100 * o.deviation.bias; }),
                spread([](const Outcome& o) { return 100 * o.deviation.p99; }),
                spread([](const Outcome& o) { return 100 * o.deviation.worst; }),
+               spread([](const Outcome& o) { return 100 * o.deviation.edges; }),
                groups([](const Outcome& o) { return o.deviation.group; }),
                groups([](const Outcome& o) { return o.beyond; }));
   }

@@ -94,8 +94,13 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   const Deviation spots = compare(picture, reference);
   EXPECT_EQ(spots.group, 4);
   EXPECT_NEAR(spots.worst, 0.5, 1e-12);
+  EXPECT_NEAR(spots.edges, 0.1, 1e-12);
+  picture.pixels[4] = {4, 4, 4};  // at the border between the faces
+  EXPECT_NEAR(compare(picture, reference).edges, 1, 1e-12);
+  EXPECT_NEAR(compare(picture, reference).worst, 0.5, 1e-12);
   // Noise of a quarter of the radiosity explains them.
   reference.error.assign(W * H, 0.5);
+  picture.pixels[4] = {2, 2, 2};
   EXPECT_EQ(compare(picture, reference).group, 0);
 
   const auto inner = find_inner(reference);
