@@ -360,14 +360,15 @@ class Cells {
   }
 
   // Puts a point at the distance `end` from `origin` on every edge that lies on the line `along`:
-  // where both heights are 0.
+  // where both heights are within touch.
   void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
                       std::vector<double>& heights) {
     const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& [edge, cell] : owner_) {
       const auto& [a, b] = edge;
-      if (heights[a] != 0 || heights[b] != 0 || (a > b && owner_.contains({b, a}))) continue;
+      if (std::max(std::abs(heights[a]), std::abs(heights[b])) > touch) continue;
+      if (a > b && owner_.contains({b, a})) continue;
       if (std::min(place(a), place(b)) + touch < end && end < std::max(place(a), place(b)) - touch)
         edges.push_back(edge);
     }

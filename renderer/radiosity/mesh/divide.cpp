@@ -12,9 +12,10 @@ namespace {
 // Shares of a patch's width: a point nearer than TOUCH to a crease, than NEAR to a contact, is on
 // it; a line of the grid nearer than KEEP gives way to it; a crease off a side's direction by less
 // than PARALLEL runs along that side.
-constexpr double TOUCH = 0.1, NEAR = 0.01, KEEP = 1.0 / 3, PARALLEL = 1e-3;
-// An edge of a quad is on a crease that is nearer than this share of the crease's touch.
-constexpr double ON_CREASE = 1.3;
+constexpr double TOUCH = 0.1, NEAR = 0.002, KEEP = 1.0 / 3, PARALLEL = 1e-3;
+// An edge of a quad lies on a crease if it is off it by less than ASIDE and beyond its ends by less
+// than BEYOND, in touches.
+constexpr double ASIDE = 1.1, BEYOND = 1.01;
 // A face without divisions counts as one of so many patches when its creases are limited.
 constexpr std::size_t LEAST_PATCHES = 16;
 // A crease off the face's plane by less than this share of the face's size lies in it.
@@ -194,12 +195,13 @@ std::vector<Edge> find_edges(const Division& division, std::span<const Line> lin
   std::set<Edge> done;
   const auto is_on = [&](const Line& line, const Vec& p, const Vec& q) {
     const Crease& crease = line.crease;
-    const double size = length(crease.b - crease.a), touch = ON_CREASE * line.touch;
+    const double size = length(crease.b - crease.a);
+    const double aside = ASIDE * line.touch, beyond = BEYOND * line.touch;
     const Vec along = (1 / size) * (crease.b - crease.a), across = cross(normal, along);
     const double s = dot(p - crease.a, along), t = dot(q - crease.a, along);
-    return std::abs(dot(p - crease.a, across)) <= touch &&
-           std::abs(dot(q - crease.a, across)) <= touch && std::min(s, t) >= -touch &&
-           std::max(s, t) <= size + touch && std::abs(s - t) >= 0.5 * length(p - q);
+    return std::abs(dot(p - crease.a, across)) <= aside &&
+           std::abs(dot(q - crease.a, across)) <= aside && std::min(s, t) >= -beyond &&
+           std::max(s, t) <= size + beyond && std::abs(s - t) >= 0.5 * length(p - q);
   };
   for (const auto& quad : division.quads)
     for (std::size_t i = 0; i < 4; ++i) {

@@ -25,14 +25,14 @@ std::size_t count_quads(const Face& face, int refine);
 
 /// What may cut a face.
 struct Cuts {
-  std::span<const Crease> creases;   ///< the first count most
-  std::span<const Crease> contacts;  ///< where others touch the face: before all creases
+  std::span<const Crease> creases{};   ///< the first count most
+  std::span<const Crease> contacts{};  ///< where others touch the face: before all creases
   /// Creases are left out once the face has this many times the patches that it has without.
   int growth = 1000;
 };
 
 /// The creases and contacts that lie in the face's plane and cross it become edges of quads. Creases
-/// may be moved by a tenth of a patch's width, contacts by a hundredth, to where other edges are;
+/// may be moved by a tenth of a patch's width, contacts by 0.002 of it, to where other edges are;
 /// shorter ones are not cut.
 Division divide_face(const Face& face, int refine, const Cuts& cuts);
 

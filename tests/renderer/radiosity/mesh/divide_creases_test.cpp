@@ -109,6 +109,7 @@ TEST(DivideCreases, AnyFaceAndCreases) {
     const Division division = divide_face(flat.face, 1, {.creases = creases});
     angles.push_back(check_division(flat.face, 1, division));
     check_creases(flat, division, creases);
+    EXPECT_EQ(division.left_out, 0u);
     if (testing::Test::HasFailure()) return;
   }
   // Creases meet at any angle, and so do the quads' edges.
