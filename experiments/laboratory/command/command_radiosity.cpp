@@ -52,7 +52,7 @@ double parse_exposure(const std::string& text) {
 }
 
 struct Outcome {
-  std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0;
+  std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0, left_out = 0;
   radiosity::Solution solution;
   Picture picture;
   Work picture_work;
@@ -83,6 +83,7 @@ Outcome light(Options& o) {
   made.vertices = mesh.vertices.size();
   made.mirrors = mesh.mirrors.size();
   made.creases = room.creases.size();
+  made.left_out = mesh.left_out;
   made.mesh_s = clock.lap();
 
   made.solution = solve(o, mesh);
@@ -108,6 +109,7 @@ void save_stats(const Options& o, const Outcome& made) {
       {"vertices", made.vertices},
       {"mirrors", made.mirrors},
       {"creases", made.creases},
+      {"creases_left_out", made.left_out},
       {"shots", made.solution.shots},
       {"unshot", made.solution.unshot},
       {"ambient", {made.solution.ambient.r, made.solution.ambient.g, made.solution.ambient.b}},
@@ -134,6 +136,7 @@ void run(Options& o) {
   if (!o.stats.empty()) save_stats(o, made);
   fmt::print("{} patches, {} vertices, {} shots, {:.3g} % unshot", made.patches, made.vertices,
              made.solution.shots, 100 * made.solution.unshot);
+  if (made.left_out > 0) fmt::print(", {} of {} creases left out", made.left_out, made.creases);
   if (!is_exr(o))
     fmt::print("; exposure {:.4g}, gamma {:.4g}", o.display.exposure, o.display.gamma);
   fmt::print("\n");
