@@ -98,8 +98,8 @@ inline double eval_extent(const Vec& normal, const Vec& way, const Vec& a, const
 
 /// The sum over a patch: of Eq 3.8 where a delta area is wider than it is far, else of what is
 /// exact to the second order in side over distance (Eq 3.8 is for a disc that faces the viewpoint,
-/// and loses 0.3 % of the light of a room). `sight.sees(point)` says whether the viewpoint sees a point of the patch,
-/// `sight.misses(point, radius)` whether it surely sees none within the radius.
+/// and loses 0.3 % of the light of a room). `sight.sees(point)` says whether the viewpoint sees a
+/// point of the patch, `sight.misses(point, radius)` whether it surely sees none within the radius.
 template <class Sight>
 struct DeltaAreas {
   const FactorParams& params;
@@ -148,8 +148,8 @@ struct DeltaAreas {
     const Vec b = delta.across * (quad.b + delta.s * quad.c);
     if (std::max(dot(a, a), dot(b, b)) > square) return eval_delta(area, square, here, there);
     const double extent = eval_extent(eye.normal, way, a, b);
-    const double point = here * there * area / (std::numbers::pi * square * square);
-    return extent > 0 ? point * (1 + extent) : point / (1 - extent);
+    const double factor = here * there * area / (std::numbers::pi * square * square);
+    return extent > 0 ? factor * (1 + extent) : factor / (1 - extent);
   }
 
   // The sum over the parts of a delta area that is halved along, across, or both.
