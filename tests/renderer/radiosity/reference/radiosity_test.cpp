@@ -49,15 +49,19 @@ view from 1 0.02 1.75 at 0.95 1.15 0.2 up 0 0 1 angle 72 size 160 120
 TEST(RadiosityAgainstPathTracer, WindowRoom) {
   const Room room = load_room(TLAB_SOURCE_DIR "/experiments/scenes/window.room");
   const Deviation found = compare_room(room, 2, Reconstruction::bicubic, "window");
-  EXPECT_LT(found.rmse, 0.04);
-  EXPECT_LT(std::abs(found.bias), 0.02);
+  EXPECT_LT(found.rmse, 0.03);
+  EXPECT_LT(std::abs(found.bias), 0.01);
+  EXPECT_LT(found.p99, 0.08);
+  EXPECT_LT(found.group, 12);
 }
 
 TEST(RadiosityAgainstPathTracer, UprightBox) {
   const Deviation found =
       compare_room(test::read(UPRIGHT), 2, Reconstruction::bilinear, "upright box");
-  EXPECT_LT(found.rmse, 0.06);
+  EXPECT_LT(found.rmse, 0.03);
   EXPECT_LT(std::abs(found.bias), 0.02);
+  EXPECT_LT(found.p99, 0.06);
+  EXPECT_LT(found.group, 12);
 }
 
 TEST(RandomRooms, AreClosedAndSeenFromInside) {
