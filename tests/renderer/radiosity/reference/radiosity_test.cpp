@@ -26,7 +26,7 @@ Deviation compare_room(const Room& room, int refine, Reconstruction kind, const 
   size.width = WIDTH;
   size.height = HEIGHT;
   const Picture picture = trace_picture(light_room(room, light), {kind, {}}, room.view, size);
-  const Deviation found = compare(picture, trace(room, WIDTH, HEIGHT, 256));
+  const Deviation found = compare(picture, trace(room, WIDTH, HEIGHT, 128));
   fmt::print(
       "{}, refine {}: RMSE {:.2f} %, bias {:.2f} % (noise {:.2f} %), pixels {:.2f} % (99th "
       "percentile), {:.2f} % (worst), {} together\n",
@@ -40,24 +40,28 @@ Deviation compare_room(const Room& room, int refine, Reconstruction kind, const 
 constexpr const char* UPRIGHT = R"(
 material wall reflect 0.7 0.6 0.5
 material lamp reflect 0 0 0  emit 17 15 12
-box wall  0 0 0  2 2 2  divide 6 inside
-box wall  0.5 0.8 0  1.1 1.4 0.7  divide 3
-quad lamp  0.7 0.75 1.98  0.7 1.25 1.98  1.3 1.25 1.98  1.3 0.75 1.98 divide 3 3
+box wall  0 0 0  2 2 2  divide 4 inside
+box wall  0.5 0.8 0  1.1 1.4 0.7  divide 2
+quad lamp  0.7 0.75 1.98  0.7 1.25 1.98  1.3 1.25 1.98  1.3 0.75 1.98 divide 2 2
 view from 1 0.02 1.75 at 0.95 1.15 0.2 up 0 0 1 angle 72 size 160 120
 )";
 
 TEST(RadiosityAgainstPathTracer, WindowRoom) {
   const Room room = load_room(TLAB_SOURCE_DIR "/experiments/scenes/window.room");
   const Deviation found = compare_room(room, 2, Reconstruction::bicubic, "window");
-  EXPECT_LT(found.rmse, 0.04);
-  EXPECT_LT(std::abs(found.bias), 0.02);
+  EXPECT_LT(found.rmse, 0.03);
+  EXPECT_LT(std::abs(found.bias), 0.01);
+  EXPECT_LT(found.p99, 0.08);
+  EXPECT_LT(found.group, 12);
 }
 
 TEST(RadiosityAgainstPathTracer, UprightBox) {
   const Deviation found =
       compare_room(test::read(UPRIGHT), 2, Reconstruction::bilinear, "upright box");
-  EXPECT_LT(found.rmse, 0.06);
+  EXPECT_LT(found.rmse, 0.03);
   EXPECT_LT(std::abs(found.bias), 0.02);
+  EXPECT_LT(found.p99, 0.11);
+  EXPECT_LT(found.group, 12);
 }
 
 TEST(RandomRooms, AreClosedAndSeenFromInside) {
