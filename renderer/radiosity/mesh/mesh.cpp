@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t MOST_PATCHES = 10'000'000;
 // Patches that creases may make of any room, and times as many as without of one face.
-constexpr std::size_t MOST_ANYHOW = 1000;
+constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_GROWTH = 64;
 
 std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
@@ -283,7 +283,7 @@ base::Fields<MeshParams> mesh_fields() {
                    "multiplies the divisions of every face of the room"),
           D::whole("crease_growth", &MeshParams::crease_growth, 1, 1000, "",
                    "times as many patches as without creases that the room may have with them (or "
-                   "1000); further creases are left out, those of weak lamps first")};
+                   "2000); further creases are left out, those of weak lamps first")};
 }
 
 Mesh make_mesh(const Room& room, const MeshParams& params) { return Builder(room, params).build(); }
