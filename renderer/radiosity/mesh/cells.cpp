@@ -309,8 +309,7 @@ class Cells {
     if (p == q) return true;
     const auto [right, left] = cut_loop(cells_[cell], p, q);
     if (std::min(find_height(right, p, q), find_height(left, p, q)) < FLAT * touch) return true;
-    const double least =
-        std::clamp(0.5 * find_width(cells_[cell]), FLATTEST * touch, FLAT * touch);
+    const double least = std::clamp(0.5 * find_width(cells_[cell]), FLATTEST * touch, FLAT * touch);
     if (std::min(find_width(right), find_width(left)) < least) return false;
     cells_[cell] = right;
     cells_.push_back(left);
@@ -393,8 +392,8 @@ Division cut_cells(const Division& division, const Vec& normal, std::span<const 
   Cells cells(division, normal);
   for (const Edge& edge : fixed)
     for (const auto point : edge) cells.fix(point);
-  const auto contacts = static_cast<std::size_t>(
-      std::ranges::find(lines, false, &Line::contact) - lines.begin());
+  const auto contacts =
+      static_cast<std::size_t>(std::ranges::find(lines, false, &Line::contact) - lines.begin());
   cells.move_points(lines, 0, contacts, params.reach, params.apart);
   cells.move_points(lines, contacts, lines.size(), params.reach, params.apart);
   std::size_t left_out = 0;

@@ -113,8 +113,8 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
     cutting.width = i == 0 ? width : std::min(cutting.width, width);
     size = std::max(size, edge);
   }
-  cutting.most = std::max(count_quads(face, refine), LEAST_PATCHES) *
-                 static_cast<std::size_t>(cuts.growth);
+  cutting.most =
+      std::max(count_quads(face, refine), LEAST_PATCHES) * static_cast<std::size_t>(cuts.growth);
   const Plane plane = make_plane(normal, eval_mean(corners));
   const std::vector<Plane> edges = make_edge_planes(corners, normal);
   const auto add = [&](const Crease& crease, double touch, bool contact) {
@@ -167,9 +167,9 @@ Rows find_rows(const Cutting& cutting) {
     const bool is_level = std::abs(across(a) - across(b)) * high <= PARALLEL * cutting.width;
     if (!is_up && !is_level)
       rows.others.push_back(line);
-    else if (!line.contact && count_lines(rows.along, cutting.along) *
-                                      count_lines(rows.across, cutting.across) >=
-                                  cutting.most)
+    else if (!line.contact &&
+             count_lines(rows.along, cutting.along) * count_lines(rows.across, cutting.across) >=
+                 cutting.most)
       ++rows.left_out;
     else if (is_up)
       add_to_rows(line, (along(a) + along(b)) / 2, across(a), across(b), rows.along, wide,
@@ -268,8 +268,7 @@ Division divide_face(const Face& face, int refine, const Cuts& cuts) {
   division.creases = find_edges(division, cutting.near, cutting.normal);
   const auto contacts = static_cast<std::size_t>(
       std::ranges::find(cutting.near, false, &Line::contact) - cutting.near.begin());
-  division.contacts =
-      find_edges(division, std::span(cutting.near).first(contacts), cutting.normal);
+  division.contacts = find_edges(division, std::span(cutting.near).first(contacts), cutting.normal);
   division.left_out += rows.left_out;
   return division;
 }

@@ -31,9 +31,9 @@ struct Cuts {
   int growth = 1000;
 };
 
-/// The creases and contacts that lie in the face's plane and cross it become edges of quads. Creases
-/// may be moved by a tenth of a patch's width, contacts by 0.002 of it, to where other edges are;
-/// shorter ones are not cut.
+/// The creases and contacts that lie in the face's plane and cross it become edges of quads.
+/// Creases may be moved by a tenth of a patch's width, contacts by 0.002 of it, to where other
+/// edges are; shorter ones are not cut.
 Division divide_face(const Face& face, int refine, const Cuts& cuts);
 
 /// The point at (s, t), each 0..1, by bilinear interpolation of four corners.

@@ -15,6 +15,9 @@ namespace radiosity {
 namespace {
 
 constexpr std::size_t MOST_PATCHES = 10'000'000;
+// Patches that creases may make of any room, and times as many as without of one face.
+constexpr std::size_t MOST_ANYHOW = 2000;
+constexpr int MOST_GROWTH = 64;
 
 std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
   return std::minmax(patch.corners[side], patch.corners[(side + 1) % 4]);
@@ -132,6 +135,7 @@ class Builder {
   }
 
   Mesh build() {
+    limit_creases();
     for (std::uint32_t i = 0; i < room_.faces.size(); ++i) add(room_.faces[i], i);
     finish(mesh_.blockers);
     // Contacts are borders: what is lit on their two sides is inset to either side.
@@ -145,6 +149,32 @@ class Builder {
   }
 
  private:
+  // Halves the patches that creases may make of each face until the room has as few as are allowed.
+  void limit_creases() {
+    if (room_.creases.empty()) return;
+    const auto count = [&](const auto& count_face) {
+      std::size_t patches = 0;
+      for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
+        const Face& face = room_.faces[i];
+        if (!room_.materials[face.material].mirror)
+          patches += (face.two_sided ? 2 : 1) * count_face(face, contacts_[i]);
+      }
+      return patches;
+    };
+    const std::size_t plain = count([&](const Face& face, const std::vector<Crease>&) {
+      return count_quads(face, params_.refine);
+    });
+    if (plain > MOST_PATCHES) return;  // an error that add_patches() tells
+    const std::size_t most =
+        std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
+    for (growth_ = MOST_GROWTH; growth_ > 1; growth_ /= 2)
+      if (count([&](const Face& face, const std::vector<Crease>& contacts) {
+            return divide_face(face, params_.refine, {room_.creases, contacts, growth_})
+                .quads.size();
+          }) <= most)
+        break;
+  }
+
   void sum_up() {
     for (const Patch& patch : mesh_.patches) {
       const Material& material = mesh_.materials[patch.material];
@@ -175,8 +205,8 @@ class Builder {
 
   void add_patches(const Face& face, std::uint32_t number) {
     check_count(face, mesh_.patches.size() + count_quads(face, params_.refine));
-    const Division division = divide_face(
-        face, params_.refine, {room_.creases, contacts_[number], params_.crease_growth});
+    const Division division =
+        divide_face(face, params_.refine, {room_.creases, contacts_[number], growth_});
     check_count(face, mesh_.patches.size() + division.quads.size());
     mesh_.left_out += division.left_out;
     const Normals normals(face);
@@ -211,6 +241,7 @@ class Builder {
   std::vector<std::vector<Crease>> contacts_;  // by face
   Edges creases_, touched_;                    // on creases, and those of them on contacts
   std::uint32_t object_ = 0;
+  int growth_ = 1;  // Cuts::growth
 };
 
 }  // namespace
@@ -251,8 +282,8 @@ base::Fields<MeshParams> mesh_fields() {
   return {D::whole("refine", &MeshParams::refine, 1, 1000, "",
                    "multiplies the divisions of every face of the room"),
           D::whole("crease_growth", &MeshParams::crease_growth, 1, 1000, "",
-                   "times as many patches as without creases that a face may have with them; "
-                   "further creases are left out, those of weak lamps first")};
+                   "times as many patches as without creases that the room may have with them (or "
+                   "2000); further creases are left out, those of weak lamps first")};
 }
 
 Mesh make_mesh(const Room& room, const MeshParams& params) { return Builder(room, params).build(); }

@@ -57,18 +57,19 @@ struct Mesh {
 };
 
 struct MeshParams {
-  int refine = 1;       ///< factor of the divisions of every face, 1 to 1000
-  int crease_growth = 10;  ///< times as many patches as without creases that a face may have with
-                           ///< them, 1 to 1000; further creases are left out, the last first
-  double inset = 0.01;  ///< distance inside the border at which its vertices are lit, a share of
-                        ///< the way to the mean centre of their patches, 0..0.5
+  int refine = 1;         ///< factor of the divisions of every face, 1 to 1000
+  int crease_growth = 4;  ///< times as many patches as without creases that the room may have with
+                          ///< them, or 2000 patches, 1 to 1000; further creases of the faces that
+                          ///< grow most are left out, on each the last first
+  double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
+                          ///< the way to the mean centre of their patches, 0..0.5
 };
 
 /// The fields refine and crease_growth.
 base::Fields<MeshParams> mesh_fields();
 
-/// The room must pass check(). Where faces touch each other (find_contacts) is a crease by itself, and
-/// the illumination on its two sides is found apart. BadInput beyond 10 million patches.
+/// The room must pass check(). Where faces touch each other (find_contacts) is a crease by itself,
+/// and the illumination on its two sides is found apart. BadInput beyond 10 million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
 
 /// The patches around every vertex, in order: those of vertex v are `patches` from first[v] to

@@ -92,11 +92,12 @@ Place find_place(const Mesh& mesh, std::size_t vertex, std::span<const Wedge> we
 }
 
 auto sort_key(const Vertex& v) {
-  return std::tuple(v.at.x, v.at.y, v.at.z, v.normal.x, v.normal.y, v.normal.z, v.material);
+  return std::tuple(v.at.x, v.at.y, v.at.z, v.lit.x, v.lit.y, v.lit.z, v.normal.x, v.normal.y,
+                    v.normal.z, v.material);
 }
 
-// Whether a crease has split the vertices: they have one place, normal and material, and so the
-// same illumination.
+// Whether a crease has split the vertices: they have one place, also that at which they are lit,
+// one normal and one material, and so the same illumination.
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
 std::vector<std::uint32_t> find_twins(const Mesh& mesh) {

@@ -7,7 +7,7 @@
 namespace radiosity::test {
 
 struct Block {
-  double x = 0, y = 0, low = 0, high = 1;      // its middle, bottom and top
+  double x = 0, y = 0, low = 0, high = 1;     // its middle, bottom and top
   double wide = 0.5, deep = 0.5, turned = 0;  // half sides; radians about z
 
   std::array<Vec, 4> ring(double z) const {
@@ -60,7 +60,8 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
       block.x = block.wide;
       block.y = block.deep;
       break;
-    default: break;
+    default:
+      break;
   }
   return block;
 }

@@ -152,7 +152,8 @@ TEST(Contacts, FeetLeaningAndStacked) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};
   add_box(room, 0, {0, 0, 0}, {4, 4, 4});
-  EXPECT_EQ(std::ranges::count_if(find_contacts(room), [](const auto& c) { return !c.empty(); }), 0);
+  EXPECT_EQ(std::ranges::count_if(find_contacts(room), [](const auto& c) { return !c.empty(); }),
+            0);
   // Its left side is in the plane of the wall, its bottom in that of the floor.
   add_block(room, 0, {0, 1, 0}, {1, 2, 1});
   auto contacts = find_contacts(room);

@@ -10,7 +10,9 @@
 
 namespace radiosity::test {
 
-inline double eval_area(std::span<const Vec> corners) { return length(eval_area_normal(corners)) / 2; }
+inline double eval_area(std::span<const Vec> corners) {
+  return length(eval_area_normal(corners)) / 2;
+}
 
 // Checks everything that holds for any division; the smallest angle of its quads, degrees.
 inline double check_division(const Face& face, int refine, const Division& division) {
