@@ -70,6 +70,31 @@ TEST(ClosedForms, OfAPointAndAnUprightRectangle) {
         .expect_small_and_converging();
 }
 
+// Delta areas of any shape, seen from anywhere: halved, their error falls to a sixteenth.
+TEST(ClosedForms, DeltaAreasAreExactToTheSecondOrder) {
+  double coarse = 0, fine = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Random random{seed};
+    const auto shake = [&](double x, double y) {
+      return Vec{x + random.range(-0.3, 0.3), y + random.range(-0.3, 0.3), 2.5};
+    };
+    Face face;
+    face.corners = {shake(-1, -1), shake(-1, 1), shake(1, 1), shake(1, -1)};
+    const Mesh lamp = make_lamp(face);
+    const Vertex eye = make_point({random.range(-2, 2), random.range(-2, 2), 0},
+                                  normalize(Vec{random.range(-0.3, 0.3), 0, 1}));
+    const auto eval = [&](int samples) {
+      return sum_factors({lamp, {.samples = samples, .halvings = 0}}, eye);
+    };
+    const double exact = eval(64);
+    coarse += std::abs(eval(4) / exact - 1) / 100;
+    fine += std::abs(eval(8) / exact - 1) / 100;
+  }
+  fmt::print("4 x 4 delta areas are off by {:.2g}, 8 x 8 by {:.2g}\n", coarse, fine);
+  EXPECT_LT(coarse, 2e-3);
+  EXPECT_LT(fine, coarse / 10);
+}
+
 // A disc of 64 corners has 64 thin patches.
 TEST(ClosedForms, OfAPointAndADisc) {
   for (const double c : DISTANCES)
