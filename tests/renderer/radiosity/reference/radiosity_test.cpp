@@ -60,7 +60,7 @@ TEST(RadiosityAgainstPathTracer, UprightBox) {
       compare_room(test::read(UPRIGHT), 2, Reconstruction::bilinear, "upright box");
   EXPECT_LT(found.rmse, 0.03);
   EXPECT_LT(std::abs(found.bias), 0.02);
-  EXPECT_LT(found.p99, 0.11);
+  EXPECT_LT(found.p99, 0.15);
   EXPECT_LT(found.group, 12);
 }
 
