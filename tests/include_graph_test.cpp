@@ -113,7 +113,8 @@ std::set<std::string> rooms_tested_in(const std::string& folder) {
   const std::map<std::string, std::string> others{{"laboratory", "experiments/laboratory"},
                                                   {"support", "simulator/occam"},
                                                   {"benchmarks", "simulator"},
-                                                  {"consumer", "simulator"}};
+                                                  {"consumer", "simulator"},
+                                                  {"reference", "experiments/laboratory"}};
   const auto other = others.find(folder);
   const std::string top = other == others.end() ? folder : other->second;
   std::set<std::string> rooms;
@@ -229,14 +230,16 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"boost/context/"}, std::regex("simulator/machine/fiber\\.cpp")},
       {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
       {{"pugixml"}, std::regex("topologies/files/graphml\\.cpp")},
-      {{"CLI/"}, std::regex("experiments/laboratory/command/.*")},
+      {{"CLI/"}, std::regex("experiments/laboratory/command/.*|tests/reference/main\\.cpp")},
       {{"muParser"}, std::regex("base/formula\\.cpp")},
       {{"toml++/"}, std::regex("simulator/machine/model_file\\.cpp|experiments/laboratory/.*")},
       {{"kainjow/"}, std::regex("experiments/laboratory/report/(report|plot_script)\\.cpp")},
       {{"gsl/"}, std::regex("experiments/laboratory/table/laws\\.cpp")},
       {{"xxhash"}, std::regex("experiments/laboratory/host/hash\\.cpp")},
       {{"nlohmann/"}, std::regex("experiments/laboratory/.*|tests/laboratory/.*")},
-      {{"benchmark/", "embree3/"}, std::regex("tests/benchmarks/.*")},
+      {{"benchmark/"}, std::regex("tests/benchmarks/.*")},
+      {{"embree3/"},
+       std::regex("tests/benchmarks/embree\\.cpp|tests/reference/room_geometry\\.cpp")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
       {{"webp/"},
        std::regex("renderer/image/animation\\.cpp|tests/renderer/image/animation_test\\.cpp")},

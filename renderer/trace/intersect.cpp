@@ -160,8 +160,9 @@ template <bool MOVES>
   if (place.kind() == Kind::patch) {
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
-    // At a silhouette the interpolated normal may be on the other side than the plane's.
-    if (!(dot(smooth, ray.direction) * dot(geometric, ray.direction) <= 0)) hit.normal = smooth;
+    // At a silhouette the interpolated normal may be on the other side than the plane's: turned.
+    const double same = dot(smooth, ray.direction) * dot(geometric, ray.direction);
+    if (same != 0) hit.normal = same < 0 ? -smooth : smooth;
   }
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;

@@ -58,7 +58,7 @@ base::Fields<ProgramParams> make_fields() {
 }
 
 struct Measured {
-  std::size_t patches = 0, vertices = 0;
+  std::size_t patches = 0, vertices = 0, left_out = 0;
   Result result;
   bool has_data = false;  // the geometry is kept by data managers
   PictureSummary shown;
@@ -93,6 +93,8 @@ Columns<Measured> size_columns() {
       base::empty_column<M>("efficiency", "speedup over processors"),
       column("patches", &M::patches, "patches of the mesh"),
       column("vertices", &M::vertices, "vertices of the mesh"),
+      column("creases_left_out", &M::left_out,
+             "creases that the patches do not keep, or not everywhere"),
       column<M>(
           "shots", [](const M& m) { return m.result.shots; }, "times a patch sent its light"),
       column<M>(
@@ -213,8 +215,8 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   const bool has_data = params.machine.cache_percent > 0;
   const auto note = describe_loss(result.loss, has_data);
   auto kernels = std::move(result.kernels);
-  Outcome<Measured> outcome(Measured{mesh.patches.size(), mesh.vertices.size(), std::move(result),
-                                     has_data, shown.summary});
+  Outcome<Measured> outcome(Measured{mesh.patches.size(), mesh.vertices.size(), mesh.left_out,
+                                     std::move(result), has_data, shown.summary});
   outcome.notes = {note};
   for (auto& sentence : kernels::note_short(kernels)) outcome.notes.push_back(std::move(sentence));
   outcome.kernels = std::move(kernels);

@@ -52,8 +52,10 @@ double parse_exposure(const std::string& text) {
 }
 
 struct Outcome {
-  std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0;
+  std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0, left_out = 0;
   radiosity::Solution solution;
+  Rgb emitted;  // power
+  bool is_closed = false;
   Picture picture;
   Work picture_work;
   double mesh_s = 0, solve_s = 0, picture_s = 0;
@@ -83,9 +85,12 @@ Outcome light(Options& o) {
   made.vertices = mesh.vertices.size();
   made.mirrors = mesh.mirrors.size();
   made.creases = room.creases.size();
+  made.left_out = mesh.left_out;
   made.mesh_s = clock.lap();
 
   made.solution = solve(o, mesh);
+  made.emitted = mesh.emitted;
+  made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();
 
   std::vector<Rgb> values = made.solution.vertices;
@@ -101,6 +106,7 @@ Outcome light(Options& o) {
 }
 
 void save_stats(const Options& o, const Outcome& made) {
+  const radiosity::Balance& balance = made.solution.balance;
   const auto rays = static_cast<double>(made.solution.work[renderer::Op::ray_intersected]);
   nlohmann::ordered_json stats = {
       {"scene", o.room},
@@ -108,8 +114,16 @@ void save_stats(const Options& o, const Outcome& made) {
       {"vertices", made.vertices},
       {"mirrors", made.mirrors},
       {"creases", made.creases},
+      {"creases_left_out", made.left_out},
       {"shots", made.solution.shots},
       {"unshot", made.solution.unshot},
+      {"emitted", {made.emitted.r, made.emitted.g, made.emitted.b}},
+      {"balance",
+       {{"reflected", balance.reflected},
+        {"absorbed", balance.absorbed},
+        {"unsent", balance.unsent},
+        {"escaped", balance.escaped},
+        {"closed", made.is_closed}}},
       {"ambient", {made.solution.ambient.r, made.solution.ambient.g, made.solution.ambient.b}},
       {"work", make_json(made.solution.work)},
       {"width", made.picture.width},
@@ -119,6 +133,23 @@ void save_stats(const Options& o, const Outcome& made) {
       {"rays_per_second", rays / made.solve_s}};
   if (!is_exr(o)) stats["exposure"] = o.display.exposure, stats["gamma"] = o.display.gamma;
   base::save_whole(o.stats, stats.dump(2) + "\n");
+}
+
+// Share of the emitted power by which the books of a closed room may be off without a word.
+constexpr double FAIR_BALANCE = 0.01;
+
+void print_balance(const Outcome& made) {
+  const auto& [reflected, absorbed, unsent, escaped] = made.solution.balance;
+  fmt::print(
+      "of the emitted power {:.2f} % absorbed, {:.2f} % unsent, {:.2f} % {}; {:.2f} % "
+      "reflected on the way\n",
+      100 * absorbed, 100 * unsent, 100 * escaped,
+      made.is_closed ? "lost" : "escaped or in mirrors", 100 * reflected);
+  if (made.is_closed && std::abs(escaped) > FAIR_BALANCE)
+    fmt::print(stderr,
+               "tlab: warning: {:.1f} % of the light of a closed room is {}: more patches "
+               "(--refine), or smaller delta areas (--spread), find it\n",
+               100 * std::abs(escaped), escaped > 0 ? "lost" : "too much");
 }
 
 void run(Options& o) {
@@ -134,9 +165,11 @@ void run(Options& o) {
   if (!o.stats.empty()) save_stats(o, made);
   fmt::print("{} patches, {} vertices, {} shots, {:.3g} % unshot", made.patches, made.vertices,
              made.solution.shots, 100 * made.solution.unshot);
+  if (made.left_out > 0) fmt::print(", {} of {} creases left out", made.left_out, made.creases);
   if (!is_exr(o))
     fmt::print("; exposure {:.4g}, gamma {:.4g}", o.display.exposure, o.display.gamma);
   fmt::print("\n");
+  print_balance(made);
 }
 
 }  // namespace

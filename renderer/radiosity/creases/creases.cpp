@@ -1,6 +1,8 @@
 #include "renderer/radiosity/creases/creases.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numbers>
 
 #include "renderer/radiosity/room/planar.hpp"
 
@@ -289,6 +291,7 @@ struct Piece {
   Side side;
   std::size_t face;
   renderer::Bounds bounds;
+  double emission;  // the largest of the three
 };
 
 // The sides of the faces of wanted materials.
@@ -301,10 +304,11 @@ std::vector<Piece> find_sides(const Room& room, const Wanted& wanted) {
     const auto bounds = renderer::make_bounds(face.corners);
     const Plane front =
         make_plane(normalize(eval_area_normal(face.corners)), eval_mean(face.corners));
-    pieces.push_back({{face.corners, front}, i, bounds});
+    const double emission = max_component(room.materials[face.material].emission);
+    pieces.push_back({{face.corners, front}, i, bounds, emission});
     if (!face.two_sided) continue;
     const Plane back{-front.normal, -front.offset};
-    pieces.push_back({{{face.corners.rbegin(), face.corners.rend()}, back}, i, bounds});
+    pieces.push_back({{{face.corners.rbegin(), face.corners.rend()}, back}, i, bounds, emission});
   }
   return pieces;
 }
@@ -332,10 +336,43 @@ Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piec
   return stage;
 }
 
-// Joins the crease with those on the same line that it overlaps or touches; the result is last.
-void merge(Crease crease, double same, std::vector<Crease>& creases) {
+// About how bright a light makes the middle of a receiver if nothing is between. Either may be seen
+// from its edge there and not elsewhere.
+double eval_strength(const Piece& light, const Piece& receiver) {
+  constexpr double LEAST_COSINE = 0.1;
+  const Vec way = eval_mean(receiver.side.corners) - eval_mean(light.side.corners);
+  const double square = dot(way, way), distance = std::sqrt(square);
+  if (square == 0) return 0;
+  const auto cosine = [&](const Plane& plane, double sign) {
+    return std::max(LEAST_COSINE * distance, sign * dot(plane.normal, way));
+  };
+  const double area = length(eval_area_normal(light.side.corners)) / 2;
+  return light.emission * area * cosine(light.side.plane, 1) * cosine(receiver.side.plane, -1) /
+         (square * (std::numbers::pi * square + area));
+}
+
+// The lights in the order of their strength on the receiver.
+std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const Piece& receiver) {
+  std::vector<std::pair<double, const Piece*>> sorted;
+  for (const Piece& light : lights)
+    if (light.face != receiver.face) sorted.emplace_back(eval_strength(light, receiver), &light);
+  std::ranges::stable_sort(sorted, std::greater{}, &std::pair<double, const Piece*>::first);
+  std::vector<const Piece*> order;
+  for (const auto& [strength, light] : sorted) order.push_back(light);
+  return order;
+}
+
+// A crease, and how many lights are stronger than the one that makes it.
+struct Ranked {
+  Crease crease;
+  std::size_t rank = 0;
+};
+
+// Joins the crease with those on the same line that it overlaps or touches; the result is last, and
+// has the rank of the strongest.
+void merge(Ranked added, double same, std::vector<Ranked>& creases) {
   for (std::size_t i = 0; i < creases.size();) {
-    Crease longer = creases[i], other = crease;
+    Crease longer = creases[i].crease, other = added.crease;
     if (length(longer.b - longer.a) < length(other.b - other.a)) std::swap(longer, other);
     const double size = length(longer.b - longer.a);
     const Vec along = (1 / size) * (longer.b - longer.a);
@@ -347,12 +384,13 @@ void merge(Crease crease, double same, std::vector<Crease>& creases) {
       continue;
     }
     const auto at = [&](double t) { return longer.a + t * along; };
-    crease = {std::min(a, b) < 0 ? at(std::min(a, b)) : longer.a,
-              std::max(a, b) > size ? at(std::max(a, b)) : longer.b};
+    added = {{std::min(a, b) < 0 ? at(std::min(a, b)) : longer.a,
+              std::max(a, b) > size ? at(std::max(a, b)) : longer.b},
+             std::min(added.rank, creases[i].rank)};
     creases.erase(creases.begin() + static_cast<std::ptrdiff_t>(i));
     i = 0;
   }
-  creases.push_back(crease);
+  creases.push_back(added);
 }
 
 }  // namespace
@@ -370,23 +408,25 @@ std::vector<Crease> find_creases(const Room& room) {
                                    [](const Piece& a, const Piece& b) { return a.face == b.face; });
   faces.erase(seconds, faces.end());
 
-  std::vector<Crease> all, found, merged;
+  std::vector<Crease> all, found;
+  std::vector<Ranked> merged;
   for (std::size_t r = 0; r < receivers.size(); ++r) {
     const Piece& receiver = receivers[r];
-    for (const Piece& light : lights) {
-      if (light.face == receiver.face) continue;
-      const Stage stage = make_stage(light, receiver, faces, TOLERANCE * size);
+    const auto order = sort_by_strength(lights, receiver);
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+      const Stage stage = make_stage(*order[rank], receiver, faces, TOLERANCE * size);
       if (stage.light.corners.empty()) continue;
       add_horizon_crease(stage, found);
       for (std::size_t i = 0; i < stage.between.size(); ++i) add_shadow_creases(stage, i, found);
+      for (const Crease& crease : found) merge({crease, rank}, SAME * size, merged);
+      found.clear();
     }
     // The creases of both sides of a face cut it.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;
-    for (const Crease& crease : found) merge(crease, SAME * size, merged);
-    for (const Crease& crease : merged)
+    std::ranges::stable_sort(merged, {}, &Ranked::rank);
+    for (const auto& [crease, rank] : merged)
       if (length(crease.b - crease.a) > SHORTEST * max_abs(receiver.bounds.hi - receiver.bounds.lo))
         all.push_back(crease);
-    found.clear();
     merged.clear();
   }
   return all;

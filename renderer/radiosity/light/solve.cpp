@@ -19,19 +19,12 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
-// What a patch received in the last shot.
+// The mean of what arrived at a patch in the last shot.
 Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
   Rgb corners;
   for (const auto corner : mesh.patches[p].corners) corners += state.received[corner];
   if (mean == Mean::corners) return 0.25 * corners;
   return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
-}
-
-// The light of a patch that reaches a vertex and is reflected there.
-Rgb reflect(const Eye& eye, const Vertex& vertex, const Patch& sender, const Rgb& radiosity,
-            Work& work) {
-  const Rgb factor = eval_factors(eye, vertex, sender, work);
-  return eye.mesh.materials[vertex.material].reflectance * factor * radiosity;
 }
 
 }  // namespace
@@ -50,6 +43,7 @@ State make_state(const Mesh& mesh) {
   for (const Patch& p : mesh.patches) state.unshot.push_back(mesh.materials[p.material].emission);
   state.received.resize(mesh.vertices.size());
   state.in_centre.resize(mesh.patches.size());
+  state.arrived.resize(mesh.patches.size());
   return state;
 }
 
@@ -67,8 +61,9 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
 void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
              std::span<const std::uint32_t> vertices, State& state, Work& work) {
   for (const auto v : vertices) {
-    state.received[v] = reflect(eye, eye.mesh.vertices[v], sender, radiosity, work);
-    state.radiosity[v] += state.received[v];
+    const Vertex& vertex = eye.mesh.vertices[v];
+    state.received[v] = eval_factors(eye, vertex, sender, work) * radiosity;
+    state.radiosity[v] += eye.mesh.materials[vertex.material].reflectance * state.received[v];
   }
   work[Op::vertex_lit] += vertices.size();
 }
@@ -76,7 +71,8 @@ void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
 void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
                         std::span<const std::uint32_t> patches, State& state, Work& work) {
   for (const auto p : patches)
-    state.in_centre[p] = reflect(eye, make_centre(eye.mesh.patches[p]), sender, radiosity, work);
+    state.in_centre[p] =
+        eval_factors(eye, make_centre(eye.mesh.patches[p]), sender, work) * radiosity;
   work[Op::vertex_lit] += patches.size();
 }
 
@@ -84,7 +80,9 @@ void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> p
             State& state, Work& work) {
   for (const auto p : patches) {
     if (p == shot.patch) state.unshot[p] = {};
-    state.unshot[p] += eval_mean(mesh, p, mean, state);
+    const Rgb arrived = eval_mean(mesh, p, mean, state);
+    state.arrived[p] += arrived;
+    state.unshot[p] += mesh.materials[mesh.patches[p].material].reflectance * arrived;
   }
   work[Op::patch_lit] += patches.size();
 }
@@ -161,6 +159,7 @@ Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step, co
       receive_in_centres({mesh, params.factor}, sender, shot->radiosity, patches, state, work);
     settle(mesh, *shot, patches, params.mean, state, work);
   }
+  solution.balance = eval_balance(mesh, state.arrived, state.unshot);
   solution.vertices = std::move(fine ? fine_state.radiosity : state.radiosity);
   return solution;
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "renderer/radiosity/light/balance.hpp"
 #include "renderer/radiosity/light/form_factor.hpp"
 
 namespace radiosity {
@@ -20,8 +21,9 @@ struct Shot {
 struct State {
   std::vector<Rgb> radiosity;  ///< by vertex
   std::vector<Rgb> unshot;     ///< by patch
-  std::vector<Rgb> received;   ///< by vertex, in the last shot
-  std::vector<Rgb> in_centre;  ///< by patch, received by its centre in the last shot
+  std::vector<Rgb> received;   ///< by vertex, the light that arrived in the last shot
+  std::vector<Rgb> in_centre;  ///< by patch, the light that arrived at its centre in the last shot
+  std::vector<Rgb> arrived;    ///< by patch, the light that has arrived in all shots, its mean
 };
 
 /// Everything emits, nothing is sent.
@@ -32,8 +34,8 @@ State make_state(const Mesh& mesh);
 std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
                               std::span<const std::uint32_t> patches, renderer::Work& work);
 
-/// Each of the vertices named takes its share of the radiosity that the patch sends: Eq 3.9 and
-/// 3.17. The patch may belong to another mesh of the same room.
+/// Each of the vertices named takes and reflects its share of the radiosity that the patch sends:
+/// Eq 3.9 and 3.17. The patch may belong to another mesh of the same room.
 void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
              std::span<const std::uint32_t> vertices, State& state, renderer::Work& work);
 
@@ -81,6 +83,7 @@ struct Solution {
   Rgb ambient;                ///< see eval_ambient
   int shots = 0;
   double unshot = 0;  ///< share of the emitted power
+  Balance balance;    ///< of the mesh that sends
   renderer::Work work;
 };
 

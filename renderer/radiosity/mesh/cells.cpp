@@ -1,6 +1,7 @@
 #include "renderer/radiosity/mesh/cells.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,6 +16,11 @@ namespace {
 constexpr double WELL_SHAPED = 0.3;
 // A corner is straight where the sine of its turn is less.
 constexpr double STRAIGHT = 0.17;
+// Shares of the touch of a crease: a cell that it cuts off is no flatter than FLAT, but where the
+// cell before was almost as flat, and never flatter than FLATTEST. Heights below ROUNDING are 0.
+constexpr double FLAT = 0.25, FLATTEST = 0.02, ROUNDING = 1e-6;
+// The least sine at which a cell is cut at a straight corner.
+constexpr double TOO_NARROW = 1e-3;
 
 using Loop = std::vector<std::uint32_t>;
 
@@ -84,7 +90,7 @@ double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t
 void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& normal,
                           std::vector<Loop>& parts) {
   std::uint32_t from = 0, to = 0;
-  double best = 0;
+  double best = TOO_NARROW;
   for (std::size_t i = 0; i < loop.size() && loop.size() > 3; ++i) {
     if (!is_straight(quads, loop, i, normal)) continue;
     for (std::size_t k = i + 2; k + 1 < i + loop.size(); ++k)
@@ -94,7 +100,7 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
         best = sine;
       }
   }
-  if (best == 0) {
+  if (best == TOO_NARROW) {
     parts.push_back(loop);
     return;
   }
@@ -103,11 +109,25 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
   cut_straight_corners(quads, left, normal, parts);
 }
 
+// The centre of gravity of a convex polygon. From any corner it lies beyond the middles of the
+// edges there, which the mean of the corners need not.
+Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
+  Vec sum;
+  double total = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const Vec a = corners[i - 1] - corners[0], b = corners[i] - corners[0];
+    const double area = dot(normal, cross(a, b));
+    sum += area / 3 * (a + b);
+    total += area;
+  }
+  return corners[0] + (1 / total) * sum;
+}
+
 // Adds a quad at every corner of a convex polygon: (corner, middle, centre, middle).
-void add_corners(Quads& quads, std::span<const std::uint32_t> loop) {
+void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& normal) {
   std::vector<Vec> corners;
   for (const auto point : loop) corners.push_back(quads.at(point));
-  const std::uint32_t centre = quads.add(eval_mean(corners));
+  const std::uint32_t centre = quads.add(find_centre(corners, normal));
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto here = loop[i], next = loop[(i + 1) % loop.size()];
     const auto last = loop[(i + loop.size() - 1) % loop.size()];
@@ -145,41 +165,47 @@ class Cells {
   // The point will not be moved.
   void fix(std::uint32_t point) { line_[point] = FIXED; }
 
-  void move_points(std::span<const Crease> creases, double reach) {
-    for (const Crease& crease : creases)
-      for (const Vec& end : {crease.a, crease.b}) move_to_end(end, reach);
-    for (std::size_t k = 0; k < creases.size(); ++k) {
-      const Vec a = creases[k].a, along = normalize(creases[k].b - a);
-      const Vec across = cross(normal_, along);
+  // Points move to the lines first..last, no nearer than `apart` to each other.
+  void move_points(std::span<const Line> lines, std::size_t first, std::size_t last, double reach,
+                   double apart) {
+    for (std::size_t k = first; k < last; ++k)
+      for (const Vec& end : {lines[k].crease.a, lines[k].crease.b}) move_to_end(end, reach, apart);
+    for (std::size_t k = first; k < last; ++k) {
+      const Crease& crease = lines[k].crease;
+      const Vec along = normalize(crease.b - crease.a), across = cross(normal_, along);
       for (std::uint32_t i = 0; i < points_.size(); ++i) {
         if (line_[i] == FIXED) continue;
         const Vec here = points_[i];
-        const double height = dot(across, here - a);
+        const double height = dot(across, here - crease.a);
         if (std::abs(height) >= reach) continue;
         Vec to = here - height * across;
         if (line_[i] != FREE) {  // along the crease that it is on
-          const Crease& other = creases[static_cast<std::size_t>(line_[i])];
+          const Crease& other = lines[static_cast<std::size_t>(line_[i])].crease;
           const Vec way = normalize(other.b - other.a);
           const double slope = dot(across, way);
           if (std::abs(height) >= reach * std::abs(slope)) continue;
           to = here - (height / slope) * way;
         }
-        const double t = dot(to - a, along);
-        if (t < 0 || t > length(creases[k].b - a) || !move(i, to)) continue;
+        const double t = dot(to - crease.a, along);
+        if (t < 0 || t > length(crease.b - crease.a) || !move(i, to, apart)) continue;
         line_[i] = line_[i] == FREE ? static_cast<std::int32_t>(k) : FIXED;
       }
     }
   }
 
-  void cut(const Crease& crease, double touch) {
-    const double size = length(crease.b - crease.a);
+  // Cuts all cells that the crease crosses for more than its touch. Returns whether all could be
+  // cut.
+  bool cut(const Line& line) {
+    const Crease& crease = line.crease;
+    const double size = length(crease.b - crease.a), touch = line.touch;
     const Vec along = (1 / size) * (crease.b - crease.a), across = cross(normal_, along);
     std::vector<double> heights;
     for (const Vec& point : points_) {
       const double height = dot(across, point - crease.a);
-      heights.push_back(std::abs(height) <= touch ? 0 : height);
+      heights.push_back(std::abs(height) <= ROUNDING * touch ? 0 : height);
     }
     const std::size_t count = cells_.size();
+    bool kept = true;
     for (std::size_t cell = 0; cell < count; ++cell) {
       const auto chord = find_chord(cell, heights);
       if (!chord) continue;
@@ -191,28 +217,30 @@ class Cells {
       }
       if (std::min(size, std::max(t[0], t[1])) - std::max(0.0, std::min(t[0], t[1])) <= touch)
         continue;
+      // Neighbours find the same point, as it depends on the edge only.
       const auto make = [&](const Chord::End& end) {
         if (end.share == 0) return end.point;
+        const double here = std::abs(heights[end.point]), there = std::abs(heights[end.next]);
+        if (std::min(here, there) <= touch) return here <= there ? end.point : end.next;
         heights.push_back(0);
         return split_edge(end.point, end.next, end.share);
       };
       const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
-      const auto [right, left] = cut_loop(cells_[cell], p, q);
-      cells_[cell] = right;
-      cells_.push_back(left);
-      own(cell);
-      own(cells_.size() - 1);
+      if (!cut_cell(cell, p, q, touch)) kept = false;
     }
     // The crease's ends become points of the edges that it lies on.
     for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
+    return kept;
   }
+
+  std::size_t size() const { return cells_.size(); }
 
   Division make_quads() const {
     Quads quads;
     quads.division.points = points_;
     std::vector<Loop> parts;
     for (const Loop& loop : cells_) cut_straight_corners(quads, loop, normal_, parts);
-    for (const Loop& part : parts) add_corners(quads, part);
+    for (const Loop& part : parts) add_corners(quads, part, normal_);
     return std::move(quads.division);
   }
 
@@ -225,7 +253,8 @@ class Cells {
       owner_[{loop[i], loop[(i + 1) % loop.size()]}] = cell;
   }
 
-  bool move(std::uint32_t point, const Vec& to) {
+  // Moves a point unless a cell becomes ill-shaped, or an edge shorter than `apart` and than it is.
+  bool move(std::uint32_t point, const Vec& to, double apart) {
     const Vec back = std::exchange(points_[point], to);
     for (const auto cell : around_[point]) {
       const Loop& loop = cells_[cell];
@@ -233,7 +262,12 @@ class Cells {
         const Vec here = points_[loop[i]];
         const Vec ahead = points_[loop[(i + 1) % 4]] - here;
         const Vec behind = points_[loop[(i + 3) % 4]] - here;
-        if (dot(normal_, cross(ahead, behind)) < WELL_SHAPED * length(ahead) * length(behind)) {
+        const double least = WELL_SHAPED * length(ahead) * length(behind);
+        const double now = std::min(length(ahead), length(behind));
+        const bool is_short =
+            loop[i] == point && now < apart &&
+            now < std::min(length(here + ahead - back), length(here + behind - back));
+        if (is_short || dot(normal_, cross(ahead, behind)) < least) {
           points_[point] = back;
           return false;
         }
@@ -242,7 +276,7 @@ class Cells {
     return true;
   }
 
-  void move_to_end(const Vec& end, double reach) {
+  void move_to_end(const Vec& end, double reach, double apart) {
     std::optional<std::uint32_t> nearest;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       const double distance = length(points_[i] - end);
@@ -250,7 +284,38 @@ class Cells {
       reach = distance;
       nearest = i;
     }
-    if (nearest && move(*nearest, end)) fix(*nearest);
+    if (nearest && move(*nearest, end, apart)) fix(*nearest);
+  }
+
+  // The least width of a cell, across one of its edges.
+  double find_width(const Loop& loop) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      least = std::min(least, find_height(loop, loop[i], loop[(i + 1) % loop.size()]));
+    return least;
+  }
+  // How far the points of a loop are off the line from a to b, at most.
+  double find_height(const Loop& loop, std::uint32_t a, std::uint32_t b) const {
+    const Vec across = cross(normal_, normalize(points_[b] - points_[a]));
+    double most = 0;
+    for (const auto point : loop)
+      most = std::max(most, std::abs(dot(across, points_[point] - points_[a])));
+    return most;
+  }
+
+  // Cuts a cell between two of its points. False if a part would be too flat, unless the crease
+  // runs along the cell's edges: these are on it then.
+  bool cut_cell(std::size_t cell, std::uint32_t p, std::uint32_t q, double touch) {
+    if (p == q) return true;
+    const auto [right, left] = cut_loop(cells_[cell], p, q);
+    if (std::min(find_height(right, p, q), find_height(left, p, q)) < FLAT * touch) return true;
+    const double least = std::clamp(0.5 * find_width(cells_[cell]), FLATTEST * touch, FLAT * touch);
+    if (std::min(find_width(right), find_width(left)) < least) return false;
+    cells_[cell] = right;
+    cells_.push_back(left);
+    own(cell);
+    own(cells_.size() - 1);
+    return true;
   }
 
   std::optional<Chord> find_chord(std::size_t cell, std::span<const double> heights) const {
@@ -294,14 +359,15 @@ class Cells {
   }
 
   // Puts a point at the distance `end` from `origin` on every edge that lies on the line `along`:
-  // where both heights are 0.
+  // where both heights are within touch.
   void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
                       std::vector<double>& heights) {
     const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& [edge, cell] : owner_) {
       const auto& [a, b] = edge;
-      if (heights[a] != 0 || heights[b] != 0 || (a > b && owner_.contains({b, a}))) continue;
+      if (std::max(std::abs(heights[a]), std::abs(heights[b])) > touch) continue;
+      if (a > b && owner_.contains({b, a})) continue;
       if (std::min(place(a), place(b)) + touch < end && end < std::max(place(a), place(b)) - touch)
         edges.push_back(edge);
     }
@@ -322,13 +388,20 @@ class Cells {
 }  // namespace
 
 Division cut_cells(const Division& division, const Vec& normal, std::span<const Edge> fixed,
-                   std::span<const Crease> creases, const CellParams& params) {
+                   std::span<const Line> lines, const CellParams& params) {
   Cells cells(division, normal);
   for (const Edge& edge : fixed)
     for (const auto point : edge) cells.fix(point);
-  cells.move_points(creases, params.reach);
-  for (const Crease& crease : creases) cells.cut(crease, params.touch);
-  return cells.make_quads();
+  const auto contacts =
+      static_cast<std::size_t>(std::ranges::find(lines, false, &Line::contact) - lines.begin());
+  cells.move_points(lines, 0, contacts, params.reach, params.apart);
+  cells.move_points(lines, contacts, lines.size(), params.reach, params.apart);
+  std::size_t left_out = 0;
+  for (const Line& line : lines)
+    if ((!line.contact && cells.size() >= params.most) || !cells.cut(line)) ++left_out;
+  Division cut = cells.make_quads();
+  cut.left_out = left_out;
+  return cut;
 }
 
 }  // namespace radiosity

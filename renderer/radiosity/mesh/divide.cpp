@@ -9,10 +9,15 @@ namespace radiosity {
 
 namespace {
 
-// Shares of a patch's width: a point nearer than TOUCH to a crease is on it; a line of the grid
-// nearer than KEEP gives way to it; a crease off a side's direction by less than PARALLEL runs
-// along that side.
-constexpr double TOUCH = 0.1, KEEP = 1.0 / 3, PARALLEL = 1e-3;
+// Shares of a patch's width: a point nearer than TOUCH to a crease, than NEAR to a contact, is on
+// it; a line of the grid nearer than KEEP gives way to it; a crease off a side's direction by less
+// than PARALLEL runs along that side.
+constexpr double TOUCH = 0.1, NEAR = 0.002, KEEP = 1.0 / 3, PARALLEL = 1e-3;
+// An edge of a quad lies on a crease if it is off it by less than ASIDE and beyond its ends by less
+// than BEYOND, in touches.
+constexpr double ASIDE = 1.1, BEYOND = 1.01;
+// A face without divisions counts as one of so many patches when its creases are limited.
+constexpr std::size_t LEAST_PATCHES = 16;
 // A crease off the face's plane by less than this share of the face's size lies in it.
 constexpr double IN_PLANE = 1e-5;
 // Points of a grid that are nearer to a crease than this share of a cell move to it.
@@ -40,31 +45,39 @@ std::vector<double> make_even_lines(int count) {
   return lines;
 }
 
-// Parameters, 0..1, at which a grid has lines.
-struct Row {
-  std::vector<double> creases;  // creases along the lines
-  std::vector<double> ends;     // ends of creases across the lines
+// A line of a grid at a parameter, 0..1, that other wanted lines are not nearer to than `touch`.
+struct Wanted {
+  double at = 0, touch = 0;
 };
 
+// The lines that a grid should have: contacts first, then creases along the lines, then the ends of
+// creases across them.
+struct Row {
+  std::vector<Wanted> contacts, creases, ends;
+};
+
+bool is_near(std::span<const double> lines, const Wanted& wanted) {
+  return std::ranges::any_of(
+      lines, [&](double line) { return std::abs(line - wanted.at) < wanted.touch; });
+}
+
 // A grid's lines from 0 to 1: those of the row, and of `count` equal steps those that are not near
-// one of these. Lines nearer than `touch` to each other are one.
-std::vector<double> make_lines(int count, double touch, Row row) {
-  std::ranges::sort(row.creases);
-  std::ranges::sort(row.ends);
+// one of these.
+std::vector<double> make_lines(int count, Row row) {
+  std::ranges::sort(row.creases, {}, &Wanted::at);
+  std::ranges::sort(row.ends, {}, &Wanted::at);
   std::vector<double> lines{0, 1};
-  for (const auto* wanted : {&row.creases, &row.ends})
-    for (double at : *wanted) {
+  for (const auto* some : {&row.contacts, &row.creases, &row.ends})
+    for (Wanted wanted : *some) {
       // What is off a line of the equal steps by rounding only is that line to the last bit.
-      const double step = std::round(at * count) / count;
-      if (std::abs(at - step) < 1e-9) at = step;
-      const auto is_near = [&](double line) { return std::abs(line - at) < touch; };
-      if (at > 0 && at < 1 && std::ranges::none_of(lines, is_near)) lines.push_back(at);
+      const double step = std::round(wanted.at * count) / count;
+      if (std::abs(wanted.at - step) < 1e-9) wanted.at = step;
+      if (wanted.at > 0 && wanted.at < 1 && !is_near(lines, wanted)) lines.push_back(wanted.at);
     }
   const std::vector<double> kept(lines.begin() + 2, lines.end());
   for (int i = 1; i < count; ++i) {
     const double at = static_cast<double>(i) / count;
-    const auto is_near = [&](double line) { return std::abs(line - at) < KEEP / count; };
-    if (std::ranges::none_of(kept, is_near)) lines.push_back(at);
+    if (!is_near(kept, {at, KEEP / count})) lines.push_back(at);
   }
   std::ranges::sort(lines);
   return lines;
@@ -74,16 +87,23 @@ std::vector<double> make_lines(int count, double touch, Row row) {
 struct Cutting {
   const Face& face;
   int along, across;  // patches
+  std::size_t most;   // patches that creases may make of it
   Vec normal;
-  double width;                  // of a patch
-  std::vector<Crease> near;      // creases in the plane, within or on the border
-  std::vector<Crease> crossing;  // those of them that cross the inside
+  double width;                // of a patch
+  std::vector<Line> near;      // contacts and creases in the plane, within or on the border
+  std::vector<Line> crossing;  // those of them that cross the inside
 };
 
-Cutting make_cutting(const Face& face, int refine, std::span<const Crease> creases) {
+// The length of the part of a crease that is inside all planes by a margin.
+double find_inside(const Crease& crease, std::span<const Plane> planes, double margin) {
+  const auto inside = clip_segment(crease.a, crease.b, planes, margin);
+  return inside ? (inside->to - inside->from) * length(crease.b - crease.a) : 0;
+}
+
+Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   const auto& corners = face.corners;
   const Vec normal = normalize(eval_area_normal(corners));
-  Cutting cutting{face, face.along * refine, face.across * refine, normal, 0, {}, {}};
+  Cutting cutting{face, face.along * refine, face.across * refine, 0, normal, 0, {}, {}};
   double size = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const double edge = length(corners[(i + 1) % corners.size()] - corners[i]);
@@ -93,27 +113,43 @@ Cutting make_cutting(const Face& face, int refine, std::span<const Crease> creas
     cutting.width = i == 0 ? width : std::min(cutting.width, width);
     size = std::max(size, edge);
   }
+  cutting.most =
+      std::max(count_quads(face, refine), LEAST_PATCHES) * static_cast<std::size_t>(cuts.growth);
   const Plane plane = make_plane(normal, eval_mean(corners));
   const std::vector<Plane> edges = make_edge_planes(corners, normal);
-  const double touch = TOUCH * cutting.width;
-  for (const Crease& crease : creases) {
+  const auto add = [&](const Crease& crease, double touch, bool contact) {
     if (std::abs(eval_height(plane, crease.a)) > IN_PLANE * size ||
         std::abs(eval_height(plane, crease.b)) > IN_PLANE * size)
-      continue;
-    const double whole = length(crease.b - crease.a);
-    if (!(whole > 0) || !clip_segment(crease.a, crease.b, edges, -touch)) continue;
-    cutting.near.push_back(crease);
-    const auto inside = clip_segment(crease.a, crease.b, edges, touch);
-    if (inside && (inside->to - inside->from) * whole > touch) cutting.crossing.push_back(crease);
-  }
+      return;
+    if (!(find_inside(crease, edges, -touch) > 0)) return;
+    cutting.near.push_back({crease, touch, contact});
+    if (find_inside(crease, edges, touch) > touch)
+      cutting.crossing.push_back({crease, touch, contact});
+  };
+  for (const Crease& crease : cuts.contacts) add(crease, NEAR * cutting.width, true);
+  for (const Crease& crease : cuts.creases) add(crease, TOUCH * cutting.width, false);
   return cutting;
 }
 
-// The creases that cross a face: those along the sides of a parallelogram, and all others.
+// The creases of a parallelogram that run along its sides, and the others.
 struct Rows {
   Row along, across;
-  std::vector<Crease> others;
+  std::vector<Line> others;
+  std::size_t left_out = 0;
 };
+
+std::size_t count_lines(const Row& row, int even) {
+  return row.contacts.size() + row.creases.size() + row.ends.size() +
+         static_cast<std::size_t>(even);
+}
+
+// Adds a crease to the row whose lines run along it, its ends to the other row.
+void add_to_rows(const Line& line, double at, double from, double to, Row& own, double own_size,
+                 Row& other, double other_size) {
+  (line.contact ? own.contacts : own.creases).push_back({at, line.touch / own_size});
+  for (const double end : {from, to})
+    (line.contact ? other.contacts : other.ends).push_back({end, line.touch / other_size});
+}
 
 Rows find_rows(const Cutting& cutting) {
   Rows rows{{}, {}, cutting.crossing};
@@ -122,53 +158,57 @@ Rows find_rows(const Cutting& cutting) {
   const Vec u = c[1] - c[0], v = c[3] - c[0];
   if (length(u - (c[2] - c[3])) > PARALLEL * cutting.width) return rows;
   rows.others.clear();
-  const double twice = dot(cutting.normal, cross(u, v));
-  const auto add = [](Row& own, double p, double q, Row& other, double from, double to) {
-    own.creases.push_back((p + q) / 2);
-    other.ends.insert(other.ends.end(), {from, to});
-  };
-  for (const Crease& crease : cutting.crossing) {
-    const Vec a = crease.a - c[0], b = crease.b - c[0];
+  const double twice = dot(cutting.normal, cross(u, v)), wide = length(u), high = length(v);
+  for (const Line& line : cutting.crossing) {
+    const Vec a = line.crease.a - c[0], b = line.crease.b - c[0];
     const auto along = [&](const Vec& p) { return dot(cutting.normal, cross(p, v)) / twice; };
     const auto across = [&](const Vec& p) { return dot(cutting.normal, cross(u, p)) / twice; };
-    if (std::abs(along(a) - along(b)) * length(u) <= PARALLEL * cutting.width)
-      add(rows.along, along(a), along(b), rows.across, across(a), across(b));
-    else if (std::abs(across(a) - across(b)) * length(v) <= PARALLEL * cutting.width)
-      add(rows.across, across(a), across(b), rows.along, along(a), along(b));
+    const bool is_up = std::abs(along(a) - along(b)) * wide <= PARALLEL * cutting.width;
+    const bool is_level = std::abs(across(a) - across(b)) * high <= PARALLEL * cutting.width;
+    if (!is_up && !is_level)
+      rows.others.push_back(line);
+    else if (!line.contact &&
+             count_lines(rows.along, cutting.along) * count_lines(rows.across, cutting.across) >=
+                 cutting.most)
+      ++rows.left_out;
+    else if (is_up)
+      add_to_rows(line, (along(a) + along(b)) / 2, across(a), across(b), rows.along, wide,
+                  rows.across, high);
     else
-      rows.others.push_back(crease);
+      add_to_rows(line, (across(a) + across(b)) / 2, along(a), along(b), rows.across, high,
+                  rows.along, wide);
   }
   return rows;
 }
 
 Division make_grid(const Cutting& cutting, const Rows& rows, int along, int across) {
-  const auto& c = cutting.face.corners;
-  const double touch = TOUCH * cutting.width;
   Division division;
-  add_grid(division, c, make_lines(along, touch / length(c[1] - c[0]), rows.along),
-           make_lines(across, touch / length(c[3] - c[0]), rows.across));
+  add_grid(division, cutting.face.corners, make_lines(along, rows.along),
+           make_lines(across, rows.across));
   return division;
 }
 
 // The quads' edges on a crease, each once. Short ones may run a little across it.
-std::vector<Edge> find_edges(const Division& division, std::span<const Crease> creases,
-                             const Vec& normal, double touch) {
+std::vector<Edge> find_edges(const Division& division, std::span<const Line> lines,
+                             const Vec& normal) {
   std::vector<Edge> found;
   std::set<Edge> done;
-  const auto is_on = [&](const Crease& crease, const Vec& p, const Vec& q) {
+  const auto is_on = [&](const Line& line, const Vec& p, const Vec& q) {
+    const Crease& crease = line.crease;
     const double size = length(crease.b - crease.a);
+    const double aside = ASIDE * line.touch, beyond = BEYOND * line.touch;
     const Vec along = (1 / size) * (crease.b - crease.a), across = cross(normal, along);
     const double s = dot(p - crease.a, along), t = dot(q - crease.a, along);
-    return std::abs(dot(p - crease.a, across)) <= touch &&
-           std::abs(dot(q - crease.a, across)) <= touch && std::min(s, t) >= -touch &&
-           std::max(s, t) <= size + touch && std::abs(s - t) >= 0.5 * length(p - q);
+    return std::abs(dot(p - crease.a, across)) <= aside &&
+           std::abs(dot(q - crease.a, across)) <= aside && std::min(s, t) >= -beyond &&
+           std::max(s, t) <= size + beyond && std::abs(s - t) >= 0.5 * length(p - q);
   };
   for (const auto& quad : division.quads)
     for (std::size_t i = 0; i < 4; ++i) {
       const auto [a, b] = std::minmax(quad[i], quad[(i + 1) % 4]);
       const Vec &p = division.points[a], &q = division.points[b];
-      const auto on = [&](const Crease& crease) { return is_on(crease, p, q); };
-      if (std::ranges::any_of(creases, on) && done.insert({a, b}).second) found.push_back({a, b});
+      const auto on = [&](const Line& line) { return is_on(line, p, q); };
+      if (std::ranges::any_of(lines, on) && done.insert({a, b}).second) found.push_back({a, b});
     }
   return found;
 }
@@ -176,21 +216,27 @@ std::vector<Edge> find_edges(const Division& division, std::span<const Crease> c
 // Cuts along creases in any direction: coarse cells are cut, and each becomes several quads.
 Division divide_freely(const Cutting& cutting, const Rows& rows) {
   const int along = (cutting.along + 1) / 2, across = (cutting.across + 1) / 2;
-  const bool has_rows = !rows.along.creases.empty() || !rows.across.creases.empty();
+  const bool has_rows = count_lines(rows.along, 0) + count_lines(rows.across, 0) > 0;
   Face coarse = cutting.face;
   coarse.along = along;
   coarse.across = across;
   const Division base = has_rows ? make_grid(cutting, rows, along, across) : divide_face(coarse, 1);
-  const double touch = TOUCH * cutting.width;
   std::vector<Edge> fixed;
-  if (has_rows) fixed = find_edges(base, cutting.crossing, cutting.normal, touch);
-  return cut_cells(base, cutting.normal, fixed, rows.others, {REACH * 2 * cutting.width, touch});
+  if (has_rows) fixed = find_edges(base, cutting.crossing, cutting.normal);
+  const double reach = REACH * 2 * cutting.width, apart = 2 * TOUCH * cutting.width;
+  return cut_cells(base, cutting.normal, fixed, rows.others, {reach, apart, cutting.most / 4});
 }
 
 }  // namespace
 
 Vec eval_bilinear(std::span<const Vec> c, double s, double t) {
   return (1 - s) * (1 - t) * c[0] + s * (1 - t) * c[1] + s * t * c[2] + (1 - s) * t * c[3];
+}
+
+std::size_t count_quads(const Face& face, int refine) {
+  const auto along = static_cast<std::size_t>(face.along) * static_cast<std::size_t>(refine);
+  const auto across = static_cast<std::size_t>(face.across) * static_cast<std::size_t>(refine);
+  return face.corners.size() == 4 ? along * across : face.corners.size() * along * along;
 }
 
 Division divide_face(const Face& face, int refine) {
@@ -209,8 +255,8 @@ Division divide_face(const Face& face, int refine) {
   return division;
 }
 
-Division divide_face(const Face& face, int refine, std::span<const Crease> creases) {
-  const Cutting cutting = make_cutting(face, refine, creases);
+Division divide_face(const Face& face, int refine, const Cuts& cuts) {
+  const Cutting cutting = make_cutting(face, refine, cuts);
   const Rows rows = find_rows(cutting);
   Division division;
   if (cutting.crossing.empty())
@@ -219,8 +265,11 @@ Division divide_face(const Face& face, int refine, std::span<const Crease> creas
     division = make_grid(cutting, rows, cutting.along, cutting.across);
   else
     division = divide_freely(cutting, rows);
-  division.creases =
-      find_edges(division, cutting.near, cutting.normal, 1.01 * TOUCH * cutting.width);
+  division.creases = find_edges(division, cutting.near, cutting.normal);
+  const auto contacts = static_cast<std::size_t>(
+      std::ranges::find(cutting.near, false, &Line::contact) - cutting.near.begin());
+  division.contacts = find_edges(division, std::span(cutting.near).first(contacts), cutting.normal);
+  division.left_out += rows.left_out;
   return division;
 }
 

@@ -13,14 +13,28 @@ struct Division {
   std::vector<Vec> points;
   std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise; neighbours share points
   std::vector<Edge> creases;                        ///< edges of quads that lie on a crease
+  std::vector<Edge> contacts;                       ///< those of them that lie on a contact
+  std::size_t left_out = 0;  ///< creases that are not, or not everywhere, edges of quads
 };
 
 /// A face of 4 corners becomes a grid of along x across quads; any other a grid for each corner,
 /// between the corner, the middles of its edges and the centre.
 Division divide_face(const Face& face, int refine);
+/// The number of its quads.
+std::size_t count_quads(const Face& face, int refine);
 
-/// The creases that lie in the face's plane and cross it become edges of quads.
-Division divide_face(const Face& face, int refine, std::span<const Crease> creases);
+/// What may cut a face.
+struct Cuts {
+  std::span<const Crease> creases{};   ///< the first count most
+  std::span<const Crease> contacts{};  ///< where others touch the face: before all creases
+  /// Creases are left out once the face has this many times the patches that it has without.
+  int growth = 1000;
+};
+
+/// The creases and contacts that lie in the face's plane and cross it become edges of quads.
+/// Creases may be moved by a tenth of a patch's width, contacts by 0.002 of it, to where other
+/// edges are; shorter ones are not cut.
+Division divide_face(const Face& face, int refine, const Cuts& cuts);
 
 /// The point at (s, t), each 0..1, by bilinear interpolation of four corners.
 Vec eval_bilinear(std::span<const Vec> corners, double s, double t);

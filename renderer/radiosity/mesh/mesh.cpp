@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "renderer/radiosity/mesh/contacts.hpp"
 #include "renderer/radiosity/mesh/divide.hpp"
 #include "renderer/radiosity/mesh/weld.hpp"
 #include "renderer/scene/require.hpp"
@@ -14,6 +15,9 @@ namespace radiosity {
 namespace {
 
 constexpr std::size_t MOST_PATCHES = 10'000'000;
+// Patches that creases may make of any room, and times as many as without of one face.
+constexpr std::size_t MOST_ANYHOW = 2000;
+constexpr int MOST_GROWTH = 64;
 
 std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
   return std::minmax(patch.corners[side], patch.corners[(side + 1) % 4]);
@@ -45,6 +49,17 @@ std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint
         std::ranges::replace(group, high, low);
       }
   return group;
+}
+
+// The edges after vertices were split; `before` are the patches' corners as they were.
+Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> before,
+             const Edges& edges) {
+  Edges renamed;
+  for (std::size_t p = 0; p < before.size(); ++p)
+    for (std::size_t side = 0; side < 4; ++side)
+      if (edges.contains(std::minmax(before[p][side], before[p][(side + 1) % 4])))
+        renamed.insert(edge_of(mesh.patches[p], side));
+  return renamed;
 }
 
 // Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset).
@@ -86,13 +101,6 @@ std::vector<Vec> grow(std::vector<Vec> corners) {
   return corners;
 }
 
-// The number of quads of a face without creases.
-std::size_t count_quads(const Face& face, int refine) {
-  const auto along = static_cast<std::size_t>(face.along) * static_cast<std::size_t>(refine);
-  const auto across = static_cast<std::size_t>(face.across) * static_cast<std::size_t>(refine);
-  return face.corners.size() == 4 ? along * across : face.corners.size() * along * along;
-}
-
 void check_count(const Face& face, std::size_t patches) {
   renderer::require(patches <= MOST_PATCHES, face.where,
                     fmt::format("more than {} patches", MOST_PATCHES),
@@ -120,22 +128,53 @@ class Normals {
 class Builder {
  public:
   Builder(const Room& room, const MeshParams& params)
-      : room_(room), params_(params), welder_(eval_bounds(room)) {
+      : room_(room), params_(params), welder_(eval_bounds(room)), contacts_(find_contacts(room)) {
     mesh_.materials = room.materials;
     mesh_.blockers.surfaces.emplace_back();
     mesh_.blockers.view = room.view;
   }
 
   Mesh build() {
+    limit_creases();
     for (std::uint32_t i = 0; i < room_.faces.size(); ++i) add(room_.faces[i], i);
     finish(mesh_.blockers);
+    // Contacts are borders: what is lit on their two sides is inset to either side.
+    std::vector<std::array<std::uint32_t, 4>> before;
+    for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
+    split_at_creases(mesh_, touched_);
     inset_borders(mesh_, params_.inset);
-    split_at_creases(mesh_, creases_);
+    split_at_creases(mesh_, rename(mesh_, before, creases_));
     sum_up();
     return std::move(mesh_);
   }
 
  private:
+  // Halves the patches that creases may make of each face until the room has as few as are allowed.
+  void limit_creases() {
+    if (room_.creases.empty()) return;
+    const auto count = [&](const auto& count_face) {
+      std::size_t patches = 0;
+      for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
+        const Face& face = room_.faces[i];
+        if (!room_.materials[face.material].mirror)
+          patches += (face.two_sided ? 2 : 1) * count_face(face, contacts_[i]);
+      }
+      return patches;
+    };
+    const std::size_t plain = count([&](const Face& face, const std::vector<Crease>&) {
+      return count_quads(face, params_.refine);
+    });
+    if (plain > MOST_PATCHES) return;  // an error that add_patches() tells
+    const std::size_t most =
+        std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
+    for (growth_ = MOST_GROWTH; growth_ > 1; growth_ /= 2)
+      if (count([&](const Face& face, const std::vector<Crease>& contacts) {
+            return divide_face(face, params_.refine, {room_.creases, contacts, growth_})
+                .quads.size();
+          }) <= most)
+        break;
+  }
+
   void sum_up() {
     for (const Patch& patch : mesh_.patches) {
       const Material& material = mesh_.materials[patch.material];
@@ -166,8 +205,10 @@ class Builder {
 
   void add_patches(const Face& face, std::uint32_t number) {
     check_count(face, mesh_.patches.size() + count_quads(face, params_.refine));
-    const Division division = divide_face(face, params_.refine, room_.creases);
+    const Division division =
+        divide_face(face, params_.refine, {room_.creases, contacts_[number], growth_});
     check_count(face, mesh_.patches.size() + division.quads.size());
+    mesh_.left_out += division.left_out;
     const Normals normals(face);
     std::vector<std::uint32_t> index;
     for (const Vec& point : division.points) {
@@ -177,6 +218,7 @@ class Builder {
         mesh_.vertices.push_back({point, point, normal, face.material, object_});
     }
     for (const auto& [a, b] : division.creases) creases_.insert(std::minmax(index[a], index[b]));
+    for (const auto& [a, b] : division.contacts) touched_.insert(std::minmax(index[a], index[b]));
     for (const auto& [a, b, c, d] : division.quads)
       add_patch({index[a], index[b], index[c], index[d]}, number);
   }
@@ -196,8 +238,10 @@ class Builder {
   const MeshParams& params_;
   Mesh mesh_;
   Welder welder_;
-  Edges creases_;
+  std::vector<std::vector<Crease>> contacts_;  // by face
+  Edges creases_, touched_;                    // on creases, and those of them on contacts
   std::uint32_t object_ = 0;
+  int growth_ = 1;  // Cuts::growth
 };
 
 }  // namespace
@@ -234,8 +278,12 @@ void split_at_creases(Mesh& mesh, const Edges& creases) {
 }
 
 base::Fields<MeshParams> mesh_fields() {
-  return {base::Declare<MeshParams>::whole("refine", &MeshParams::refine, 1, 1000, "",
-                                           "multiplies the divisions of every face of the room")};
+  using D = base::Declare<MeshParams>;
+  return {D::whole("refine", &MeshParams::refine, 1, 1000, "",
+                   "multiplies the divisions of every face of the room"),
+          D::whole("crease_growth", &MeshParams::crease_growth, 1, 1000, "",
+                   "times as many patches as without creases that the room may have with them (or "
+                   "2000); further creases are left out, those of weak lamps first")};
 }
 
 Mesh make_mesh(const Room& room, const MeshParams& params) { return Builder(room, params).build(); }

@@ -14,7 +14,7 @@ namespace radiosity {
 struct Vertex {
   Vec at;
   Vec lit;     ///< point at which its illumination is found: `at`, but at the border of a surface
-               ///< a little inside, where what touches the border is seen
+               ///< or on a contact a little inside, where what touches it there is seen
   Vec normal;  ///< unit
   std::uint32_t material = 0;
   std::uint32_t object = 0;  ///< index of the object of Mesh::blockers that it lies on
@@ -52,18 +52,24 @@ struct Mesh {
   double area = 0;           ///< of all patches, in squares of the room's unit
   Rgb emitted;               ///< power that all patches emit
   Rgb reflectance;           ///< mean reflectance of the patches, by area
+  std::size_t left_out = 0;  ///< creases that the patches do not keep, or not everywhere: once for
+                             ///< each side of a face
 };
 
 struct MeshParams {
-  int refine = 1;       ///< factor of the divisions of every face, 1 to 1000
-  double inset = 0.01;  ///< distance inside the border at which its vertices are lit, a share of
-                        ///< the way to the mean centre of their patches, 0..0.5
+  int refine = 1;         ///< factor of the divisions of every face, 1 to 1000
+  int crease_growth = 4;  ///< times as many patches as without creases that the room may have with
+                          ///< them, or 2000 patches, 1 to 1000; further creases of the faces that
+                          ///< grow most are left out, on each the last first
+  double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
+                          ///< the way to the mean centre of their patches, 0..0.5
 };
 
-/// The field refine.
+/// The fields refine and crease_growth.
 base::Fields<MeshParams> mesh_fields();
 
-/// The room must pass check(). BadInput beyond 10 million patches.
+/// The room must pass check(). Where faces touch each other (find_contacts) is a crease by itself,
+/// and the illumination on its two sides is found apart. BadInput beyond 10 million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
 
 /// The patches around every vertex, in order: those of vertex v are `patches` from first[v] to
@@ -80,7 +86,7 @@ Surroundings find_surroundings(const Mesh& mesh);
 using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Gives every group of patches that creases divide around a vertex a vertex of its own; copies
-/// have the same place, and so the same illumination.
+/// have the same place.
 void split_at_creases(Mesh& mesh, const Edges& creases);
 
 }  // namespace radiosity

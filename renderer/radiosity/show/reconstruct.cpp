@@ -1,6 +1,6 @@
 #include "renderer/radiosity/show/reconstruct.hpp"
 
-#include "renderer/radiosity/show/slopes.hpp"
+#include "renderer/radiosity/show/limit.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace radiosity {
@@ -31,31 +31,35 @@ void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const 
 }
 
 // G_H of every patch, set vertex by vertex: every corner of every patch belongs to one.
-std::vector<Rgb> make_bicubic(const Mesh& mesh, std::span<const Rgb> vertices, Twist twist) {
+std::vector<Rgb> make_bicubic(const Mesh& mesh, std::span<const Rgb> vertices,
+                              const ReconstructionParams& params) {
   const Fans fans = make_fans(mesh);
-  const std::vector<Slopes<Rgb>> slopes = find_slopes(mesh, fans, vertices);
+  std::vector<Slopes<Rgb>> slopes = find_slopes(mesh, fans, vertices);
+  const std::vector<Limits> limits = find_limits(mesh, fans, vertices, params.overshoot);
+  limit_slopes(mesh, fans, vertices, limits, slopes);
   std::vector<Rgb> values(16 * mesh.patches.size());
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     Slopes<Slopes<Rgb>> bend;
-    if (twist == Twist::estimated) bend = find_bend(mesh, fans, slopes, v);
+    if (params.twist == Twist::estimated) bend = find_bend(mesh, fans, slopes, v);
     for (const Wedge& w : fans.at(v)) {
       const std::span<Rgb> g = std::span(values).subspan(16 * std::size_t{w.patch}, 16);
-      const Vertex& vertex = mesh.vertices[v];
-      set_corner(g, w.corner, vertices[v],
-                 along(slopes[v], unfold(vertex, mesh.vertices[w.next].at)),
-                 along(slopes[v], unfold(vertex, mesh.vertices[w.prev].at)));
-      const std::size_t s = S[w.corner], t = T[w.corner];
-      const Slots at = find_slots(s, t);
-      switch (twist) {
-        case Twist::zero:
-          break;
-        case Twist::diagonal:
-          // "Substituting s + t for d": along s + t the slopes by s and by t add up.
-          g[at.by_st] = g[at.by_s] + g[at.by_t];
-          break;
-        case Twist::estimated:
-          g[at.by_st] = (s == t ? 1.0 : -1.0) * find_twist(mesh, w, slopes[v], bend);
-          break;
+      const auto& corners = mesh.patches[w.patch].corners;
+      const auto change = [&](std::uint32_t to) {
+        return along(slopes[v], unfold(mesh.vertices[v], mesh.vertices[to].at));
+      };
+      for (std::uint32_t c = w.corner; c < 4; ++c) {
+        if (corners[c] != v) continue;
+        const std::uint32_t next = corners[(c + 1) % 4], prev = corners[(c + 3) % 4];
+        const Rgb to_next = change(next), to_prev = change(prev);
+        set_corner(g, c, vertices[v], to_next, to_prev);
+        const Slots at = find_slots(S[c], T[c]);
+        const double sign = S[c] == T[c] ? 1.0 : -1.0;
+        Rgb twist;
+        // "Substituting s + t for d": along s + t the slopes by s and by t add up.
+        if (params.twist == Twist::diagonal) twist = sign * (g[at.by_s] + g[at.by_t]);
+        if (params.twist == Twist::estimated && next != v && prev != v)
+          twist = find_twist(mesh, w, slopes[v], bend);
+        g[at.by_st] = sign * limit_twist(limits[v], vertices[v], to_next, to_prev, twist);
       }
     }
   }
@@ -91,7 +95,10 @@ base::Fields<ReconstructionParams> reconstruction_fields() {
   return {D::choice("reconstruction", &ReconstructionParams::kind, KINDS,
                     "how illumination is interpolated between vertices"),
           D::choice("twist", &ReconstructionParams::twist, TWISTS,
-                    "the mixed derivatives of bicubic surfaces")};
+                    "the mixed derivatives of bicubic surfaces"),
+          D::number("overshoot", &ReconstructionParams::overshoot, 0, 1e9, "",
+                    "by which share of the range of the illumination around a vertex a bicubic "
+                    "surface may go beyond it there")};
 }
 
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
@@ -100,7 +107,7 @@ Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                     fmt::format("{} illuminations", vertices.size()),
                     fmt::format("one for each of {} vertices", mesh.vertices.size()));
   if (params.kind == Reconstruction::bicubic)
-    return {params.kind, make_bicubic(mesh, vertices, params.twist)};
+    return {params.kind, make_bicubic(mesh, vertices, params)};
   return {params.kind, make_corners(mesh, vertices, params.kind == Reconstruction::flat)};
 }
 

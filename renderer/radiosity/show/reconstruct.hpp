@@ -24,9 +24,10 @@ enum class Twist : std::uint8_t {
 struct ReconstructionParams {
   Reconstruction kind = Reconstruction::bilinear;
   Twist twist = Twist::estimated;
+  double overshoot = 0.25;  ///< see find_limits(), 0..1e9
 };
 
-/// The fields reconstruction and twist.
+/// The fields reconstruction, twist and overshoot.
 base::Fields<ReconstructionParams> reconstruction_fields();
 
 /// The surface over every patch: 16 values if bicubic, else 4.
@@ -35,10 +36,11 @@ struct Illumination {
   std::vector<Rgb> values;
 };
 
-/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are linear in them,
-/// continuous wherever patches share vertices or a crease has split these, and C1 across inner
-/// borders on grids of parallel lines. Linear functions stay so: with estimated twists on any
-/// quads, with none on parallelograms. BadInput if there are more or fewer values than vertices.
+/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are linear in them as long
+/// as none is limited (limit.hpp), continuous wherever patches share vertices or a crease has split
+/// these, and C1 across inner borders on grids of parallel lines. Linear functions stay so: with
+/// estimated twists on any quads, with none on parallelograms. BadInput if there are more or fewer
+/// values than vertices.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 

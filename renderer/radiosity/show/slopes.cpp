@@ -31,6 +31,20 @@ std::optional<Border> find_border(std::span<const Wedge> wedges) {
   return starts == 1 && ends == 1 ? std::optional(border) : std::nullopt;
 }
 
+Wedge make_wedge(const Mesh& mesh, std::uint32_t patch, std::uint32_t vertex) {
+  const auto& corners = mesh.patches[patch].corners;
+  const auto corner =
+      static_cast<std::uint32_t>(std::ranges::find(corners, vertex) - corners.begin());
+  Wedge wedge{patch, corner, vertex, vertex};
+  for (std::uint32_t step = 3; step > 0; --step) {
+    const std::uint32_t ahead = corners[(corner + step) % 4];
+    const std::uint32_t behind = corners[(corner + 4 - step) % 4];
+    if (ahead != vertex) wedge.next = ahead;
+    if (behind != vertex) wedge.prev = behind;
+  }
+  return wedge;
+}
+
 // Marks inner edges. Patches run counter-clockwise: what is next in one is previous in another.
 void mark_inner(std::span<Wedge> wedges) {
   for (Wedge& a : wedges)
@@ -78,11 +92,12 @@ Place find_place(const Mesh& mesh, std::size_t vertex, std::span<const Wedge> we
 }
 
 auto sort_key(const Vertex& v) {
-  return std::tuple(v.at.x, v.at.y, v.at.z, v.normal.x, v.normal.y, v.normal.z, v.material);
+  return std::tuple(v.at.x, v.at.y, v.at.z, v.lit.x, v.lit.y, v.lit.z, v.normal.x, v.normal.y,
+                    v.normal.z, v.material);
 }
 
-// Whether a crease has split the vertices: they have one place, normal and material, and so the
-// same illumination.
+// Whether a crease has split the vertices: they have one place, also that at which they are lit,
+// one normal and one material, and so the same illumination.
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
 std::vector<std::uint32_t> find_twins(const Mesh& mesh) {
@@ -108,24 +123,24 @@ Vec unfold(const Vertex& vertex, const Vec& to) {
 }
 
 Fans make_fans(const Mesh& mesh) {
-  Surroundings around = find_surroundings(mesh);
+  const Surroundings around = find_surroundings(mesh);
   Fans fans;
   fans.wedges.reserve(around.patches.size());
+  fans.first.reserve(mesh.vertices.size() + 1);
   fans.places.reserve(mesh.vertices.size());
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    for (const std::uint32_t p : around.of(v)) {
-      const auto& corners = mesh.patches[p].corners;
-      const auto c = static_cast<std::uint32_t>(std::ranges::find(corners, v) - corners.begin());
-      fans.wedges.push_back({p, c, corners[(c + 1) % 4], corners[(c + 3) % 4], false, false, 1});
-    }
-    const std::span wedges = std::span(fans.wedges).subspan(around.first[v]);
+    fans.first.push_back(static_cast<std::uint32_t>(fans.wedges.size()));
+    for (const std::uint32_t p : around.of(v))
+      if (fans.wedges.size() == fans.first[v] || fans.wedges.back().patch != p)
+        fans.wedges.push_back(make_wedge(mesh, p, v));
+    const std::span wedges = std::span(fans.wedges).subspan(fans.first[v]);
     mark_inner(wedges);
     for (Wedge& w : wedges)
       w.trust = trust_edge(mesh, mesh.vertices[v], wedges, w.next) *
                 trust_edge(mesh, mesh.vertices[v], wedges, w.prev);
     fans.places.push_back(find_place(mesh, v, wedges));
   }
-  fans.first = std::move(around.first);
+  fans.first.push_back(static_cast<std::uint32_t>(fans.wedges.size()));
   fans.twins = find_twins(mesh);
   return fans;
 }

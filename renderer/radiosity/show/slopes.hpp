@@ -9,11 +9,11 @@
 
 namespace radiosity {
 
-/// A patch's corner, as the vertex there sees it. An edge that a second patch at the vertex shares
-/// is an inner one, any other a border.
+/// A patch's corner, as the vertex there sees it; one that is two corners of the patch has one, for
+/// both. An edge that a second patch at the vertex shares is an inner one, any other a border.
 struct Wedge {
   std::uint32_t patch = 0;
-  std::uint32_t corner = 0;          ///< 0..3
+  std::uint32_t corner = 0;          ///< 0..3, the first of the vertex's
   std::uint32_t next = 0, prev = 0;  ///< vertices at the other ends of the corner's edges
   bool next_inner = false, prev_inner = false;
   double trust = 1;  ///< weight of its corners in slopes: see find_trust

@@ -11,8 +11,13 @@ namespace radiosity::grids {
 
 using renderer::test::Random;
 
-inline constexpr ReconstructionParams BICUBIC{Reconstruction::bicubic},
-    BILINEAR{Reconstruction::bilinear, Twist::zero};
+/// Overshoot with which no bicubic surface is limited.
+inline constexpr double UNLIMITED = 1e9;
+inline constexpr ReconstructionParams make_unlimited(Twist twist) {
+  return {Reconstruction::bicubic, twist, UNLIMITED};
+}
+inline constexpr ReconstructionParams BICUBIC = make_unlimited(Twist::estimated),
+                                      BILINEAR{Reconstruction::bilinear, Twist::zero};
 
 inline Rgb grey(double value) { return {value, value, value}; }
 

@@ -147,8 +147,9 @@ TEST(PreviewPicture, IsTheTracedPicture) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random{seed};
     Room room = make_cube(3);
-    const Vec a{random.range(0.2, 0.5), random.range(0.1, 0.5), random.range(0.1, 0.5)};
-    const Vec b = 0.4 * random.direction(), c = 0.4 * random.direction();
+    // Inside the cube: a wall that it passed through would be cut into other than parallelograms.
+    const Vec a = random.point(0.08) + Vec{0.5, 0.5, 0.5};
+    const Vec b = 0.2 * random.direction(), c = 0.2 * random.direction();
     room.faces.push_back(make_face({a, a + b, a + b + c, a + c}, 4, 5));
     room.faces.back().two_sided = seed % 2 == 0;
     room.view.from = random.point(0.4) + Vec{0.5, 0.5, 0.5};

@@ -29,7 +29,7 @@ TEST(ReconstructError, FallsWithTheThirdPowerOfTheStepBilinearWithTheSecond) {
   };
   for (const Twist twist : {Twist::zero, Twist::estimated})
     for (const bool inside : {true, false}) {
-      const ReconstructionParams params{Reconstruction::bicubic, twist};
+      const ReconstructionParams params = make_unlimited(twist);
       // Without twists the mixed term, second in the step as is its basis, is lacking.
       const double expected = twist == Twist::estimated ? 6 : 3.5;
       EXPECT_GT(find(8, params, inside) / find(16, params, inside), expected);

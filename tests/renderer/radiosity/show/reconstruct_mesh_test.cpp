@@ -194,7 +194,7 @@ TEST(ReconstructMesh, ACylinderIsAsGoodAsItsPlane) {
   const Mesh cylinder = make_grid(u, v, round), plane = make_grid(u, v, rolled_out);
   const auto values = make_colours(random, cylinder.vertices.size());
   for (const Twist twist : {Twist::zero, Twist::diagonal, Twist::estimated}) {
-    const ReconstructionParams params{Reconstruction::bicubic, twist};
+    const ReconstructionParams params = make_unlimited(twist);
     const auto a = reconstruct(cylinder, values, params), b = reconstruct(plane, values, params);
     for (std::uint32_t p = 0; p < cylinder.patches.size(); ++p) {
       const double s = random.unit(), t = random.unit();

@@ -1,0 +1,66 @@
+#include "renderer/radiosity/light/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/trace/intersect.hpp"
+#include "renderer/trace/sampling.hpp"
+
+namespace radiosity {
+
+using renderer::Work;
+
+namespace {
+
+double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
+
+double eval_power(const Mesh& mesh, std::span<const Rgb> patches) {
+  double power = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) power += mesh.patches[p].area * sum(patches[p]);
+  return power;
+}
+
+}  // namespace
+
+Balance eval_balance(const Mesh& mesh, std::span<const Rgb> arrived, std::span<const Rgb> unsent) {
+  const double unit = 1 / sum(mesh.emitted);
+  std::vector<Rgb> reflected;
+  for (std::size_t p = 0; p < mesh.patches.size(); ++p)
+    reflected.push_back(mesh.materials[mesh.patches[p].material].reflectance * arrived[p]);
+  Balance balance;
+  balance.reflected = unit * eval_power(mesh, reflected);
+  balance.absorbed = unit * eval_power(mesh, arrived) - balance.reflected;
+  balance.unsent = unit * eval_power(mesh, unsent);
+  balance.escaped = 1 - balance.absorbed - balance.unsent;
+  return balance;
+}
+
+bool is_closed(const Mesh& mesh) {
+  if (!mesh.mirrors.empty()) return false;
+  std::vector<std::vector<Vec>> normals(renderer::object_count(mesh.blockers));
+  for (const Patch& patch : mesh.patches) normals[patch.object].push_back(patch.normal);
+  Work work;
+  constexpr int RINGS = 4, RAYS = 4;
+  return std::ranges::all_of(mesh.patches, [&](const Patch& patch) {
+    const auto [u, v] = renderer::make_across(patch.normal);
+    for (int ring = 0; ring < RINGS; ++ring)
+      for (int i = 0; i < RAYS; ++i) {
+        const double square = (ring + 0.5) / RINGS, radius = std::sqrt(square);
+        const double turn = 2 * std::numbers::pi * (i + 0.5 + 0.25 * ring) / RAYS;
+        renderer::Ray ray;
+        ray.origin = patch.centre;
+        ray.direction = std::sqrt(1 - square) * patch.normal +
+                        radius * (std::cos(turn) * u + std::sin(turn) * v);
+        ray.from = patch.object;
+        const auto hit = intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
+        if (!hit || std::ranges::none_of(normals[hit->object], [&](const Vec& normal) {
+              return dot(normal, ray.direction) < 0;
+            }))
+          return false;
+      }
+    return true;
+  });
+}
+
+}  // namespace radiosity

@@ -1,0 +1,149 @@
+#include "renderer/radiosity/mesh/contacts.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace radiosity {
+
+namespace {
+
+constexpr double OFF_PLANE = 1e-6;  // share of a face's size
+
+struct Flat {
+  const Face* face;
+  Plane plane;
+  std::vector<Plane> edges;  // their insides are above
+  renderer::Bounds bounds;
+  double size;
+};
+
+Flat make_flat(const Face& face) {
+  const Vec normal = normalize(eval_area_normal(face.corners));
+  const auto bounds = renderer::make_bounds(face.corners);
+  return {&face, make_plane(normal, eval_mean(face.corners)),
+          make_edge_planes(face.corners, normal), bounds, length(bounds.hi - bounds.lo)};
+}
+
+// Two faces that may touch, seen from the first.
+struct Pair {
+  const Flat& on;
+  const Flat& other;
+  double tolerance;
+};
+
+Pair make_pair(const Flat& on, const Flat& other) {
+  return {on, other, OFF_PLANE * std::max(on.size, other.size)};
+}
+
+// By face, the others whose bounds touch its.
+std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
+  std::vector<std::uint32_t> order(flats.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto start = [&](std::uint32_t i) { return flats[i].bounds.lo.x; };
+  std::ranges::stable_sort(order, {}, start);
+  std::vector<std::vector<std::uint32_t>> neighbours(flats.size());
+  double largest = 0;
+  for (const Flat& flat : flats) largest = std::max(largest, OFF_PLANE * flat.size);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const auto &a = flats[order[i]].bounds, &b = flats[order[k]].bounds;
+      if (b.lo.x > a.hi.x + largest) break;
+      if (b.lo.y > a.hi.y + largest || a.lo.y > b.hi.y + largest || b.lo.z > a.hi.z + largest ||
+          a.lo.z > b.hi.z + largest)
+        continue;
+      neighbours[order[i]].push_back(order[k]);
+      neighbours[order[k]].push_back(order[i]);
+    }
+  for (auto& some : neighbours) std::ranges::sort(some);
+  return neighbours;
+}
+
+// The part of a segment that is at least `margin` inside the face's edges, if it has a length.
+std::optional<Crease> clip_to(const Flat& flat, const Crease& segment, double margin,
+                              double tolerance) {
+  const auto part = clip_segment(segment.a, segment.b, flat.edges, margin);
+  if (!part || !((part->to - part->from) * length(segment.b - segment.a) > 2 * tolerance))
+    return std::nullopt;
+  return Crease{lerp(segment.a, segment.b, part->from), lerp(segment.a, segment.b, part->to)};
+}
+
+bool are_coplanar(const Pair& pair) {
+  return std::ranges::all_of(pair.other.face->corners, [&](const Vec& corner) {
+    return std::abs(eval_height(pair.on.plane, corner)) <= pair.tolerance;
+  });
+}
+
+// Whether faces in one plane have an area in common.
+bool overlap(const Pair& pair) {
+  std::vector<Vec> part = pair.on.face->corners;
+  for (const Plane& edge : pair.other.edges) {
+    part = clip(part, edge, pair.tolerance);
+    if (part.empty()) return false;
+  }
+  return length(eval_area_normal(part)) > 4 * pair.tolerance * pair.on.size;
+}
+
+// The segment at which the other face meets the plane of the first, in front of it.
+std::optional<Crease> find_touch(const Pair& pair) {
+  const auto& corners = pair.other.face->corners;
+  std::vector<double> heights;
+  for (const Vec& corner : corners) {
+    const double height = eval_height(pair.on.plane, corner);
+    heights.push_back(std::abs(height) <= pair.tolerance ? 0 : height);
+  }
+  if (!pair.on.face->two_sided && !(*std::ranges::max_element(heights) > 0)) return std::nullopt;
+  std::vector<Vec> points;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    const double here = heights[i], there = heights[next];
+    if (here == 0) points.push_back(corners[i]);
+    if ((here > 0 && there < 0) || (here < 0 && there > 0))
+      points.push_back(lerp(corners[i], corners[next], here / (here - there)));
+  }
+  if (points.size() != 2) return std::nullopt;
+  return Crease{points[0], points[1]};
+}
+
+// Whether the surface of a face goes on beyond a segment of its border, in another face.
+bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
+             std::span<const std::uint32_t> neighbours) {
+  return std::ranges::any_of(neighbours, [&](std::uint32_t i) {
+    const Pair pair = make_pair(on, flats[i]);
+    return (dot(on.plane.normal, flats[i].plane.normal) > 0 || flats[i].face->two_sided) &&
+           are_coplanar(pair) && clip_to(flats[i], border, -pair.tolerance, pair.tolerance);
+  });
+}
+
+}  // namespace
+
+std::vector<std::vector<Crease>> find_contacts(const Room& room) {
+  std::vector<Flat> flats;
+  for (const Face& face : room.faces) flats.push_back(make_flat(face));
+  const auto neighbours = find_neighbours(flats);
+  std::vector<std::vector<Crease>> contacts(flats.size());
+  for (std::size_t f = 0; f < flats.size(); ++f) {
+    const Flat& on = flats[f];
+    if (room.materials[on.face->material].mirror) continue;
+    const auto add = [&](const Crease& segment, double margin, double tolerance) {
+      if (const auto part = clip_to(on, segment, margin, tolerance)) contacts[f].push_back(*part);
+    };
+    for (const auto i : neighbours[f]) {
+      const Pair pair = make_pair(on, flats[i]);
+      const double tolerance = pair.tolerance;
+      if (are_coplanar(pair)) {
+        if (!overlap(pair)) continue;
+        const auto& corners = flats[i].face->corners;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+          add({corners[k], corners[(k + 1) % corners.size()]}, tolerance, tolerance);
+      } else if (const auto touch = find_touch(pair)) {
+        const bool is_inside = clip_to(on, *touch, tolerance, tolerance).has_value();
+        const auto border = clip_to(on, *touch, -tolerance, tolerance);
+        if (is_inside || (border && goes_on(on, *border, flats, neighbours[f])))
+          contacts[f].push_back(*border);
+      }
+    }
+  }
+  return contacts;
+}
+
+}  // namespace radiosity

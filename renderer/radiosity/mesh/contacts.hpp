@@ -1,0 +1,17 @@
+#pragma once
+// Where faces touch each other: the feet of what stands on a floor, leans on a wall or on another
+// thing, and where a face passes through another.
+
+#include <vector>
+
+#include "renderer/radiosity/room/room.hpp"
+
+namespace radiosity {
+
+/// For each face the segments along which other faces touch it in front of it (of a two-sided one,
+/// on either side), or overlap it in its plane, within 1e-6 of the larger face's size. What a face
+/// touches by its border only, as walls do each other, is none, unless the surface goes on there in
+/// a third face. Light changes abruptly across a contact.
+std::vector<std::vector<Crease>> find_contacts(const Room& room);
+
+}  // namespace radiosity

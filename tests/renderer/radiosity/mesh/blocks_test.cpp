@@ -1,0 +1,175 @@
+// Rooms in which blocks stand, hang and lean: every one can be cut into patches along its creases
+// and contacts, and light does not pass under what stands on a floor.
+
+#include <gtest/gtest.h>
+
+#include "renderer/radiosity/creases/creases.hpp"
+#include "renderer/radiosity/mesh/contacts.hpp"
+#include "tests/renderer/radiosity/blocks.hpp"
+#include "tests/renderer/radiosity/mesh/divisions.hpp"
+
+namespace radiosity::test {
+namespace {
+
+double find_patch_width(const Face& face, int refine) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double edge = length(face.corners[(i + 1) % 4] - face.corners[i]);
+    least = std::min(least, edge / refine / (i % 2 == 0 ? face.along : face.across));
+  }
+  return least;
+}
+
+// No quad has a part of a crease further inside than the margin.
+void check_not_crossed(const Face& face, const Division& division, std::span<const Crease> creases,
+                       double margin) {
+  const Vec normal = normalize(eval_area_normal(face.corners));
+  const Plane plane = make_plane(normal, face.corners[0]);
+  for (const auto& quad : division.quads) {
+    std::vector<Vec> corners;
+    for (const auto corner : quad) corners.push_back(division.points[corner]);
+    const auto edges = make_edge_planes(corners, normal);
+    for (const Crease& crease : creases) {
+      if (std::abs(eval_height(plane, crease.a)) > 1e-9 ||
+          std::abs(eval_height(plane, crease.b)) > 1e-9)
+        continue;
+      const auto inside = clip_segment(crease.a, crease.b, edges, margin);
+      ASSERT_FALSE(inside && (inside->to - inside->from) * length(crease.b - crease.a) > margin)
+          << "a patch is crossed";
+    }
+  }
+}
+
+// Where two patches of a face have an edge in common they have its vertices in common, but for
+// creases and contacts.
+void check_shared(const Mesh& mesh, std::span<const Crease> creases, double margin) {
+  using Point = std::array<double, 3>;
+  std::map<std::tuple<std::uint32_t, Point, Point>, std::vector<std::array<std::uint32_t, 2>>>
+      sides;
+  const auto key = [](const Vec& v) { return Point{v.x, v.y, v.z}; };
+  for (const Patch& patch : mesh.patches)
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::array<std::uint32_t, 2> ends{patch.corners[i], patch.corners[(i + 1) % 4]};
+      std::array<Point, 2> at{key(patch.at[i]), key(patch.at[(i + 1) % 4])};
+      if (at[1] < at[0]) std::swap(at[0], at[1]), std::swap(ends[0], ends[1]);
+      sides[{patch.object, at[0], at[1]}].push_back(ends);
+    }
+  for (const auto& [place, ends] : sides) {
+    if (ends.size() < 2) continue;
+    ASSERT_EQ(ends.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (ends[0][i] == ends[1][i]) continue;
+      const Vec& at = mesh.vertices[ends[0][i]].at;
+      double nearest = 1e300;
+      for (const Crease& crease : creases)
+        nearest = std::min(nearest, distance_to(at, crease.a, crease.b));
+      ASSERT_LE(nearest, margin) << "vertices are doubled where there is no crease";
+    }
+  }
+}
+
+struct Count {
+  std::size_t creases = 0, left_out = 0, patches = 0;
+};
+
+void check_room(const Room& room, int refine, Count& count) {
+  const auto contacts = find_contacts(room);
+  const Mesh mesh = make_mesh(room, {.refine = refine});
+  std::vector<Crease> all = room.creases;
+  double widest = 0;
+  for (std::size_t f = 0; f < room.faces.size(); ++f) {
+    const Face& face = room.faces[f];
+    const double width = find_patch_width(face, refine);
+    widest = std::max(widest, width);
+    const Division division =
+        divide_face(face, refine, {.creases = room.creases, .contacts = contacts[f]});
+    check_division(face, refine, division);
+    if (division.left_out == 0) {
+      check_not_crossed(face, division, contacts[f], 0.004 * width);
+      check_not_crossed(face, division, room.creases, 0.15 * width);
+    }
+    all.insert(all.end(), contacts[f].begin(), contacts[f].end());
+    count.left_out += division.left_out;
+    count.creases += contacts[f].size();
+    if (testing::Test::HasFailure()) return;
+  }
+  check_shared(mesh, all, 0.15 * widest);
+  count.creases += room.creases.size();
+  count.patches += mesh.patches.size();
+}
+
+TEST(Blocks, AnyRoomIsCutAlongItsCreases) {
+  Count count;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Room room = make_blocks(seed).room;
+    room.creases = find_creases(room);
+    check_room(room, seed % 10 == 0 ? 4 : seed % 10 == 5 ? 2 : 1, count);
+    if (testing::Test::HasFailure()) return;
+  }
+  std::printf("%zu of %zu creases left out; %zu patches\n", count.left_out, count.creases,
+              count.patches);
+  EXPECT_LT(count.left_out, count.creases / 100);
+}
+
+bool is_within(const Block& block, const Vec& p, double margin) {
+  const auto ring = block.ring(p.z);
+  return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&  // (the ring is at the point's height)
+         std::ranges::all_of(make_edge_planes(ring, {0, 0, 1}),
+                             [&](const Plane& edge) { return eval_height(edge, p) > margin; });
+}
+
+// Vertices at a foot lie on one side of it, and those inside are dark.
+TEST(Blocks, NoLightPassesUnderThem) {
+  std::size_t inside = 0, doubled = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const BlocksRoom made = make_blocks(seed);
+    const Mesh mesh = make_mesh(made.room, {});
+    Work work;
+    for (const Block& block : made.blocks) {
+      if (block.low > 0) continue;
+      for (const Patch& patch : mesh.patches) {
+        if (patch.face != 0 || !is_within(block, patch.centre, 0)) continue;
+        for (const auto corner : patch.corners) {
+          const Vertex& vertex = mesh.vertices[corner];
+          ++inside;
+          doubled += is_within(block, vertex.at, 1e-9) ? 0 : 1;
+          ASSERT_TRUE(is_within(block, vertex.lit, 0)) << vertex.at.x << ' ' << vertex.at.y;
+          for (const Patch& lamp : mesh.patches)
+            if (lamp.material == 1) {
+              ASSERT_EQ(eval_factor({mesh, {}}, vertex, lamp, work), 0);
+            }
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 500u);
+  EXPECT_GT(doubled, 200u);
+}
+
+TEST(Contacts, FeetLeaningAndStacked) {
+  Room room;
+  room.materials = {{"wall", grey(0.5), grey(1)}};
+  add_box(room, 0, {0, 0, 0}, {4, 4, 4});
+  EXPECT_EQ(std::ranges::count_if(find_contacts(room), [](const auto& c) { return !c.empty(); }),
+            0);
+  // Its left side is in the plane of the wall, its bottom in that of the floor.
+  add_block(room, 0, {0, 1, 0}, {1, 2, 1});
+  auto contacts = find_contacts(room);
+  EXPECT_EQ(contacts[0].size(), 6u);  // feet of three sides, edges of the bottom
+  EXPECT_EQ(contacts[1].size(), 0u);
+  EXPECT_EQ(contacts[2].size(), 6u);
+  for (std::size_t f = 6; f < room.faces.size(); ++f) EXPECT_TRUE(contacts[f].empty()) << f;
+  // What stands on the block cuts its top, what goes through a wall cuts this.
+  room.faces.resize(6);
+  add_block(room, 0, {1, 1, 0}, {2, 2, 1});
+  add_block(room, 0, {1.25, 1.25, 1}, {1.75, 1.75, 2});
+  contacts = find_contacts(room);
+  EXPECT_EQ(contacts[0].size(), 8u);
+  add_quad(room, 0, {-1, 3, 1}, {2, 0, 0}, {0, 0, 1});
+  EXPECT_EQ(find_contacts(room)[2].size(), 1u);
+}
+
+}  // namespace
+}  // namespace radiosity::test

@@ -1,0 +1,117 @@
+// Pictures of radiosity against the path tracer's; tests/reference/run does so at large.
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/deviation.hpp"
+#include "tests/reference/random_room.hpp"
+#include "tests/renderer/radiosity/rooms.hpp"
+
+namespace radiosity::reference {
+namespace {
+
+Reference trace(const Room& room, int width, int height, int samples) {
+  TracerParams params;
+  params.width = width;
+  params.height = height;
+  params.samples = samples;
+  return trace_paths(room, params);
+}
+
+constexpr int WIDTH = 40, HEIGHT = 30;
+
+Deviation compare_room(const Room& room, int refine, Reconstruction kind, const std::string& name) {
+  LightParams light;
+  light.mesh.refine = refine;
+  PictureParams size;
+  size.width = WIDTH;
+  size.height = HEIGHT;
+  const Picture picture = trace_picture(light_room(room, light), {kind, {}}, room.view, size);
+  const Deviation found = compare(picture, trace(room, WIDTH, HEIGHT, 128));
+  fmt::print(
+      "{}, refine {}: RMSE {:.2f} %, bias {:.2f} % (noise {:.2f} %), pixels {:.2f} % (99th "
+      "percentile), {:.2f} % (worst), {} together\n",
+      name, refine, 100 * found.rmse, 100 * found.bias, 100 * found.noise, 100 * found.p99,
+      100 * found.worst, found.group);
+  EXPECT_LT(found.noise, 0.02);
+  return found;
+}
+
+// A box in a box, nothing turned.
+constexpr const char* UPRIGHT = R"(
+material wall reflect 0.7 0.6 0.5
+material lamp reflect 0 0 0  emit 17 15 12
+box wall  0 0 0  2 2 2  divide 4 inside
+box wall  0.5 0.8 0  1.1 1.4 0.7  divide 2
+quad lamp  0.7 0.75 1.98  0.7 1.25 1.98  1.3 1.25 1.98  1.3 0.75 1.98 divide 2 2
+view from 1 0.02 1.75 at 0.95 1.15 0.2 up 0 0 1 angle 72 size 160 120
+)";
+
+TEST(RadiosityAgainstPathTracer, WindowRoom) {
+  const Room room = load_room(TLAB_SOURCE_DIR "/experiments/scenes/window.room");
+  const Deviation found = compare_room(room, 2, Reconstruction::bicubic, "window");
+  EXPECT_LT(found.rmse, 0.03);
+  EXPECT_LT(std::abs(found.bias), 0.01);
+  EXPECT_LT(found.p99, 0.08);
+  EXPECT_LT(found.group, 12);
+}
+
+TEST(RadiosityAgainstPathTracer, UprightBox) {
+  const Deviation found =
+      compare_room(test::read(UPRIGHT), 2, Reconstruction::bilinear, "upright box");
+  EXPECT_LT(found.rmse, 0.03);
+  EXPECT_LT(std::abs(found.bias), 0.02);
+  EXPECT_LT(found.p99, 0.15);
+  EXPECT_LT(found.group, 12);
+}
+
+TEST(RandomRooms, AreClosedAndSeenFromInside) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = make_random_room(seed);
+    EXPECT_EQ(text, make_random_room(seed));
+    const Reference made = trace(test::read(text), 16, 12, 8);
+    for (const std::uint32_t face : made.faces) EXPECT_NE(face, 0u) << "seed " << seed;
+    std::size_t lit = 0;
+    for (const Rgb& pixel : made.picture.pixels) lit += max_component(pixel) > 0 ? 1 : 0;
+    EXPECT_GT(lit, made.faces.size() * 9 / 10) << "seed " << seed;
+  }
+}
+
+TEST(Deviation, FindsGroupsBiasAndEdges) {
+  // A reference of two faces, and a picture that is 10 % too bright and has a group that is dark.
+  Reference reference;
+  constexpr int W = 10, H = 8;
+  reference.picture = {W, H, std::vector<Rgb>(W * H, {2, 2, 2})};
+  reference.error.assign(W * H, 0);
+  reference.emits.assign(W * H, false);
+  for (int i = 0; i < W * H; ++i) reference.faces.push_back(i % W < 5 ? 1 : 2);
+  Picture picture = reference.picture;
+  for (Rgb& pixel : picture.pixels) pixel = 1.1 * pixel;
+  const Deviation even = compare(picture, reference);
+  EXPECT_NEAR(even.bias, 0.1, 1e-12);
+  EXPECT_NEAR(even.rmse, 0.1, 1e-12);
+  EXPECT_NEAR(even.p99, 0.1, 1e-12);
+  EXPECT_EQ(even.group, 0);
+
+  for (const std::size_t i : {0, 11, 22, 33}) picture.pixels[i] = {1, 1, 1};  // a diagonal
+  picture.pixels[29] = {1, 1, 1};  // not the neighbour of 30, in the next row
+  picture.pixels[30] = {1, 1, 1};
+  const Deviation spots = compare(picture, reference);
+  EXPECT_EQ(spots.group, 4);
+  EXPECT_NEAR(spots.worst, 0.5, 1e-12);
+  EXPECT_NEAR(spots.edges, 0.1, 1e-12);
+  picture.pixels[4] = {4, 4, 4};  // at the border between the faces
+  EXPECT_NEAR(compare(picture, reference).edges, 1, 1e-12);
+  EXPECT_NEAR(compare(picture, reference).worst, 0.5, 1e-12);
+  // Noise of a quarter of the radiosity explains them.
+  reference.error.assign(W * H, 0.5);
+  picture.pixels[4] = {2, 2, 2};
+  EXPECT_EQ(compare(picture, reference).group, 0);
+
+  const auto inner = find_inner(reference);
+  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);  // all but the columns at the border
+  reference.emits[0] = true;
+  EXPECT_EQ(std::ranges::count(find_inner(reference), true), 8 * H - 1);
+}
+
+}  // namespace
+}  // namespace radiosity::reference

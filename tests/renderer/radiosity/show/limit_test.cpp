@@ -1,0 +1,103 @@
+// Bicubic surfaces stay near the illumination around them.
+
+#include "renderer/radiosity/show/limit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/renderer/radiosity/mesh/grids.hpp"
+
+namespace radiosity {
+namespace {
+
+using namespace grids;
+
+constexpr double OVERSHOOT = 0.25;
+constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated, OVERSHOOT};
+
+// Bright and dark vertices as they come.
+std::vector<Rgb> make_contrasts(Random& random, std::size_t count) {
+  std::vector<Rgb> values;
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(random.below(3) == 0 ? 20 * random.colour() : 0.05 * random.colour());
+  return values;
+}
+
+// The range of all patches that have a corner in common with a patch.
+Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& patch) {
+  Limits range{values[patch.corners[0]], values[patch.corners[0]]};
+  for (const Patch& other : mesh.patches) {
+    if (std::ranges::find_first_of(patch.corners, other.corners) == patch.corners.end()) continue;
+    for (const auto corner : other.corners)
+      for (const auto colour : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+        range.least.*colour = std::min(range.least.*colour, values[corner].*colour);
+        range.most.*colour = std::max(range.most.*colour, values[corner].*colour);
+      }
+  }
+  return range;
+}
+
+TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
+  int beyond_without = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const auto u = make_lines(4, &random), v = make_lines(4, &random);
+    const Mesh mesh = make_grid(u, v, make_plane(random), &random);
+    const auto values = make_contrasts(random, mesh.vertices.size());
+    const auto limited = reconstruct(mesh, values, LIMITED);
+    const auto free = reconstruct(mesh, values, BICUBIC);
+    for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
+      const auto [least, most] = find_range(mesh, values, mesh.patches[p]);
+      for (int i = 0; i < 20; ++i) {
+        const double s = random.unit(), t = random.unit();
+        const auto is_near = [&](const Illumination& illumination) {
+          const Rgb shown = eval_illumination(illumination, p, s, t);
+          return std::ranges::all_of(std::array{&Rgb::r, &Rgb::g, &Rgb::b}, [&](auto colour) {
+            const double beyond = OVERSHOOT * (most.*colour - least.*colour) + 1e-12;
+            return shown.*colour <= most.*colour + beyond &&
+                   shown.*colour >= std::max(least.*colour - beyond, least.*colour / 2 - 1e-12);
+          });
+        };
+        EXPECT_TRUE(is_near(limited));
+        beyond_without += !is_near(free);
+      }
+    }
+  }
+  EXPECT_GT(beyond_without, 0);
+}
+
+TEST(Limit, LeavesSmoothSurfacesAlone) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const Mesh mesh = make_grid(make_lines(10), make_lines(10), make_plane(random), &random);
+    const Vec a = random.direction(), b = random.direction();
+    const auto values = take(mesh, [&](const Vec& at) {
+      return Rgb{2 + std::sin(dot(a, at)), 2 + std::cos(dot(b, at)), 50 + dot(a, at) * dot(b, at)};
+    });
+    EXPECT_TRUE(reconstruct(mesh, values, LIMITED).values ==
+                reconstruct(mesh, values, BICUBIC).values);
+  }
+}
+
+// A vertex that is two corners of a patch lights both of them.
+TEST(Limit, PatchesWithTheSameVertexTwiceAreWhollyLit) {
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    Mesh mesh;
+    for (const Vec& at : {Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{0, 1, 0}})
+      mesh.vertices.push_back({at, at, {0, 0, 1}, 0, 0});
+    std::array<std::uint32_t, 4> corners{0, 0, 1, 2};
+    std::ranges::rotate(corners, corners.begin() + static_cast<std::ptrdiff_t>(corner));
+    add_patch(mesh, corners);
+    for (const Twist twist : {Twist::zero, Twist::diagonal, Twist::estimated}) {
+      const auto lit =
+          reconstruct(mesh, std::vector<Rgb>(3, grey(3)), {Reconstruction::bicubic, twist});
+      for (const double s : {0.0, 0.3, 1.0})
+        for (const double t : {0.0, 0.6, 1.0})
+          EXPECT_NEAR(eval_illumination(lit, 0, s, t).r, 3, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace radiosity
