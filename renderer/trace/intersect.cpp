@@ -160,9 +160,13 @@ template <bool MOVES>
   if (place.kind() == Kind::patch) {
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
-    // At a silhouette the interpolated normal may be on the other side than the plane's: turned.
-    const double same = dot(smooth, ray.direction) * dot(geometric, ray.direction);
-    if (same != 0) hit.normal = same < 0 ? -smooth : smooth;
+    // At a silhouette the interpolated normal may face the other way than the plane's: it is turned
+    // until it just does not.
+    const double along = dot(smooth, ray.direction);
+    if (along * dot(geometric, ray.direction) > 0)
+      hit.normal = smooth;
+    else if (const Vec turned = smooth - (1 + 1e-9) * along * ray.direction; length(turned) > 0.1)
+      hit.normal = normalize(turned);
   }
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;

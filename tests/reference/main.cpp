@@ -13,6 +13,7 @@
 #include "experiments/laboratory/command/options.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
+#include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
 #include "tests/reference/cache.hpp"
 #include "tests/reference/deviation.hpp"
@@ -25,6 +26,7 @@ struct Options {
   std::vector<std::string> files;
   std::string seeds, size = "160x120", cache, pictures;
   std::vector<int> refine{1};
+  double adaptive = 0;  // error that patches are halved for; 0: they are as they are
   std::vector<std::string> creases{"auto"}, reconstructions{"bilinear", "bicubic"};
   int samples = 128, threads = 0;
   LightParams light;
@@ -118,6 +120,16 @@ class Comparison {
   }
 
  private:
+  // By the first reconstruction.
+  LitRoom light_adapted(const Room& room, const LightParams& light) const {
+    const auto shown = make_reconstruction(o_.reconstructions.front());
+    LitRoom lit{adapt_mesh(room, light, shown, o_.adaptive).mesh, {}};
+    const Solution solution = solve(lit.mesh, light.solve);
+    lit.vertices = solution.vertices;
+    if (light.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);
+    return lit;
+  }
+
   void try_way(const NamedRoom& named, Room room, const Reference& reference, int refine,
                const std::string& creases) {
     Outcome outcome{{refine, creases, ""}, "", 0, 0, {}, 0};
@@ -127,7 +139,7 @@ class Comparison {
       choose_creases(room, choose(creases_field(), creases));
       LightParams light = o_.light;
       light.mesh.refine = refine;
-      lit = light_room(room, light);
+      lit = o_.adaptive > 0 ? light_adapted(room, light) : light_room(room, light);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
       outcome.solve_s = took.count();
       outcome.patches = lit.mesh.patches.size();
@@ -222,6 +234,7 @@ class Comparison {
 void add_options(CLI::App& app, Options& o) {
   app.add_option("ROOMS", o.files, ".room files");
   app.add_option("--seeds", o.seeds, "random rooms, FIRST-LAST");
+  app.add_option("--adaptive", o.adaptive, "as tlab radiosity's, by the first reconstruction");
   app.add_option("--refine", o.refine, "factors of the divisions")
       ->delimiter(',')
       ->capture_default_str();

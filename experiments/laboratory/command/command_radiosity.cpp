@@ -10,6 +10,7 @@
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/light/solve.hpp"
+#include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
 
 namespace laboratory {
@@ -27,6 +28,7 @@ struct Options {
   radiosity::ReconstructionParams reconstruction;
   radiosity::PictureParams picture;
   radiosity::Display display;
+  double adaptive = 0;  // estimated error at which patches are small enough; 0: as they are
   bool preview = false, asks_display = false;  // --exposure or --gamma is given
 };
 
@@ -52,6 +54,8 @@ double parse_exposure(const std::string& text) {
 }
 
 struct Outcome {
+  int rounds = 0;
+  double error = 0;  // estimated
   std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0, left_out = 0;
   radiosity::Solution solution;
   Rgb emitted;  // power
@@ -61,17 +65,17 @@ struct Outcome {
   double mesh_s = 0, solve_s = 0, picture_s = 0;
 };
 
-radiosity::Solution solve(const Options& o, const Mesh& mesh) {
-  Progress bar("radiosity");
+// Shows how far a solution is, on one bar for all of them.
+radiosity::Step make_step(const Options& o, Progress& bar) {
   // Each shot sends about as large a share of what is left, so the bar goes by its logarithm.
   const double end = std::log(std::max(o.light.solve.tolerance, 1e-9));
-  return radiosity::solve(mesh, o.light.solve, [&](int shots, double unshot) {
+  return [&o, &bar, end](int shots, double unshot) {
     const double by_light = end < 0 ? std::log(std::max(unshot, 1e-9)) / end : 1;
     const double by_shots = o.light.solve.shots > 0 ? 1.0 * shots / o.light.solve.shots : 1;
     bar.show(static_cast<std::size_t>(1000 * std::clamp(std::max(by_light, by_shots), 0.0, 1.0)),
              1000);
     return true;
-  });
+  };
 }
 
 Outcome light(Options& o) {
@@ -80,7 +84,17 @@ Outcome light(Options& o) {
   auto room = radiosity::load_room(o.room);
   choose_creases(room, o.creases);
   const auto picture = fit(o.picture, room.view);
-  const Mesh mesh = radiosity::make_mesh(room, o.light.mesh);
+  Progress bar("radiosity");
+  const auto step = make_step(o, bar);
+  Mesh mesh;
+  if (o.adaptive > 0) {
+    auto adapted = radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adaptive, step);
+    mesh = std::move(adapted.mesh);
+    made.rounds = adapted.rounds;
+    made.error = adapted.error;
+  } else {
+    mesh = radiosity::make_mesh(room, o.light.mesh);
+  }
   made.patches = mesh.patches.size();
   made.vertices = mesh.vertices.size();
   made.mirrors = mesh.mirrors.size();
@@ -88,7 +102,7 @@ Outcome light(Options& o) {
   made.left_out = mesh.left_out;
   made.mesh_s = clock.lap();
 
-  made.solution = solve(o, mesh);
+  made.solution = radiosity::solve(mesh, o.light.solve, step);
   made.emitted = mesh.emitted;
   made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();
@@ -113,6 +127,8 @@ void save_stats(const Options& o, const Outcome& made) {
       {"patches", made.patches},
       {"vertices", made.vertices},
       {"mirrors", made.mirrors},
+      {"rounds", made.rounds},
+      {"estimated_error", made.error},
       {"creases", made.creases},
       {"creases_left_out", made.left_out},
       {"shots", made.solution.shots},
@@ -165,6 +181,8 @@ void run(Options& o) {
   if (!o.stats.empty()) save_stats(o, made);
   fmt::print("{} patches, {} vertices, {} shots, {:.3g} % unshot", made.patches, made.vertices,
              made.solution.shots, 100 * made.solution.unshot);
+  if (o.adaptive > 0)
+    fmt::print(", halved {} times to an error of about {:.2g} %", made.rounds, 100 * made.error);
   if (made.left_out > 0) fmt::print(", {} of {} creases left out", made.left_out, made.creases);
   if (!is_exr(o))
     fmt::print("; exposure {:.4g}, gamma {:.4g}", o.display.exposure, o.display.gamma);
@@ -181,6 +199,13 @@ void add_radiosity_command(CLI::App& app) {
   command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
   command->add_option("--size", o->size, "WxH in pixels [the room's]");
   bind_options(*command, radiosity::mesh_fields(), o->light.mesh);
+  command
+      ->add_option(
+          "--adaptive", o->adaptive,
+          "halve patches where the illumination varies, until its error (root mean square, "
+          "over that of the light) is estimated to be at most this; 0: patches as they are")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   bind_options(*command, {radiosity::creases_field()}, o->creases);
   bind_options(*command, radiosity::solve_fields(), o->light.solve,
                {{"max_shots", "shots"}, {"reflections", "mirrors"}});

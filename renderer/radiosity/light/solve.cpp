@@ -159,6 +159,10 @@ Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step, co
       receive_in_centres({mesh, params.factor}, sender, shot->radiosity, patches, state, work);
     settle(mesh, *shot, patches, params.mean, state, work);
   }
+  for (const auto p : patches) {
+    const Material& material = mesh.materials[mesh.patches[p].material];
+    solution.means.push_back(material.emission + material.reflectance * state.arrived[p]);
+  }
   solution.balance = eval_balance(mesh, state.arrived, state.unshot);
   solution.vertices = std::move(fine ? fine_state.radiosity : state.radiosity);
   return solution;

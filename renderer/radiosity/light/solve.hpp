@@ -80,6 +80,7 @@ struct SolveParams {
 
 struct Solution {
   std::vector<Rgb> vertices;  ///< radiosity, by vertex, without ambient
+  std::vector<Rgb> means;     ///< of the mesh that sends: mean radiosity by patch, without ambient
   Rgb ambient;                ///< see eval_ambient
   int shots = 0;
   double unshot = 0;  ///< share of the emitted power

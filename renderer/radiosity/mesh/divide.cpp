@@ -61,23 +61,23 @@ bool is_near(std::span<const double> lines, const Wanted& wanted) {
       lines, [&](double line) { return std::abs(line - wanted.at) < wanted.touch; });
 }
 
-// A grid's lines from 0 to 1: those of the row, and of `count` equal steps those that are not near
-// one of these.
-std::vector<double> make_lines(int count, Row row) {
+// A grid's lines from 0 to 1: those of the row, and of the given ones those that are not near one
+// of these.
+std::vector<double> make_lines(const std::vector<double>& given, Row row) {
   std::ranges::sort(row.creases, {}, &Wanted::at);
   std::ranges::sort(row.ends, {}, &Wanted::at);
   std::vector<double> lines{0, 1};
   for (const auto* some : {&row.contacts, &row.creases, &row.ends})
     for (Wanted wanted : *some) {
-      // What is off a line of the equal steps by rounding only is that line to the last bit.
-      const double step = std::round(wanted.at * count) / count;
-      if (std::abs(wanted.at - step) < 1e-9) wanted.at = step;
+      // What is off a given line by rounding only is that line to the last bit.
+      for (const double line : given)
+        if (std::abs(wanted.at - line) < 1e-9) wanted.at = line;
       if (wanted.at > 0 && wanted.at < 1 && !is_near(lines, wanted)) lines.push_back(wanted.at);
     }
   const std::vector<double> kept(lines.begin() + 2, lines.end());
-  for (int i = 1; i < count; ++i) {
-    const double at = static_cast<double>(i) / count;
-    if (!is_near(kept, {at, KEEP / count})) lines.push_back(at);
+  for (std::size_t i = 1; i + 1 < given.size(); ++i) {
+    const double gap = std::min(given[i] - given[i - 1], given[i + 1] - given[i]);
+    if (!is_near(kept, {given[i], KEEP * gap})) lines.push_back(given[i]);
   }
   std::ranges::sort(lines);
   return lines;
@@ -181,11 +181,19 @@ Rows find_rows(const Cutting& cutting) {
   return rows;
 }
 
-Division make_grid(const Cutting& cutting, const Rows& rows, int along, int across) {
+Division make_grid(const Cutting& cutting, const Rows& rows, const Grid& even) {
   Division division;
-  add_grid(division, cutting.face.corners, make_lines(along, rows.along),
-           make_lines(across, rows.across));
+  add_grid(division, cutting.face.corners, make_lines(even.along, rows.along),
+           make_lines(even.across, rows.across));
   return division;
+}
+
+// Every second line, and the last.
+std::vector<double> thin_out(const std::vector<double>& lines) {
+  std::vector<double> some;
+  for (std::size_t i = 0; i + 1 < lines.size(); i += 2) some.push_back(lines[i]);
+  some.push_back(lines.back());
+  return some;
 }
 
 // The quads' edges on a crease, each once. Short ones may run a little across it.
@@ -215,12 +223,14 @@ std::vector<Edge> find_edges(const Division& division, std::span<const Line> lin
 
 // Cuts along creases in any direction: coarse cells are cut, and each becomes several quads.
 Division divide_freely(const Cutting& cutting, const Rows& rows) {
-  const int along = (cutting.along + 1) / 2, across = (cutting.across + 1) / 2;
-  const bool has_rows = count_lines(rows.along, 0) + count_lines(rows.across, 0) > 0;
   Face coarse = cutting.face;
-  coarse.along = along;
-  coarse.across = across;
-  const Division base = has_rows ? make_grid(cutting, rows, along, across) : divide_face(coarse, 1);
+  coarse.along = (cutting.along + 1) / 2;
+  coarse.across = (cutting.across + 1) / 2;
+  if (!coarse.grid.along.empty())
+    coarse.grid = {thin_out(coarse.grid.along), thin_out(coarse.grid.across)};
+  const bool has_rows = count_lines(rows.along, 0) + count_lines(rows.across, 0) > 0;
+  const Division base =
+      has_rows ? make_grid(cutting, rows, find_grid(coarse, 1)) : divide_face(coarse, 1);
   std::vector<Edge> fixed;
   if (has_rows) fixed = find_edges(base, cutting.crossing, cutting.normal);
   const double reach = REACH * 2 * cutting.width, apart = 2 * TOUCH * cutting.width;
@@ -233,7 +243,13 @@ Vec eval_bilinear(std::span<const Vec> c, double s, double t) {
   return (1 - s) * (1 - t) * c[0] + s * (1 - t) * c[1] + s * t * c[2] + (1 - s) * t * c[3];
 }
 
+Grid find_grid(const Face& face, int refine) {
+  if (!face.grid.along.empty()) return face.grid;
+  return {make_even_lines(face.along * refine), make_even_lines(face.across * refine)};
+}
+
 std::size_t count_quads(const Face& face, int refine) {
+  if (!face.grid.along.empty()) return (face.grid.along.size() - 1) * (face.grid.across.size() - 1);
   const auto along = static_cast<std::size_t>(face.along) * static_cast<std::size_t>(refine);
   const auto across = static_cast<std::size_t>(face.across) * static_cast<std::size_t>(refine);
   return face.corners.size() == 4 ? along * across : face.corners.size() * along * along;
@@ -242,11 +258,12 @@ std::size_t count_quads(const Face& face, int refine) {
 Division divide_face(const Face& face, int refine) {
   Division division;
   const auto& c = face.corners;
-  const auto along = make_even_lines(face.along * refine);
   if (c.size() == 4) {
-    add_grid(division, c, along, make_even_lines(face.across * refine));
+    const Grid grid = find_grid(face, refine);
+    add_grid(division, c, grid.along, grid.across);
     return division;
   }
+  const auto along = make_even_lines(face.along * refine);
   const Vec centre = eval_centre(c);
   const auto middle = [&](std::size_t i) { return 0.5 * (c[i] + c[(i + 1) % c.size()]); };
   for (std::size_t i = 0; i < c.size(); ++i)
@@ -262,7 +279,7 @@ Division divide_face(const Face& face, int refine, const Cuts& cuts) {
   if (cutting.crossing.empty())
     division = divide_face(face, refine);
   else if (rows.others.empty())
-    division = make_grid(cutting, rows, cutting.along, cutting.across);
+    division = make_grid(cutting, rows, find_grid(face, refine));
   else
     division = divide_freely(cutting, rows);
   division.creases = find_edges(division, cutting.near, cutting.normal);

@@ -20,6 +20,8 @@ struct Division {
 /// A face of 4 corners becomes a grid of along x across quads; any other a grid for each corner,
 /// between the corner, the middles of its edges and the centre.
 Division divide_face(const Face& face, int refine);
+/// Its lines, if it has 4 corners: its own, or even ones.
+Grid find_grid(const Face& face, int refine);
 /// The number of its quads.
 std::size_t count_quads(const Face& face, int refine);
 

@@ -86,7 +86,10 @@ Face turn(Face face) {
   std::ranges::reverse(face.corners);
   std::ranges::reverse(face.normals);
   for (Vec& normal : face.normals) normal = -normal;
-  if (face.corners.size() == 4) std::swap(face.along, face.across);  // the other edge is first
+  if (face.corners.size() == 4) {  // the other edge is first
+    std::swap(face.along, face.across);
+    std::swap(face.grid.along, face.grid.across);
+  }
   std::ranges::rotate(face.corners, face.corners.end() - 1);
   if (!face.normals.empty()) std::ranges::rotate(face.normals, face.normals.end() - 1);
   return face;

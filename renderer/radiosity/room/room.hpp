@@ -20,6 +20,11 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
+/// Lines between patches, shares of the first edge of a face and of the next, from 0 to 1, rising.
+struct Grid {
+  std::vector<double> along, across;
+};
+
 /// A convex flat polygon of 3 corners or more, counter-clockwise as seen from its front. Light
 /// leaves and reaches its front only; it blocks both ways.
 struct Face {
@@ -30,6 +35,7 @@ struct Face {
   /// Patches along the first edge and across it, before MeshParams::refine. A face with other than
   /// 4 corners has along x along of them in each of the quads between a corner and the centre.
   int along = 1, across = 1;
+  Grid grid;          ///< of 4 corners, in place of even lines; or none
   std::string where;  ///< "room.txt:12", for errors; may be empty
 };
 

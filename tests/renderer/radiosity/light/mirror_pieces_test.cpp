@@ -86,7 +86,8 @@ TEST_F(Pieces, NeverShowMoreThanThereIs) {
   EXPECT_GT(lit, 100);
 }
 
-// One piece that shows more than every delta area: Eq 3.12 from the image, to the last bit.
+// One piece that shows more than every delta area: Eq 3.12 from the image, but for the difference
+// between Eq 3.8's disc and the delta area.
 TEST_F(Pieces, OneLargeOneIsTheImage) {
   const Mesh mesh = make(2);
   int lit = 0;
@@ -96,7 +97,7 @@ TEST_F(Pieces, OneLargeOneIsTheImage) {
           mesh, point, patch, {.samples = 2, .halvings = 0, .reflections = 1, .mirror_pieces = 1});
       const double whole =
           eval(mesh, point, patch, {.samples = 2, .halvings = 0, .reflections = 1});
-      EXPECT_NEAR(piece, whole, 1e-6);
+      EXPECT_NEAR(piece, whole, 0.02 * whole);
       lit += whole > 0;
     }
   EXPECT_GT(lit, 100);

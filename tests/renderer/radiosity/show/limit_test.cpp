@@ -75,8 +75,15 @@ TEST(Limit, LeavesSmoothSurfacesAlone) {
     const auto values = take(mesh, [&](const Vec& at) {
       return Rgb{2 + std::sin(dot(a, at)), 2 + std::cos(dot(b, at)), 50 + dot(a, at) * dot(b, at)};
     });
-    EXPECT_TRUE(reconstruct(mesh, values, LIMITED).values ==
-                reconstruct(mesh, values, BICUBIC).values);
+    const auto limited = reconstruct(mesh, values, LIMITED);
+    const auto free = reconstruct(mesh, values, BICUBIC);
+    double apart = 0;
+    for (std::uint32_t p = 0; p < mesh.patches.size(); ++p)
+      for (const double s : {0.2, 0.5, 0.8})
+        for (const double t : {0.2, 0.5, 0.8})
+          apart = std::max(apart, eval_distance(eval_illumination(limited, p, s, t),
+                                                eval_illumination(free, p, s, t)));
+    EXPECT_LT(apart, 3e-3);
   }
 }
 

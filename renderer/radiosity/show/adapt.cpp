@@ -1,0 +1,170 @@
+#include "renderer/radiosity/show/adapt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "renderer/radiosity/mesh/divide.hpp"
+#include "renderer/radiosity/show/locate.hpp"
+#include "renderer/scene/require.hpp"
+
+namespace radiosity {
+
+namespace {
+
+// Patches are halved that make all but this share of the mean square that is allowed.
+constexpr double LEFT = 0.5;
+// A patch is halved along one side only if that is so many times as long as the other.
+constexpr double LONG = 1.5;
+// While patches are halved, a solution leaves so much light unsent.
+constexpr double ROUGH = 0.02;
+
+double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
+
+// By patch, the square of the error times the area, mean of the colours. The error in the middle
+// stands for the patch's, which is less where the illumination is smooth, and not where a shadow
+// begins.
+std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
+                                const Illumination& illumination) {
+  std::vector<double> errors;
+  for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
+    const Patch& patch = mesh.patches[p];
+    Rgb corners;
+    for (const auto corner : patch.corners) corners += solution.vertices[corner];
+    // Simpson's mean, solved for the centre.
+    const Rgb centre = 1.5 * (solution.means[p] + -1.0 / 12 * corners);
+    const Rgb off = centre + -1.0 * eval_illumination(illumination, p, 0.5, 0.5);
+    errors.push_back(patch.area * sum(off * off) / 3);
+  }
+  return errors;
+}
+
+// The mean square radiosity of the patches that do not emit, mean of the colours.
+double eval_mean_square(const Mesh& mesh, const Solution& solution) {
+  double total = 0, area = 0;
+  for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
+    const Patch& patch = mesh.patches[p];
+    if (max_component(mesh.materials[patch.material].emission) > 0) continue;
+    total += patch.area * sum(solution.means[p] * solution.means[p]) / 3;
+    area += patch.area;
+  }
+  return area > 0 ? total / area : 0;
+}
+
+// The patches that make most of the error: without them there is at most `allowed`.
+std::vector<std::uint32_t> choose(const std::vector<double>& errors, double allowed) {
+  std::vector<std::uint32_t> order(errors.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t p) { return errors[p]; });
+  double left = std::accumulate(errors.begin(), errors.end(), 0.0);
+  std::size_t count = 0;
+  while (count < order.size() && left > allowed) left -= errors[order[count++]];
+  order.resize(count);
+  return order;
+}
+
+// A patch's place in its face: the least and the largest parameters of its corners.
+struct Extent {
+  Corner lo, hi;
+};
+Extent find_extent(const Face& face, const Patch& patch) {
+  const Vec normal = normalize(eval_area_normal(face.corners));
+  const Vec u = normalize(face.corners[1] - face.corners[0]), v = cross(normal, u);
+  const auto flatten = [&](const Vec& p) {
+    return Corner{dot(p - face.corners[0], u), dot(p - face.corners[0], v)};
+  };
+  std::array<Corner, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = flatten(face.corners[i]);
+  Extent extent{{1, 1}, {0, 0}};
+  for (const Vec& at : patch.at) {
+    const Corner p = invert_bilinear(corners, flatten(at));
+    extent.lo = {std::min(extent.lo.u, p.u), std::min(extent.lo.v, p.v)};
+    extent.hi = {std::max(extent.hi.u, p.u), std::max(extent.hi.v, p.v)};
+  }
+  return extent;
+}
+
+// Marks the steps between lines that lie, for more than a tenth, between two parameters.
+void mark(const std::vector<double>& lines, double from, double to, std::vector<bool>& marks) {
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const double common = std::min(to, lines[i + 1]) - std::max(from, lines[i]);
+    if (common > 0.1 * (lines[i + 1] - lines[i])) marks[i] = true;
+  }
+}
+
+void halve(std::vector<double>& lines, const std::vector<bool>& marks) {
+  std::vector<double> finer;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    finer.push_back(lines[i]);
+    if (i + 1 < lines.size() && marks[i]) finer.push_back((lines[i] + lines[i + 1]) / 2);
+  }
+  lines = std::move(finer);
+}
+
+// The rows of a face's patches that are to be halved.
+struct Marks {
+  std::vector<bool> along, across;
+};
+
+void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chosen) {
+  std::vector<Marks> marks;
+  for (const Face& face : room.faces)
+    marks.push_back(
+        {std::vector<bool>(face.grid.along.size()), std::vector<bool>(face.grid.across.size())});
+  std::vector<bool> everywhere(room.faces.size());
+  for (const auto p : chosen) {
+    const Patch& patch = mesh.patches[p];
+    const Face& face = room.faces[patch.face];
+    if (face.corners.size() != 4) {
+      everywhere[patch.face] = true;
+      continue;
+    }
+    const auto [lo, hi] = find_extent(face, patch);
+    const double wide = (hi.u - lo.u) * length(face.corners[1] - face.corners[0]);
+    const double high = (hi.v - lo.v) * length(face.corners[3] - face.corners[0]);
+    if (LONG * wide > high) mark(face.grid.along, lo.u, hi.u, marks[patch.face].along);
+    if (LONG * high > wide) mark(face.grid.across, lo.v, hi.v, marks[patch.face].across);
+  }
+  for (std::size_t f = 0; f < room.faces.size(); ++f) {
+    Face& face = room.faces[f];
+    if (everywhere[f]) face.along = face.across = 2 * face.along;
+    if (face.grid.along.empty()) continue;
+    halve(face.grid.along, marks[f].along);
+    halve(face.grid.across, marks[f].across);
+  }
+}
+
+}  // namespace
+
+AdaptedMesh adapt_mesh(Room room, const LightParams& params,
+                       const ReconstructionParams& reconstruction, double error, const Step& step) {
+  renderer::require(params.solve.mean == Mean::simpson, "adaptive patches and the mean of corners",
+                    "the mean of corners and centres (simpson)");
+  for (Face& face : room.faces) {
+    if (face.corners.size() == 4) face.grid = find_grid(face, params.mesh.refine);
+    face.along *= params.mesh.refine;
+    face.across *= params.mesh.refine;
+  }
+  LightParams rough = params;
+  rough.mesh.refine = 1;
+  rough.solve.tolerance = std::max(params.solve.tolerance, ROUGH);
+  AdaptedMesh adapted{make_mesh(room, rough.mesh)};
+  for (;; ++adapted.rounds) {
+    const Mesh& mesh = adapted.mesh;
+    const Solution solution = solve(mesh, rough.solve, step);
+    const auto errors =
+        find_errors(mesh, solution, reconstruct(mesh, solution.vertices, reconstruction));
+    const double square = eval_mean_square(mesh, solution) * mesh.area;
+    const double total = std::accumulate(errors.begin(), errors.end(), 0.0);
+    const double allowed = error * error * square;
+    adapted.error = square > 0 ? std::sqrt(total / square) : 0;
+    if (!(total > allowed) || adapted.rounds == MOST_ROUNDS) return adapted;
+    refine(room, mesh, choose(errors, LEFT * allowed));
+    Mesh finer = make_mesh(room, rough.mesh);
+    if (finer.patches.size() > MOST_ADAPTED || finer.patches.size() == mesh.patches.size())
+      return adapted;
+    adapted.mesh = std::move(finer);
+  }
+}
+
+}  // namespace radiosity

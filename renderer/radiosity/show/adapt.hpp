@@ -1,0 +1,30 @@
+#pragma once
+// A room cut into patches that are small where the illumination varies. What a patch's centre has
+// received, which Mean::simpson needs, tells how far the surface over the patch is off there.
+
+#include "renderer/radiosity/light/solve.hpp"
+#include "renderer/radiosity/show/reconstruct.hpp"
+
+namespace radiosity {
+
+struct AdaptedMesh {
+  Mesh mesh;
+  int rounds = 0;    ///< how often patches were halved
+  double error = 0;  ///< the estimate of what is left, as `error` below
+};
+
+/// Halves patches, beginning with those of params.mesh, until the illumination's error over all
+/// faces, root mean square over that of the radiosity of what does not emit, is estimated to be at
+/// most `error`, > 0: each time those that make most of it (W. Doerfler, "A Convergent Adaptive
+/// Algorithm for Poisson's Equation", SIAM J. Numerical Analysis 33(3), 1996). Whole rows of a
+/// face's patches are halved, so that patches meet at their corners; a face of other than 4 corners
+/// is refined everywhere. Ends as well after MOST_ROUNDS, or where the room would have more than
+/// MOST_ADAPTED patches. `step` is called in all solutions, see solve(). BadInput unless
+/// params.solve.mean is Mean::simpson.
+AdaptedMesh adapt_mesh(Room room, const LightParams& params,
+                       const ReconstructionParams& reconstruction, double error,
+                       const Step& step = {});
+inline constexpr int MOST_ROUNDS = 40;
+inline constexpr std::size_t MOST_ADAPTED = 200'000;
+
+}  // namespace radiosity

@@ -1,0 +1,95 @@
+// Patches are small where the illumination varies.
+
+#include "renderer/radiosity/show/adapt.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity::test {
+namespace {
+
+constexpr ReconstructionParams BILINEAR{Reconstruction::bilinear};
+
+// A floor as wide as told, and a lamp of 2 x 2 that is 3 above its middle.
+Room make_floor(double width) {
+  Room room;
+  room.materials = {{"floor", grey(0.5), {}}, {"lamp", grey(0), grey(10)}};
+  add_quad(room, 0, {-width / 2, -width / 2, 0}, {width, 0, 0}, {0, width, 0});
+  add_quad(room, 1, {-1, -1, 3}, {0, 2, 0}, {2, 0, 0});
+  return room;
+}
+
+// The root mean square of what the mesh's surfaces are off, by points of a grid around the origin,
+// over that of the light there.
+double find_error(const Mesh& mesh, double width) {
+  const Solution solution = solve(mesh, {});
+  const auto shown = reconstruct(mesh, solution.vertices, BILINEAR);
+  const FactorParams fine{.spread = 0.05};
+  const Eye eye{mesh, fine};
+  double off = 0, all = 0;
+  Work work;
+  for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
+    const Patch& patch = mesh.patches[p];
+    if (mesh.materials[patch.material].emission.r > 0 || length(patch.centre) > width / 2) continue;
+    for (const double s : {0.25, 0.5, 0.75})
+      for (const double t : {0.25, 0.5, 0.75}) {
+        const Vec at = Quad(patch).eval(s, t);
+        const Vertex vertex{at, at, patch.normal, patch.material, patch.object};
+        double light = 0;
+        for (const Patch& lamp : mesh.patches)
+          light +=
+              0.5 * mesh.materials[lamp.material].emission.r * eval_factor(eye, vertex, lamp, work);
+        const double error = eval_illumination(shown, p, s, t).r - light;
+        off += patch.area * error * error;
+        all += patch.area * light * light;
+      }
+  }
+  return std::sqrt(off / all);
+}
+
+TEST(Adapt, TheErrorIsWhatIsAskedFor) {
+  for (const double width : {10.0, 1000.0, 70'000.0}) {
+    std::size_t patches = 0;
+    for (const double error : {0.1, 0.02}) {
+      const AdaptedMesh adapted = adapt_mesh(make_floor(width), {}, BILINEAR, error);
+      EXPECT_LE(adapted.error, error);
+      const double found = find_error(adapted.mesh, 40);
+      fmt::print("{} m, asked {}: {} patches, {} rounds, error {:.4f}\n", width, error,
+                 adapted.mesh.patches.size(), adapted.rounds, found);
+      EXPECT_LT(found, 1.3 * error);
+      EXPECT_GT(adapted.mesh.patches.size(), patches);
+      patches = adapted.mesh.patches.size();
+    }
+    EXPECT_LT(patches, 10'000u);
+  }
+}
+
+// Patches of a face meet at their corners: the face's area is theirs, and no edge is in two patches
+// on the same side, or in one only unless it is on the border.
+TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
+  const Mesh mesh = adapt_mesh(make_floor(10), {}, BILINEAR, 0.05).mesh;
+  double area = 0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const Patch& patch : mesh.patches) {
+    if (patch.face != 0) continue;
+    area += patch.area;
+    for (std::size_t i = 0; i < 4; ++i)
+      ++edges[std::minmax(patch.corners[i], patch.corners[(i + 1) % 4])];
+  }
+  EXPECT_NEAR(area, 100, 1e-9);
+  for (const auto& [edge, count] : edges) {
+    const Vec &a = mesh.vertices[edge.first].at, &b = mesh.vertices[edge.second].at;
+    const bool border = (std::abs(a.x) == 5 && a.x == b.x) || (std::abs(a.y) == 5 && a.y == b.y);
+    EXPECT_EQ(count, border ? 1 : 2);
+  }
+}
+
+TEST(Adapt, IsForMeansOfCornersAndCentres) {
+  LightParams params;
+  params.solve.mean = Mean::corners;
+  EXPECT_THROW(adapt_mesh(make_floor(10), params, BILINEAR, 0.1), base::BadInput);
+}
+
+}  // namespace
+}  // namespace radiosity::test
