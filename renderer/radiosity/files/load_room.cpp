@@ -393,13 +393,32 @@ Read find_reader(const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+// Moves a room that is farther from the origin than FAR times its size there: what is computed in
+// it is as exact as its coordinates then.
+Room bring_near(Room room) {
+  constexpr double FAR = 1000;
+  const renderer::Bounds bounds = eval_bounds(room);
+  const Vec middle = 0.5 * (bounds.lo + bounds.hi);
+  if (!(max_abs(middle) > FAR * length(bounds.hi - bounds.lo))) return room;
+  for (Face& face : room.faces)
+    for (Vec& corner : face.corners) corner += -middle;
+  for (Crease& crease : room.creases) crease = {crease.a - middle, crease.b - middle};
+  room.view.from += -middle;
+  room.view.at += -middle;
+  return room;
+}
+
+}  // namespace
+
 Room read_room(std::string_view text, const std::string& name) {
-  return find_reader(name)(text, name);
+  return bring_near(find_reader(name)(text, name));
 }
 
 Room load_room(const std::string& path) {
   const Read read = find_reader(path);
-  return read(base::read_text(path), path);
+  return bring_near(read(base::read_text(path), path));
 }
 
 }  // namespace radiosity

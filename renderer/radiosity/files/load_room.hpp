@@ -33,7 +33,8 @@
 namespace radiosity {
 
 /// Reads a file. BadInput "file:line: found ..., expected ..."; the room has passed check(), and
-/// its view has its image plane.
+/// its view has its image plane. A room that is a thousand times as far from the origin as it is
+/// wide has been moved there, so that what is computed in it is as exact as its coordinates.
 Room load_room(const std::string& path);
 
 /// Reads a text as load_room() does; `name` stands for the path.

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "renderer/radiosity/light/solve.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
 
 namespace radiosity::test {
@@ -158,6 +159,30 @@ TEST(RoomFile, IsFoundByItsEnding) {
   for (const char* path : {"no-such.room", "no-such.nff", "no-such.obj"})
     EXPECT_EQ(get_error([&] { load_room(path); }),
               std::string(path) + ": cannot be read: No such file or directory");
+}
+
+TEST(ReadRoom, ARoomFarAwayIsLitAsNearby) {
+  const Room near = read(R"(
+material wall reflect 0.7 0.6 0.5
+material lamp reflect 0 0 0  emit 17 15 12
+box wall  0 0 0  7 5 3  divide 3 inside
+box wall  1.5 1.8 0  2.1 2.4 0.7  divide 2
+quad lamp  3 2 2.98  3 3 2.98  4 3 2.98  4 2 2.98 divide 2 2
+view from 1 0.2 1.75 at 0.95 1.15 0.2 up 0 0 1 angle 72 size 8 6
+)");
+  const Vec shift{1e6, -2e6, 3e5};
+  Room far = near;
+  for (Face& face : far.faces)
+    for (Vec& corner : face.corners) corner += shift;
+  far.view.from += shift;
+  far.view.at += shift;
+  const LitRoom here = light_room(near, {}), there = light_room(read(write(far)), {});
+  ASSERT_EQ(here.vertices.size(), there.vertices.size());
+  double apart = 0;
+  for (std::size_t i = 0; i < here.vertices.size(); ++i)
+    apart = std::max(apart, max_component(here.vertices[i] + -1.0 * there.vertices[i]));
+  fmt::print("apart by {:.2g}\n", apart);
+  EXPECT_LT(apart, 1e-6);
 }
 
 TEST(ReadRoom, RefusesACreaseOnNoFace) {
