@@ -62,6 +62,16 @@ Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> bef
   return renamed;
 }
 
+// Whether a point of a patch's plane lies on the patch; its border is within rounding.
+bool is_on(const Patch& patch, const Vec& point) {
+  const double tolerance = 1e-9 * patch.area;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec &a = patch.at[i], &b = patch.at[(i + 1) % 4];
+    if (dot(patch.normal, cross(b - a, point - a)) < -tolerance) return false;
+  }
+  return true;
+}
+
 // Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset).
 void inset_borders(Mesh& mesh, double inset) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
@@ -77,7 +87,17 @@ void inset_borders(Mesh& mesh, double inset) {
     Vec centre;
     for (const auto patch : around)
       centre += (1.0 / static_cast<double>(around.size())) * mesh.patches[patch].centre;
-    mesh.vertices[v].lit = mesh.vertices[v].at + inset * (centre - mesh.vertices[v].at);
+    const auto move_to = [&](const Vec& inside) {
+      mesh.vertices[v].lit = mesh.vertices[v].at + inset * (inside - mesh.vertices[v].at);
+    };
+    move_to(centre);
+    // Around the corner of a foot the mean may lie under what stands there.
+    const auto holds = [&](std::uint32_t p) {
+      return is_on(mesh.patches[p], mesh.vertices[v].lit);
+    };
+    const auto area = [&](std::uint32_t p) { return mesh.patches[p].area; };
+    if (std::ranges::none_of(around, holds))
+      move_to(mesh.patches[*std::ranges::max_element(around, {}, area)].centre);
   }
 }
 
