@@ -1,4 +1,5 @@
 // How long a picture with a lens and a light that has a size takes to a given error.
+#include <cmath>
 #include <limits>
 #include <optional>
 

@@ -26,7 +26,7 @@ struct Options {
   std::vector<std::string> files;
   std::string seeds, size = "160x120", cache, pictures;
   std::vector<int> refine{1};
-  double adaptive = 0;  // error that patches are halved for; 0: they are as they are
+  AdaptParams adapt;
   std::vector<std::string> creases{"auto"}, reconstructions{"bilinear", "bicubic"};
   int samples = 128, threads = 0;
   LightParams light;
@@ -123,7 +123,7 @@ class Comparison {
   // By the first reconstruction.
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
-    LitRoom lit{adapt_mesh(room, light, shown, o_.adaptive).mesh, {}};
+    LitRoom lit{adapt_mesh(room, light, shown, o_.adapt).mesh, {}};
     const Solution solution = solve(lit.mesh, light.solve);
     lit.vertices = solution.vertices;
     if (light.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);
@@ -139,7 +139,7 @@ class Comparison {
       choose_creases(room, choose(creases_field(), creases));
       LightParams light = o_.light;
       light.mesh.refine = refine;
-      lit = o_.adaptive > 0 ? light_adapted(room, light) : light_room(room, light);
+      lit = o_.adapt.error > 0 ? light_adapted(room, light) : light_room(room, light);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
       outcome.solve_s = took.count();
       outcome.patches = lit.mesh.patches.size();
@@ -234,7 +234,7 @@ class Comparison {
 void add_options(CLI::App& app, Options& o) {
   app.add_option("ROOMS", o.files, ".room files");
   app.add_option("--seeds", o.seeds, "random rooms, FIRST-LAST");
-  app.add_option("--adaptive", o.adaptive, "as tlab radiosity's, by the first reconstruction");
+  laboratory::bind_options(app, {adaptive_field()}, o.adapt);
   app.add_option("--refine", o.refine, "factors of the divisions")
       ->delimiter(',')
       ->capture_default_str();

@@ -28,7 +28,7 @@ struct Options {
   radiosity::ReconstructionParams reconstruction;
   radiosity::PictureParams picture;
   radiosity::Display display;
-  double adaptive = 0;  // estimated error at which patches are small enough; 0: as they are
+  radiosity::AdaptParams adapt;
   bool preview = false, asks_display = false;  // --exposure or --gamma is given
 };
 
@@ -87,8 +87,8 @@ Outcome light(Options& o) {
   Progress bar("radiosity");
   const auto step = make_step(o, bar);
   Mesh mesh;
-  if (o.adaptive > 0) {
-    auto adapted = radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adaptive, step);
+  if (o.adapt.error > 0) {
+    auto adapted = radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adapt, step);
     mesh = std::move(adapted.mesh);
     made.rounds = adapted.rounds;
     made.error = adapted.error;
@@ -161,11 +161,19 @@ void print_balance(const Outcome& made) {
       "reflected on the way\n",
       100 * absorbed, 100 * unsent, 100 * escaped,
       made.is_closed ? "lost" : "escaped or in mirrors", 100 * reflected);
-  if (made.is_closed && std::abs(escaped) > FAIR_BALANCE)
+  if (made.is_closed ? std::abs(escaped) > FAIR_BALANCE : escaped < -FAIR_BALANCE)
     fmt::print(stderr,
-               "tlab: warning: {:.1f} % of the light of a closed room is {}: more patches "
+               "tlab: warning: {:.1f} % of the light is {}: more patches "
                "(--refine), or smaller delta areas (--spread), find it\n",
                100 * std::abs(escaped), escaped > 0 ? "lost" : "too much");
+}
+
+void warn_of_error(const Options& o, const Outcome& made) {
+  if (o.adapt.error > 0 && made.error > o.adapt.error)
+    fmt::print(stderr,
+               "tlab: warning: patches were halved {} times, and the error is estimated to be "
+               "{:.2g} %, not {:.2g} %\n",
+               made.rounds, 100 * made.error, 100 * o.adapt.error);
 }
 
 void run(Options& o) {
@@ -181,13 +189,14 @@ void run(Options& o) {
   if (!o.stats.empty()) save_stats(o, made);
   fmt::print("{} patches, {} vertices, {} shots, {:.3g} % unshot", made.patches, made.vertices,
              made.solution.shots, 100 * made.solution.unshot);
-  if (o.adaptive > 0)
+  if (o.adapt.error > 0)
     fmt::print(", halved {} times to an error of about {:.2g} %", made.rounds, 100 * made.error);
   if (made.left_out > 0) fmt::print(", {} of {} creases left out", made.left_out, made.creases);
   if (!is_exr(o))
     fmt::print("; exposure {:.4g}, gamma {:.4g}", o.display.exposure, o.display.gamma);
   fmt::print("\n");
   print_balance(made);
+  warn_of_error(o, made);
 }
 
 }  // namespace
@@ -199,13 +208,7 @@ void add_radiosity_command(CLI::App& app) {
   command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
   command->add_option("--size", o->size, "WxH in pixels [the room's]");
   bind_options(*command, radiosity::mesh_fields(), o->light.mesh);
-  command
-      ->add_option(
-          "--adaptive", o->adaptive,
-          "halve patches where the illumination varies, until its error (root mean square, "
-          "over that of the light) is estimated to be at most this; 0: patches as they are")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+  bind_options(*command, {radiosity::adaptive_field()}, o->adapt);
   bind_options(*command, {radiosity::creases_field()}, o->creases);
   bind_options(*command, radiosity::solve_fields(), o->light.solve,
                {{"max_shots", "shots"}, {"reflections", "mirrors"}});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "renderer/trace/intersect.hpp"
 #include "renderer/trace/sampling.hpp"
@@ -41,17 +40,15 @@ bool is_closed(const Mesh& mesh) {
   std::vector<std::vector<Vec>> normals(renderer::object_count(mesh.blockers));
   for (const Patch& patch : mesh.patches) normals[patch.object].push_back(patch.normal);
   Work work;
-  constexpr int RINGS = 4, RAYS = 4;
+  constexpr int SIDE = 4;
   return std::ranges::all_of(mesh.patches, [&](const Patch& patch) {
     const auto [u, v] = renderer::make_across(patch.normal);
-    for (int ring = 0; ring < RINGS; ++ring)
-      for (int i = 0; i < RAYS; ++i) {
-        const double square = (ring + 0.5) / RINGS, radius = std::sqrt(square);
-        const double turn = 2 * std::numbers::pi * (i + 0.5 + 0.25 * ring) / RAYS;
+    for (int i = 0; i < SIDE; ++i)
+      for (int j = 0; j < SIDE; ++j) {
+        const auto [x, y] = renderer::map_to_disc({(i + 0.5) / SIDE, (j + 0.5) / SIDE});
         renderer::Ray ray;
         ray.origin = patch.centre;
-        ray.direction = std::sqrt(1 - square) * patch.normal +
-                        radius * (std::cos(turn) * u + std::sin(turn) * v);
+        ray.direction = std::sqrt(std::max(0.0, 1 - x * x - y * y)) * patch.normal + x * u + y * v;
         ray.from = patch.object;
         const auto hit = intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
         if (!hit || std::ranges::none_of(normals[hit->object], [&](const Vec& normal) {

@@ -8,7 +8,7 @@ namespace radiosity {
 /// Shares of the emitted power, all colours together. What was emitted is absorbed, unsent or
 /// escaped.
 struct Balance {
-  double reflected = 0;  ///< each time that it is: no bound
+  double reflected = 0;  ///< counted at every reflection: may be more than 1
   double absorbed = 0;
   double unsent = 0;
   double escaped = 0;  ///< out of the room, to backs, or into mirrors; if it can not, an error

@@ -1,5 +1,6 @@
 #include "renderer/radiosity/light/solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -10,6 +11,9 @@ using renderer::Op;
 using renderer::Work;
 
 namespace {
+
+// Units of one patch, of which a million can be added.
+constexpr double MOST_UNSHOT = 0x1p42;
 
 double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
 
@@ -99,7 +103,10 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
     const Rgb power = unit * mesh.patches[p].area * state.unshot[p];
-    total += {std::llround(power.r), std::llround(power.g), std::llround(power.b)};
+    const auto round = [](double share) {
+      return std::llround(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT));
+    };
+    total += {round(power.r), round(power.g), round(power.b)};
   }
   return total;
 }

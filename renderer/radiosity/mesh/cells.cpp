@@ -398,7 +398,10 @@ Division cut_cells(const Division& division, const Vec& normal, std::span<const 
   cells.move_points(lines, contacts, lines.size(), params.reach, params.apart);
   std::size_t left_out = 0;
   for (const Line& line : lines)
-    if ((!line.contact && cells.size() >= params.most) || !cells.cut(line)) ++left_out;
+    if (line.contact)
+      cells.cut(line);
+    else if (cells.size() >= params.most || !cells.cut(line))
+      ++left_out;
   Division cut = cells.make_quads();
   cut.left_out = left_out;
   return cut;

@@ -100,16 +100,26 @@ double find_inside(const Crease& crease, std::span<const Plane> planes, double m
   return inside ? (inside->to - inside->from) * length(crease.b - crease.a) : 0;
 }
 
+double find_least_step(const std::vector<double>& lines) {
+  double least = 1;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+    least = std::min(least, lines[i + 1] - lines[i]);
+  return least;
+}
+
 Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   const auto& corners = face.corners;
   const Vec normal = normalize(eval_area_normal(corners));
-  Cutting cutting{face, face.along * refine, face.across * refine, 0, normal, 0, {}, {}};
+  const Grid grid = find_grid(face, refine);
+  const auto along = static_cast<int>(grid.along.size()) - 1;
+  const auto across = static_cast<int>(grid.across.size()) - 1;
+  Cutting cutting{face, along, across, 0, normal, 0, {}, {}};
   double size = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const double edge = length(corners[(i + 1) % corners.size()] - corners[i]);
     const double width = corners.size() != 4 ? edge / (2 * cutting.along)
-                         : i % 2 == 0        ? edge / cutting.along
-                                             : edge / cutting.across;
+                         : i % 2 == 0        ? edge * find_least_step(grid.along)
+                                             : edge * find_least_step(grid.across);
     cutting.width = i == 0 ? width : std::min(cutting.width, width);
     size = std::max(size, edge);
   }

@@ -16,6 +16,8 @@ namespace {
 constexpr double LEFT = 0.5;
 // A patch is halved along one side only if that is so many times as long as the other.
 constexpr double LONG = 1.5;
+// Times that patches are halved while their number does not grow.
+constexpr int MOST_TRIES = 4;
 // While patches are halved, a solution leaves so much light unsent.
 constexpr double ROUGH = 0.02;
 
@@ -29,6 +31,14 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
   std::vector<double> errors;
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
     const Patch& patch = mesh.patches[p];
+    // The middle of a curved patch has another normal than its surface there.
+    const bool is_flat = std::ranges::all_of(patch.corners, [&](std::uint32_t corner) {
+      return dot(mesh.vertices[corner].normal, patch.normal) > 1 - 1e-9;
+    });
+    if (!is_flat) {
+      errors.push_back(0);
+      continue;
+    }
     Rgb corners;
     for (const auto corner : patch.corners) corners += solution.vertices[corner];
     // Simpson's mean, solved for the centre.
@@ -84,11 +94,14 @@ Extent find_extent(const Face& face, const Patch& patch) {
   return extent;
 }
 
-// Marks the steps between lines that lie, for more than a tenth, between two parameters.
+// Marks the steps between lines that lie, for more than a tenth, between two parameters, and the
+// one around their middle.
 void mark(const std::vector<double>& lines, double from, double to, std::vector<bool>& marks) {
+  const double middle = (from + to) / 2;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     const double common = std::min(to, lines[i + 1]) - std::max(from, lines[i]);
-    if (common > 0.1 * (lines[i + 1] - lines[i])) marks[i] = true;
+    if (common > 0.1 * (lines[i + 1] - lines[i]) || (lines[i] <= middle && middle < lines[i + 1]))
+      marks[i] = true;
   }
 }
 
@@ -136,10 +149,21 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
 
 }  // namespace
 
+base::Field<AdaptParams> adaptive_field() {
+  return base::Declare<AdaptParams>::number(
+      "adaptive", &AdaptParams::error, 0, 1, "",
+      "halve patches where the illumination varies, until its error (root mean square, over that "
+      "of "
+      "the light) is estimated to be at most this; 0: patches as they are");
+}
+
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
-                       const ReconstructionParams& reconstruction, double error, const Step& step) {
+                       const ReconstructionParams& reconstruction, const AdaptParams& adapt,
+                       const Step& step) {
   renderer::require(params.solve.mean == Mean::simpson, "adaptive patches and the mean of corners",
                     "the mean of corners and centres (simpson)");
+  renderer::require(adapt.error >= LEAST_ERROR, fmt::format("an error of {}", adapt.error),
+                    fmt::format("{} to 1", LEAST_ERROR));
   for (Face& face : room.faces) {
     if (face.corners.size() == 4) face.grid = find_grid(face, params.mesh.refine);
     face.along *= params.mesh.refine;
@@ -156,13 +180,20 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
         find_errors(mesh, solution, reconstruct(mesh, solution.vertices, reconstruction));
     const double square = eval_mean_square(mesh, solution) * mesh.area;
     const double total = std::accumulate(errors.begin(), errors.end(), 0.0);
-    const double allowed = error * error * square;
+    const double allowed = adapt.error * adapt.error * square;
+    // Nothing but lamps may be lit.
     adapted.error = square > 0 ? std::sqrt(total / square) : 0;
-    if (!(total > allowed) || adapted.rounds == MOST_ROUNDS) return adapted;
-    refine(room, mesh, choose(errors, LEFT * allowed));
-    Mesh finer = make_mesh(room, rough.mesh);
-    if (finer.patches.size() > MOST_ADAPTED || finer.patches.size() == mesh.patches.size())
-      return adapted;
+    if (!(square > 0 && total > allowed) || adapted.rounds == MOST_ROUNDS) return adapted;
+    const auto chosen = choose(errors, LEFT * allowed);
+    // Lines near a contact or a crease give way to it: those between them may need more halvings.
+    Mesh finer;
+    for (int tries = 0; tries < MOST_TRIES; ++tries) {
+      refine(room, mesh, chosen);
+      finer = make_mesh(room, rough.mesh);
+      if (finer.patches.size() > MOST_ADAPTED) return adapted;
+      if (finer.patches.size() > mesh.patches.size()) break;
+    }
+    if (finer.patches.size() <= mesh.patches.size()) return adapted;
     adapted.mesh = std::move(finer);
   }
 }

@@ -7,6 +7,14 @@
 
 namespace radiosity {
 
+struct AdaptParams {
+  double error = 0;  ///< see adapt_mesh(); LEAST_ERROR..1, or 0: patches as they are
+};
+inline constexpr double LEAST_ERROR = 1e-4;
+
+/// The field "adaptive".
+base::Field<AdaptParams> adaptive_field();
+
 struct AdaptedMesh {
   Mesh mesh;
   int rounds = 0;    ///< how often patches were halved
@@ -15,14 +23,14 @@ struct AdaptedMesh {
 
 /// Halves patches, beginning with those of params.mesh, until the illumination's error over all
 /// faces, root mean square over that of the radiosity of what does not emit, is estimated to be at
-/// most `error`, > 0: each time those that make most of it (W. Doerfler, "A Convergent Adaptive
+/// most `adapt.error`: each time those that make most of it (W. Doerfler, "A Convergent Adaptive
 /// Algorithm for Poisson's Equation", SIAM J. Numerical Analysis 33(3), 1996). Whole rows of a
-/// face's patches are halved, so that patches meet at their corners; a face of other than 4 corners
-/// is refined everywhere. Ends as well after MOST_ROUNDS, or where the room would have more than
-/// MOST_ADAPTED patches. `step` is called in all solutions, see solve(). BadInput unless
-/// params.solve.mean is Mean::simpson.
+/// face's patches are halved, so that its patches meet at their corners; a face of other than 4
+/// corners is refined everywhere. Curved faces are not judged. Ends as well after MOST_ROUNDS, or
+/// where the room would have more than MOST_ADAPTED patches. `step` is called in all solutions, see
+/// solve(). BadInput below LEAST_ERROR, and unless params.solve.mean is Mean::simpson.
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
-                       const ReconstructionParams& reconstruction, double error,
+                       const ReconstructionParams& reconstruction, const AdaptParams& adapt,
                        const Step& step = {});
 inline constexpr int MOST_ROUNDS = 40;
 inline constexpr std::size_t MOST_ADAPTED = 200'000;

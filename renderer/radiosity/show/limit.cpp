@@ -1,6 +1,7 @@
 #include "renderer/radiosity/show/limit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace radiosity {
 

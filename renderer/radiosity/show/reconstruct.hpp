@@ -36,11 +36,11 @@ struct Illumination {
   std::vector<Rgb> values;
 };
 
-/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are linear in them as long
-/// as none is limited (limit.hpp), continuous wherever patches share vertices or a crease has split
-/// these, and C1 across inner borders on grids of parallel lines. Linear functions stay so: with
-/// estimated twists on any quads, with none on parallelograms. BadInput if there are more or fewer
-/// values than vertices.
+/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are continuous wherever
+/// patches share vertices or a crease has split these; where none is limited (limit.hpp), they are
+/// linear in the values, and C1 across inner borders on grids of parallel lines. Linear functions
+/// stay so: with estimated twists on any quads, with none on parallelograms. BadInput if there are
+/// more or fewer values than vertices.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 

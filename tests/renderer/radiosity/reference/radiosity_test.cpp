@@ -25,7 +25,7 @@ Deviation compare_room(const Room& room, int refine, Reconstruction kind, const 
   PictureParams size;
   size.width = WIDTH;
   size.height = HEIGHT;
-  const Picture picture = trace_picture(light_room(room, light), {kind, {}}, room.view, size);
+  const Picture picture = trace_picture(light_room(room, light), {kind}, room.view, size);
   const Deviation found = compare(picture, trace(room, WIDTH, HEIGHT, 128));
   fmt::print(
       "{}, refine {}: RMSE {:.2f} %, bias {:.2f} % (noise {:.2f} %), pixels {:.2f} % (99th "

@@ -23,13 +23,13 @@ class OurRooms : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(All, OurRooms,
                          testing::Values("window.room", "no-mirror.room", "mirror.room",
                                          "spot-diffuse.room", "spot-mirror.room", "furnace.room",
-                                         "curved.obj"));
+                                         "curved.obj", "cornell-turned.room", "cornell-tall.room"));
 
 TEST(OurRooms, AreAllHere) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(ROOMS))
     files += entry.path().extension() == ".room" || entry.path().extension() == ".obj";
-  EXPECT_EQ(files, 7) << "list new rooms above";
+  EXPECT_EQ(files, 9) << "list new rooms above";
 }
 
 TEST_P(OurRooms, HaveAsManyPatchesAsTheySay) {

@@ -52,7 +52,7 @@ TEST(Adapt, TheErrorIsWhatIsAskedFor) {
   for (const double width : {10.0, 1000.0, 70'000.0}) {
     std::size_t patches = 0;
     for (const double error : {0.1, 0.02}) {
-      const AdaptedMesh adapted = adapt_mesh(make_floor(width), {}, BILINEAR, error);
+      const AdaptedMesh adapted = adapt_mesh(make_floor(width), {}, BILINEAR, {error});
       EXPECT_LE(adapted.error, error);
       const double found = find_error(adapted.mesh, 40);
       fmt::print("{} m, asked {}: {} patches, {} rounds, error {:.4f}\n", width, error,
@@ -68,7 +68,7 @@ TEST(Adapt, TheErrorIsWhatIsAskedFor) {
 // Patches of a face meet at their corners: the face's area is theirs, and no edge is in two patches
 // on the same side, or in one only unless it is on the border.
 TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
-  const Mesh mesh = adapt_mesh(make_floor(10), {}, BILINEAR, 0.05).mesh;
+  const Mesh mesh = adapt_mesh(make_floor(10), {}, BILINEAR, {0.05}).mesh;
   double area = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const Patch& patch : mesh.patches) {
@@ -85,10 +85,41 @@ TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   }
 }
 
+// A block stands on the floor, which is cut at its foot at any fineness.
+TEST(Adapt, FeetStayContacts) {
+  for (const double width : {4.0, 400.0}) {
+    Room room = make_floor(width);
+    add_block(room, 0, {0.2, 0.3, 0}, {0.7, 0.8, 0.6});
+    const AdaptedMesh adapted = adapt_mesh(room, {}, BILINEAR, {0.03});
+    fmt::print("{} m: {} patches, {} vertices, {} rounds, error {:.4f}\n", width,
+               adapted.mesh.patches.size(), adapted.mesh.vertices.size(), adapted.rounds,
+               adapted.error);
+    EXPECT_LE(adapted.error, 0.03);
+    EXPECT_LT(adapted.mesh.vertices.size(), 1.3 * adapted.mesh.patches.size() + 100);
+    for (const Patch& patch : adapted.mesh.patches) {
+      if (patch.face != 0) continue;
+      bool inside = false, outside = false;
+      for (const Vec& at : patch.at) {
+        const double x = std::abs(at.x - 0.45), y = std::abs(at.y - 0.55);
+        inside |= std::max(x, y) < 0.24;
+        outside |= std::max(x, y) > 0.26;
+      }
+      EXPECT_FALSE(inside && outside);
+    }
+  }
+}
+
+TEST(Adapt, EndsWhereNothingButLampsIsLit) {
+  Room room;
+  room.materials = {{"lamp", grey(0.5), grey(1)}};
+  add_box(room, 0, {0, 0, 0}, {3, 2, 1.5});
+  EXPECT_EQ(adapt_mesh(room, {}, BILINEAR, {0.01}).rounds, 0);
+}
+
 TEST(Adapt, IsForMeansOfCornersAndCentres) {
   LightParams params;
   params.solve.mean = Mean::corners;
-  EXPECT_THROW(adapt_mesh(make_floor(10), params, BILINEAR, 0.1), base::BadInput);
+  EXPECT_THROW(adapt_mesh(make_floor(10), params, BILINEAR, {0.1}), base::BadInput);
 }
 
 }  // namespace
