@@ -227,9 +227,8 @@ void finish(Scene& scene) {
   std::vector<Bounds> at_close;
   if (!scene.moves.empty()) at_close = move_all(bounds, scene.moves);
 
-  double scale =
-      std::max(max_abs(view.from), max_abs(view.from + view.from_move)) +
-      0.5 * MAX_LENS * view.lens.aperture;
+  double scale = std::max(max_abs(view.from), max_abs(view.from + view.from_move)) +
+                 0.5 * MAX_LENS * view.lens.aperture;
   for (const auto* all : {&bounds, &at_close})
     for (const Bounds& b : *all) scale = std::max({scale, max_abs(b.lo), max_abs(b.hi)});
   scene.epsilon = SELF_RELATIVE * scale;
