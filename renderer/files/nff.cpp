@@ -49,8 +49,10 @@ bool has_file(const Words& words) {
 }
 
 bool has_picture(const Words& words) {
+  const bool is_mapping =
+      words.third == "planar" || words.third == "spherical" || words.third == "mesh";
   return words.second.ends_with(".png") || words.second.ends_with(".PNG") ||
-         words.third == "planar" || words.third == "spherical" || words.third == "mesh";
+         (is_mapping && words.second.find('.') != words.second.npos);
 }
 
 class Reader {

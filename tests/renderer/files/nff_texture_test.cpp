@@ -100,7 +100,9 @@ TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
 
 TEST_F(NffTexture, ProseIsProse) {
   const Scene scene = parse(
-      SURFACE + "# texture of wood\n# texture\n# uv-mapped\n# uv coordinates\n# uv\n" + SQUARE);
+      SURFACE +
+      "# texture of wood\n# texture of mesh\n# texture\n# uv-mapped\n# uv coordinates\n# uv\n" +
+      SQUARE);
   EXPECT_TRUE(scene.textures.empty());
 }
 
