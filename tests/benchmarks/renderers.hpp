@@ -14,10 +14,9 @@ struct PovrayRun {
   renderer::Samples image;
 };
 
-// Of a pixel's camera rays over the lens, and of feelers to each light that has a size, squared.
 struct PovraySamples {
-  int lens = 1;
-  int light_side = 1;
+  int lens = 1;        // camera rays of a pixel, all over the lens
+  int light_side = 1;  // a light that has a size gets so many times as many feelers
 };
 
 // POV-Ray renders the same view of the same spheres, floor and lights: one thread, camera rays

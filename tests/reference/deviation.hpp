@@ -8,9 +8,9 @@ namespace radiosity::reference {
 /// Share of the reference from which on a pixel is off.
 inline constexpr double OFF = 0.15;
 
-/// Of pixels that show something and do not emit; colours by the mean of their components. The
-/// error of a pixel is relative to the reference there (to 2 % of the mean where that is more), and
-/// e^2 becomes max(0, e^2 - s^2), s the reference's standard error.
+/// How far a picture is off. A colour counts as the mean of its components; pixels that show a lamp
+/// or nothing do not count. The error of a pixel is relative to the reference there (to 2 % of the
+/// mean where that is more), and e^2 becomes max(0, e^2 - s^2), s the reference's standard error.
 struct Deviation {
   double rmse = 0;   ///< root mean square of differences, relative to the mean radiosity
   double bias = 0;   ///< mean of differences, likewise; negative: too dark

@@ -65,8 +65,6 @@ struct Emitter {
   double share = 0;  // of the power of all
 };
 
-double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
-
 std::vector<Emitter> make_emitters(const Room& room, const RoomGeometry& geometry) {
   std::vector<Emitter> emitters;
   double total = 0;

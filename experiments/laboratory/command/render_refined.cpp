@@ -65,7 +65,8 @@ class StateFile {
     saved_ = image.done();
     since_s_ = 0;
   }
-  /// Saves if so much time has passed since the last one, and that did not take too long for it.
+  /// Saves if so much time has passed since the last state, and so much that saving takes no more
+  /// than STATE_SHARE of it.
   void save_after(double seconds, const Refinement& image) {
     since_s_ += clock_.lap();
     if (since_s_ > std::max(seconds, last_cost_s_ / STATE_SHARE)) save(image);

@@ -13,9 +13,10 @@ namespace radiosity {
 /// Sources Using Backprojection", SIGGRAPH 1994), and where the light's own plane does. These are
 /// the borders of penumbrae, and within them where a face hides all that it can; not every change
 /// of slope. Light by way of mirrors is not followed. Creases on one line are joined; those shorter
-/// than 0.001 of their face are left out. They come in the order of the faces they lie on, and on
-/// each those first whose light is strongest there. The room must pass check(). With n faces, e of
-/// them emitting, some e n^2 pairs are looked at, and all n for each crease.
+/// than 0.001 of their face are left out. They come in the order of the faces they lie on; of
+/// one face, the creases of the light that is strongest on it come first. The room must pass
+/// check(). With n faces, e of them emitting, some e n^2 pairs are looked at, and all n for each
+/// crease.
 std::vector<Crease> find_creases(const Room& room);
 
 /// Which creases the mesh of a room keeps.

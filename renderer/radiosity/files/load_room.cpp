@@ -391,10 +391,6 @@ Read find_reader(const std::string& name) {
       "{}: found a room's name with another ending, expected .room, .nff or .obj", name));
 }
 
-}  // namespace
-
-namespace {
-
 // Moves a room that is farther from the origin than FAR times its size there: what is computed in
 // it is as exact as its coordinates then.
 Room bring_near(Room room) {

@@ -12,8 +12,6 @@ using renderer::Work;
 
 namespace {
 
-double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
-
 double eval_power(const Mesh& mesh, std::span<const Rgb> patches) {
   double power = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) power += mesh.patches[p].area * sum(patches[p]);
@@ -38,7 +36,11 @@ Balance eval_balance(const Mesh& mesh, std::span<const Rgb> arrived, std::span<c
 bool is_closed(const Mesh& mesh) {
   if (!mesh.mirrors.empty()) return false;
   std::vector<std::vector<Vec>> normals(renderer::object_count(mesh.blockers));
-  for (const Patch& patch : mesh.patches) normals[patch.object].push_back(patch.normal);
+  for (const Patch& patch : mesh.patches) {  // one for each side of a face
+    auto& sides = normals[patch.object];
+    if (std::ranges::none_of(sides, [&](const Vec& n) { return dot(n, patch.normal) > 0; }))
+      sides.push_back(patch.normal);
+  }
   Work work;
   constexpr int SIDE = 4;
   return std::ranges::all_of(mesh.patches, [&](const Patch& patch) {

@@ -95,8 +95,8 @@ struct DeltaSide {
 
 /// How much a delta area whose centre is `way` off differs from a point with its area: its factor
 /// is 1 + eval_extent() times that of the point, up to the fourth power of side over distance.
-/// These are the second derivatives of the kernel along the sides, over 24, and what the greater
-/// half has more of it. `normal` is the viewpoint's.
+/// The kernel's second derivatives along the sides, over 24, make the difference, and, where a side
+/// grows, that more of the area lies towards its end. `normal` is the viewpoint's.
 inline double eval_extent(const Vec& normal, const Vec& way, const DeltaSide& a,
                           const DeltaSide& b) {
   const double square = dot(way, way), here = dot(normal, way);

@@ -15,8 +15,6 @@ namespace {
 // Units of one patch, of which a million can be added.
 constexpr double MOST_UNSHOT = 0x1p42;
 
-double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
-
 std::vector<std::uint32_t> count_up(std::size_t n) {
   std::vector<std::uint32_t> all(n);
   std::iota(all.begin(), all.end(), 0u);

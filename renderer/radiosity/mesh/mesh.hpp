@@ -61,9 +61,9 @@ struct MeshParams {
   int crease_growth = 4;  ///< times as many patches as without creases that the room may have with
                           ///< them, or 2000 patches if that is more, 1 to 1000; further creases of
                           ///< the faces that grow most are left out, on each the last first
-  double inset = 0.01;  ///< distance inside the border at which its vertices are lit, a share of
-                        ///< the way to the mean centre of their patches, 0..0.5; if that is not
-                        ///< on them, to the centre of the largest
+  double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
+                          ///< the way to the mean centre of their patches, 0..0.5; if that is not
+                          ///< on them, to the centre of the largest
 };
 
 /// The fields refine and crease_growth.

@@ -12,6 +12,8 @@ namespace radiosity {
 using base::BadInput;
 using renderer::Rgb;
 
+inline double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
+
 struct Material {
   std::string name;
   Rgb reflectance;      ///< rho of Eq 1.8, 0 <= rho < 1; a mirror's is 0..1

@@ -21,8 +21,6 @@ constexpr int MOST_TRIES = 4;
 // While patches are halved, a solution leaves so much light unsent.
 constexpr double ROUGH = 0.02;
 
-double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
-
 // By patch, the square of the error times the area, mean of the colours. The error in the middle
 // stands for the patch's, which is less where the illumination is smooth, and not where a shadow
 // begins.

@@ -28,9 +28,9 @@ void look(Room& room, const Vec& from, const Vec& at, const Vec& up, double angl
   room.view = {from, at, up, angle};
 }
 
-// Compares with what is expected at each pixel. A picture's mean must be right, over pictures of
-// many seeds, and so must the standard errors of pixels: differences over these follow Student's
-// distribution of n - 1 degrees of freedom for n rounds, whose variance is (n - 1) / (n - 3).
+// Compares pictures of many seeds with what is expected at each pixel: their mean must be right,
+// and so must the standard error that each pixel is given. A pixel's error over its standard error,
+// which is found from n rounds, has a variance of (n - 1) / (n - 3) then (Student's distribution).
 void expect_within_noise(const Room& room, TracerParams params, const std::vector<double>& expected,
                          const std::string& what) {
   constexpr int SEEDS = 16;
