@@ -1,6 +1,9 @@
 #include "renderer/radiosity/show/reconstruct.hpp"
 
+#include <map>
+
 #include "renderer/radiosity/show/limit.hpp"
+#include "renderer/radiosity/show/seams.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace radiosity {
@@ -30,46 +33,127 @@ void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const 
   g[at.by_t] = (t == 0 ? 1.0 : -1.0) * (next_is_s ? to_prev : to_next);
 }
 
-// G_H of every patch, set vertex by vertex: every corner of every patch belongs to one.
-std::vector<Rgb> make_bicubic(const Mesh& mesh, std::span<const Rgb> vertices,
-                              const ReconstructionParams& params) {
-  const Fans fans = make_fans(mesh);
-  std::vector<Slopes<Rgb>> slopes = find_slopes(mesh, fans, vertices);
-  const std::vector<Limits> limits = find_limits(mesh, fans, vertices, params.overshoot);
-  limit_slopes(mesh, fans, vertices, limits, slopes);
-  std::vector<Rgb> values(16 * mesh.patches.size());
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    Slopes<Slopes<Rgb>> bend;
-    if (params.twist == Twist::estimated) bend = find_bend(mesh, fans, slopes, v);
-    for (const Wedge& w : fans.at(v)) {
-      const std::span<Rgb> g = std::span(values).subspan(16 * std::size_t{w.patch}, 16);
-      const auto& corners = mesh.patches[w.patch].corners;
-      const auto change = [&](std::uint32_t to) {
-        return along(slopes[v], unfold(mesh.vertices[v], mesh.vertices[to].at));
-      };
-      for (std::uint32_t c = w.corner; c < 4; ++c) {
-        if (corners[c] != v) continue;
-        const std::uint32_t next = corners[(c + 1) % 4], prev = corners[(c + 3) % 4];
-        const Rgb to_next = change(next), to_prev = change(prev);
-        set_corner(g, c, vertices[v], to_next, to_prev);
-        const Slots at = find_slots(S[c], T[c]);
-        const double sign = S[c] == T[c] ? 1.0 : -1.0;
-        Rgb twist;
-        // "Substituting s + t for d": along s + t the slopes by s and by t add up.
-        if (params.twist == Twist::diagonal) twist = sign * (g[at.by_s] + g[at.by_t]);
-        if (params.twist == Twist::estimated && next != v && prev != v)
-          twist = find_twist(mesh, w, slopes[v], bend);
-        g[at.by_st] = sign * limit_twist(limits[v], vertices[v], to_next, to_prev, twist);
-      }
-    }
-  }
-  return values;
-}
-
 // S M_H, Eq 3.2 and 3.3.
 std::array<double, 4> eval_hermite_basis(double s) {
   const double s2 = s * s, s3 = s2 * s;
   return {2 * s3 - 3 * s2 + 1, 3 * s2 - 2 * s3, s3 - 2 * s2 + s, s3 - s2};
+}
+
+// Its derivative by s.
+std::array<double, 4> eval_hermite_slopes(double s) {
+  const double s2 = s * s;
+  return {6 * s2 - 6 * s, 6 * s - 6 * s2, 3 * s2 - 4 * s + 1, 3 * s2 - 2 * s};
+}
+
+// G_H of every patch.
+class Bicubic {
+ public:
+  Bicubic(const Mesh& mesh, std::span<const Rgb> vertices, const ReconstructionParams& params)
+      : mesh_(mesh),
+        params_(params),
+        fans_(make_fans(mesh)),
+        vertices_(vertices.begin(), vertices.end()),
+        slopes_(find_slopes(mesh, fans_, vertices)),
+        limits_(find_limits(mesh, fans_, vertices)) {}
+
+  // Vertex by vertex: every corner of every patch belongs to one.
+  std::vector<Rgb> make() {
+    for (const Seam& seam : find_seams(mesh_, fans_.twins)) close(seam);
+    std::vector<Rgb> values(16 * mesh_.patches.size());
+    for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
+      Slopes<Slopes<Rgb>> bend;
+      if (params_.twist == Twist::estimated) bend = find_bend(mesh_, fans_, slopes_, v);
+      for (const Wedge& wedge : fans_.at(v))
+        set_corners(std::span(values).subspan(16 * std::size_t{wedge.patch}, 16), v, wedge, bend);
+    }
+    return values;
+  }
+
+ private:
+  // The change along an edge at its beginning.
+  Rgb find_change(std::uint32_t from, std::uint32_t to) const {
+    const auto fixed = fixed_.find({from, to});
+    if (fixed != fixed_.end()) return fixed->second;
+    const auto step = [&](std::uint32_t v, std::uint32_t end) {
+      return along(slopes_[v], unfold(mesh_.vertices[v], mesh_.vertices[end].at));
+    };
+    if (!params_.limited) return step(from, to);
+    return limit_change(limits_[from], vertices_[from], step(from, to),
+                        vertices_[to] + -1.0 * vertices_[from], -1.0 * step(to, from));
+  }
+
+  // Along a seam all edges become parts of the longest one's curve.
+  void close(const Seam& seam) {
+    const Rgb ends[] = {vertices_[seam.from], vertices_[seam.to], find_change(seam.from, seam.to),
+                        -1.0 * find_change(seam.to, seam.from)};
+    const auto eval = [&](const std::array<double, 4>& basis) {
+      Rgb sum;
+      for (std::size_t i = 0; i < 4; ++i) sum += basis[i] * ends[i];
+      return sum;
+    };
+    const auto fix = [&](const Seam::Stop& from, const Seam::Stop& to) {
+      fix_change(from.vertex, to.vertex,
+                 (to.share - from.share) * eval(eval_hermite_slopes(from.share)));
+    };
+    std::vector<Seam::Stop> stops{{seam.from, 0}};
+    stops.insert(stops.end(), seam.stops.begin(), seam.stops.end());
+    stops.push_back({seam.to, 1});
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const auto &here = stops[i], &next = stops[(i + 1) % stops.size()];
+      for_twins(fans_.twins, here.vertex,
+                [&](std::uint32_t v) { vertices_[v] = eval(eval_hermite_basis(here.share)); });
+      fix(here, next);
+      fix(next, here);
+    }
+  }
+
+  void fix_change(std::uint32_t from, std::uint32_t to, const Rgb& change) {
+    for_twins(fans_.twins, from, [&](std::uint32_t a) {
+      for_twins(fans_.twins, to, [&](std::uint32_t b) { fixed_[{a, b}] = change; });
+    });
+  }
+
+  // Those corners of a patch that are the vertex.
+  void set_corners(std::span<Rgb> g, std::uint32_t vertex, const Wedge& wedge,
+                   const Slopes<Slopes<Rgb>>& bend) const {
+    const auto& corners = mesh_.patches[wedge.patch].corners;
+    for (std::uint32_t c = wedge.corner; c < 4; ++c) {
+      if (corners[c] != vertex) continue;
+      const std::uint32_t next = corners[(c + 1) % 4], prev = corners[(c + 3) % 4];
+      const Rgb &value = vertices_[vertex], to_next = find_change(vertex, next),
+                to_prev = find_change(vertex, prev);
+      set_corner(g, c, value, to_next, to_prev);
+      const Slots at = find_slots(S[c], T[c]);
+      const double sign = S[c] == T[c] ? 1.0 : -1.0;
+      Rgb twist;
+      // "Substituting s + t for d": along s + t the slopes by s and by t add up.
+      if (params_.twist == Twist::diagonal) twist = sign * (g[at.by_s] + g[at.by_t]);
+      if (params_.twist == Twist::estimated && next != vertex && prev != vertex)
+        twist = find_twist(mesh_, wedge, slopes_[vertex], bend);
+      if (params_.limited) twist = limit_twist(limits_[vertex], value, to_next, to_prev, twist);
+      g[at.by_st] = sign * twist;
+    }
+  }
+
+  const Mesh& mesh_;
+  const ReconstructionParams& params_;
+  Fans fans_;
+  std::vector<Rgb> vertices_;
+  std::vector<Slopes<Rgb>> slopes_;
+  std::vector<Limits> limits_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Rgb> fixed_;  // changes along seams' edges
+};
+
+// The illumination at the vertices, but linear along seams.
+std::vector<Rgb> close_seams(const Mesh& mesh, std::span<const Rgb> vertices) {
+  std::vector<Rgb> closed(vertices.begin(), vertices.end());
+  const auto twins = find_twins(mesh);
+  for (const Seam& seam : find_seams(mesh, twins))
+    for (const auto& [vertex, share] : seam.stops)
+      for_twins(twins, vertex, [&](std::uint32_t v) {
+        closed[v] = (1 - share) * closed[seam.from] + share * closed[seam.to];
+      });
+  return closed;
 }
 
 std::vector<Rgb> make_corners(const Mesh& mesh, std::span<const Rgb> vertices, bool flat) {
@@ -96,9 +180,8 @@ base::Fields<ReconstructionParams> reconstruction_fields() {
                     "how illumination is interpolated between vertices"),
           D::choice("twist", &ReconstructionParams::twist, TWISTS,
                     "the mixed derivatives of bicubic surfaces"),
-          D::number("overshoot", &ReconstructionParams::overshoot, 0, 1e9, "",
-                    "by which share of the range of the illumination around a vertex a bicubic "
-                    "surface may go beyond it there")};
+          D::flag("limited", &ReconstructionParams::limited,
+                  "whether a bicubic surface stays near the illumination around it")};
 }
 
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
@@ -107,8 +190,10 @@ Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                     fmt::format("{} illuminations", vertices.size()),
                     fmt::format("one for each of {} vertices", mesh.vertices.size()));
   if (params.kind == Reconstruction::bicubic)
-    return {params.kind, make_bicubic(mesh, vertices, params)};
-  return {params.kind, make_corners(mesh, vertices, params.kind == Reconstruction::flat)};
+    return {params.kind, Bicubic(mesh, vertices, params).make()};
+  if (params.kind == Reconstruction::bilinear)
+    return {params.kind, make_corners(mesh, close_seams(mesh, vertices), false)};
+  return {params.kind, make_corners(mesh, vertices, true)};
 }
 
 Rgb eval_hermite(std::span<const Rgb, 16> g, double s, double t) {

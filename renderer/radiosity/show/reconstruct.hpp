@@ -24,10 +24,11 @@ enum class Twist : std::uint8_t {
 struct ReconstructionParams {
   Reconstruction kind = Reconstruction::bilinear;
   Twist twist = Twist::estimated;
-  double overshoot = 0.25;  ///< see find_limits(), 0..1e9
+  bool limited =
+      true;  ///< whether bicubic surfaces stay near the illumination around them (limit.hpp)
 };
 
-/// The fields reconstruction, twist and overshoot.
+/// The fields reconstruction, twist and limited.
 base::Fields<ReconstructionParams> reconstruction_fields();
 
 /// The surface over every patch: 16 values if bicubic, else 4.

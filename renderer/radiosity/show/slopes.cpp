@@ -100,6 +100,15 @@ auto sort_key(const Vertex& v) {
 // one normal and one material, and so the same illumination.
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
+}  // namespace
+
+Vec unfold(const Vertex& vertex, const Vec& to) {
+  const Vec edge = to - vertex.at;
+  const Vec flat = edge - dot(edge, vertex.normal) * vertex.normal;
+  const double squared = dot(flat, flat);
+  return squared > 0 ? std::sqrt(dot(edge, edge) / squared) * flat : Vec{};
+}
+
 std::vector<std::uint32_t> find_twins(const Mesh& mesh) {
   const auto& vertices = mesh.vertices;
   std::vector<std::uint32_t> order(vertices.size()), twins(vertices.size());
@@ -111,15 +120,6 @@ std::vector<std::uint32_t> find_twins(const Mesh& mesh) {
     for (std::size_t i = first; i < end; ++i) twins[order[i]] = order[i + 1 < end ? i + 1 : first];
   }
   return twins;
-}
-
-}  // namespace
-
-Vec unfold(const Vertex& vertex, const Vec& to) {
-  const Vec edge = to - vertex.at;
-  const Vec flat = edge - dot(edge, vertex.normal) * vertex.normal;
-  const double squared = dot(flat, flat);
-  return squared > 0 ? std::sqrt(dot(edge, edge) / squared) * flat : Vec{};
 }
 
 Fans make_fans(const Mesh& mesh) {

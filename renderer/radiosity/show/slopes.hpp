@@ -38,6 +38,18 @@ struct Fans {
 };
 
 Fans make_fans(const Mesh& mesh);
+/// Fans::twins.
+std::vector<std::uint32_t> find_twins(const Mesh& mesh);
+
+/// Calls f with a vertex and each of its twins.
+template <class F>
+void for_twins(std::span<const std::uint32_t> twins, std::uint32_t vertex, const F& f) {
+  std::uint32_t v = vertex;
+  do {
+    f(v);
+    v = twins[v];
+  } while (v != vertex);
+}
 
 /// The way to a neighbour, laid in the tangent plane of a vertex at its full length.
 Vec unfold(const Vertex& vertex, const Vec& to);

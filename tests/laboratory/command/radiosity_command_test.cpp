@@ -1,6 +1,8 @@
 // tlab radiosity as its users meet it.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -107,6 +109,65 @@ TEST_F(RadiosityCommand, CreasesAreTheFilesFoundOrNone) {
   EXPECT_EQ(stats({"--creases", "file"})["creases"], 1);
   EXPECT_GT(stats({})["patches"], stats({"--creases", "none"})["patches"]);
   EXPECT_GT(stats({"--creases", "auto"})["creases"], 1);
+}
+
+TEST_F(RadiosityCommand, AdaptivePatchesReachTheErrorAndSaySo) {
+  const auto done = run({"i.png", "--stats", "s.json", "--adaptive", "0.2"});
+  const auto adapted = nlohmann::json::parse(read("s.json"));
+  EXPECT_GT(adapted["patches"], 21);
+  EXPECT_GT(adapted["rounds"], 0);
+  EXPECT_LE(adapted["estimated_error"], 0.2);
+  EXPECT_NE(done.out.find("halved "), std::string::npos) << done.out;
+  EXPECT_EQ(done.err, "");
+}
+
+TEST_F(RadiosityCommand, CreasesOfManyLampsAreLeftOutAndCounted) {
+  std::ofstream room(folder_.path / "a.room");
+  room << "material wall reflect 0.5 0.6 0.7\n"
+          "quad wall  0 0 0  1 0 0  1 1 0  0 1 0  divide 12 12\n"
+          "quad wall  0 0 0  0 1 0  0 1 1  0 0 1  divide 12 12\n"
+          "view from 0.5 0.1 0.5 at 0.5 1 0.45 up 0 0 1 angle 80 size 24 16\n";
+  for (int i = 0; i < 16; ++i) {
+    const double x = 0.05 + 0.23 * (i % 4), y = 0.05 + 0.23 * (i / 4);
+    room << fmt::format(
+        "material lamp{0} reflect 0 0 0 emit {1} {1} {1}\n"
+        "quad lamp{0}  {2} {3} 0.95  {2} {5} 0.95  {4} {5} 0.95  {4} {3} 0.95\n",
+        i, i + 1, x, y, x + 0.07, y + 0.07);
+  }
+  for (const double x : {0.2, 0.4, 0.6})
+    room << fmt::format("quad wall  {} 0.4 0.2  {} 0.43 0.2  {} 0.53 0.25  {} 0.5 0.25 two-sided\n",
+                        x, x + 0.1, x + 0.07, x - 0.03);
+  room.close();
+  const auto light = [&](const char* growth) {
+    return stats({"--shots", "1", "--creases", "auto", "--crease-growth", growth});
+  };
+  const auto few = light("1"), many = light("1000");
+  EXPECT_EQ(few["creases"], many["creases"]);
+  EXPECT_GT(few["creases_left_out"], many["creases_left_out"]);
+  EXPECT_LE(few["patches"], 2000);
+  EXPECT_GT(many["patches"], 2000);
+  const auto done = run({"i.png", "--shots", "1", "--creases", "auto", "--crease-growth", "1"});
+  EXPECT_NE(
+      done.out.find(fmt::format(", {} of {} creases left out", few["creases_left_out"].get<int>(),
+                                few["creases"].get<int>())),
+      std::string::npos)
+      << done.out;
+}
+
+// Two patches for each side of a box are too few for the light of a lamp that hangs in it.
+TEST_F(RadiosityCommand, ABalanceThatIsOffIsAWarning) {
+  std::ofstream(folder_.path / "a.room") << R"(material wall reflect 0.5 0.6 0.7
+material lamp reflect 0 0 0 emit 9 9 9
+box wall 0 0 0 1 1 1 divide 2 inside
+quad lamp  0.3 0.3 0.9  0.3 0.6 0.9  0.6 0.6 0.9  0.6 0.3 0.9
+view from 0.5 0.1 0.5 at 0.5 1 0.45 up 0 0 1 angle 80 size 24 16
+)";
+  const auto done = run({"i.png"});
+  EXPECT_EQ(done.exit_code, 0);
+  EXPECT_NE(done.err.find("tlab: warning: "), std::string::npos) << done.out << done.err;
+  EXPECT_NE(done.err.find("of the light is too much"), std::string::npos) << done.err;
+  const auto fine = run({"i.png", "--refine", "3"});
+  EXPECT_EQ(fine.err, "") << fine.out;
 }
 
 TEST_F(RadiosityCommand, MistakesHaveTheirExitCodeAndLeaveNothing) {

@@ -53,6 +53,32 @@ TEST(Discontinuities, ParallelSquares) {
   }
 }
 
+// Two lights, which blockers hide from a floor: first come the creases of the one that shines more.
+TEST(Discontinuities, OfTheStrongestLightComeFirst) {
+  for (const bool first_is_strong : {true, false}) {
+    Room room = make_room();
+    room.materials.push_back({"strong", {}, {100, 100, 100}, false});
+    const auto strong = static_cast<std::uint32_t>(room.materials.size() - 1);
+    add_face(room, turn(make_rectangle(-3, -1, -2, 0, 3)), first_is_strong ? strong : LIGHT);
+    add_face(room, turn(make_rectangle(2, 0, 3, 1, 3)), first_is_strong ? LIGHT : strong);
+    add_face(room, make_rectangle(-0.5, -0.4, 0.6, 0.5, 1), GREY);
+    add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
+    Room alone = room;
+    for (Face& face : alone.faces)
+      if (face.material == LIGHT) face.material = GREY;
+    const auto on_floor = [](const Room& lit) {
+      std::vector<Crease> found = find_creases(lit);
+      std::erase_if(found, [](const Crease& crease) { return crease.a.z + crease.b.z > 1e-9; });
+      return found;
+    };
+    const auto all = on_floor(room), strongest = on_floor(alone);
+    ASSERT_GT(strongest.size(), 4u);
+    ASSERT_GT(all.size(), strongest.size());
+    expect_covered(std::span(all).first(strongest.size()), strongest, 1e-9);
+    expect_covered(strongest, std::span(all).first(strongest.size()), 1e-9);
+  }
+}
+
 // Figure 3.8's: a window in the left wall, of its size or as a hole, and nothing else.
 TEST(Discontinuities, WallsOfARoomMakeNone) {
   Room room = make_room();

@@ -11,10 +11,10 @@ namespace radiosity::grids {
 
 using renderer::test::Random;
 
-/// Overshoot with which no bicubic surface is limited.
-inline constexpr double UNLIMITED = 1e9;
+/// Bicubic surfaces, unlimited.
+
 inline constexpr ReconstructionParams make_unlimited(Twist twist) {
-  return {Reconstruction::bicubic, twist, UNLIMITED};
+  return {Reconstruction::bicubic, twist, false};
 }
 inline constexpr ReconstructionParams BICUBIC = make_unlimited(Twist::estimated),
                                       BILINEAR{Reconstruction::bilinear, Twist::zero};

@@ -116,6 +116,40 @@ TEST(Adapt, EndsWhereNothingButLampsIsLit) {
   EXPECT_EQ(adapt_mesh(room, {}, BILINEAR, {0.01}).rounds, 0);
 }
 
+// What else a room may hold: a mirror, a crease, a triangle, a face of two sides.
+TEST(Adapt, TakesAnyRoom) {
+  for (const Reconstruction kind : {Reconstruction::bilinear, Reconstruction::bicubic}) {
+    Room room = make_floor(6);
+    room.materials.push_back({"glass", grey(0.9), {}});
+    room.materials.back().mirror = true;
+    add_quad(room, 2, {-3, 3, 0}, {6, 0, 0}, {0, 0, 2});
+    add_quad(room, 0, {-3, -1, 0.5}, {1, 0, 0}, {0, 2, 0.5}).two_sided = true;
+    add_quad(room, 0, {2, -1, 0.5}, {1, 0, 0}, {0, 2, 0}).corners.pop_back();
+    room.creases.push_back({{-2.3, -3, 0}, {-1.6, 3, 0}});
+    const std::size_t before = make_mesh(room, {}).patches.size();
+    const AdaptedMesh adapted = adapt_mesh(room, {}, {kind}, {0.05});
+    const Mesh& mesh = adapted.mesh;
+    fmt::print("{} patches, {} rounds, error {:.4f}\n", mesh.patches.size(), adapted.rounds,
+               adapted.error);
+    EXPECT_LE(adapted.error, 0.05);
+    EXPECT_GT(mesh.patches.size(), 2 * before);
+    EXPECT_EQ(mesh.mirrors.size(), 1u);
+    // The patches of each side cover it once: floor, lamp, the leaning face twice, the triangle.
+    EXPECT_NEAR(mesh.area, 36 + 4 + 2 * std::sqrt(4.25) + 1, 1e-9);
+    // None crosses the crease.
+    for (const Patch& patch : mesh.patches) {
+      if (patch.face != 0) continue;
+      double least = 0, most = 0;
+      for (const Vec& at : patch.at) {
+        const double side = cross(Vec{0.7, 6, 0}, at - Vec{-2.3, -3, 0}).z / 6;
+        least = std::min(least, side);
+        most = std::max(most, side);
+      }
+      EXPECT_TRUE(least > -1e-6 || most < 1e-6) << least << ' ' << most;
+    }
+  }
+}
+
 TEST(Adapt, IsForMeansOfCornersAndCentres) {
   LightParams params;
   params.solve.mean = Mean::corners;

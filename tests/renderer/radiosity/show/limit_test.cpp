@@ -11,8 +11,7 @@ namespace {
 
 using namespace grids;
 
-constexpr double OVERSHOOT = 0.25;
-constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated, OVERSHOOT};
+constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated};
 
 // Bright and dark vertices as they come.
 std::vector<Rgb> make_contrasts(Random& random, std::size_t count) {
@@ -53,7 +52,7 @@ TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
         const auto is_near = [&](const Illumination& illumination) {
           const Rgb shown = eval_illumination(illumination, p, s, t);
           return std::ranges::all_of(std::array{&Rgb::r, &Rgb::g, &Rgb::b}, [&](auto colour) {
-            const double beyond = OVERSHOOT * (most.*colour - least.*colour) + 1e-12;
+            const double beyond = 0.25 * (most.*colour - least.*colour) + 1e-12;
             return shown.*colour <= most.*colour + beyond &&
                    shown.*colour >= std::max(least.*colour - beyond, least.*colour / 2 - 1e-12);
           });
@@ -64,6 +63,32 @@ TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
     }
   }
   EXPECT_GT(beyond_without, 0);
+}
+
+// Light on one side of a line of vertices, shadow on the other: a surface that only follows the
+// slopes dips below the one and swings above the other.
+TEST(Limit, NothingSwingsBesideALeap) {
+  double swung = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const double dark = random.range(0.01, 0.5);
+    const Mesh mesh = make_grid(make_lines(8, &random), make_lines(8), make_plane(random), &random);
+    std::vector<Rgb> values;
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
+      values.push_back(grey(v % 9 < 4 ? dark : 1));
+    const auto limited = reconstruct(mesh, values, LIMITED),
+               free = reconstruct(mesh, values, BICUBIC);
+    for (std::uint32_t p = 0; p < mesh.patches.size(); ++p)
+      for (const double s : {0.1, 0.3, 0.5, 0.7, 0.9})
+        for (const double t : {0.1, 0.5, 0.9}) {
+          const double shown = eval_illumination(limited, p, s, t).r;
+          EXPECT_GT(shown, dark * 0.97);
+          EXPECT_LT(shown, 1.03);
+          swung = std::max(swung, eval_illumination(free, p, s, t).r);
+        }
+  }
+  EXPECT_GT(swung, 1.06);
 }
 
 TEST(Limit, LeavesSmoothSurfacesAlone) {

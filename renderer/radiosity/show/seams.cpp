@@ -1,0 +1,89 @@
+#include "renderer/radiosity/show/seams.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "renderer/radiosity/show/slopes.hpp"
+
+namespace radiosity {
+
+namespace {
+
+// By vertex, of twins the first of them.
+std::vector<std::uint32_t> find_firsts(std::span<const std::uint32_t> twins) {
+  std::vector<std::uint32_t> firsts(twins.size(), ~0u);
+  for (std::uint32_t v = 0; v < twins.size(); ++v)
+    for_twins(twins, v, [&](std::uint32_t twin) { firsts[twin] = std::min(firsts[twin], v); });
+  return firsts;
+}
+
+class Finder {
+ public:
+  Finder(const Mesh& mesh, std::span<const std::uint32_t> twins)
+      : mesh_(mesh), firsts_(find_firsts(twins)), beside_(mesh.vertices.size()) {
+    // Edges that belong to one patch only, between the first of twins.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    for (const Patch& patch : mesh.patches)
+      for (std::size_t i = 0; i < 4; ++i)
+        ++sides[std::minmax(firsts_[patch.corners[i]], firsts_[patch.corners[(i + 1) % 4]])];
+    for (const auto& [edge, count] : sides) {
+      if (count != 1 || edge.first == edge.second) continue;
+      borders_.push_back(edge);
+      beside_[edge.first].push_back(edge.second);
+      beside_[edge.second].push_back(edge.first);
+    }
+  }
+
+  std::vector<Seam> find() const {
+    std::vector<Seam> seams;
+    for (const auto& [from, to] : borders_)
+      if (auto seam = follow(from, to)) seams.push_back(std::move(*seam));
+    std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
+      return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
+    });
+    return seams;
+  }
+
+ private:
+  // The seam along an edge, if shorter ones lead from its one end to its other.
+  std::optional<Seam> follow(std::uint32_t from, std::uint32_t to) const {
+    const Vec way = mesh_.vertices[to].at - mesh_.vertices[from].at;
+    Seam seam{from, to, {}};
+    for (double share = 0; share < 1;) {
+      const std::uint32_t here = seam.stops.empty() ? from : seam.stops.back().vertex;
+      std::optional<Seam::Stop> next;
+      for (const std::uint32_t n : beside_[here]) {
+        if (here == from && n == to) continue;
+        const auto on = find_share(from, way, n);
+        if (on && *on > share && (!next || *on < next->share)) next = {n, *on};
+      }
+      if (!next) return std::nullopt;
+      if (next->vertex == to) return seam.stops.empty() ? std::nullopt : std::optional(seam);
+      share = next->share;
+      seam.stops.push_back(*next);
+    }
+    return std::nullopt;
+  }
+
+  // How far along the way from a vertex another lies, if it is on it.
+  std::optional<double> find_share(std::uint32_t from, const Vec& way, std::uint32_t vertex) const {
+    constexpr double NEAR = 1e-7;  // of the way
+    const Vec to = mesh_.vertices[vertex].at - mesh_.vertices[from].at;
+    const double share = dot(to, way) / dot(way, way);
+    return length(to - share * way) < NEAR * length(way) ? std::optional(share) : std::nullopt;
+  }
+
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> firsts_;
+  std::vector<std::vector<std::uint32_t>> beside_;  // by vertex, the other ends of its borders
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_;
+};
+
+}  // namespace
+
+std::vector<Seam> find_seams(const Mesh& mesh, std::span<const std::uint32_t> twins) {
+  return Finder(mesh, twins).find();
+}
+
+}  // namespace radiosity
