@@ -1,18 +1,24 @@
 #include "base/host_program.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
 #include <boost/process/exe.hpp>
+#include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/search_path.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
+#include "base/early_end.hpp"
 #include "base/text.hpp"
 
 namespace base {
@@ -49,6 +55,42 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
+// In the new process: it does not outlive the thread that waits for it, and it has none of our ways
+// with signals.
+void set_up_child(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  for (const int ours : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
+}
+
+// A child process that is gone when this is, and when the program ends early.
+class Child {
+ public:
+  template <class... Settings>
+  explicit Child(Settings&&... settings) {
+    const Undivided section;
+    child_ = process::child(
+        std::forward<Settings>(settings)...,
+        process::extend::on_exec_setup([parent = getpid()](const auto&) { set_up_child(parent); }));
+    undo_.emplace([this] { kill(child_.id(), SIGKILL); });
+  }
+  ~Child() {
+    if (child_.valid() && child_.running()) child_.terminate();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Its exit code, or the number of the signal that ended it.
+  int wait() {
+    child_.wait();
+    return child_.exit_code();
+  }
+
+ private:
+  process::child child_;
+  std::optional<Undo> undo_;
+};
+
 }  // namespace
 
 std::string run_program(const HostProgram& program) {
@@ -58,13 +100,12 @@ std::string run_program(const HostProgram& program) {
         fmt::format("{}: drawing needs the program {}, which was not found: {}", program.purpose,
                     program.name, program.remedy));
   const Scratch input(program.input), output, errors;
-  process::child child(process::exe = path, process::args = program.arguments,
-                       (process::std_in < input.get()), (process::std_out > output.get()),
-                       (process::std_err > errors.get()));
-  child.wait();
-  if (child.exit_code() != 0)
+  Child child(process::exe = path, process::args = program.arguments,
+              (process::std_in < input.get()), (process::std_out > output.get()),
+              (process::std_err > errors.get()));
+  if (const int exit_code = child.wait(); exit_code != 0)
     throw std::runtime_error(fmt::format("{}: {} failed (exit code {}): {}", program.purpose,
-                                         program.name, child.exit_code(), trim(errors.read())));
+                                         program.name, exit_code, trim(errors.read())));
   return output.read();
 }
 

@@ -13,9 +13,9 @@ struct HostProgram {
   std::string remedy;                  ///< where it is not installed: "install graphviz"
 };
 
-/// Runs the program to its end and returns what it prints on standard output. Throws
-/// std::runtime_error: with the remedy where it is not installed, with what it prints on standard
-/// error where it fails.
+/// Runs the program to its end and returns what it prints on standard output. When tlab ends
+/// before, for whatever reason, the program does too. Throws std::runtime_error: with the remedy
+/// where it is not installed, with what it prints on standard error where it fails.
 std::string run_program(const HostProgram& program);
 
 }  // namespace base

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "base/partial_name.hpp"
 
 namespace base {
 
@@ -23,21 +25,68 @@ using Write = std::function<void(std::ostream&)>;
                           path.string() + ": cannot be written");
 }
 
-// A name beside `path` that no other file has.
+// A name beside `path` that no other file has, and that is short enough where `path` is.
 fs::path partial_of(const fs::path& path) {
   static std::atomic<int> count = 0;
-  return path.parent_path() /
-         fmt::format(".{}.partial-{}-{}", path.filename().string(), getpid(), ++count);
+  constexpr std::size_t LONGEST = 100;
+  const auto known = path.filename().string().substr(0, LONGEST);
+  const auto name = make_partial_name(known, "partial", getpid());
+  return path.parent_path() / fmt::format("{}-{}", name, ++count);
 }
 
 // Errors name `path`.
-void write_file(const fs::path& file, const fs::path& path, const Write& write) {
-  errno = 0;
-  std::ofstream out(file, std::ios::binary);
+void fill_file(std::ofstream& out, const fs::path& path, const Write& write) {
   if (out) write(out);
   out.close();
   if (!out) fail(path, errno);
 }
+
+void write_in_place(const fs::path& path, const Write& write) {
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  fill_file(out, path, write);
+}
+
+// A new file beside `path`, which goes with this unless it has been renamed.
+class PartialFile {
+ public:
+  explicit PartialFile(const fs::path& path)
+      : path_(path), partial_(partial_of(path)), undo_([this] { unlink(partial_.c_str()); }) {
+    const Undivided section;
+    errno = 0;
+    out_.open(partial_, std::ios::binary);
+  }
+  ~PartialFile() {
+    const Undivided section;
+    if (!is_renamed_) unlink(partial_.c_str());
+  }
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  const fs::path& path() const { return partial_; }
+  void fill(const Write& write) { fill_file(out_, path_, write); }
+  // Gives the file its name; false where another file has it.
+  bool rename_to_new() {
+    const Undivided section;
+    if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
+      if (errno == EEXIST) return false;
+      if (errno != ENOSYS && errno != EINVAL && errno != ENOTSUP) fail(path_, errno);
+      if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+    }
+    return is_renamed_ = true;
+  }
+  void rename() {
+    const Undivided section;
+    if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+    is_renamed_ = true;
+  }
+
+ private:
+  const fs::path path_, partial_;
+  std::ofstream out_;
+  bool is_renamed_ = false;
+  const Undo undo_;
+};
 
 // Some file systems find out here that there was no room; some have nothing to do.
 void sync_file(const fs::path& file, const fs::path& path) {
@@ -48,15 +97,16 @@ void sync_file(const fs::path& file, const fs::path& path) {
 }
 
 void write_and_rename(const fs::path& path, const Write& write) {
-  const auto partial = partial_of(path);
-  try {
-    write_file(partial, path, write);
-    sync_file(partial, path);
-    if (std::rename(partial.c_str(), path.c_str()) != 0) fail(path, errno);
-  } catch (...) {
-    unlink(partial.c_str());
-    throw;
-  }
+  PartialFile partial(path);
+  partial.fill(write);
+  sync_file(partial.path(), path);
+  partial.rename();
+}
+
+Write write_bytes(std::string_view bytes) {
+  return [bytes](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  };
 }
 
 }  // namespace
@@ -64,14 +114,19 @@ void write_and_rename(const fs::path& path, const Write& write) {
 void save_whole(const fs::path& path, const Write& write) {
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_file(path, path, write);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, write);
   write_and_rename(fs::exists(status) ? fs::canonical(path) : path, write);
 }
 
 void save_whole(const fs::path& path, std::string_view bytes) {
-  save_whole(path, [&](std::ostream& out) {
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  });
+  save_whole(path, write_bytes(bytes));
+}
+
+bool save_new(const fs::path& path, std::string_view bytes) {
+  PartialFile partial(path);
+  partial.fill(write_bytes(bytes));
+  sync_file(partial.path(), path);
+  return partial.rename_to_new();
 }
 
 void check_can_save(const fs::path& path) {
@@ -79,9 +134,7 @@ void check_can_save(const fs::path& path) {
   const auto status = fs::status(path, ignored);
   if (fs::is_directory(status)) fail(path, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
-  const auto partial = partial_of(fs::exists(status) ? fs::canonical(path) : path);
-  write_file(partial, path, [](std::ostream&) {});
-  unlink(partial.c_str());
+  PartialFile(fs::exists(status) ? fs::canonical(path) : path).fill([](std::ostream&) {});
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {

@@ -21,7 +21,7 @@ Progressive::Progressive(const Scene& scene, const Params& params, int max_cell,
   seen_.resize(object_count(scene));
 }
 
-StepCounts Progressive::advance(const Step& step) {
+std::optional<StepCounts> Progressive::advance(const Step& step, const Stop& is_stopped) {
   check(step, params_, max_cell_);
   Step whole = step;
   if (step.area == Area{}) whole.area = {0, 0, params_.width, params_.height};
@@ -32,8 +32,9 @@ StepCounts Progressive::advance(const Step& step) {
   }
   for (const Cell& cell : cells_)
     if (meets(cell, whole.area)) deepen_border(cell, step.depth);
-  trace_wanted(step.depth, counts);
-  while (divide_cells(whole, counts)) trace_wanted(step.depth, counts);
+  do {
+    if (!trace_wanted(step.depth, is_stopped, counts)) return std::nullopt;
+  } while (divide_cells(whole, counts));
   counts.cells = cells_.size();
   return counts;
 }
@@ -56,16 +57,20 @@ void Progressive::deepen_border(const Cell& c, int depth) {
       if (sampled_.has(x, y)) want(x, y, depth);
 }
 
-// Threads take samples one by one; what each changes is its own, and sums have no order.
-void Progressive::trace_wanted(int depth, StepCounts& counts) {
+// Threads take samples one by one; what each changes is its own, and sums have no order. Returns
+// false where it was stopped.
+bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& counts) {
   for (const Wanted& wanted : wanted_) ++(wanted.from > 0 ? counts.deepened : counts.samples);
   std::vector<std::uint32_t> hits(wanted_.size());
   std::atomic<std::size_t> next = 0;
+  std::atomic<bool> was_stopped = false;
   std::mutex one_by_one;
   const auto trace = [&] {
     TreeRays rays;
     Children stack;
     for (auto i = next++; i < wanted_.size(); i = next++) {
+      if (is_stopped()) was_stopped = true;
+      if (was_stopped) return;
       const Wanted& w = wanted_[i];
       hits[i] = deepen(scene_, params_, w.x, w.y, w.from, depth, sampled_.samples, rays, stack);
     }
@@ -78,9 +83,11 @@ void Progressive::trace_wanted(int depth, StepCounts& counts) {
     helpers.push_back(std::async(std::launch::async, trace));
   trace();
   for (auto& helper : helpers) helper.get();
+  if (was_stopped) return false;
   for (const auto object : hits)
     if (object != NO_OBJECT) seen_[object] = true;
   wanted_.clear();
+  return true;
 }
 
 // All cells are judged before any is divided, so that their order does not matter. Returns whether

@@ -2,6 +2,9 @@
 // The sequential ray tracer with increasing realism (thesis, 4.2): an image that its user makes
 // better step by step, by deeper shading trees and by smaller cells, where it is of interest.
 
+#include <functional>
+#include <optional>
+
 #include "renderer/progressive/cells.hpp"
 #include "renderer/progressive/params.hpp"
 #include "renderer/progressive/tree_levels.hpp"
@@ -22,6 +25,9 @@ struct StepCounts {
 /// 100 N_A / N_T, the penalty of Eq 4.1 to 4.6; 0 for a step without a new ray.
 double get_repeated_percent(const TreeRays& rays);
 
+/// Is asked before every sample, by any thread.
+using Stop = std::function<bool()>;
+
 class Progressive {
  public:
   /// `scene` must outlive it; `threads` are host threads, at least 1. `params.limits.depth` and
@@ -34,8 +40,12 @@ class Progressive {
   /// those larger than min_cell, one above the contrast, or one that may hold an object that no
   /// sample has hit. (So after a step over the whole image with min_cell 1 and the pyramid test,
   /// every object that owns a pixel of the full image has a sample.) What a step does depends on
-  /// the steps before, but not on the number of threads. BadInput as check().
-  StepCounts advance(const Step& step);
+  /// the steps before, but not on the number of threads. Returns none where `is_stopped` has ended
+  /// the step: then there is no picture any more. BadInput as check().
+  std::optional<StepCounts> advance(const Step& step, const Stop& is_stopped);
+  StepCounts advance(const Step& step) {
+    return *advance(step, [] { return false; });
+  }
 
   /// What is displayed: samples as they are, other pixels interpolated.
   Samples make_picture() const;
@@ -54,7 +64,7 @@ class Progressive {
   void want(int x, int y, int depth);
   void want_corners(const Cell& cell, int depth);
   void deepen_border(const Cell& cell, int depth);
-  void trace_wanted(int depth, StepCounts& counts);
+  bool trace_wanted(int depth, const Stop& is_stopped, StepCounts& counts);
   bool divide_cells(const Step& step, StepCounts& counts);
   Verdict judge(const Cell& cell, const Step& step, StepCounts& counts) const;
 

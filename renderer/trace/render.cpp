@@ -1,5 +1,6 @@
 #include "renderer/trace/render.hpp"
 
+#include <atomic>
 #include <mutex>
 
 #include "renderer/scene/require.hpp"
@@ -110,7 +111,9 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     add_counts(tracer);
   });
   int done = 0;
+  std::atomic<bool> is_ended = false;
   share(area.height, threads, [&](int row) {
+    if (is_ended) return;
     SampleTracer tracer(scene, params);
     PixelTracer pixels(params, area, corners, tracer);
     for (int column = 0; column < area.width; ++column) {
@@ -124,7 +127,7 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     add_counts(tracer);
     const std::lock_guard lock(one_by_one);
     ++done;
-    if (progress) progress(done, area.height);
+    if (progress && !progress(done, area.height)) is_ended = true;
   });
   return result;
 }

@@ -75,13 +75,14 @@ void render_block(const Scene& scene, const Params& params, const Area& area, Bl
 /// Adds the sums of `block` to those of the image, and counts one Op::sample_updated a sum.
 void add_block(Samples& image, const Block& block, Work& work);
 
-/// Is called after every row, by one thread at a time.
-using Progress = std::function<void(int done, int rows)>;
+/// Is called after every row, by one thread at a time; false ends the rendering.
+using Progress = std::function<bool(int done, int rows)>;
 
 /// BadInput unless there are 1 to 1024 host threads.
 void check_threads(int threads);
 
-/// Traces every ray of `params.area`. Result, counts and work do not depend on `threads`.
+/// Traces every ray of `params.area`, or of the rows before `progress` ended it: the others have no
+/// sample. Result, counts and work of a whole image do not depend on `threads`.
 /// BadInput as check() and check_threads(); what `progress` throws ends the rendering.
 Rendering render(const Scene& scene, const Params& params, int threads = 1,
                  const Progress& progress = {});

@@ -99,6 +99,21 @@ TEST(WholeFile, FullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(read_text(folder.path / "a"), "old");
 }
 
+TEST(WholeFile, ANewFileReplacesNone) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(save_new(folder.path / "a", "first"));
+  EXPECT_FALSE(save_new(folder.path / "a", "second"));
+  EXPECT_EQ(read_text(folder.path / "a"), "first");
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+TEST(WholeFile, ANameMayBeAsLongAsTheDiskAllows) {
+  const TemporaryFolder folder;
+  const std::string longest(255, 'n');
+  save_whole(folder.path / longest, "bytes");
+  EXPECT_EQ(folder.names(), Names{longest});
+}
+
 TEST(WholeFile, WhatFailsHalfWayLeavesTheOldFile) {
   const TemporaryFolder folder;
   save_whole(folder.path / "a", [](std::ostream& out) { out << "one " << 2; });

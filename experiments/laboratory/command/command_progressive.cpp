@@ -4,6 +4,7 @@
 
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/progressive/progressive.hpp"
@@ -76,27 +77,37 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   const auto scene = renderer::load_scene(task.scene);
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
   const auto steps = make_steps(o.growth, o.max_cell, last);
+  const InterruptGuard guard;  // until all is written
   Progress bar("rendering");
   Clock clock;
   double seconds = 0;
   Progressive image(scene, task.params, o.max_cell, task.threads);
+  std::optional<renderer::Samples> picture;
   TreeRays all;
   Json rows = Json::array();
+  bool is_stopped = false;
   for (const Step& step : steps) {
-    const auto counts = image.advance(step);
+    const auto counts = image.advance(step, was_interrupted);
     seconds += clock.lap();
+    if (!counts) is_stopped = true;
     // Trees that have no deeper level have none below it either.
-    if (o.growth == Growth::depth && counts.rays.fresh.total() == 0) break;
-    all += counts.rays;
-    rows.push_back(make_step_json(step, counts));
+    if (!counts || (o.growth == Growth::depth && counts->rays.fresh.total() == 0)) break;
+    all += counts->rays;
+    rows.push_back(make_step_json(step, *counts));
+    picture = image.make_picture();
     if (!task.key_images.empty())
-      renderer::save_png((fs::path(task.key_images) / name_of(o.growth, step)).string(),
-                         image.make_picture());
+      renderer::save_png((fs::path(task.key_images) / name_of(o.growth, step)).string(), *picture);
     clock.lap();
     bar.show(rows.size(), steps.size());
   }
-  renderer::save_png(task.output, image.make_picture());
+  if (!picture) throw Interrupted();
+  const auto done = rows.size();
+  renderer::save_png(task.output, *picture);
   if (!task.stats.empty()) save_stats(task, all, std::move(rows), seconds);
+  if (is_stopped)
+    throw Failure(fmt::format("interrupted; {} has the picture after {} of {} steps", task.output,
+                              done, steps.size()),
+                  EXIT_INTERRUPTED);
 }
 
 }  // namespace laboratory

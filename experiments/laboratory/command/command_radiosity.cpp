@@ -7,6 +7,7 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/light/solve.hpp"
@@ -162,18 +163,18 @@ void print_balance(const Outcome& made) {
       100 * absorbed, 100 * unsent, 100 * escaped,
       made.is_closed ? "lost" : "escaped or in mirrors", 100 * reflected);
   if (made.is_closed ? std::abs(escaped) > FAIR_BALANCE : escaped < -FAIR_BALANCE)
-    fmt::print(stderr,
-               "tlab: warning: {:.1f} % of the light is {}: more patches "
-               "(--refine), or smaller delta areas (--spread), find it\n",
-               100 * std::abs(escaped), escaped > 0 ? "lost" : "too much");
+    complain(
+        fmt::format("warning: {:.1f} % of the light is {}: more patches (--refine), or smaller "
+                    "delta areas (--spread), find it",
+                    100 * std::abs(escaped), escaped > 0 ? "lost" : "too much"));
 }
 
 void warn_of_error(const Options& o, const Outcome& made) {
   if (o.adapt.error > 0 && made.error > o.adapt.error)
-    fmt::print(stderr,
-               "tlab: warning: patches were halved {} times, and the error is estimated to be "
-               "{:.2g} %, not {:.2g} %\n",
-               made.rounds, 100 * made.error, 100 * o.adapt.error);
+    complain(
+        fmt::format("warning: patches were halved {} times, and the error is estimated to be "
+                    "{:.2g} %, not {:.2g} %",
+                    made.rounds, 100 * made.error, 100 * o.adapt.error));
 }
 
 void run(Options& o) {

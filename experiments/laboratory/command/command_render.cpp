@@ -7,7 +7,7 @@
 #include "experiments/laboratory/command/render_frames.hpp"
 #include "experiments/laboratory/command/render_preview.hpp"
 #include "experiments/laboratory/command/render_refined.hpp"
-#include "experiments/laboratory/host/interrupt.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/trace/params.hpp"
@@ -61,15 +61,25 @@ void check_samples_map(const Options& o) {
 
 void render_at_once(const Options& o) {
   const auto scene = renderer::load_scene(o.scene);
+  const InterruptGuard guard;  // until all is written
   Progress bar("rendering");
   Clock clock;
+  int rows_done = 0, all_rows = 0;
   const auto image = renderer::render(scene, o.params, o.threads, [&](int done, int rows) {
     bar.show(static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
+    rows_done = done, all_rows = rows;
+    return !was_interrupted();
   });
   const double seconds = clock.lap();
+  const bool is_whole = rows_done == all_rows;
+  auto more = nlohmann::ordered_json::object();
+  if (!is_whole) more = {{"rows", all_rows}, {"rows_done", rows_done}};
   save_image(o, image);
-  if (!o.stats.empty())
-    save_stats(o, image, image.rays.total(), seconds, nlohmann::ordered_json::object());
+  if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, more);
+  if (!is_whole)
+    throw Failure(fmt::format("interrupted; {} has the picture after {} of {} rows", o.output,
+                              rows_done, all_rows),
+                  EXIT_INTERRUPTED);
 }
 
 void render_in_order(const Options& o) {

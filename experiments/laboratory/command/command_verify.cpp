@@ -12,6 +12,7 @@
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
 namespace {
@@ -47,6 +48,7 @@ std::vector<Candidate> find_candidates(const std::string& path) {
 
 struct Count {
   std::size_t hold = 0, fail = 0;
+  std::size_t undrawn = 0;
   std::size_t all() const { return hold + fail; }
 };
 
@@ -77,6 +79,8 @@ void verify_file(const Candidate& candidate, const Options& options, bool alone,
   fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
              s.there == s.results.size() ? "were in" : "are now in", run.output);
   for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
+  for (const auto& failure : s.undrawn) complain(failure);
+  count.undrawn += s.undrawn.size();
   throw_failures(s.file, s.results, "the others are in " + run.output);
 }
 
@@ -101,6 +105,8 @@ void verify(const Options& options) {
     throw Failure(
         fmt::format("{}: found no [[check]], expected at least one", fmt::join(without, ", ")),
         EXIT_DEFECT);
+  if (count.undrawn > 0)
+    throw Failure(fmt::format("{} drawing(s) failed", count.undrawn), EXIT_HOST);
 }
 
 }  // namespace

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
+#include <csignal>
+#include <sstream>
 #include <system_error>
 
+#include "base/early_end.hpp"
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 #include "simulator/machine/model.hpp"
@@ -122,10 +125,7 @@ void check_command(const CLI::App& app, int argc, char** argv) {
                   fmt::join(known, ", "), base::nearest_name(argv[1], known)));
 }
 
-}  // namespace
-
-int run_tlab(int argc, char** argv) {
-  CLI::App app("tlab, the transputer laboratory: simulates transputer machines that ray trace");
+void add_commands(CLI::App& app) {
   app.set_version_flag("--version", fmt::format("tlab {}", VERSION));
   app.require_subcommand(1);
   add_topology_command(app);
@@ -138,21 +138,49 @@ int run_tlab(int argc, char** argv) {
   add_verify_command(app);
   add_model_command(app);
   add_columns_command(app);
+}
+
+int do_command(CLI::App& app, int argc, char** argv) {
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);
-    if (std::fflush(stdout) != 0)
-      throw std::system_error(errno, std::generic_category(), "cannot write standard output");
     return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "tlab: the host is out of memory\n");
-    return 2;
+  } catch (const CLI::ParseError& error) {  // the help, too
+    std::ostringstream out, problems;
+    const bool is_help = app.exit(error, out, problems) == 0;
+    fmt::print("{}", out.str());
+    print_on_error(problems.str());
+    return is_help ? 0 : EXIT_INPUT;
+  }
+}
+
+// Whether the program that reads what is printed has read enough.
+bool is_broken_pipe(const std::exception& error) {
+  const auto* failed = dynamic_cast<const std::system_error*>(&error);
+  return failed && failed->code() == std::errc::broken_pipe;
+}
+
+}  // namespace
+
+int run_tlab(int argc, char** argv) try {
+  secure_streams();
+  const InterruptWatch watch;
+  try {
+    CLI::App app("tlab, the transputer laboratory: simulates transputer machines that ray trace");
+    add_commands(app);
+    const int exit_code = do_command(app, argc, argv);
+    flush_output();
+    return exit_code;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "tlab: {}\n", error.what());
+    const base::Undivided last_words;
+    if (is_broken_pipe(error)) std::signal(SIGPIPE, SIG_DFL), std::raise(SIGPIPE);
+    const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error);
+    complain(is_memory ? "the host is out of memory" : error.what());
     return exit_code_of(error);
   }
+} catch (const std::exception& error) {  // of what stands around the command
+  complain(error.what());
+  return exit_code_of(error);
 }
 
 }  // namespace laboratory

@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/image/animation.hpp"
@@ -87,18 +88,26 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   for (int frame = range.first; frame <= range.last; ++frame)
     renderer::load_scene(task.scene, frame);
 
+  const InterruptGuard guard;  // until all is written
   Progress bar("rendering");
   std::vector<renderer::Frame> animation;
+  std::size_t frames_done = 0;
   for (int frame = range.first; frame <= range.last; ++frame) {
     const auto scene = renderer::load_scene(task.scene, frame);
-    const auto image = renderer::render(scene, task.params, task.threads);
+    const auto image = renderer::render(scene, task.params, task.threads,
+                                        [](int, int) { return !was_interrupted(); });
+    if (was_interrupted()) break;
     renderer::save_png(name_of(frame), image.samples);
-    const int done = frame - range.first;
     if (is_animation)
-      animation.push_back({make_bitmap(image.samples), get_duration_ms(done, o.rate)});
-    bar.show(static_cast<std::size_t>(done) + 1, range.count());
+      animation.push_back(
+          {make_bitmap(image.samples), get_duration_ms(frame - range.first, o.rate)});
+    bar.show(++frames_done, range.count());
   }
-  if (is_animation) renderer::save_webp(task.output, animation);
+  if (!animation.empty()) renderer::save_webp(task.output, animation);
+  if (frames_done < range.count())
+    throw Failure(
+        fmt::format("interrupted; {} of {} frames are written", frames_done, range.count()),
+        EXIT_INTERRUPTED);
 }
 
 }  // namespace laboratory

@@ -91,6 +91,7 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
     throw Failure(fmt::format("{}: {} of {} check(s) do not hold; results are in {}", options.file,
                               failed, s.checks.size(), output),
                   EXIT_DEFECT);
+  throw_undrawn(s.undrawn, output);
 }
 
 void write_and_judge(const RunOptions& options, const ExperimentFile& file, Missing missing) {
@@ -178,7 +179,7 @@ void run_chosen_points(const RunOptions& options) {
     if (!results[i].is_there()) missing.push_back(i);
   run_points(plan, missing, results);
   measure_singles(plan, results, Singles::run);
-  if (missing.size() < numbers.size()) save_origin(folder, plan.origin);
+  if (missing.size() < numbers.size()) save_origin(folder, file, plan.origin);
   judge_chosen(plan, numbers, results);
 }
 

@@ -65,12 +65,12 @@ void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   s.results = std::move(results);
 }
 
-void write_results(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+void write_results(const fs::path& folder, const RunOptions& options, Simulation& s) {
   base::save_whole(folder / "results.csv", to_csv(s.table));
   if (!s.checks.empty())
     base::save_whole(folder / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
   save_run_json(folder, options, s);
-  write_report(folder, options, s);
+  s.undrawn = write_report(folder, options, s);
 }
 
 }  // namespace
@@ -99,9 +99,9 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
                std::ranges::all_of(s.results, &PointResult::is_complete);
   s.ended = describe_end(s.results, file.points.size());
   s.wall_s = clock.lap();
-  save_origin(folder.working(), plan.origin);
+  save_origin(folder.working(), file, plan.origin);
   write_results(folder.working(), options, s);
-  folder.commit();
+  folder.commit([&](const fs::path& older) { check_same_experiment(older, file); });
   return s;
 }
 

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "base/early_end.hpp"
 #include "base/whole_file.hpp"
 
 namespace laboratory {
@@ -23,6 +24,7 @@ bool link_file(const fs::path& from, const fs::path& to) {
 }
 
 void link_or_copy(const fs::path& from, const fs::path& to) {
+  const base::Undivided section;
   if (!link_file(from, to)) base::save_whole(to, base::read_text(from));
 }
 
@@ -30,7 +32,13 @@ bool is_hidden(const fs::path& path) { return path.filename().string().starts_wi
 
 }  // namespace
 
+void make_folders(const fs::path& path) {
+  const base::Undivided section;
+  fs::create_directories(path);
+}
+
 void carry_file(const fs::path& from, const fs::path& to) {
+  const base::Undivided section;
   std::error_code ignored;
   fs::remove(to, ignored);
   link_or_copy(from, to);
@@ -38,7 +46,7 @@ void carry_file(const fs::path& from, const fs::path& to) {
 
 void carry_files(const fs::path& from, const fs::path& to) {
   if (!fs::is_directory(from)) return;
-  fs::create_directories(to);
+  make_folders(to);
   for (const auto& entry : fs::directory_iterator(from)) {
     const auto target = to / entry.path().filename();
     if (!entry.is_regular_file() || is_hidden(entry.path()) || fs::exists(target)) continue;

@@ -5,6 +5,9 @@
 
 namespace laboratory {
 
+/// Makes a folder and its parents; not while the program ends early (base/early_end.hpp).
+void make_folders(const std::filesystem::path& path);
+
 /// Puts the visible files of folder `from` that folder `to` lacks into `to`: as links to the same
 /// bytes, or as copies where the file system has no links. Folders inside `from` are skipped, and a
 /// missing `from` has no files. Throws std::system_error or BadInput with the path.

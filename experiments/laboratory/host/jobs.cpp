@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/early_end.hpp"
 #include "base/errors.hpp"
 #include "simulator/machine/engine.hpp"
 #include "simulator/machine/faults.hpp"
@@ -42,8 +43,9 @@ void hold_signals(int how) {
   sigprocmask(how, &asked, nullptr);
 }
 
-[[noreturn]] void run_child(int fd, const Job& job, std::size_t index) {
+[[noreturn]] void run_child(pid_t parent, int fd, const Job& job, std::size_t index) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child does not outlive a parent that was killed
+  if (getppid() != parent) _exit(1);
   for (const int asked : ASKS_TO_END) signal(asked, [](int) { machine::request_stop(); });
   hold_signals(SIG_UNBLOCK);
   std::string reply;
@@ -59,24 +61,24 @@ void hold_signals(int how) {
 class Pool {
  public:
   ~Pool() {
-    for (auto& [fd, child] : children_) {
-      kill(child.pid, SIGKILL);
-      waitpid(child.pid, nullptr, 0);
-      close(fd);
-    }
+    const base::Undivided section;
+    kill_all();
+    for (const auto& [fd, child] : children_) close(fd);
+    children_.clear();
   }
 
   void start(const Job& job, std::size_t index) {
     int ends[2];
     if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
     std::fflush(nullptr);
-    hold_signals(SIG_BLOCK);  // until the child has handlers of its own
-    const pid_t pid = fork();
+    const base::Undivided section;  // the child stays in it
+    hold_signals(SIG_BLOCK);        // until the child has handlers of its own
+    const pid_t parent = getpid(), pid = fork();
     if (pid != 0) hold_signals(SIG_UNBLOCK);
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (pid == 0) {
       close(ends[0]);
-      run_child(ends[1], job, index);
+      run_child(parent, ends[1], job, index);
     }
     close(ends[1]);
     children_[ends[0]] = {pid, index, {}};
@@ -103,6 +105,12 @@ class Pool {
   void stop_all() {
     for (const auto& [fd, child] : children_) kill(child.pid, SIGINT);
   }
+  void kill_all() {
+    for (const auto& [fd, child] : children_) {
+      kill(child.pid, SIGKILL);
+      waitpid(child.pid, nullptr, 0);
+    }
+  }
 
   std::optional<JobEnd> read_some(int fd) {
     char buffer[65536];
@@ -113,6 +121,7 @@ class Pool {
       return std::nullopt;
     }
     int status = 0;
+    const base::Undivided section;
     waitpid(child.pid, &status, 0);
     close(fd);
     const Child ended = std::move(child);
@@ -128,6 +137,7 @@ class Pool {
 
   std::map<int, Child> children_;  // by the pipe's reading end
   bool stopping_ = false;
+  const base::Undo undo_{[this] { kill_all(); }};
 };
 
 }  // namespace
@@ -149,7 +159,7 @@ void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
 int exit_code_of(const std::exception& error) {
   if (const auto* failure = dynamic_cast<const Failure*>(&error)) return failure->exit_code;
   if (dynamic_cast<const machine::Fault*>(&error)) return EXIT_FAULT;
-  return dynamic_cast<const base::InvariantBroken*>(&error) ? EXIT_DEFECT : 2;
+  return dynamic_cast<const base::InvariantBroken*>(&error) ? EXIT_DEFECT : EXIT_INPUT;
 }
 
 }  // namespace laboratory

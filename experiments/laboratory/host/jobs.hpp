@@ -10,18 +10,18 @@
 namespace laboratory {
 
 /// Ends the program with a message and an exit code: 1 for a defect or a check that does not hold,
-/// 2 for bad input, 3 for a simulated fault, 130 where the user interrupted.
+/// 2 for bad input or a host that lacks something, 3 for a simulated fault, 130 where the user
+/// interrupted.
 struct Failure : std::runtime_error {
   Failure(const std::string& what, int exit_code)
       : std::runtime_error(what), exit_code(exit_code) {}
   int exit_code;
 };
-inline constexpr int EXIT_DEFECT = 1, EXIT_FAULT = 3, EXIT_INTERRUPTED = 130;
+inline constexpr int EXIT_DEFECT = 1, EXIT_INPUT = 2, EXIT_HOST = 2, EXIT_FAULT = 3;
 
 /// The user interrupted the program (SIGINT, SIGTERM) before there were results.
 struct Interrupted : Failure {
-  Interrupted()
-      : Failure("interrupted; nothing but points that were done is kept", EXIT_INTERRUPTED) {}
+  Interrupted() : Failure(INTERRUPTED, EXIT_INTERRUPTED) {}
 };
 
 /// What a task does in its child process; its result travels back as text.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
 
@@ -16,11 +16,11 @@ Progress::Progress(std::string what, std::size_t there)
       start_(steady_clock::now()) {}
 
 Progress::~Progress() {
-  if (terminal_) fmt::print(stderr, "\r\x1b[K");
+  if (terminal_) print_on_error("\r\x1b[K");
 }
 
 void Progress::say(const std::string& line) {
-  fmt::print(stderr, "{}{}\n", terminal_ ? "\r\x1b[K" : "", line);
+  print_on_error(fmt::format("{}{}\n", terminal_ ? "\r\x1b[K" : "", line));
   shown_ = {};
 }
 
@@ -35,9 +35,8 @@ void Progress::show(std::size_t done, std::size_t total) {
   if (done > there_ && done < total)
     left = fmt::format(", about {:.0f} s left", elapsed * static_cast<double>(total - done) /
                                                     static_cast<double>(done - there_));
-  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{:<{}}] {}/{}{}", what_, "", filled, "", WIDTH - filled,
-             done, total, left);
-  std::fflush(stderr);
+  print_on_error(fmt::format("\r\x1b[K{} [{:=<{}}{:<{}}] {}/{}{}", what_, "", filled, "",
+                             WIDTH - filled, done, total, left));
 }
 
 }  // namespace laboratory

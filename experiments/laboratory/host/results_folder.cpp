@@ -2,20 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <climits>
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <system_error>
 
 #include "base/errors.hpp"
-#include "base/text.hpp"
+#include "base/partial_name.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 
 namespace laboratory {
@@ -99,35 +96,22 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
-// Names this host: hosts may share the folder, and each knows only its own processes.
-std::string host_name() {
-  char name[HOST_NAME_MAX + 1] = {};
-  if (gethostname(name, HOST_NAME_MAX) != 0) fail("gethostname", "no name", last_error());
-  return name;
-}
+// Kinds of folders beside `path`: results that are being written, and older ones moved aside.
+constexpr const char *PARTIAL = "partial", *OLD = "old";
 
-std::string partial_prefix(const fs::path& path) {
-  return fmt::format(".{}.partial-{}-", path.filename().string(), host_name());
-}
-std::string old_prefix(const fs::path& path) {
-  return fmt::format(".{}.old-{}-", path.filename().string(), host_name());
-}
-
-// Finds the process that made a folder of this name, if the name begins with `prefix`.
-std::optional<pid_t> maker_of(const std::string& name, const std::string& prefix) {
-  if (!name.starts_with(prefix)) return std::nullopt;
-  const auto process = base::parse_number<pid_t>(std::string_view(name).substr(prefix.size()));
-  return process && *process > 0 ? process : std::nullopt;
+fs::path beside(const fs::path& path, const char* kind) {
+  return path.parent_path() / base::make_partial_name(path.filename().string(), kind, getpid());
 }
 
 // Finds the folders that dead processes left. One with our own number is of an earlier process.
-std::vector<fs::path> find_stale(const fs::path& path, const std::string& prefix) {
+std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {
-    const auto maker = maker_of(entry.path().filename().string(), prefix);
+    const auto name = entry.path().filename().string();
+    const auto maker = base::find_maker(name, kind);
     if (!maker || !entry.is_directory() || entry.is_symlink()) continue;
-    if (*maker == getpid() || (kill(*maker, 0) != 0 && errno == ESRCH))
-      stale.push_back(entry.path());
+    if (name != base::make_partial_name(path.filename().string(), kind, *maker)) continue;
+    if (*maker == getpid() || base::is_dead(*maker)) stale.push_back(entry.path());
   }
   return stale;
 }
@@ -136,10 +120,10 @@ std::vector<fs::path> find_stale(const fs::path& path, const std::string& prefix
 // points, which are put in place.
 void remove_stale(const fs::path& path) {
   std::error_code ignored;
-  for (const auto& folder : find_stale(path, old_prefix(path)))
+  for (const auto& folder : find_stale(path, OLD))
     if (!fs::exists(path)) fs::rename(folder, path, ignored);
-  for (const auto& prefix : {old_prefix(path), partial_prefix(path)})
-    for (const auto& folder : find_stale(path, prefix)) {
+  for (const auto* kind : {OLD, PARTIAL})
+    for (const auto& folder : find_stale(path, kind)) {
       carry_records(folder, path);
       fs::remove_all(folder, ignored);
     }
@@ -159,20 +143,44 @@ void drop_replaced(const fs::path& older, const fs::path& path) {
   fs::remove_all(older, ignored);
 }
 
+void check_replaced(const fs::path& path, const ResultsFolder::Check& check) {
+  check_is_ours(path);
+  if (check) check(path);
+}
+
 // Moves the old folder aside and the new one in its place, where the two cannot be exchanged in one
 // step. After a crash between the two the next run finds the old results under
 // ".NAME.old-HOST-PID".
-void replace_in_two_steps(const fs::path& working, const fs::path& path) {
-  const auto aside = path.parent_path() / (old_prefix(path) + std::to_string(getpid()));
+void replace_in_two_steps(const fs::path& working, const fs::path& path,
+                          const ResultsFolder::Check& check) {
+  const auto aside = beside(path, OLD);
   std::error_code error, ignored;
   fs::rename(path, aside, error);
   if (error) fail(path, "cannot move earlier results aside", error);
-  fs::rename(working, path, error);
-  if (error) {
+  try {
+    check_replaced(aside, check);
+    fs::rename(working, path, error);
+    if (error) fail(path, "cannot put results in place", error);
+  } catch (const std::exception&) {
     fs::rename(aside, path, ignored);
-    fail(path, "cannot put results in place", error);
+    check_replaced(path, check);  // throws with its name
+    throw;
   }
   drop_replaced(aside, path);
+}
+
+bool rename_with(unsigned flags, const fs::path& from, const fs::path& to) {
+  return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0;
+}
+
+bool is_unable(int error) { return error == ENOSYS || error == EINVAL || error == ENOTSUP; }
+
+// Puts the folder where there is none; false where there is one after all.
+bool put_in_place(const fs::path& working, const fs::path& path) {
+  if (rename_with(RENAME_NOREPLACE, working, path)) return true;
+  if (errno == EEXIST) return false;
+  if (is_unable(errno) && std::rename(working.c_str(), path.c_str()) == 0) return true;
+  fail(path, "cannot put results in place", last_error());
 }
 
 }  // namespace
@@ -181,41 +189,58 @@ void check_results_folder(const fs::path& path) { check_is_ours(resolve(path)); 
 
 ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
   check_is_ours(path_);
+  const base::Undivided section;
   std::error_code error;
   for (auto parent = path_.parent_path(); !fs::exists(parent); parent = parent.parent_path())
     made_.push_back(parent);
   fs::create_directories(path_.parent_path(), error);
   if (error) fail(path_.parent_path(), "cannot make this folder", error);
   remove_stale(path_);
-  const auto name = partial_prefix(path_) + std::to_string(getpid());
-  const auto working = path_.parent_path() / name;
+  const auto working = beside(path_, PARTIAL);
   if (!fs::create_directory(working, error)) fail(path_, "cannot write beside it", error);
   working_ = working;
+  undo_.emplace([this] { clean_up(); });
 }
 
 ResultsFolder::~ResultsFolder() {
+  const base::Undivided section;
+  clean_up();
+}
+
+void ResultsFolder::clean_up() const {
   std::error_code ignored;
   if (is_committed_) return;
   fs::remove_all(working_, ignored);
   for (const auto& parent : made_) fs::remove(parent, ignored);  // stays if it is not empty
 }
 
-void ResultsFolder::commit() {
+void ResultsFolder::commit(const Check& check) {
   if (is_committed_) throw base::InvariantBroken(path_.string() + ": results committed twice");
-  check_is_ours(path_);
-  if (renameat2(AT_FDCWD, working_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0) {
-    is_committed_ = true;
-    return drop_replaced(working_, path_);
-  }
-  if (errno == ENOENT) {
-    if (std::rename(working_.c_str(), path_.c_str()) != 0)
-      fail(path_, "cannot put results in place", last_error());
-  } else if (errno == ENOSYS || errno == EINVAL || errno == ENOTSUP) {
-    replace_in_two_steps(working_, path_);
-  } else {
-    fail(path_, "cannot put results in place", last_error());
-  }
+  const base::Undivided section;
+  check_replaced(path_, check);
+  replace(check);
   is_committed_ = true;
+}
+
+void ResultsFolder::replace(const Check& check) {
+  for (;;) {
+    if (rename_with(RENAME_EXCHANGE, working_, path_)) break;
+    if (errno == ENOENT) {
+      if (put_in_place(working_, path_)) return;
+    } else if (is_unable(errno)) {
+      return replace_in_two_steps(working_, path_, check);
+    } else {
+      fail(path_, "cannot put results in place", last_error());
+    }
+  }
+  try {
+    check_replaced(working_, check);
+  } catch (const base::BadInput&) {
+    rename_with(RENAME_EXCHANGE, working_, path_);
+    check_replaced(path_, check);  // throws with its name
+    throw;
+  }
+  drop_replaced(working_, path_);
 }
 
 }  // namespace laboratory

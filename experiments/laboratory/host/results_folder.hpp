@@ -1,7 +1,11 @@
 #pragma once
 // A folder of results that appears at once.
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <vector>
+
+#include "base/early_end.hpp"
 
 namespace laboratory {
 
@@ -10,7 +14,8 @@ namespace laboratory {
 void check_results_folder(const std::filesystem::path& path);
 
 /// Collects results in a hidden folder beside `path` (".NAME.partial-HOST-PID"); `commit` puts them
-/// in its place. Until then, or without it, an older `path` stays as it was. There is one at a time
+/// in its place. Until then, or without it, also when the program ends early (base/early_end.hpp),
+/// an older `path` stays as it was. There is one at a time
 /// for each process and `path`. Folders in points/ that both have get the records of the older one:
 /// no record is lost that another process writes meanwhile.
 class ResultsFolder {
@@ -26,15 +31,23 @@ class ResultsFolder {
   /// The folder to write into; it is gone after `commit`.
   const std::filesystem::path& working() const { return working_; }
 
+  /// Throws where results must not be replaced.
+  using Check = std::function<void(const std::filesystem::path& results)>;
+
   /// Replaces `path` as a whole, in one step where the file system can; called once. Checks `path`
-  /// again as the constructor did some time ago and throws as it does; then the older results are
-  /// still there.
-  void commit();
+  /// again as the constructor did some time ago, and with `check`, and throws as these do; then the
+  /// older results are still there. They are checked once more when they are out of the way:
+  /// another process may have put them there in between.
+  void commit(const Check& check = {});
 
  private:
+  void clean_up() const;
+  void replace(const Check& check);
+
   std::filesystem::path path_, working_;
   std::vector<std::filesystem::path> made_;  // parents that were missing, innermost first
   bool is_committed_ = false;
+  std::optional<base::Undo> undo_;
 };
 
 }  // namespace laboratory

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/partial_name.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/hash.hpp"
@@ -23,8 +24,9 @@ std::string save_by_content(const std::function<void(const std::string& path)>& 
                             const fs::path& folder, const std::string& extension) {
   std::string name;
   try_twice([&] {
-    fs::create_directories(folder);
-    const auto partial = folder / fmt::format(".image-{}{}", getpid(), extension);
+    make_folders(folder);
+    const auto name_of_process = base::make_partial_name("image", "partial", getpid());
+    const auto partial = folder / fmt::format("{}-{}", name_of_process, extension);
     save(partial.string());
     name = hash_of(base::read_text(partial)) + extension;
     fs::rename(partial, folder / name);

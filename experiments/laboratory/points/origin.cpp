@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/version.hpp"
 
 namespace laboratory {
@@ -76,14 +77,6 @@ ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
       {"experiment", file.resolved}};
 }
 
-void save_origin(const fs::path& results, const ordered_json& origin) {
-  const auto file = file_in(results);
-  const auto text = origin.dump(2) + "\n";
-  if (fs::is_regular_file(file) && base::read_text(file) == text) return;
-  fs::create_directories(file.parent_path());
-  base::save_whole(file, text);
-}
-
 void check_same_experiment(const fs::path& results, const ExperimentFile& file) {
   auto source = file_in(results);
   if (!fs::is_regular_file(source)) source = results / "run.json";
@@ -101,6 +94,18 @@ void check_same_experiment(const fs::path& results, const ExperimentFile& file) 
       fmt::format("{}: holds results of the experiment {}, but this one is {}; expected another "
                   "folder (-o)",
                   results.string(), describe(text("name"), text("title")), describe(name, title)));
+}
+
+void save_origin(const fs::path& results, const ExperimentFile& file, const ordered_json& origin) {
+  const auto path = file_in(results);
+  const auto text = origin.dump(2) + "\n";
+  const auto is_there = [&] { return fs::is_regular_file(path) && base::read_text(path) == text; };
+  if (is_there()) return;
+  check_same_experiment(results, file);
+  make_folders(path.parent_path());
+  if (!fs::exists(path) && base::save_new(path, text)) return;
+  check_same_experiment(results, file);
+  if (!is_there()) base::save_whole(path, text);
 }
 
 Origin load_origin(const fs::path& results, const fs::path& file) {

@@ -40,13 +40,15 @@ inline constexpr const char* POINTS_ORIGIN = "points/experiment.json";
 nlohmann::ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                                    const std::filesystem::path& results);
 
-/// Writes it unless it is there.
-void save_origin(const std::filesystem::path& results, const nlohmann::ordered_json& origin);
-
 /// Throws BadInput, with both names, where the results are of another experiment: a file of another
 /// name, or another file of this name with another title. Results of programs that did not record a
 /// name are taken for the same.
 void check_same_experiment(const std::filesystem::path& results, const ExperimentFile& file);
+
+/// Writes the origin of the experiment unless it is there. Throws as check_same_experiment, even if
+/// another experiment has written its own at the same time.
+void save_origin(const std::filesystem::path& results, const ExperimentFile& file,
+                 const nlohmann::ordered_json& origin);
 
 /// An experiment as it was when its results were made, and the options that made them.
 struct Origin {

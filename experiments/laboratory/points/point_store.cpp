@@ -6,9 +6,11 @@
 #include <system_error>
 
 #include "base/errors.hpp"
+#include "base/partial_name.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "renderer/files/nff.hpp"
@@ -65,6 +67,14 @@ ordered_json read_record(const fs::path& file, const ordered_json::parser_callba
   return record.is_object() && record.value("key", "") == file.stem() ? record : ordered_json();
 }
 
+void remove_left_behind(const fs::path& folder) noexcept {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+    const auto maker = base::find_maker(entry->path().filename().string(), "partial");
+    if (maker && base::is_dead(*maker)) fs::remove(entry->path(), ignored);
+  }
+}
+
 bool has_images(const PointResult& result, const fs::path& folder) {
   return std::ranges::all_of(result.images, [&](const SavedImage& image) {
     return fs::is_regular_file(folder / image.file) &&
@@ -110,7 +120,7 @@ std::optional<PointResult> find_record(const fs::path& results, const std::strin
   };
   auto record = read_record(file, skip_use);
   if (record.is_null()) {
-    fmt::print(stderr, "tlab: {}: this record is damaged, the point is run again\n", file.string());
+    complain(fmt::format("{}: this record is damaged, the point is run again", file.string()));
     return {};
   }
   auto result = to_result(record);
@@ -126,7 +136,7 @@ void save_record(const fs::path& folder, const std::string& key, const PointResu
   text.pop_back();
   text += make_seal(text);
   try_twice([&] {
-    fs::create_directories(folder);
+    make_folders(folder);
     base::save_whole(folder / (key + ".json"), text);
   });
 }
@@ -139,13 +149,23 @@ PointResult load_record(const fs::path& file) {
 }
 
 StoreGuard::StoreGuard(const fs::path& results)
-    : results_(results), was_there_(fs::exists(results)) {}
+    : results_(fs::absolute(results)),
+      was_there_(fs::exists(results)),
+      undo_([this] { clean_up(); }) {}
 
 StoreGuard::~StoreGuard() {
+  const base::Undivided section;
+  clean_up();
+}
+
+void StoreGuard::clean_up() const noexcept {
+  const auto folder = results_ / records_folder();
+  remove_left_behind(folder);
+  remove_left_behind(folder.parent_path());
   std::error_code ignored;
   // What is not empty stays: images without records may be those of another process.
-  fs::remove(results_ / records_folder(), ignored);
-  fs::remove(results_ / records_folder().parent_path(), ignored);
+  fs::remove(folder, ignored);
+  fs::remove(folder.parent_path(), ignored);
   if (!was_there_) fs::remove(results_, ignored);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/early_end.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
 
 namespace laboratory {
@@ -36,7 +37,9 @@ void save_record(const std::filesystem::path& folder, const std::string& key,
 /// All of a record. Throws BadInput with the file if it is damaged.
 PointResult load_record(const std::filesystem::path& file);
 
-/// When it goes, so do the records' folder if it is empty, and what has come with it.
+/// When it goes, and when the program ends early (base/early_end.hpp), so do files that killed
+/// processes have left half written among the records, the records' folder if it is empty, and what
+/// has come with it.
 class StoreGuard {
  public:
   explicit StoreGuard(const std::filesystem::path& results);
@@ -45,8 +48,11 @@ class StoreGuard {
   StoreGuard& operator=(const StoreGuard&) = delete;
 
  private:
+  void clean_up() const noexcept;
+
   std::filesystem::path results_;
   bool was_there_;
+  base::Undo undo_;
 };
 
 }  // namespace laboratory

@@ -34,7 +34,7 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
   const Point& point = plan.file.points[number];
   const bool lone = is_lone(point.experiment, result);
   if (lone && plan.lone.empty()) return;
-  if (!lone) save_origin(plan.results, plan.origin);
+  if (!lone) save_origin(plan.results, plan.file, plan.origin);
   save_record(lone ? plan.lone : plan.results / records_folder(), plan.keys[number], result,
               name_of(point));
 }
@@ -110,6 +110,8 @@ void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers,
         auto& result = results[numbers[end.index]];
         result =
             end.died.empty() ? to_result(ordered_json::parse(end.result)) : make_failure(end.died);
+        if (result.ended == "interrupt" && !was_interrupted())
+          result = make_failure("its process was asked to end, and tlab was not");
         if (result.is_failed()) finish_failure(plan, numbers[end.index], result, bar);
         bar.show(++done, there + numbers.size());
       });

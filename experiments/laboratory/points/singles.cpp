@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 
@@ -70,7 +71,7 @@ void run_missing(const PointsPlan& plan, Results& results) {
     for (const auto& point : plan.file.points) check_point(point.experiment);
     run_points(plan, missing_points(results), results);
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "tlab: no speed-up: a single worker of the machine: {}\n", error.what());
+    complain(fmt::format("no speed-up: a single worker of the machine: {}", error.what()));
   }
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cctype>
-#include <exception>
 #include <stdexcept>
 #include <thread>
 
@@ -75,22 +74,21 @@ void draw_plot(const Plot& plot, const fs::path& folder) {
 }
 
 // Each thread only waits for its gnuplot.
-void draw_plots(const std::vector<Plot>& plots, const fs::path& folder) {
+std::vector<std::string> draw_plots(const std::vector<Plot>& plots, const fs::path& folder) {
   std::atomic<std::size_t> next = 0;
-  std::vector<std::exception_ptr> failures(plots.size());
+  std::vector<std::string> failures(plots.size());
   auto draw = [&] {
     for (std::size_t i = next++; i < plots.size(); i = next++) try {
         draw_plot(plots[i], folder);
-      } catch (...) {
-        failures[i] = std::current_exception();
+      } catch (const std::exception& error) {
+        failures[i] = error.what();
       }
   };
   const auto most = std::max<std::size_t>(1, std::thread::hardware_concurrency());
   std::vector<std::jthread> threads;
   for (std::size_t i = 0; i < std::min(most, plots.size()); ++i) threads.emplace_back(draw);
   threads.clear();
-  for (const auto& failure : failures)
-    if (failure) std::rethrow_exception(failure);
+  return failures;
 }
 
 }  // namespace laboratory

@@ -26,8 +26,9 @@ Drawing run_gnuplot(const std::string& script, const std::string& name, int heig
 /// cannot be written.
 void draw_plot(const Plot& plot, const std::filesystem::path& folder);
 
-/// Draws all plots, as many at once as this host has processors. Throws the first plot's exception
-/// when all have ended.
-void draw_plots(const std::vector<Plot>& plots, const std::filesystem::path& folder);
+/// Draws all plots, as many at once as this host has processors. Returns for each why it could not
+/// be drawn or written, "" where it was.
+std::vector<std::string> draw_plots(const std::vector<Plot>& plots,
+                                    const std::filesystem::path& folder);
 
 }  // namespace laboratory

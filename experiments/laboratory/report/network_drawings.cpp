@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
@@ -100,21 +101,26 @@ std::vector<bool> find_largest(const Simulation& s) {
 
 }  // namespace
 
-std::vector<Report::Drawing> draw_networks(const fs::path& folder, const Simulation& s) {
-  std::vector<Report::Drawing> drawings;
-  if (s.file.report.networks == "none" || !is_farm(s.file)) return drawings;
+NetworkDrawings draw_networks(const fs::path& folder, const Simulation& s) {
+  NetworkDrawings networks;
+  if (s.file.report.networks == "none" || !is_farm(s.file)) return networks;
   const auto is_largest = find_largest(s);
-  fs::create_directory(folder / "networks");
+  make_folders(folder / "networks");
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;
     const Point& point = s.file.points[i];
     const auto caption = make_caption(s, i);
-    const auto svg = draw(point, caption, load_record(folder / s.records[i]).use);
-    base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
-    if (is_largest[i]) drawings.push_back({caption, svg});
+    const auto use = load_record(folder / s.records[i]).use;
+    try {
+      const auto svg = draw(point, caption, use);
+      base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
+      if (is_largest[i]) networks.drawings.push_back({caption, svg});
+    } catch (const std::exception& error) {
+      networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), error.what()));
+    }
   }
-  return drawings;
+  return networks;
 }
 
 }  // namespace laboratory

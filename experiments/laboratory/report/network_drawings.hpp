@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "experiments/laboratory/report/report.hpp"
@@ -9,11 +10,14 @@
 
 namespace laboratory {
 
+struct NetworkDrawings {
+  std::vector<Report::Drawing> drawings;  ///< with the most workers, in both cases: for the report
+  std::vector<std::string> failures;      ///< of points that could not be drawn, and why
+};
+
 /// Writes networks/NAME.svg into `folder`, which holds the points' records, as [report] networks
 /// asks: for every point ("all"), or for those with the most workers among points that are alike
-/// otherwise ("largest"). Returns the drawings of the latter in both cases, for the report. Only
-/// the farm has such drawings.
-std::vector<Report::Drawing> draw_networks(const std::filesystem::path& folder,
-                                           const Simulation& s);
+/// otherwise ("largest"). Only the farm has such drawings.
+NetworkDrawings draw_networks(const std::filesystem::path& folder, const Simulation& s);
 
 }  // namespace laboratory

@@ -8,7 +8,9 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/judge/best.hpp"
 #include "experiments/laboratory/judge/check_plan.hpp"
 #include "experiments/laboratory/points/origin.hpp"
@@ -242,20 +244,28 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   return exhibits;
 }
 
-// Draws the plots of these exhibits into `folder`, as far as they have points.
-void add_plots(Report& report, const fs::path& folder, const std::vector<Exhibit>& exhibits) {
+// Draws the plots of these exhibits into `folder`, as far as they have points. Adds those that fail
+// to `undrawn`.
+void add_plots(Report& report, Texts& undrawn, const fs::path& folder,
+               std::vector<Exhibit> exhibits) {
+  std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
   std::vector<Plot> plots;
-  for (const auto& exhibit : exhibits)
-    if (has_points(exhibit.plot)) plots.push_back(exhibit.plot);
+  for (const auto& exhibit : exhibits) plots.push_back(exhibit.plot);
   if (plots.empty()) return;
-  fs::create_directory(folder);
-  draw_plots(plots, folder);
-  for (const auto& e : exhibits)
-    if (has_points(e.plot))
+  make_folders(folder);
+  const auto failures = draw_plots(plots, folder);
+  for (std::size_t i = 0; i < exhibits.size(); ++i) {
+    const Exhibit& e = exhibits[i];
+    if (failures[i].empty())
       report.plots.push_back(
           {fmt::format("{}: {} over {}", e.plot.title, e.plot.y_label, e.plot.x_label),
            base::read_text(folder / (e.plot.name + ".svg")),
            {"", e.notes, {e.differences, e.fits, e.optima}}});
+    else
+      undrawn.push_back(failures[i]);
+  }
+  std::error_code ignored;
+  fs::remove(folder, ignored);  // stays unless it is empty
 }
 
 void add_checks(Report& report, const Simulation& s) {
@@ -282,7 +292,8 @@ std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& 
               "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max", "bottleneck"});
 }
 
-void write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+Texts write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
+  Texts undrawn;
   Report report;
   report.title = title_of(s.file);
   report.question = s.file.points[0].experiment.question;
@@ -298,15 +309,28 @@ void write_report(const fs::path& folder, const RunOptions& options, const Simul
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
   for (auto& exhibit : plot_growth(s.file, growth)) exhibits.push_back(std::move(exhibit));
-  add_plots(report, folder / "plots", exhibits);
+  add_plots(report, undrawn, folder / "plots", std::move(exhibits));
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
-  report.networks = draw_networks(folder, s);
+  auto networks = draw_networks(folder, s);
+  report.networks = std::move(networks.drawings);
+  append(undrawn, networks.failures);
+  for (const auto& failure : undrawn) append(report.notes, {"not drawn: " + failure});
   add_checks(report, s);
   report.settings = make_settings(s.file);
   report.command = command_line(options);
   report.model = model_rows(models_of(s.file));
   base::save_whole(folder / "report.html", make_report(report));
+  return undrawn;
+}
+
+void throw_undrawn(const Texts& undrawn, const std::string& results) {
+  for (const auto& failure : undrawn) complain(failure);
+  if (!undrawn.empty())
+    throw Failure(fmt::format("{} drawing(s) failed; the rest is in {}, and tlab report {} draws "
+                              "again",
+                              undrawn.size(), results, results),
+                  EXIT_HOST);
 }
 
 void report_results(const std::string& results) {
@@ -316,14 +340,17 @@ void report_results(const std::string& results) {
   carry_files(results / fs::path("points"), folder.working() / "points");
   carry_records(results, folder.working());
   carry_files(results / lone_records_folder(), folder.working() / lone_records_folder());
+  Texts undrawn;
   try {
-    write_report(folder.working(), origin.options, load_simulation(folder.working(), origin.file));
+    undrawn = write_report(folder.working(), origin.options,
+                           load_simulation(folder.working(), origin.file));
   } catch (const nlohmann::json::exception& error) {
     throw base::BadInput(
         fmt::format("{}: damaged: {}", (fs::path(results) / "run.json").string(), error.what()));
   }
   folder.commit();
   fmt::print("report   {}\n", (fs::path(results) / "report.html").string());
+  throw_undrawn(undrawn, results);
 }
 
 }  // namespace laboratory

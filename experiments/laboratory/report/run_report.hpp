@@ -11,13 +11,18 @@
 namespace laboratory {
 
 /// Writes report.html, plots/*.svg, plots/*.png and networks/*.svg, fits.csv, best.csv and pays.csv
-/// into the folder that holds the run's images and records. Throws what draw_plot, draw_networks
-/// and make_report throw.
-void write_report(const std::filesystem::path& folder, const RunOptions& options,
-                  const Simulation& simulation);
+/// into the folder that holds the run's images and records. Returns which drawings failed and why;
+/// the page says so too. Throws what make_report throws, and std::system_error when another file
+/// cannot be written.
+std::vector<std::string> write_report(const std::filesystem::path& folder,
+                                      const RunOptions& options, const Simulation& simulation);
+
+/// Names the drawings that failed on standard error and throws Failure, unless there are none.
+void throw_undrawn(const std::vector<std::string>& undrawn, const std::string& results);
 
 /// Does so again for the results of an earlier run, and prints where the page is. Throws
-/// base::BadInput, with the file, where the folder holds no results or damaged ones.
+/// base::BadInput, with the file, where the folder holds no results or damaged ones; Failure, when
+/// everything is written, where a drawing failed.
 void report_results(const std::string& folder);
 
 /// The title of the experiment, else the name of its file.

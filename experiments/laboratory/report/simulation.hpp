@@ -21,9 +21,10 @@ struct Simulation {
   std::vector<std::filesystem::path> records;  ///< path of each point's record, from the results
   Table table;
   std::vector<CheckResult> checks;
-  std::string ended;      ///< why the run ended, a sentence
-  bool complete = false;  ///< every point was run to its end
-  std::size_t there = 0;  ///< number of points that had results before
+  std::vector<std::string> undrawn;  ///< drawings that failed, and why
+  std::string ended;                 ///< why the run ended, a sentence
+  bool complete = false;             ///< every point was run to its end
+  std::size_t there = 0;             ///< number of points that had results before
   double wall_s = 0;
 };
 

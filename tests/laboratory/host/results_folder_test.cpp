@@ -113,6 +113,31 @@ TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
+// Another process puts its results there between the first look and the exchange.
+TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  for (const bool was_there : {false, true}) {
+    if (was_there) write_file(out / "run.json", "old");
+    ResultsFolder results(out);
+    write_file(results.working() / "run.json", "new");
+    int looks = 0;
+    const auto told = message_of<base::BadInput>([&] {
+      results.commit([&](const fs::path& replaced) {
+        if (++looks == 1) {  // the other process is just here
+          fs::create_directories(out);
+          write_file(out / "run.json", "another's");
+        } else if (read_file(replaced / "run.json") == "another's") {
+          base::refuse(replaced.string(), "another's");
+        }
+      });
+    });
+    EXPECT_EQ(told, out.string() + ": another's");
+    EXPECT_EQ(read_file(out / "run.json"), "another's");
+  }
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
 TEST(ExperimentsResultsFolder, FollowsALinkToEarlierResults) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path / "out");

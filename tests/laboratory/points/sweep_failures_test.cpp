@@ -4,7 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/partial_name.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/points/point_result.hpp"
 #include "experiments/laboratory/table/table.hpp"
+#include "tests/laboratory/support/load.hpp"
 #include "tests/laboratory/support/sweep.hpp"
 
 namespace laboratory {
@@ -92,6 +96,31 @@ TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   EXPECT_EQ(count(), before);
 }
 
+// A defect of tlab says more than a fault of the simulated program, wherever it stands.
+TEST(ExperimentsFailures, OfSeveralTheLowestExitCodeCounts) {
+  const auto file = load("[sweep]\nworkers = [1, 2, 3]\n");
+  const auto code_of = [&](const std::vector<int>& codes) {
+    Results results(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      results[i].ended = codes[i] == 0 ? "done" : "failed";
+      results[i].exit_code = codes[i];
+      if (codes[i] != 0) results[i].message = "why";
+    }
+    try {
+      throw_failures(file, results, "nowhere");
+    } catch (const Failure& failure) {
+      return failure.exit_code;
+    }
+    return 0;
+  };
+  EXPECT_EQ(code_of({0, 0, 0}), 0);
+  EXPECT_EQ(code_of({0, 3, 3}), 3);
+  EXPECT_EQ(code_of({0, 1, 0}), 1);
+  EXPECT_EQ(code_of({3, 1, 3}), 1);
+  EXPECT_EQ(code_of({1, 3, 3}), 1);
+  EXPECT_EQ(code_of({3, 3, 1}), 1);
+}
+
 TEST_F(Sweep, DeadlocksAreReportedPointByPoint) {
   std::ofstream(folder.path / "e.toml")
       << "[program]\nname = \"deadlock\"\n[sweep]\n\"model.cpu.clock\" = [20e6, 25e6]\n";
@@ -125,6 +154,91 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 2);
   std::ofstream(folder.path / "r/run.json") << "{\"tlab\": \"0.0.9\"}";
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
+}
+
+// Whoever writes the first record has the folder; the others are told at their first one.
+TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
+  std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
+  for (int i = 0; i < 5; ++i) {
+    const auto name = "r" + std::to_string(i);
+    fs::create_directories(folder.path / "a");
+    fs::create_directories(folder.path / "b");
+    const pid_t first = start_tlab(folder.path / "a", {"run", "../e.toml", "-o", "../" + name});
+    const pid_t second =
+        start_tlab(folder.path / "b", {"run", "../other.toml", "-o", "../" + name});
+    const Outcome a = wait_for_tlab(folder.path / "a", first);
+    const Outcome b = wait_for_tlab(folder.path / "b", second);
+    EXPECT_EQ(a.exit_code + b.exit_code, 2) << a.err << b.err;
+    const auto& refused = a.exit_code == 2 ? a : b;
+    EXPECT_TRUE(contains(refused.err, "holds results of the experiment")) << refused.err;
+    const auto run = nlohmann::json::parse(read_file(folder.path / name / "run.json"));
+    EXPECT_EQ(run["name"], a.exit_code == 2 ? "other" : "e");
+    EXPECT_EQ(records(name).size(), 6u);
+  }
+  for (const auto& name : folder.names()) EXPECT_FALSE(name.starts_with('.')) << name;
+}
+
+// What killed processes have left among the records goes; what others are writing does not.
+TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
+  ASSERT_EQ(run({"-o", "r", "--point", "0-5"}).exit_code, 0);
+  const auto store = records("r")[0].parent_path();
+  const auto dead = store / (base::make_partial_name("k.json", "partial", 0x3ffffff) + "-1");
+  const auto alive = store / (base::make_partial_name("k.json", "partial", getpid()) + "-1");
+  for (const auto& path : {dead, alive}) std::ofstream(path) << "{";
+  ASSERT_EQ(run({"-o", "r", "--point", "0"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(alive));
+}
+
+// Puts a program of this name, which fails, first on PATH while it lives.
+class Failing {
+ public:
+  Failing(const fs::path& folder, const char* name) {
+    fs::create_directory(folder);
+    write_file(folder / name, "#!/bin/sh\necho 'no drawing today' >&2\nexit 5\n");
+    fs::permissions(folder / name, fs::perms::owner_all);
+    setenv("PATH", (folder.string() + ":" + path_).c_str(), 1);
+  }
+  ~Failing() { setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  const std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(Sweep, DrawingsThatFailCostNoResults) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "no gnuplot";
+  for (const char* program : {"gnuplot", "neato"}) {
+    {
+      const Failing failing(folder.path / program, program);
+      const Arguments all{"run", "e.toml", "-o", "r", "--set", "report.networks=largest"};
+      const auto failed = tlab(folder.path, all);
+      EXPECT_EQ(failed.exit_code, 2);
+      EXPECT_TRUE(contains(failed.err, "no drawing today")) << failed.err;
+      EXPECT_TRUE(contains(failed.err, program == std::string("gnuplot")
+                                           ? "tlab: plot speedup: gnuplot failed (exit code 5)"
+                                           : "tlab: network at objects = 20, workers = 3: "))
+          << failed.err;
+      EXPECT_TRUE(contains(failed.err, "the rest is in r, and tlab report r draws again"));
+      EXPECT_TRUE(contains(failed.out, "all 6 points are done")) << failed.out;
+      EXPECT_TRUE(contains(visible("r")["report.html"], "not drawn: ")) << program;
+      EXPECT_EQ(tlab(folder.path, {"report", "r"}).exit_code, 2);
+      EXPECT_EQ(
+          tlab(folder.path, {"verify", "e.toml", "-o", "r", "--set", "report.networks=largest"})
+              .exit_code,
+          2)
+          << program;
+    }
+    EXPECT_EQ(tlab(folder.path, {"report", "r"}).exit_code, 0);
+    EXPECT_FALSE(contains(visible("r")["report.html"], "not drawn: "));
+    fs::remove_all(folder.path / "r");
+  }
+}
+
+// A check that does not hold says more than a drawing that fails.
+TEST_F(Sweep, ADrawingThatFailsHidesNoCheck) {
+  const Failing failing(folder.path / "bin", "gnuplot");
+  const auto failed = run({"-o", "r", "--set", "check=[{name=\"c\", of=\"rays\", at_most=1}]"});
+  EXPECT_EQ(failed.exit_code, 1) << failed.err;
 }
 
 // A name that no column has is found when the first point has ended, and costs no point.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include <set>
 
 #include "renderer/progressive/pyramid.hpp"
@@ -193,6 +195,17 @@ TEST(Progressive, ThreadsAndRunsDoNotMatter) {
   const auto one = run(1);
   EXPECT_GT(std::get<3>(one), 0u);
   EXPECT_EQ(run(3), one);
+}
+
+TEST(Progressive, AStepThatIsStoppedHasNoCounts) {
+  const Scene scene = make_random_scene(44, 40);
+  for (const int threads : {1, 3}) {
+    Progressive image(scene, make_params(60, 50, 4), 16, threads);
+    std::atomic<int> asked = 0;
+    EXPECT_EQ(image.advance({}, [&] { return ++asked > 7; }), std::nullopt);
+    EXPECT_LT(asked, 8 + threads);
+    EXPECT_GE(asked, 8);
+  }
 }
 
 TEST(Progressive, OnlyTheAreaOfInterestIsMadeBetter) {

@@ -20,6 +20,33 @@ TEST(Render, AnyNumberOfThreadsGivesTheSameBits) {
   }
 }
 
+TEST(Render, EndsEarlyWithTheRowsThatAreDone) {
+  const Scene scene = make_random_scene(21, 40);
+  const Params params = make_params(50, 37, 6);
+  const Rendering whole = render(scene, params);
+  for (const int threads : {1, 3}) {
+    int last = 0;
+    const auto part = render(scene, params, threads, [&](int done, int rows) {
+      EXPECT_EQ(rows, 37);
+      last = done;
+      return done < 5;
+    });
+    EXPECT_GE(last, 5);
+    EXPECT_LT(last, 5 + threads);
+    EXPECT_EQ(part.rays.primary, 50u * static_cast<unsigned>(last));
+    int rows = 0;
+    for (int y = 0; y < 37; ++y) {
+      const auto row = [&](const Rendering& r) {
+        return std::vector(r.samples.sums.begin() + 50 * y, r.samples.sums.begin() + 50 * (y + 1));
+      };
+      const bool is_done = row(part) != std::vector<Samples::Sums>(50);
+      rows += is_done;
+      EXPECT_EQ(row(part), row(is_done ? whole : part)) << y;
+    }
+    EXPECT_EQ(rows, last);
+  }
+}
+
 TEST(Render, AreaOfInterestIsACutOut) {
   const Scene scene = make_random_scene(22, 30);
   Params params = make_params(40, 30, 4);
@@ -116,9 +143,10 @@ TEST(Render, ProgressIsToldAndMayStopIt) {
   render(scene, make_params(5, 9, 1), 2, [&](int done, int rows) {
     EXPECT_EQ(done, ++calls);
     EXPECT_EQ(rows, 9);
+    return true;
   });
   EXPECT_EQ(calls, 9);
-  const auto stop = [](int, int) { throw std::runtime_error("enough"); };
+  const auto stop = [](int, int) -> bool { throw std::runtime_error("enough"); };
   EXPECT_THROW(render(scene, make_params(5, 9, 1), 3, stop), std::runtime_error);
 }
 

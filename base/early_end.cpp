@@ -1,0 +1,58 @@
+#include "base/early_end.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <mutex>
+#include <ranges>
+#include <shared_mutex>
+
+namespace base {
+
+namespace {
+
+std::atomic<bool> is_ending = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler sets it
+
+std::shared_mutex sections;  // shared by the threads in sections
+thread_local int depth = 0;  // of sections in this thread
+
+std::mutex list_mutex;
+std::list<std::function<void()>> undos;
+
+}  // namespace
+
+Undivided::Undivided() {
+  if (depth++ > 0) return;
+  while (is_ending) pause();
+  sections.lock_shared();
+}
+
+Undivided::~Undivided() {
+  if (--depth == 0) sections.unlock_shared();
+}
+
+Undo::Undo(std::function<void()> undo) {
+  const Undivided section;
+  const std::lock_guard lock(list_mutex);
+  place_ = undos.insert(undos.end(), std::move(undo));
+}
+
+Undo::~Undo() {
+  const Undivided section;
+  const std::lock_guard lock(list_mutex);
+  undos.erase(place_);
+}
+
+void request_early_end() noexcept { is_ending = true; }
+
+void undo_all() {
+  request_early_end();
+  sections.lock();
+  for (const auto& undo : undos | std::views::reverse) try {
+      undo();
+    } catch (const std::exception&) {  // the others are undone all the same
+    }
+}
+
+}  // namespace base

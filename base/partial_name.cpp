@@ -1,0 +1,41 @@
+#include "base/partial_name.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <system_error>
+
+#include "base/text.hpp"
+
+namespace base {
+
+namespace {
+
+std::string host_name() {
+  char name[HOST_NAME_MAX + 1] = {};
+  if (gethostname(name, HOST_NAME_MAX) != 0)
+    throw std::system_error(errno, std::generic_category(), "gethostname: no name");
+  return name;
+}
+
+}  // namespace
+
+std::string make_partial_name(std::string_view name, std::string_view kind, pid_t process) {
+  return fmt::format(".{}.{}-{}-{}", name, kind, host_name(), process);
+}
+
+std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view kind) {
+  const auto mark = fmt::format(".{}-{}-", kind, host_name());
+  const auto at = partial_name.rfind(mark);
+  if (at == partial_name.npos || !partial_name.starts_with('.')) return std::nullopt;
+  const auto rest = partial_name.substr(at + mark.size());
+  const auto process = parse_number<pid_t>(rest.substr(0, rest.find('-')));
+  return process && *process > 0 ? process : std::nullopt;
+}
+
+bool is_dead(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+
+}  // namespace base

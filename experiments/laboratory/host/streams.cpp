@@ -1,0 +1,36 @@
+#include "experiments/laboratory/host/streams.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <system_error>
+
+namespace laboratory {
+
+void secure_streams() {
+  for (const int ends_the_program : {SIGPIPE, SIGXFSZ}) std::signal(ends_the_program, SIG_IGN);
+  // Nothing can be written to the one that is opened here, as nothing could before.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0)
+      throw std::system_error(errno, std::generic_category(), "/dev/null");
+}
+
+void print_on_error(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+void complain(std::string_view text) { print_on_error(fmt::format("tlab: {}\n", text)); }
+
+void flush_output() {
+  errno = 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
+                            "cannot write standard output");
+}
+
+}  // namespace laboratory

@@ -1,0 +1,20 @@
+#pragma once
+// Standard input, output and error, whatever they are connected to.
+#include <string_view>
+
+namespace laboratory {
+
+/// Makes writing to what is full, closed or read no more an error instead of the program's end, and
+/// keeps the numbers of streams that are closed from files that the program opens.
+void secure_streams();
+
+/// Prints the text on standard error; where that cannot be written there is nobody to tell.
+void print_on_error(std::string_view text);
+
+/// Prints a line that begins with "tlab: ".
+void complain(std::string_view text);
+
+/// Throws std::system_error where something that was printed cannot be written.
+void flush_output();
+
+}  // namespace laboratory

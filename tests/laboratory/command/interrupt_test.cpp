@@ -1,0 +1,187 @@
+// Signals that come where nothing is simulated: the program ends with one sentence and leaves
+// nothing behind, neither files nor programs that it has started.
+#include <signal.h>
+#include <sys/stat.h>
+
+#include "base/text.hpp"
+#include "tests/laboratory/support/sweep.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const SENTENCE = "tlab: interrupted; only what was done is kept\n";
+
+template <class Holds>
+bool comes_true(const Holds& holds) {
+  for (int i = 0; i < 6000 && !holds(); ++i) usleep(10'000);
+  return holds();
+}
+
+// A process that nobody has waited for stays as a zombie.
+bool is_gone(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/stat");
+  std::string number, name, state;
+  return !(in >> number >> name >> state) || state == "Z" || state == "X";
+}
+
+// Programs in a folder that is first on PATH: each writes its number into the file "started" and
+// then sleeps.
+struct Interrupt : Sweep {
+  Interrupt() {
+    fs::create_directory(bin);
+    for (const char* name : {"gnuplot", "neato", "dot"}) {
+      write_file(bin / name,
+                 "#!/bin/sh\necho $$ > started.new\nmv started.new started\n"
+                 "exec sleep 600\n");
+      fs::permissions(bin / name, fs::perms::owner_all);
+    }
+    setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
+  }
+  ~Interrupt() { setenv("PATH", path.c_str(), 1); }
+
+  // Starts tlab and sends the signal when it waits for one of the programs.
+  Outcome interrupt_drawing(int signal, const Arguments& arguments) {
+    fs::remove(started);
+    const pid_t tlab = start_tlab(folder.path, arguments);
+    EXPECT_TRUE(comes_true([&] { return fs::exists(started); }));
+    kill(tlab, signal);
+    const auto outcome = wait_for_tlab(folder.path, tlab);
+    const auto program = static_cast<pid_t>(std::stol(read_file(started)));
+    EXPECT_TRUE(comes_true([&] { return is_gone(program); }));
+    fs::remove(started);
+    return outcome;
+  }
+
+  const std::string path = std::getenv("PATH");
+  const fs::path bin = folder.path / "bin", started = folder.path / "started";
+};
+
+TEST_F(Interrupt, PlotsAreNotWaitedFor) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto ended = interrupt_drawing(signal, {"run", "e.toml", "-o", "r"});
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_EQ(ended.err, SENTENCE);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
+    EXPECT_TRUE(visible("r").empty());
+    EXPECT_EQ(records("r").size(), 6u);
+  }
+  setenv("PATH", path.c_str(), 1);
+  const auto resumed = run({"-o", "r"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_TRUE(contains(resumed.out, "6 of 6 points were there")) << resumed.out;
+  ASSERT_EQ(run({"-o", "s"}).exit_code, 0);
+  EXPECT_EQ(visible("r"), visible("s"));
+}
+
+TEST_F(Interrupt, OlderResultsStay) {
+  setenv("PATH", path.c_str(), 1);
+  ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
+  const auto before = visible("r");
+  setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
+  EXPECT_EQ(interrupt_drawing(SIGTERM, {"run", "e.toml", "-o", "r"}).exit_code, 130);
+  EXPECT_EQ(interrupt_drawing(SIGTERM, {"report", "r"}).exit_code, 130);
+  EXPECT_EQ(interrupt_drawing(SIGTERM, {"merge", "r"}).exit_code, 130);
+  EXPECT_EQ(visible("r"), before);
+  EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
+}
+
+// Nothing can be said or tidied then; but the programs end, and the next run tidies.
+TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
+  EXPECT_EQ(interrupt_drawing(SIGKILL, {"run", "e.toml", "-o", "r"}).exit_code, -1);
+  EXPECT_EQ(folder.names().size(), 4u);
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
+  EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
+}
+
+TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto ended =
+        interrupt_drawing(signal, {"topology", "ring:5", "--format", "svg", "-o", "ring.svg"});
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_EQ(ended.err, SENTENCE);
+    EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml"}));
+  }
+}
+
+// The scene comes through a pipe: who has opened it knows that it is being read.
+TEST_F(Sweep, ReadingIsInterrupted) {
+  const auto pipe = folder.path / "scene.nff";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t pid = start_tlab(folder.path, {"render", "scene.nff", "-o", "x.png"});
+    const std::ofstream scene(pipe);
+    kill(pid, signal);
+    const auto ended = wait_for_tlab(folder.path, pid);
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_EQ(ended.err, SENTENCE);
+    EXPECT_EQ(folder.names(), (Arguments{"e.toml", "scene.nff"}));
+  }
+}
+
+// Images that would take long. Where the signal comes before the first ray, it is sent later.
+TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
+  for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
+           {{"--pixel-samples", "64"}, "x.png has the picture after "},
+           {{"--progressive", "--max-cell", "64"}, "x.png has the picture after "},
+           {{"--pixel-samples", "64", "--frames", "0-9"}, "0 of 10 frames are written"}}) {
+    Outcome ended;
+    for (unsigned wait_us = 300'000; wait_us < 20'000'000; wait_us *= 2) {
+      Arguments all{"render", "spheres:5000", "-o",        "x.png",
+                    "--size", "3000x3000",    "--threads", "2"};
+      all.insert(all.end(), more.begin(), more.end());
+      const pid_t pid = start_tlab(folder.path, all);
+      usleep(wait_us);
+      kill(pid, SIGTERM);
+      ended = wait_for_tlab(folder.path, pid);
+      if (ended.err != SENTENCE) break;
+    }
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_TRUE(ended.err.starts_with("tlab: interrupted; " + told)) << ended.err;
+    EXPECT_EQ(fs::exists(folder.path / "x.png"), told.starts_with("x.png")) << told;
+    fs::remove(folder.path / "x.png");
+    EXPECT_EQ(folder.names(), Arguments{"e.toml"});
+  }
+}
+
+// A second signal does not wait for what the first one has left to be written.
+TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
+             "[machine]\ndatabase_memory_bytes = 1000000000\n");
+  const pid_t tlab = start_tlab(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"});
+  EXPECT_TRUE(comes_true([&] { return records("r").size() == 1; }));
+  usleep(300'000);  // the other point has begun
+  kill(tlab, SIGINT);
+  EXPECT_TRUE(comes_true([&] { return fs::exists(started); }));
+  kill(tlab, SIGINT);
+  const auto ended = wait_for_tlab(folder.path, tlab);
+  EXPECT_EQ(ended.exit_code, 130);
+  EXPECT_EQ(ended.err, SENTENCE);
+  EXPECT_TRUE(visible("r").empty());
+  EXPECT_EQ(records("r").size(), 1u);
+  fs::remove(started);
+  EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
+}
+
+// A signal to one simulation's process is not the user's wish to end the run.
+TEST_F(Sweep, ASimulationThatIsEndedAloneIsAFailure) {
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 4000\nheight = 200\n[sweep]\nworkers = [1]\n"
+             "[machine]\ndatabase_memory_bytes = 1000000000\n");
+  const pid_t tlab = start_tlab(folder.path, {"run", "e.toml", "-o", "r"});
+  const auto children =
+      "/proc/" + std::to_string(tlab) + "/task/" + std::to_string(tlab) + "/children";
+  EXPECT_TRUE(comes_true([&] { return !base::trim(read_file(children)).empty(); }));
+  kill(static_cast<pid_t>(std::stol(read_file(children))), SIGTERM);
+  const auto ended = wait_for_tlab(folder.path, tlab);
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "its process was asked to end, and tlab was not")) << ended.err;
+  EXPECT_FALSE(fs::exists(folder.path / "r/results.csv"));
+}
+
+}  // namespace
+}  // namespace laboratory

@@ -1,0 +1,59 @@
+// The command where standard output and error cannot be written, and under a quota.
+#include "tests/laboratory/support/sweep.hpp"
+
+namespace laboratory {
+namespace {
+
+// A line for the shell, in which $TLAB is the program; the exit code.
+int run_line(const std::filesystem::path& folder, const std::string& line) {
+  const auto command = "cd '" + folder.string() + "' && TLAB='" TLAB_BINARY_DIR "/tlab' && " + line;
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(Sweep, OutputThatCannotBeWrittenIsAnError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const auto told = folder.path / "told";
+  for (const char* line : {"--help", "--version", "run --help", "topology ring:4", "model t805-25",
+                           "columns", "run e.toml -o r"}) {
+    const auto command = std::string("$TLAB ") + line;
+    EXPECT_EQ(run_line(folder.path, command + " > /dev/full 2> told"), 2) << line;
+    EXPECT_TRUE(contains(read_file(told), "No space left on device")) << read_file(told);
+    EXPECT_EQ(run_line(folder.path, command + " >&- 2> told"), 2) << line;
+    EXPECT_TRUE(contains(read_file(told), "Bad file descriptor")) << read_file(told);
+  }
+  EXPECT_EQ(visible("r").count("report.html"), 1u) << "the results are there all the same";
+  EXPECT_EQ(read_file(folder.path / "r/results.csv").find("Ended:"), std::string::npos);
+}
+
+TEST_F(Sweep, ErrorsThatNobodyCanReadHaveTheirExitCodes) {
+  std::ofstream(folder.path / "fails.toml") << "[program]\nname = \"deadlock\"\n[sweep]\n"
+                                               "\"model.cpu.clock\" = [20e6, 25e6]\n";
+  for (const char* error : {"2> /dev/full", "2>&-"})
+    for (const auto& [line, exit_code] :
+         {std::pair("$TLAB run missing.toml", 2), std::pair("$TLAB", 2), std::pair("$TLAB run", 2),
+          std::pair("$TLAB run fails.toml -o r", 3), std::pair("$TLAB run e.toml -o s", 0)})
+      EXPECT_EQ(run_line(folder.path, std::string(line) + " > out " + error), exit_code)
+          << line << error;
+  EXPECT_EQ(folder.names(), (Arguments{"e.toml", "fails.toml", "out", "s"}));
+}
+
+// As `tlab ... | head -1` in a shell: 141 is 128 + SIGPIPE.
+TEST_F(Sweep, AReaderWhoHasReadEnoughIsToldNothing) {
+  EXPECT_EQ(run_line(folder.path,
+                     "mkfifo p && { head -c 1 < p > one & } && { $TLAB columns > p 2> told; }"),
+            141);
+  EXPECT_EQ(read_file(folder.path / "told"), "");
+}
+
+TEST_F(Sweep, AQuotaOfFilesSizesIsAnErrorAndLeavesNothingBehind) {
+  for (const char* blocks : {"0", "1", "8"}) {
+    const auto line = std::string("(ulimit -f ") + blocks + "; $TLAB run e.toml -o q) > /dev/null";
+    EXPECT_EQ(run_line(folder.path, line + " 2>&1"), 2) << blocks;
+    for (const auto& name : folder.names()) EXPECT_TRUE(name == "e.toml" || name == "q") << name;
+  }
+  EXPECT_EQ(run({"-o", "q"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace laboratory
