@@ -32,6 +32,9 @@ TEST(Csv, QuotedCellsComeBack) {
 TEST(Csv, QuotesOnlyWhatNeedsThem) {
   EXPECT_EQ(quote_csv("a b's-1.5"), "a b's-1.5");
   EXPECT_EQ(quote_csv("a,\"b\""), "\"a,\"\"b\"\"\"");
+  // Many readers take either for the end of a line, ours only one of them.
+  EXPECT_EQ(quote_csv("a\rb"), "\"a\rb\"");
+  EXPECT_EQ(quote_csv("a\nb"), "\"a\nb\"");
   EXPECT_EQ(join_csv({"a", "", "b"}), "a,,b\n");
 }
 

@@ -2,6 +2,7 @@
 // names.
 #include "experiments/laboratory/points/images.hpp"
 
+#include "experiments/laboratory/points/point_store.hpp"
 #include "tests/laboratory/support/load.hpp"
 #include "tests/laboratory/support/sweep.hpp"
 
@@ -29,6 +30,27 @@ TEST(ExperimentsImages, AreFilesNamedByContent) {
   EXPECT_EQ(read_file(folder.path / saved[0].file), "b");
   EXPECT_EQ(read_file(folder.path / saved[1].exr), "wide");
   EXPECT_EQ(folder.names().size(), 3u) << "and nothing else is left behind";
+}
+
+// A record whose images are not all there is none: the point is run again.
+TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
+  const TemporaryFolder folder;
+  const auto records = folder.path / records_folder();
+  auto picture = make_image("picture", "a");
+  picture.save_exr = [](const std::string& path) { write_file(path, "wide"); };
+  PointResult result;
+  result.ended = "done";
+  result.images = save_images({make_image("early", "b"), picture}, records);
+  const std::string key(32, '7');
+  save_record(records, key, result, "x = 1");
+  ASSERT_TRUE(find_record(folder.path, key));
+  for (const auto& file : {result.images[0].file, result.images[1].file, result.images[1].exr}) {
+    const auto bytes = read_file(records / file);
+    std::filesystem::remove(records / file);
+    EXPECT_FALSE(find_record(folder.path, key)) << file;
+    write_file(records / file, bytes);
+    EXPECT_TRUE(find_record(folder.path, key)) << file;
+  }
 }
 
 // Points of four, whose images depend on x alone but for the third's: names say so.

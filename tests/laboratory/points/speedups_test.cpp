@@ -34,6 +34,23 @@ TEST(ExperimentsSpeedups, AreAgainstOneProcessorAndOtherwiseTheSame) {
   EXPECT_EQ(table.rows[5][3], Value()) << "no ring of one";
 }
 
+// The time of a run that was cut short says nothing of how long it takes, on either side.
+TEST(ExperimentsSpeedups, NeedRunsThatCameToTheirEnd) {
+  for (const char* ended : {"limit", "interrupt", "deadlock"}) {
+    auto table = make({{"mesh", I{1}, 8.0, {}, {}, ended},
+                       {"mesh", I{4}, 2.5, {}, {}, "done"},
+                       {"line", I{1}, 9.0, {}, {}, "saturated"},
+                       {"line", I{4}, 3.0, {}, {}, "done"},
+                       {"line", I{2}, 1.0, {}, {}, ended}});
+    add_speedups(table, "processors");
+    for (const std::size_t row : {0, 1, 4}) {
+      EXPECT_EQ(table.rows[row][3], Value()) << ended << ", row " << row;
+      EXPECT_EQ(table.rows[row][4], Value()) << ended << ", row " << row;
+    }
+    EXPECT_EQ(table.rows[3][3], Value(3.0)) << ended;
+  }
+}
+
 TEST(ExperimentsSpeedups, NeedAnAxisOfProcessors) {
   auto table = make({{"mesh", I{1}, 8.0, {}, {}, "done"}});
   table.axes = 1;
@@ -74,6 +91,27 @@ TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   EXPECT_EQ(run_column(folder, "[sweep]\ntopology = [\"line:1\", \"ring:3\"]\n", "speedup"),
             of_workers);
   EXPECT_EQ(records(), 2u);
+}
+
+// Nor does that of a single worker, run once more or found in the sweep.
+TEST(ExperimentsSpeedups, ASingleWorkerThatIsCutShortIsNoBase) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"
+                                           "[sweep]\ntopology = [\"line:1\", \"ring:3\"]\n";
+  const auto run = [&](const std::string& until) {
+    EXPECT_EQ(tlab(folder.path, {"run", "e.toml", "-o", "r", "--until", until}).exit_code, 0);
+    const auto table = parse_csv(read_file(folder.path / "r" / "results.csv"), "results.csv");
+    std::vector<std::string> cells;
+    for (const char* column : {"ended", "speedup"})
+      for (const auto& row : table.rows) cells.push_back(to_string(row[*table.find(column)]));
+    return cells;
+  };
+  const auto whole = run("100");
+  EXPECT_EQ(whole[0] + " " + whole[1], "done done");
+  EXPECT_NE(whole[3], "");
+  const auto cut = run("0.35");
+  EXPECT_EQ(cut[0] + " " + cut[1], "limit done");
+  EXPECT_EQ(cut[3], "");
 }
 
 }  // namespace
