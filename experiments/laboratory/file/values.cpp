@@ -5,15 +5,6 @@
 
 namespace laboratory {
 
-toml::table parse_toml(const std::string& text, const std::string& origin) {
-  try {
-    return toml::parse(text, origin);
-  } catch (const toml::parse_error& error) {
-    throw base::BadInput(
-        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
-  }
-}
-
 std::string Place::where() const {
   const auto line = node.source().begin.line;  // 0 for a value from --set
   return line > 0 ? fmt::format("{}:{}", origin, line) : fmt::format("{}, with --set", origin);

@@ -106,6 +106,12 @@ TEST(Model, FileIsFoundByItsPath) {
   std::filesystem::remove(path);
 }
 
+TEST(Model, HasALimitedNumberOfEntries) {
+  std::string text = "name = \"mine\"\nbase = \"t805-25\"\n[operation]\n";
+  for (int i = 0; i <= 10'000; ++i) text += fmt::format("x{} = 1\n", i);
+  EXPECT_EQ(refusal_of(text), "my.toml: found more than 10000 entries, expected at most so many");
+}
+
 struct Malformed {
   const char* what;
   const char* text;

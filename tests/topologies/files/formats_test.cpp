@@ -36,6 +36,34 @@ TEST(TopologyRandomFormats, RoundTripWithPortsRootAndAwkwardLabels) {
   }
 }
 
+std::string repeat(int times, const std::string& part) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
+}
+
+TEST(TopologyGraphMl, ElementsMayBeNestedHoweverDeep) {
+  constexpr int LEVELS = 140'000;
+  for (const char* open :
+       {"<x>", "<x y='/>'>", "<x><!-- </x> -->", "<x><![CDATA[</x>]]>", "<x><?p </x> ?>"})
+    EXPECT_EQ(read_graphml("<graphml><graph><node id='a'/>" + repeat(LEVELS, open) +
+                               repeat(LEVELS, "</x>") + "</graph></graphml>",
+                           "deep.graphml")
+                  .processors,
+              1)
+        << open;
+}
+
+TEST(TopologyGraphMl, ManyNamesMayLookLikeElements) {
+  std::string text = "<graphml><graph>";
+  for (int p = 0; p < 300; ++p) text += fmt::format("<node id='a{}&lt;>1'/>", p);
+  for (int p = 1; p < 300; ++p)
+    text += fmt::format("<edge source='a{}&lt;>1' target='a{}&lt;>1'/>", p - 1, p);
+  const auto t = read_graphml(text + "</graph></graphml>", "names.graphml");
+  EXPECT_EQ(t.processors, 300);
+  EXPECT_EQ(t.labels[1], "a1<>1");
+}
+
 TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
   const auto t = read_dot(R"(/* not: first */ graph "net" { // comment
     node [color=red]; host; "w 10" [label="host"]; w2;
