@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 
 namespace base {
@@ -23,8 +24,7 @@ void check_functions(const mu::Parser& parser, std::string_view text, const std:
     const auto before = trim(text.substr(0, open));
     const std::string name(before.substr(before.find_last_not_of(NAME_CHARACTERS) + 1));
     if (!Formula::is_name(name) || std::ranges::find(known, name) != known.end()) continue;
-    refuse(place, "unknown function \"{}\", the nearest is \"{}\"", name,
-           nearest_name(name, known));
+    refuse(place, "unknown function \"{}\"{}", name, suggest(name, known));
   }
 }
 

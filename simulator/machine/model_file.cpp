@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "base/formula.hpp"
 #include "base/order.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "base/toml.hpp"
 #include "base/whole_file.hpp"
@@ -224,8 +225,8 @@ void check_key(const Model& model, const Entry& entry, bool has_base) {
     std::vector<std::string> keys;
     for (const auto& field : fields()) keys.push_back(field.key);
     for (const auto& e : model.entries) keys.push_back(e.key);
-    base::refuse(entry.where, "unknown key, the nearest valid one is \"{}\"",
-                 base::nearest_name(entry.key, keys));
+    base::refuse(entry.where, "unknown key{}",
+                 base::suggest(entry.key, keys, "the nearest valid one is"));
   }
   base::require(entry.unit == unit, entry.where, "unit: found \"{}\", expected \"{}\"", entry.unit,
                 unit);
@@ -250,8 +251,7 @@ std::vector<std::size_t> find_needs(const Model& model, const base::Formula& for
     }
     std::vector<std::string> keys;
     for (const auto& e : model.entries) keys.push_back(e.key);
-    base::refuse(formula.place(), "unknown name {}, the nearest is {}", name,
-                 base::nearest_name(name, keys));
+    base::refuse(formula.place(), "unknown name {}{}", name, base::suggest(name, keys));
   }
   return needs;
 }

@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "base/order.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -49,8 +50,8 @@ std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& defi
 void find_column(const Table& table, const std::string& column, const std::string& place,
                  const std::string& owner) {
   if (table.find(column)) return;
-  throw BadInput(fmt::format("{}: unknown column \"{}\" of {}, the nearest is \"{}\"", place,
-                             column, owner, nearest_column(column, table.columns)));
+  throw BadInput(fmt::format("{}: unknown column \"{}\" of {}{}", place, column, owner,
+                             suggest_column(column, table.columns)));
 }
 
 Table parse_reference(const std::string& path, const std::string& place) {
@@ -69,6 +70,7 @@ std::optional<Table> read_reference(const Spec& spec) {
   for (const auto& key : spec.keys) find_column(table, key, spec.place + ": keys", spec.reference);
   find_column(table, spec.column, spec.place + ": column", spec.reference);
   const auto column = *table.find(spec.column);
+  for (auto& row : table.rows) row[column] = unquote_number(row[column]);
   for (const auto& row : table.rows)
     if (std::holds_alternative<std::string>(row[column]))
       throw BadInput(fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing",
@@ -176,9 +178,8 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
       for (const auto& [axis, text, value] : reference->conditions) {
         const auto texts = texts_of(table, axis);
         if (texts.empty() || std::ranges::find(texts, text) != texts.end()) continue;
-        notes.push_back(fmt::format("{}: {}: no point has {} = {}, the nearest is \"{}\"",
-                                    expression.place(), reference->text, axis, text,
-                                    base::nearest_name(text, texts)));
+        notes.push_back(fmt::format("{}: {}: no point has {} = {}{}", expression.place(),
+                                    reference->text, axis, text, base::suggest(text, texts)));
       }
     }
   });

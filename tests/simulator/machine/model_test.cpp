@@ -141,7 +141,7 @@ TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {
        {"my.toml:4", "cpu.clock", "expected an expression"}},
       {"formula of an unknown name",
        R"(clock = {value="2 * link.bit_rat",unit="Hz",provenance="assumed",source="x"})",
-       {"my.toml:4", "cpu.clock", "unknown name link.bit_rat", "nearest is link.bit_rate"}},
+       {"my.toml:4", "cpu.clock", "unknown name link.bit_rat", "nearest is \"link.bit_rate\""}},
       {"formula that needs itself",
        "clock = {value=\"link.bit_rate\",unit=\"Hz\",provenance=\"assumed\",source=\"x\"}\n[link]\n"
        "bit_rate = {value=\"cpu.clock\",unit=\"bit/s\",provenance=\"assumed\",source=\"x\"}",

@@ -1,7 +1,7 @@
 #include "topologies/files/formats.hpp"
 
 #include "tests/topologies/support.hpp"
-#include "topologies/draw/graphviz.hpp"
+#include "topologies/draw/drawing.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace topologies {
@@ -154,6 +154,9 @@ TEST(TopologySvg, IsDrawnOrSaysThatGraphvizIsMissing) {
       EXPECT_NE(svg.find("<svg"), svg.npos);
       EXPECT_NE(svg.find("</svg>"), svg.npos);
     }
+  // Places come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
+  const auto mesh = to_svg(make_topology("mesh:16x16"));
+  EXPECT_NE(mesh.find("width=\"9"), mesh.npos) << mesh.substr(0, 800);
   const std::string path = getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
   try {
