@@ -30,13 +30,14 @@ std::optional<std::string> find_similar(std::string_view name,
   constexpr std::size_t LONGEST = 200;  // a name; comparing takes the product of lengths
   constexpr std::size_t SHORTEST_PART = 3;
   if (known.empty() || name.size() > LONGEST) return {};
-  const auto nearest = nearest_name(name, known);
-  const auto less = std::min(name.size(), nearest.size());
-  const auto more = std::max(name.size(), nearest.size());
-  const bool is_part = less >= SHORTEST_PART &&
-                       (nearest.find(name) != nearest.npos || name.find(nearest) != name.npos);
-  return is_part || 3 * count_edits(name, nearest) <= more + 2 ? std::optional(nearest)
-                                                               : std::nullopt;
+  auto nearest = nearest_name(name, known);
+  if (3 * count_edits(name, nearest) <= std::max(name.size(), nearest.size()) + 2) return nearest;
+  std::vector<std::string> parts;
+  for (const auto& other : known)
+    if (std::min(name.size(), other.size()) >= SHORTEST_PART &&
+        (other.find(name) != other.npos || name.find(other) != name.npos))
+      parts.push_back(other);
+  return parts.empty() ? std::nullopt : std::optional(nearest_name(name, parts));
 }
 
 std::string suggest(std::string_view name, const std::vector<std::string>& known,

@@ -7,8 +7,8 @@
 
 namespace base {
 
-/// The nearest name among `known`, if it is similar: one contains the other, or a third of the
-/// letters or fewer differ.
+/// The nearest name among `known` if it is similar, a third of the letters or fewer being others;
+/// else the nearest of those that contain `name` or are contained in it.
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known);
 

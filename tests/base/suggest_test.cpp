@@ -9,7 +9,7 @@ namespace {
 const std::vector<std::string> COMMANDS = {"topology", "render", "run", "verify"};
 
 TEST(Suggest, SimilarNamesAreOffered) {
-  EXPECT_EQ(suggest("rnu", COMMANDS), ", the nearest is \"run\"");
+  EXPECT_EQ(suggest("runn", COMMANDS), ", the nearest is \"run\"");
   EXPECT_EQ(suggest("topolgy", COMMANDS, "try"), ", try \"topology\"");
   EXPECT_EQ(suggest("cell", {"time", "min_cell"}), ", the nearest is \"min_cell\"");
   EXPECT_EQ(did_you_mean("verfy", COMMANDS), " (did you mean \"verify\"?)");
