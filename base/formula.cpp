@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 
 namespace base {
@@ -16,16 +17,14 @@ constexpr std::string_view NAME_CHARACTERS =
     "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
 // Names unknown functions: muParser itself says only that a parenthesis is unexpected.
-void check_functions(const mu::Parser& parser, const std::string& text, const std::string& place) {
+void check_functions(const mu::Parser& parser, std::string_view text, const std::string& place) {
   std::vector<std::string> known;
   for (const auto& [name, function] : parser.GetFunDef()) known.push_back(name);
-  for (auto open = text.find('('); open != std::string::npos; open = text.find('(', open + 1)) {
-    std::string name = text.substr(0, open);
-    name.erase(name.find_last_not_of(" \t") + 1);
-    name.erase(0, name.find_last_not_of(NAME_CHARACTERS) + 1);
+  for (auto open = text.find('('); open != text.npos; open = text.find('(', open + 1)) {
+    const auto before = trim(text.substr(0, open));
+    const std::string name(before.substr(before.find_last_not_of(NAME_CHARACTERS) + 1));
     if (!Formula::is_name(name) || std::ranges::find(known, name) != known.end()) continue;
-    refuse(place, "unknown function \"{}\", the nearest is \"{}\"", name,
-           nearest_name(name, known));
+    refuse(place, "unknown function \"{}\"{}", name, suggest(name, known));
   }
 }
 
@@ -49,6 +48,8 @@ struct Formula::Parser {
 
 Formula::Formula(const std::string& text, std::string place)
     : place_(std::move(place)), parser_(std::make_unique<Parser>()) {
+  require(text.size() <= MAX_BYTES, place_, "found an expression of {} bytes, expected at most {}",
+          text.size(), MAX_BYTES);
   auto refuse = [&](const std::string& what) {
     base::refuse(place_, "found \"{}\", expected an expression: {}", text, what);
   };

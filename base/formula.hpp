@@ -10,9 +10,11 @@ namespace base {
 
 class Formula {
  public:
+  static constexpr std::size_t MAX_BYTES = 20'000;
+
   /// `place` begins the messages about mistakes: "e.toml:12: check \"x\": formula". Names consist
   /// of letters, digits, _ and dots. Throws BadInput, with the text, unless it is one expression,
-  /// and, with the nearest name, for a function that does not exist.
+  /// with the nearest name for a function that does not exist, and for a text beyond MAX_BYTES.
   Formula(const std::string& text, std::string place);
   ~Formula();
   Formula(Formula&&) noexcept;

@@ -3,28 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
+
+#include "base/suggest.hpp"
 
 namespace base {
 
 namespace {
 
 bool is_control(unsigned char c) { return c < 0x20 || c == 0x7f; }
-
-std::size_t eval_edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
 
 }  // namespace
 
@@ -47,7 +33,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
   return *std::ranges::min_element(
-      known, {}, [&](const std::string& candidate) { return eval_edits(name, candidate); });
+      known, {}, [&](const std::string& candidate) { return count_edits(name, candidate); });
 }
 
 std::string quote(std::string_view word) {

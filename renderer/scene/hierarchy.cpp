@@ -1,12 +1,17 @@
 #include "renderer/scene/hierarchy.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace renderer {
 
 namespace {
 
 constexpr std::uint32_t NONE = Box::INNER;
+
+// Nodes that insertion may look at, of any scene and for each of its objects.
+constexpr std::size_t MOST_LOOKS = 10'000'000, MOST_LOOKS_PER_OBJECT = 2000;
 
 struct Node {
   Bounds bounds;
@@ -18,6 +23,7 @@ struct Node {
 struct Tree {
   std::vector<Node> nodes;
   std::uint32_t root = NONE;
+  std::size_t looks = 0;  // at nodes, by insertion
 };
 
 std::uint32_t add_node(Tree& tree, const Bounds& bounds, std::uint32_t item) {
@@ -88,7 +94,7 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
 // a leaf, and where nothing below can be better, as every place costs the object's own area.
 // If children grow equally (several boxes contain the object), every one is tried: where
 // Goldsmith and Salmon take the one of the nearest centre, or any, the least cost decides here.
-std::uint32_t find_place(const Tree& tree, const Bounds& object) {
+std::uint32_t find_place(Tree& tree, const Bounds& object) {
   Choice best{tree.root};
   if (tree.nodes[tree.root].item != NONE) return best.node;
   const double own = half_area(object);
@@ -96,7 +102,9 @@ std::uint32_t find_place(const Tree& tree, const Bounds& object) {
   while (!ways.empty()) {
     const Way way = ways.back();
     ways.pop_back();
-    if (way.inherited + own < best.cost) weigh(tree, object, way, best, ways);
+    if (!(way.inherited + own < best.cost)) continue;
+    weigh(tree, object, way, best, ways);
+    tree.looks += tree.nodes[way.node].children.size();
   }
   return best.node;
 }
@@ -110,8 +118,42 @@ void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
   std::uint32_t place = find_place(tree, object);
   if (tree.nodes[place].item != NONE) place = make_pair_place(tree, place);
   append_child(tree, place, leaf);
-  for (std::uint32_t up = place; up != NONE; up = tree.nodes[up].parent)
+  for (std::uint32_t up = place; up != NONE; up = tree.nodes[up].parent, ++tree.looks)
     tree.nodes[up].bounds = join(tree.nodes[up].bounds, object);
+}
+
+// Adds a tree of these items, halved again and again along the axis on which their middles spread
+// most; returns its root.
+std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
+                         std::span<std::uint32_t> items) {
+  if (items.size() == 1) return add_node(tree, objects[items[0]], items[0]);
+  Bounds all, middles;
+  const auto twice_middle = [&](std::uint32_t i) { return objects[i].lo + objects[i].hi; };
+  for (const auto i : items) {
+    all = join(all, objects[i]);
+    middles = join(middles, twice_middle(i));
+  }
+  const Vec spread = middles.hi - middles.lo;
+  const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+  const auto half = items.size() / 2;
+  std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(half), {},
+                           [&](std::uint32_t i) { return std::pair(twice_middle(i)[axis], i); });
+  const std::uint32_t inner = add_node(tree, all, NONE);
+  for (const auto part : {items.first(half), items.subspan(half)})
+    append_child(tree, inner, add_halves(tree, objects, part));
+  return inner;
+}
+
+// Adds the objects from `first` on without looking for the best place of each.
+void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
+  std::vector<std::uint32_t> items(objects.size() - first);
+  std::iota(items.begin(), items.end(), static_cast<std::uint32_t>(first));
+  const std::uint32_t rest = add_halves(tree, objects, items);
+  const std::uint32_t both =
+      add_node(tree, join(tree.nodes[tree.root].bounds, tree.nodes[rest].bounds), NONE);
+  append_child(tree, both, tree.root);
+  append_child(tree, both, rest);
+  tree.root = both;
 }
 
 // The bounds of all boxes when those of the objects are these.
@@ -163,8 +205,13 @@ double eval_cost(const Hierarchy& hierarchy) {
 Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   Tree tree;
   tree.nodes.reserve(2 * objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    insert(tree, objects[i], static_cast<std::uint32_t>(i));
+  // Insertion takes a time that grows with the square where many objects lie in one place: each is
+  // one more child of one box.
+  const std::size_t most = MOST_LOOKS + MOST_LOOKS_PER_OBJECT * objects.size();
+  std::size_t inserted = 0;
+  for (; inserted < objects.size() && tree.looks <= most; ++inserted)
+    insert(tree, objects[inserted], static_cast<std::uint32_t>(inserted));
+  if (inserted < objects.size()) add_rest(tree, objects, inserted);
 
   // Depth first; a box's skip is known when all that is in it has been stored.
   struct Step {

@@ -31,7 +31,9 @@ struct Hierarchy {
   std::vector<Bounds> moves;
 };
 
-/// A leaf's `item` is the object's index in `objects`. No objects, no boxes.
+/// A leaf's `item` is the object's index in `objects`. No objects, no boxes. Where insertion would
+/// take a time that grows with the square of their number, as for many objects in one place, the
+/// last ones are not inserted but halved by place again and again.
 Hierarchy make_hierarchy(std::span<const Bounds> objects);
 /// The same of objects that move, from where they are when the shutter opens to where they are when
 /// it closes: of those made of where they are then and halfway, the one of least expected cost.

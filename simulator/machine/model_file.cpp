@@ -1,13 +1,14 @@
 // Model files: where their entries go, and how they are read: TOML, inheritance, formulas.
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "base/errors.hpp"
 #include "base/formula.hpp"
+#include "base/order.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
+#include "base/toml.hpp"
 #include "base/whole_file.hpp"
 #include "simulator/machine/builtin_models.hpp"
 #include "simulator/machine/model.hpp"
@@ -17,6 +18,7 @@ namespace machine {
 namespace {
 
 constexpr double LARGEST = 1e12;  // no entry is larger, in any unit
+constexpr std::size_t MOST_ENTRIES = 10'000;
 
 // What is known of an entry: its unit, its range, and where its value goes.
 struct Field {
@@ -223,8 +225,8 @@ void check_key(const Model& model, const Entry& entry, bool has_base) {
     std::vector<std::string> keys;
     for (const auto& field : fields()) keys.push_back(field.key);
     for (const auto& e : model.entries) keys.push_back(e.key);
-    base::refuse(entry.where, "unknown key, the nearest valid one is \"{}\"",
-                 base::nearest_name(entry.key, keys));
+    base::refuse(entry.where, "unknown key{}",
+                 base::suggest(entry.key, keys, "the nearest valid one is"));
   }
   base::require(entry.unit == unit, entry.where, "unit: found \"{}\", expected \"{}\"", entry.unit,
                 unit);
@@ -238,50 +240,50 @@ void add(Model& model, Entry entry) {
     *same = std::move(entry);
 }
 
-// Computes the entries that are formulas, each after those it uses.
-class Evaluation {
- public:
-  explicit Evaluation(Model& model) : model_(model) {}
-  void run() {
-    for (Entry& entry : model_.entries) value_of(entry);
-  }
-
- private:
-  double value_of(Entry& entry) {
-    if (entry.formula.empty() || done_.contains(entry.key)) return entry.value;
-    base::require(under_way_.insert(entry.key).second, entry.where,
-                  "formula \"{}\" depends on itself", entry.formula);
-    const base::Formula formula(entry.formula, entry.where);
-    std::vector<double> values;
-    for (const auto& name : formula.variables()) values.push_back(value_of(find(entry, name)));
-    entry.value = formula.eval(values);
-    done_.insert(entry.key);
-    return entry.value;
-  }
-  Entry& find(const Entry& user, const std::string& name) {
-    const auto found = std::ranges::find(model_.entries, name, &Entry::key);
-    if (found != model_.entries.end()) return *found;
+// Finds the index of the entry of each name in a formula.
+std::vector<std::size_t> find_needs(const Model& model, const base::Formula& formula,
+                                    const std::map<std::string, std::size_t>& index_of) {
+  std::vector<std::size_t> needs;
+  for (const auto& name : formula.variables()) {
+    if (const auto found = index_of.find(name); found != index_of.end()) {
+      needs.push_back(found->second);
+      continue;
+    }
     std::vector<std::string> keys;
-    for (const auto& e : model_.entries) keys.push_back(e.key);
-    base::refuse(user.where, "formula \"{}\": unknown name {}, the nearest is {}", user.formula,
-                 name, base::nearest_name(name, keys));
+    for (const auto& e : model.entries) keys.push_back(e.key);
+    base::refuse(formula.place(), "unknown name {}{}", name, base::suggest(name, keys));
   }
+  return needs;
+}
 
-  Model& model_;
-  std::set<std::string> under_way_, done_;
-};
+// Computes the entries that are formulas, each after those it uses.
+void eval_formulas(Model& model) {
+  std::map<std::string, std::size_t> index_of;
+  for (const Entry& entry : model.entries) index_of.emplace(entry.key, index_of.size());
+  std::map<std::size_t, base::Formula> formulas;
+  std::vector<std::vector<std::size_t>> needs(model.entries.size());
+  for (std::size_t i = 0; i < needs.size(); ++i) {
+    const Entry& entry = model.entries[i];
+    if (entry.formula.empty()) continue;
+    const auto place = fmt::format("{}: formula \"{}\"", entry.where, entry.formula);
+    const auto& formula = formulas.try_emplace(i, entry.formula, place).first->second;
+    needs[i] = find_needs(model, formula, index_of);
+  }
+  const auto order = base::sort_by_needs(needs);
+  if (!order.circle.empty())
+    base::refuse(formulas.at(order.circle[0]).place(), "depends on itself");
+  for (const auto i : order.sorted) {
+    const auto formula = formulas.find(i);
+    if (formula == formulas.end()) continue;
+    std::vector<double> values;
+    for (const auto needed : needs[i]) values.push_back(model.entries[needed].value);
+    model.entries[i].value = formula->second.eval(values);
+  }
+}
 
 // "my.toml:4".
 std::string place_of(std::string_view origin, const toml::source_region& source) {
   return fmt::format("{}:{}", origin, source.begin.line);
-}
-
-toml::table parse_toml(std::string_view text, std::string_view origin) {
-  try {
-    return toml::parse(text, origin);
-  } catch (const toml::parse_error& error) {
-    base::refuse(place_of(origin, error.source()), "{}", error.description());
-  }
 }
 
 std::optional<std::string> read_text(const toml::table& file, const char* key,
@@ -299,7 +301,7 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
 // The entries, not yet computed.
 Model parse(std::string_view text, std::string_view origin, const std::filesystem::path& folder,
             int inside) {
-  const toml::table file = parse_toml(text, origin);
+  const toml::table file = base::parse_toml(text, origin);
   Model model;
   const auto base_name = read_text(file, "base", origin);
   base::require(!base_name || inside <= 8, origin, "base: a chain without end");
@@ -311,6 +313,8 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
     if (section == "name" || section == "base") continue;
     base::require(content.is_table(), place_of(origin, content.source()), "{}: expected a section",
                   section.str());
+    base::require(entries.size() + content.as_table()->size() <= MOST_ENTRIES, origin,
+                  "found more than {} entries, expected at most so many", MOST_ENTRIES);
     for (auto&& [name, node] : *content.as_table()) {
       const auto key = fmt::format("{}.{}", section.str(), name.str());
       Entry entry = read_entry(key, node, place_of(origin, node.source()) + ": " + key);
@@ -335,7 +339,7 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
 }
 
 Model complete(Model model, std::string_view origin) {
-  Evaluation(model).run();
+  eval_formulas(model);
   bind_entries(model, origin);
   return model;
 }
@@ -360,7 +364,7 @@ Model override_model(std::string_view name,
     entry.source = fmt::format("set by {}", origin);
     entry.where = fmt::format("{}: model.{}", origin, key);
     check_key(model, entry, true);
-    const auto value = parse_toml("value = " + toml, entry.where);
+    const auto value = base::parse_toml("value = " + toml, entry.where);
     read_value(entry, value.get("value"));
     add(model, std::move(entry));
   }

@@ -46,6 +46,17 @@ TEST(Formula, NamesAreListedOnceAndTakeTheirOwnValues) {
   EXPECT_EQ(formula.eval(std::vector<double>{1, 0, 3}), 3);
 }
 
+TEST(Formula, AreOfALimitedLength) {
+  std::string longest(Formula::MAX_BYTES, '-');
+  longest.back() = '1';
+  for (const std::string& text : {longest + ' ', std::string(1'000'000, '(')}) {
+    const auto told = refusal_of([&] { eval(text); });
+    EXPECT_EQ(told, fmt::format("here: found an expression of {} bytes, expected at most {}",
+                                text.size(), Formula::MAX_BYTES));
+  }
+  EXPECT_EQ(refusal_of([&] { eval(longest); }).find("bytes"), std::string::npos);
+}
+
 TEST(Formula, MistakesAreNamed) {
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"", "here: found \"\", expected an expression: "},

@@ -1,9 +1,18 @@
 #include "topologies/draw/graphviz.hpp"
 
 #include "base/host_program.hpp"
-#include "topologies/files/dot.hpp"
+#include "base/text.hpp"
 
 namespace topologies {
+
+std::string quote_dot(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : base::blank_controls(text)) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return quoted + '"';
+}
 
 std::string run_graphviz(const std::string& program, const std::vector<std::string>& arguments,
                          const std::string& dot, const std::string& name) {
@@ -12,11 +21,6 @@ std::string run_graphviz(const std::string& program, const std::vector<std::stri
                             .input = dot,
                             .purpose = "topology " + name,
                             .remedy = "install graphviz, or ask for the format dot"});
-}
-
-std::string to_svg(const Topology& topology) {
-  return run_graphviz(is_tree(topology) ? "dot" : "neato", {"-Tsvg"}, to_dot(topology),
-                      topology.name);
 }
 
 }  // namespace topologies

@@ -1,5 +1,7 @@
 #include "topologies/draw/layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -179,6 +181,16 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
 int from_gray(int bits) { return bits ^ (bits >> 1); }
 
 }  // namespace
+
+std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place& swerve) {
+  const Place off{4 * swerve.x / 3, 4 * swerve.y / 3};
+  return {from, {from.x + off.x, from.y + off.y}, {to.x + off.x, to.y + off.y}, to};
+}
+
+std::string format_points(const Place& place) {
+  constexpr double UNIT = 36;  // points
+  return fmt::format("{:.2f},{:.2f}", UNIT * place.x, UNIT * place.y);
+}
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;

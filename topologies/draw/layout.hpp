@@ -1,6 +1,8 @@
 #pragma once
 // Where a drawing puts processors. The unit is the least distance of two; y grows upwards.
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "topologies/graph/topology.hpp"
@@ -17,6 +19,13 @@ struct Layout {
   Places processors;
   Places swerves;  ///< by index into Topology::links: how far off the straight line it is half way
 };
+
+/// The control points of a link's Bezier curve, which is off the straight line by `swerve` half
+/// way.
+std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place& swerve);
+
+/// A place as Graphviz takes it, in points of paper: "36.00,72.00".
+std::string format_points(const Place& place);
 
 /// Places processors by Topology::shape: lines and rings in rows to and fro (small rings in a
 /// circle), meshes and tori as grids with closing links between the lines, hypercubes as the

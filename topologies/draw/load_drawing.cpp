@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "base/errors.hpp"
-#include "base/text.hpp"
 #include "topologies/draw/graphviz.hpp"
 #include "topologies/draw/layout.hpp"
 
@@ -39,21 +38,7 @@ const char* text_colour(double share) {
   return 0.299 * r + 0.587 * g + 0.114 * b < 140 ? "white" : "black";
 }
 
-// A text as a string of DOT, where a backslash starts an escape and & an entity.
-std::string quote(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : base::blank_controls(text)) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return quoted + '"';
-}
-
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-
-std::string at(const Place& place) {
-  return fmt::format("{:.2f},{:.2f}", UNIT_PT * place.x, UNIT_PT * place.y);
-}
 
 struct Half {  // of a link
   int from, to;
@@ -75,28 +60,25 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
   return fmt::format(
       "n{} [class=processor, shape={}, width={:.3f}, height={:.3f}, pos=\"{}\", label={}, "
       "fillcolor=\"{}\", fontcolor={}, fontsize={:.1f}, penwidth={}, tooltip={}];\n",
-      id, is_extra ? "box" : "circle", width / 72, PROCESSOR_PT / 72, at(node.place),
-      quote(node.label), load_colour(node.load), text_colour(node.load), font, is_root ? 3 : 0.75,
-      quote(fmt::format("{}: busy {}", node.name, percent(node.load))));
+      id, is_extra ? "box" : "circle", width / 72, PROCESSOR_PT / 72, format_points(node.place),
+      quote_dot(node.label), load_colour(node.load), text_colour(node.load), font,
+      is_root ? 3 : 0.75, quote_dot(fmt::format("{}: busy {}", node.name, percent(node.load))));
 }
 
-// The half of a link that is next to `from` shows what `from` sends. The whole link is a Bezier
-// curve with control points that are off the straight line by 4/3 of `swerve`, so that the curve is
-// off by `swerve`.
+// The half of a link that is next to `from` shows what `from` sends.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
   const auto mix = [](const Place& a, const Place& b) {
     return Place{(a.x + b.x) / 2, (a.y + b.y) / 2};
   };
-  const Place p0 = nodes[from].place, p3 = nodes[to].place;
-  const Place off{4 * swerve.x / 3, 4 * swerve.y / 3};
-  const Place p1{p0.x + off.x, p0.y + off.y}, p2{p3.x + off.x, p3.y + off.y};
+  const auto [p0, p1, p2, p3] = make_curve(nodes[from].place, nodes[to].place, swerve);
   const Place p01 = mix(p0, p1), p12 = mix(p1, p2), p23 = mix(p2, p3);
   const Place p012 = mix(p01, p12), middle = mix(p012, mix(p12, p23));
   return fmt::format(
       "n{} -> n{} [class=link, pos=\"{} {} {} {}\", color=\"{}\", penwidth={:.2f}, tooltip={}];\n",
-      from, to, at(p0), at(p01), at(p012), at(middle), load_colour(load), 1.2 + 5.8 * load,
-      quote(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
+      from, to, format_points(p0), format_points(p01), format_points(p012), format_points(middle),
+      load_colour(load), 1.2 + 5.8 * load,
+      quote_dot(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
 // The index of the first extra processor of this name; their number if there is none.
@@ -160,8 +142,8 @@ std::string write_legend(const Place& place) {
     return fmt::format(
         "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
         "pos=\"{}\"];\n",
-        name, quote(words), LETTER * static_cast<double>(words.size()),
-        at({place.x + x, place.y + y}));
+        name, quote_dot(words), LETTER * static_cast<double>(words.size()),
+        format_points({place.x + x, place.y + y}));
   };
   std::string out;
   for (int i = 0; i < STEPS; ++i)
@@ -169,7 +151,7 @@ std::string write_legend(const Place& place) {
         "s{} [class=legend, shape=box, label=\"\", penwidth=0, width={:.4f}, height={:.4f}, "
         "fillcolor=\"{}\", pos=\"{}\"];\n",
         i, WIDTH * UNIT_PT / 72, HEIGHT * UNIT_PT / 72, load_colour((i + 0.5) / STEPS),
-        at({place.x + (i + 0.5) * WIDTH, place.y}));
+        format_points({place.x + (i + 0.5) * WIDTH, place.y}));
   for (int quarter = 0; quarter <= 4; ++quarter)
     out += text(fmt::format("t{}", quarter).c_str(), quarter * STEPS * WIDTH / 4, -0.45,
                 fmt::format("{} %", 25 * quarter));
@@ -232,7 +214,7 @@ std::string to_load_svg(const Topology& topology, const Loads& loads) {
   check_loads(topology, loads);
   const auto layout = make_layout(topology);
   const auto nodes = make_nodes(topology, loads, layout);
-  const auto title = quote(loads.title.empty() ? topology.name : loads.title);
+  const auto title = quote_dot(loads.title.empty() ? topology.name : loads.title);
   std::string dot = fmt::format(
       "digraph {} {{\nlabel={};\nlabelloc=t;\nfontname=\"sans-serif\";\nfontsize=16;\n"
       "outputorder=edgesfirst;\nnode [style=filled, fixedsize=true, fontname=\"sans-serif\", "

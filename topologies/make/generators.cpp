@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "topologies/files/formats.hpp"
 #include "topologies/make/amp.hpp"
@@ -192,8 +193,8 @@ const Generator& find_generator(std::string_view spec, std::string_view name) {
       fmt::format("expected {}, or a .dot, .gv or .graphml file", fmt::join(forms, ", "));
   if (name.empty()) fail(spec, "no generator named; " + known);
   const auto shown = name.substr(0, 64);
-  fail(spec, fmt::format("unknown generator \"{}\" (did you mean \"{}\"?); {}", shown,
-                         base::nearest_name(shown, names), known));
+  fail(spec, fmt::format("unknown generator \"{}\"{}; {}", shown, base::did_you_mean(shown, names),
+                         known));
 }
 
 int read_size(std::string_view spec, std::string_view word, const Generator& generator) {

@@ -13,6 +13,7 @@
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
+#include "renderer/radiosity/show/orientation.hpp"
 
 namespace laboratory {
 namespace {
@@ -101,6 +102,8 @@ Outcome light(Options& o) {
   made.mirrors = mesh.mirrors.size();
   made.creases = room.creases.size();
   made.left_out = mesh.left_out;
+  for (const auto& problem : radiosity::find_turned_faces(room, mesh))
+    bar.say(fmt::format("tlab: warning: {}: {}", o.room, problem));
   made.mesh_s = clock.lap();
 
   made.solution = radiosity::solve(mesh, o.light.solve, step);

@@ -65,7 +65,7 @@ void print_check(const CheckResult& check, const Table& table, bool all, Count& 
 
 void verify_file(const Candidate& candidate, const Options& options, bool alone, Count& count) {
   if (!candidate.named &&
-      !parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
+      !base::parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
     return fmt::print("{}: no checks, skipped\n\n", candidate.file);
   const ExperimentFile file = load_experiment(candidate.file, options.run.overrides);
   if (file.checks.empty()) return fmt::print("{}: no checks, skipped\n\n", candidate.file);

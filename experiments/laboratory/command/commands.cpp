@@ -9,17 +9,19 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
-#include "base/text.hpp"
+#include "base/message.hpp"
+#include "base/suggest.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/patience.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 #include "simulator/machine/model.hpp"
 #include "simulator/programs/programs.hpp"
-#include "topologies/draw/graphviz.hpp"
+#include "topologies/draw/drawing.hpp"
 #include "topologies/files/formats.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -49,7 +51,10 @@ void add_topology_command(CLI::App& app) {
   command->callback([o] {
     const auto format =
         std::ranges::find(FORMATS, o->format, &decltype(FORMATS)::value_type::first);
-    const auto text = format->second(topologies::make_topology(o->spec));
+    const auto text = [&] {
+      const Patience patience(fmt::format("topology {}", o->spec));
+      return format->second(topologies::make_topology(o->spec));
+    }();
     if (o->output.empty())
       fmt::print("{}", text);
     else
@@ -120,9 +125,8 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> known;
   for (const auto* command : app.get_subcommands({})) known.push_back(command->get_name());
   if (std::ranges::find(known, argv[1]) != known.end()) return;
-  throw base::BadInput(
-      fmt::format("unknown command \"{}\", expected one of {} (did you mean \"{}\"?)", argv[1],
-                  fmt::join(known, ", "), base::nearest_name(argv[1], known)));
+  throw base::BadInput(fmt::format("unknown command \"{}\", expected one of {}{}", argv[1],
+                                   fmt::join(known, ", "), base::did_you_mean(argv[1], known)));
 }
 
 void add_commands(CLI::App& app) {
@@ -149,7 +153,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
     std::ostringstream out, problems;
     const bool is_help = app.exit(error, out, problems) == 0;
     fmt::print("{}", out.str());
-    print_on_error(problems.str());
+    print_on_error(base::make_readable(problems.str()));
     return is_help ? 0 : EXIT_INPUT;
   }
 }

@@ -68,7 +68,8 @@ void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
 void write_results(const fs::path& folder, const RunOptions& options, Simulation& s) {
   base::save_whole(folder / "results.csv", to_csv(s.table));
   if (!s.checks.empty())
-    base::save_whole(folder / "checks.csv", to_csv(make_checks_csv(s.checks, s.table)));
+    base::save_whole(folder / "checks.csv",
+                     to_csv(guard_formulas(make_checks_csv(s.checks, s.table))));
   save_run_json(folder, options, s);
   s.undrawn = write_report(folder, options, s);
 }

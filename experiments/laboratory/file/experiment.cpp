@@ -1,7 +1,5 @@
 #include "experiments/laboratory/file/experiment.hpp"
 
-#include <toml++/toml.h>
-
 #include <filesystem>
 #include <ranges>
 
@@ -36,10 +34,12 @@ void override_key(toml::table& file, const std::string& text) {
   base::require(equals != std::string::npos && equals > 0, "--set " + text,
                 "expected key.path=value");
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  base::require(std::ranges::count(key, '.') < base::MAX_KEY_PARTS, "--set " + text,
+                "found a key of more than {0} parts, expected at most {0}", base::MAX_KEY_PARTS);
   toml::table parsed;
   try {
-    parsed = toml::parse("value = " + value, "--set " + text);
-  } catch (const toml::parse_error&) {
+    parsed = base::parse_toml("value = " + value, "--set " + text);
+  } catch (const BadInput&) {
     parsed.insert("value", value);
   }
   base::require(parsed.size() == 1, "--set " + text, "expected one value after '='");
@@ -113,7 +113,7 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                const std::string& folder,
                                const std::vector<std::string>& overrides) {
-  toml::table file = parse_toml(text, path);
+  toml::table file = base::parse_toml(text, path);
   std::vector<std::string> order;
   add_names(order, file, path);
   for (const auto& override : overrides) {

@@ -60,6 +60,9 @@ Expression::Expression(const std::string& text, const std::string& place)
     : formula_(replace_references(text, place), place) {}
 
 std::string Expression::replace_references(const std::string& text, const std::string& place) {
+  base::require(text.size() <= base::Formula::MAX_BYTES, place,
+                "found an expression of {} bytes, expected at most {}", text.size(),
+                base::Formula::MAX_BYTES);
   std::string replaced;
   std::size_t begin = 0;
   for (auto open = text.find('{'); open != std::string::npos; open = text.find('{', begin)) {

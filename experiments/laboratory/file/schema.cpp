@@ -4,6 +4,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 
+#include "base/suggest.hpp"
 #include "experiments/laboratory/file/tables.hpp"
 
 namespace laboratory {
@@ -118,8 +119,7 @@ const programs::Program* read_program(const Place& at) {
   if (const auto* program = programs::find_program(name)) return program;
   std::vector<std::string> known;
   for (const auto& program : programs::all_programs()) known.push_back(program.name);
-  at.refuse(fmt::format("one of {} (did you mean \"{}\"?)", fmt::join(known, ", "),
-                        base::nearest_name(name, known)));
+  at.refuse(fmt::format("one of {}{}", fmt::join(known, ", "), base::did_you_mean(name, known)));
 }
 
 // Sets a field, or says what was expected instead, of a choice with the nearest.
@@ -129,8 +129,7 @@ void assign(const base::Field<P>& field, P& params, const Place& at) {
   if (expected.empty()) return;
   const auto text = at.node.value_exact<std::string>();
   if (text && !field.domain.choices.empty())
-    expected +=
-        fmt::format(" (did you mean \"{}\"?)", base::nearest_name(*text, field.domain.choices));
+    expected += base::did_you_mean(*text, field.domain.choices);
   at.refuse(expected);
 }
 
@@ -298,8 +297,8 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   for (const auto& other : programs::all_programs())  // refused where its values are bound
     for (const auto& p : other.parameters) try_key(programs::key_of(p));
   if (found) return *found;
-  throw BadInput(fmt::format("{}: unknown axis \"{}\" in [sweep], the nearest valid one is \"{}\"",
-                             origin, name, base::nearest_name(name, known_here)));
+  throw BadInput(fmt::format("{}: unknown axis \"{}\" in [sweep]{}", origin, name,
+                             base::suggest(name, known_here, "the nearest valid one is")));
 }
 
 Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,

@@ -212,6 +212,10 @@ const Bindings<ReportSpec>& report_bindings() {
 void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / that does not start with a point: it names the files");
+  constexpr std::size_t LONGEST = 200;  // bytes; file systems take 255, our endings among them
+  require(s.name.size() <= LONGEST, s.place,
+          "found a name of {} bytes, expected at most {}: it names the files", s.name.size(),
+          LONGEST);
   require(!s.x.empty(), s.place, "\"x\" is missing, expected a column of the results");
   require(!s.y.empty(), s.place,
           "\"y\" is missing, expected a column of the results or an expression");

@@ -3,16 +3,9 @@
 #include <filesystem>
 #include <sstream>
 
-namespace laboratory {
+#include "base/suggest.hpp"
 
-toml::table parse_toml(const std::string& text, const std::string& origin) {
-  try {
-    return toml::parse(text, origin);
-  } catch (const toml::parse_error& error) {
-    throw base::BadInput(
-        fmt::format("{}:{}: {}", origin, error.source().begin.line, error.description()));
-  }
-}
+namespace laboratory {
 
 std::string Place::where() const {
   const auto line = node.source().begin.line;  // 0 for a value from --set
@@ -105,9 +98,9 @@ std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty) {
 void refuse_key(const Place& at, const std::vector<std::string>& known) {
   const auto same_end = std::ranges::find_if(
       known, [&](const std::string& key) { return key.ends_with("." + at.key); });
-  throw base::BadInput(
-      fmt::format("{}: unknown key \"{}\", the nearest valid key is \"{}\"", at.where(), at.key,
-                  same_end != known.end() ? *same_end : base::nearest_name(at.key, known)));
+  const auto& near = same_end != known.end() ? std::vector{*same_end} : known;
+  base::refuse(at.where(), "unknown key \"{}\"{}", at.key,
+               base::suggest(at.key, near, "the nearest valid key is"));
 }
 
 std::string to_toml(const toml::node& node) {

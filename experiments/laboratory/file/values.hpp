@@ -3,7 +3,6 @@
 // keys of its tables, each bound to the member that it sets.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -16,11 +15,9 @@
 #include "base/errors.hpp"
 #include "base/fields.hpp"
 #include "base/text.hpp"
+#include "base/toml.hpp"
 
 namespace laboratory {
-
-/// Throws BadInput "origin:line: ..." for what is no TOML.
-toml::table parse_toml(const std::string& text, const std::string& origin);
 
 /// A value and where it stands.
 struct Place {

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include "base/message.hpp"
+
 namespace laboratory {
 
 void secure_streams() {
@@ -24,7 +26,9 @@ void print_on_error(std::string_view text) {
   std::fflush(stderr);
 }
 
-void complain(std::string_view text) { print_on_error(fmt::format("tlab: {}\n", text)); }
+void complain(std::string_view text) {
+  print_on_error(fmt::format("tlab: {}\n", base::make_readable(text)));
+}
 
 void flush_output() {
   errno = 0;

@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
+#include <ranges>
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/order.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -19,36 +21,37 @@ namespace {
 
 using base::BadInput;
 
-// Sorts definitions depth first: what a definition names comes before it.
+// Sorts definitions: what a definition names comes before it.
 std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
-  std::map<std::string, CheckPlan::Let> left;
-  for (const auto& d : definitions)
-    left.emplace(d.name, CheckPlan::Let{d, Expression(d.formula, d.place)});
+  std::map<std::string, std::size_t> index_of;
+  std::vector<CheckPlan::Let> lets;
+  for (const auto& d : definitions) {
+    index_of.emplace(d.name, index_of.size());
+    lets.push_back({d, Expression(d.formula, d.place)});
+  }
+  std::vector<std::vector<std::size_t>> needs(lets.size());
+  for (std::size_t i = 0; i < lets.size(); ++i)
+    for (const auto& name : lets[i].formula.names())
+      if (const auto found = index_of.find(name); found != index_of.end())
+        needs[i].push_back(found->second);
+  auto [order, circle] = base::sort_by_needs(needs);
+  if (!circle.empty()) {
+    const auto& place = definitions[circle[0]].place;
+    circle.push_back(circle[0]);
+    const auto name_of = [&](std::size_t i) { return definitions[i].name; };
+    base::refuse(place, "{}, expected definitions that do not need each other",
+                 fmt::join(circle | std::views::transform(name_of), " needs "));
+  }
   std::vector<CheckPlan::Let> sorted;
-  std::vector<std::string> way;
-  const std::function<void(const std::string&)> visit = [&](const std::string& name) {
-    const auto found = left.find(name);
-    if (found == left.end()) return;
-    const auto again = std::ranges::find(way, name);
-    if (again != way.end())
-      throw BadInput(fmt::format(
-          "{}: {} needs {}, expected definitions that do not need each other",
-          found->second.definition.place, fmt::join(again, way.end(), " needs "), name));
-    way.push_back(name);
-    for (const auto& needed : found->second.formula.names()) visit(needed);
-    way.pop_back();
-    sorted.push_back(std::move(found->second));
-    left.erase(found);
-  };
-  while (!left.empty()) visit(left.begin()->first);
+  for (const auto i : order) sorted.push_back(std::move(lets[i]));
   return sorted;
 }
 
 void find_column(const Table& table, const std::string& column, const std::string& place,
                  const std::string& owner) {
   if (table.find(column)) return;
-  throw BadInput(fmt::format("{}: unknown column \"{}\" of {}, the nearest is \"{}\"", place,
-                             column, owner, nearest_column(column, table.columns)));
+  throw BadInput(fmt::format("{}: unknown column \"{}\" of {}{}", place, column, owner,
+                             suggest_column(column, table.columns)));
 }
 
 Table parse_reference(const std::string& path, const std::string& place) {
@@ -67,6 +70,7 @@ std::optional<Table> read_reference(const Spec& spec) {
   for (const auto& key : spec.keys) find_column(table, key, spec.place + ": keys", spec.reference);
   find_column(table, spec.column, spec.place + ": column", spec.reference);
   const auto column = *table.find(spec.column);
+  for (auto& row : table.rows) row[column] = unquote_number(row[column]);
   for (const auto& row : table.rows)
     if (std::holds_alternative<std::string>(row[column]))
       throw BadInput(fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing",
@@ -174,9 +178,8 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
       for (const auto& [axis, text, value] : reference->conditions) {
         const auto texts = texts_of(table, axis);
         if (texts.empty() || std::ranges::find(texts, text) != texts.end()) continue;
-        notes.push_back(fmt::format("{}: {}: no point has {} = {}, the nearest is \"{}\"",
-                                    expression.place(), reference->text, axis, text,
-                                    base::nearest_name(text, texts)));
+        notes.push_back(fmt::format("{}: {}: no point has {} = {}{}", expression.place(),
+                                    reference->text, axis, text, base::suggest(text, texts)));
       }
     }
   });

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
@@ -52,7 +53,7 @@ std::string name_row(const Table& table, const std::vector<Value>& row,
 
 }  // namespace
 
-std::string nearest_column(const std::string& name, const std::vector<std::string>& known) {
+std::string suggest_column(const std::string& name, const std::vector<std::string>& known) {
   // Columns of the farm that had names of their own for what other programs measure too.
   static const std::map<std::string, std::string> RENAMED = {
       {"data_accesses", "accesses_made"},
@@ -73,7 +74,7 @@ std::string nearest_column(const std::string& name, const std::vector<std::strin
   const auto renamed = RENAMED.find(name);
   const bool is_there =
       renamed != RENAMED.end() && std::ranges::find(known, renamed->second) != known.end();
-  return is_there ? renamed->second : base::nearest_name(name, known);
+  return base::suggest(is_there ? renamed->second : name, known);
 }
 
 Rows::Rows(const ExperimentFile& file, const Table& table) : file_(file), table_(table) {
@@ -127,8 +128,8 @@ std::optional<double> Rows::get(const std::string& name, std::size_t row,
   for (const auto* numbers : {model_of_[row], &point_of(row).numbers})
     for (const auto& [key, value] : *numbers) known.insert(key);
   for (const auto& [let, values] : lets_) known.insert(let);
-  throw BadInput(fmt::format("{}: unknown variable \"{}\", the nearest is \"{}\"", place, name,
-                             nearest_column(name, {known.begin(), known.end()})));
+  throw BadInput(fmt::format("{}: unknown variable \"{}\"{}", place, name,
+                             suggest_column(name, {known.begin(), known.end()})));
 }
 
 void Rows::define(const std::string& name, const Expression& expression, const std::string& place) {
@@ -229,8 +230,8 @@ std::vector<std::string> axis_names(const Table& table) {
 std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place) {
   const auto found = table.find(axis);
   if (found && *found < table.axes) return *found;
-  throw BadInput(fmt::format("{}: \"{}\" is no axis of the results, the nearest is \"{}\"", place,
-                             axis, base::nearest_name(axis, axis_names(table))));
+  throw BadInput(fmt::format("{}: \"{}\" is no axis of the results{}", place, axis,
+                             base::suggest(axis, axis_names(table))));
 }
 
 std::string name_axes(const Table& table, std::size_t row) {
@@ -261,7 +262,9 @@ std::vector<std::pair<std::size_t, double>> match_reference(const Reference& ref
     const auto before = matched.size();
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       if (std::ranges::all_of(keys, [&](const auto& key) {
-            return is_same(table.rows[i][*table.find(key)], wanted[*from.find(key)]);
+            const auto& value = wanted[*from.find(key)];
+            const auto& ours = table.rows[i][*table.find(key)];
+            return is_same(ours, as_number(ours) ? unquote_number(value) : value);
           }))
         matched.emplace_back(i, *value);
     if (matched.size() == before) missing.push_back(name_row(from, wanted, keys));

@@ -99,8 +99,7 @@ std::optional<std::string> note_left_out(const Table& table, const std::vector<s
 /// "objects = 200, workers = 1"
 std::string name_axes(const Table& table, std::size_t row);
 
-/// The name among `known` that `name` was probably meant to be: its successor, for a column that
-/// has been renamed, else the nearest.
-std::string nearest_column(const std::string& name, const std::vector<std::string>& known);
+/// What base::suggest() says of `name`, or of its successor where it is a column that was renamed.
+std::string suggest_column(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace laboratory

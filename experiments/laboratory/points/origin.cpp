@@ -108,6 +108,13 @@ void save_origin(const fs::path& results, const ExperimentFile& file, const orde
   if (!is_there()) base::save_whole(path, text);
 }
 
+BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& error) {
+  const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
+  const auto named = what.find("] ");
+  return BadInput(fmt::format("{}: damaged: {}", file.string(),
+                              named == what.npos ? what : what.substr(named + 2)));
+}
+
 Origin load_origin(const fs::path& results, const fs::path& file) {
   const auto path = results / file;
   if (!fs::is_regular_file(path))
@@ -116,7 +123,7 @@ Origin load_origin(const fs::path& results, const fs::path& file) {
   try {
     return read_origin(results, ordered_json::parse(base::read_text(path)));
   } catch (const ordered_json::exception& error) {
-    throw BadInput(fmt::format("{}: damaged: {}", path.string(), error.what()));
+    throw make_damaged(path, error);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/errors.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
 
 namespace laboratory {
@@ -57,5 +58,9 @@ struct Origin {
 };
 /// Loads it from POINTS_ORIGIN or run.json. Throws BadInput where it is missing or damaged.
 Origin load_origin(const std::filesystem::path& results, const std::filesystem::path& file);
+
+/// The error for a file of ours that is no JSON, or lacks something.
+base::BadInput make_damaged(const std::filesystem::path& file,
+                            const nlohmann::json::exception& error);
 
 }  // namespace laboratory

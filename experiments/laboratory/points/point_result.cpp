@@ -154,7 +154,7 @@ std::optional<PointResult> make_failure(const std::exception& error) {
   if (dynamic_cast<const machine::Fault*>(&error)) return make_failure("failed", 3, what);
   if (dynamic_cast<const base::InvariantBroken*>(&error)) return make_failure("failed", 1, what);
   if (dynamic_cast<const std::bad_alloc*>(&error))
-    return make_failure("failed", 1, "the host is out of memory");
+    return make_failure("failed", 2, "the host is out of memory");
   return {};
 }
 

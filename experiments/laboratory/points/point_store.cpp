@@ -120,7 +120,7 @@ std::optional<PointResult> find_record(const fs::path& results, const std::strin
   };
   auto record = read_record(file, skip_use);
   if (record.is_null()) {
-    complain(fmt::format("{}: this record is damaged, the point is run again", file.string()));
+    complain(fmt::format("{}: this record is damaged and does not count", file.string()));
     return {};
   }
   auto result = to_result(record);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <set>
 
 #include "base/errors.hpp"
@@ -74,11 +75,14 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
   check_traces(options, chosen);
   check_axes(file);
   std::set<std::string> networks;
-  for (const auto& [at, experiment, numbers] : file.points) try {
-      check_point(experiment);
-      if (networks.insert(network_key(experiment)).second) check_network(experiment);
+  for (const auto& point : file.points) try {
+      check_point(point.experiment);
+      if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
     } catch (const std::runtime_error& error) {  // whatever room finds it, it is in the file
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
+    } catch (const std::bad_alloc&) {
+      throw base::BadInput(fmt::format("{}: {}: the host is out of memory", file.path,
+                                       point.at.empty() ? "its point" : name_of(point)));
     }
 }
 

@@ -50,10 +50,23 @@ bool is_whole(const Drawing& drawing) {
          png.substr(png.size() - 8, 4) == "IEND";
 }
 
+// gnuplot leaves "]]>" in a text as it is, which XML allows at the end of CDATA alone.
+std::string escape_ends_of_cdata(std::string svg) {
+  constexpr std::string_view BEGIN = "<![CDATA[", END = "]]>";
+  for (std::size_t at = 0; (at = svg.find_first_of("<]", at)) != svg.npos; ++at) {
+    const auto rest = std::string_view(svg).substr(at);
+    if (rest.starts_with(BEGIN))
+      at = std::min(svg.find(END, at), svg.size() - 1);
+    else if (rest.starts_with(END))
+      svg.replace(at, END.size(), "]]&gt;");
+  }
+  return svg;
+}
+
 }  // namespace
 
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height) {
-  Drawing drawing{run_script(on_svg(script, name, height), name),
+  Drawing drawing{escape_ends_of_cdata(run_script(on_svg(script, name, height), name)),
                   run_script(on_png(script, height), name)};
   if (!is_whole(drawing))
     throw std::runtime_error(

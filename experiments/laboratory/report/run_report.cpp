@@ -220,7 +220,7 @@ std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth
 }
 
 void save_unless_empty(const fs::path& file, const Table& table) {
-  if (!table.rows.empty()) base::save_whole(file, to_csv(table));
+  if (!table.rows.empty()) base::save_whole(file, to_csv(guard_formulas(table)));
 }
 
 // Adds the declared figures and the answers, where some point came to its end.
@@ -342,11 +342,9 @@ void report_results(const std::string& results) {
   carry_files(results / lone_records_folder(), folder.working() / lone_records_folder());
   Texts undrawn;
   try {
-    undrawn = write_report(folder.working(), origin.options,
-                           load_simulation(folder.working(), origin.file));
+    undrawn = write_report(folder.working(), origin.options, load_simulation(results, origin.file));
   } catch (const nlohmann::json::exception& error) {
-    throw base::BadInput(
-        fmt::format("{}: damaged: {}", (fs::path(results) / "run.json").string(), error.what()));
+    throw make_damaged(fs::path(results) / "run.json", error);
   }
   folder.commit();
   fmt::print("report   {}\n", (fs::path(results) / "report.html").string());

@@ -80,6 +80,12 @@ bool is_same(const Value& a, const Value& b) {
   return x && y ? *x == *y : a == b;
 }
 
+Value unquote_number(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  const auto read = text ? read_bare(base::trim(*text)) : value;
+  return as_number(read) ? read : value;
+}
+
 Value to_cell(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
   return value;
@@ -190,6 +196,17 @@ std::string to_csv(const Table& table) {
     text += base::join_csv(cells);
   }
   return text;
+}
+
+Table guard_formulas(Table table) {
+  const auto guard = [](std::string& text) {
+    if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos)
+      text.insert(0, 1, '\'');
+  };
+  for (auto& row : table.rows)
+    for (auto& cell : row)
+      if (auto* text = std::get_if<std::string>(&cell)) guard(*text);
+  return table;
 }
 
 Table parse_csv(std::string_view text, std::string_view name) {

@@ -32,6 +32,8 @@ std::optional<double> as_number(const Value& value);
 /// Whether two cells say the same: numbers as numbers, whatever their type, all else as it is.
 bool is_same(const Value& a, const Value& b);
 
+/// The number that a text holds, as quoted cells of a CSV file do; other values as they are.
+Value unquote_number(const Value& value);
 /// A number as a cell; a whole one without a point.
 Value to_cell(double value);
 
@@ -66,6 +68,8 @@ std::string to_text(const Table& table, const std::vector<std::string>& shown = 
 /// text that could be read as something else is quoted. `axes` is not written.
 std::string to_csv(const Table& table);
 
+/// The table with a ' before each text that a spreadsheet would take for a formula.
+Table guard_formulas(Table table);
 /// Reads what to_csv writes, and what base::CsvReader allows. Blank lines are skipped, but are rows
 /// in a table of one column. A quoted cell is text; a bare one is an integer, else a double, else
 /// text. `axes` is 0. Throws BadInput "name:line: ...".

@@ -1,13 +1,18 @@
 #include "renderer/radiosity/mesh/contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "base/errors.hpp"
 
 namespace radiosity {
 
 namespace {
 
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
+// Pairs of faces with bounds that touch: in any room, and for each of its faces.
+constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
 struct Flat {
   const Face* face;
@@ -35,22 +40,46 @@ Pair make_pair(const Flat& on, const Flat& other) {
   return {on, other, OFF_PLANE * std::max(on.size, other.size)};
 }
 
-// By face, the others whose bounds touch its.
+// The axis along which the bounds of the faces overlap least.
+int choose_axis(std::span<const Flat> flats) {
+  renderer::Bounds all;
+  Vec extents;
+  for (const Flat& flat : flats) {
+    all = join(all, flat.bounds);
+    extents += flat.bounds.hi - flat.bounds.lo;
+  }
+  const Vec whole = all.hi - all.lo;
+  const auto share = [&](int axis) {
+    return whole[axis] > 0 ? extents[axis] / whole[axis] : INFINITY;
+  };
+  return std::ranges::min({0, 1, 2}, {}, share);
+}
+
+// By face, the others whose bounds touch its. BadInput where they are too many.
 std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
+  const int axis = choose_axis(flats);
   std::vector<std::uint32_t> order(flats.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto start = [&](std::uint32_t i) { return flats[i].bounds.lo.x; };
+  const auto start = [&](std::uint32_t i) { return flats[i].bounds.lo[axis]; };
   std::ranges::stable_sort(order, {}, start);
   std::vector<std::vector<std::uint32_t>> neighbours(flats.size());
   double largest = 0;
   for (const Flat& flat : flats) largest = std::max(largest, OFF_PLANE * flat.size);
+  const std::size_t most = MOST_PAIRS + MOST_PAIRS_PER_FACE * flats.size();
+  std::size_t pairs = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t k = i + 1; k < order.size(); ++k) {
       const auto &a = flats[order[i]].bounds, &b = flats[order[k]].bounds;
-      if (b.lo.x > a.hi.x + largest) break;
-      if (b.lo.y > a.hi.y + largest || a.lo.y > b.hi.y + largest || b.lo.z > a.hi.z + largest ||
-          a.lo.z > b.hi.z + largest)
-        continue;
+      if (b.lo[axis] > a.hi[axis] + largest) break;
+      const auto apart = [&](int other) {
+        return b.lo[other] > a.hi[other] + largest || a.lo[other] > b.hi[other] + largest;
+      };
+      if (apart((axis + 1) % 3) || apart((axis + 2) % 3)) continue;
+      if (++pairs > most)
+        base::refuse(flats[order[i]].face->where,
+                     "found one of more than {} pairs of faces that touch, expected fewer: are "
+                     "faces there many times?",
+                     most);
       neighbours[order[i]].push_back(order[k]);
       neighbours[order[k]].push_back(order[i]);
     }

@@ -130,6 +130,16 @@ void check_count(const Face& face, std::size_t patches) {
                     "fewer divisions (of the room's faces, or by refine)");
 }
 
+// Checks the sum over all faces before anything is made of them.
+void check_count(const Room& room, int refine) {
+  std::size_t patches = 0;
+  for (const Face& face : room.faces) {
+    if (room.materials[face.material].mirror) continue;
+    patches += (face.two_sided ? 2 : 1) * count_quads(face, refine);
+    check_count(face, patches);
+  }
+}
+
 // The normals of a face, interpolated if it stands for a curved surface.
 class Normals {
  public:
@@ -187,7 +197,6 @@ class Builder {
     const std::size_t plain = count([&](const Face& face, const std::vector<Crease>&) {
       return count_quads(face, params_.refine);
     });
-    if (plain > MOST_PATCHES) return;  // an error that add_patches() tells
     const std::size_t most =
         std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
     for (growth_ = MOST_GROWTH; growth_ > 1; growth_ /= 2)
@@ -309,6 +318,9 @@ base::Fields<MeshParams> mesh_fields() {
                    "2000); further creases are left out, those of weak lamps first")};
 }
 
-Mesh make_mesh(const Room& room, const MeshParams& params) { return Builder(room, params).build(); }
+Mesh make_mesh(const Room& room, const MeshParams& params) {
+  check_count(room, params.refine);
+  return Builder(room, params).build();
+}
 
 }  // namespace radiosity

@@ -100,6 +100,18 @@ TEST(ExperimentsResultsFolder, RefusesToDestroyWhatIsNotOurs) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
+TEST(ExperimentsResultsFolder, WhatFileManagersLeaveIsNoObstacle) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  fs::create_directories(out / "points" / "0123");
+  for (const auto* place : {"", "points", "points/0123"})
+    for (const auto* name : {".DS_Store", "Thumbs.db", "desktop.ini", ".directory"})
+      write_file(out / place / name, "x");
+  EXPECT_NO_THROW(check_results_folder(out));
+  write_file(out / "points" / ".DS_Store_of_mine", "x");
+  EXPECT_THROW(check_results_folder(out), base::BadInput);
+}
+
 TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out";

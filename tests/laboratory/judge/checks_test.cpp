@@ -38,9 +38,10 @@ std::string check(const std::string& rest) {
 }
 
 TEST(ExperimentsChecks, ColumnsThatWereRenamedAreToldByTheirNewName) {
-  EXPECT_EQ(nearest_column("hit_local", {"hit_total", "local"}), "local");
-  EXPECT_EQ(nearest_column("messages", {"message", "messages_sent"}), "messages_sent");
-  EXPECT_EQ(nearest_column("hit_local", {"hit_total", "time_s"}), "hit_total");
+  EXPECT_EQ(suggest_column("hit_local", {"hit_total", "local"}), ", the nearest is \"local\"");
+  EXPECT_EQ(suggest_column("messages", {"message", "messages_sent"}),
+            ", the nearest is \"messages_sent\"");
+  EXPECT_EQ(suggest_column("hit_local", {"hit_total", "time_s"}), ", the nearest is \"hit_total\"");
   EXPECT_NE(Case("[[check]]\nname = \"c\"\nof = \"latenzy_s\"\nat_least = 0\n")
                 .message()
                 .find("latency_s"),

@@ -2,6 +2,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "base/partial_name.hpp"
@@ -59,6 +60,13 @@ TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
   EXPECT_EQ(visible("r1"), visible("r3"));
   EXPECT_EQ(tlab(folder.path, {"report", "r1"}).exit_code, 0);
   EXPECT_EQ(visible("r1"), visible("r3"));
+}
+
+TEST(PointFailures, AHostWithoutMemoryIsNoDefectOfOurs) {
+  const auto failure = make_failure(std::bad_alloc());
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->exit_code, 2);
+  EXPECT_EQ(failure->message, "the host is out of memory");
 }
 
 TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {

@@ -188,6 +188,8 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
            {"[[plot]]\nx = \"workers\"\n", "e.toml:4: plot \"\": \"name\" is missing"},
            {"[[plot]]\nname = \"p\"\nx = \"workers\"\n", "plot \"p\": \"y\" is missing"},
            {"[[plot]]\nname = \"../p\"\n", "expected a name without /"},
+           {"[[plot]]\nname = \"" + std::string(201, 'p') + "\"\nx = \"workers\"\n",
+            "found a name of 201 bytes, expected at most 200"},
            {plot("") + plot(""), "there is one of this name already"},
            {plot("fitt = 1\n"), "unknown key \"fitt\", the nearest valid key is \"fit\""},
            {plot("fit = \"moore\"\n"), "expected one of amdahl, gustafson, sun-ni, log"},

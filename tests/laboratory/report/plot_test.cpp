@@ -135,6 +135,20 @@ TEST(ExperimentsDrawing, TitlesMayBeginWithAnyQuote) {
     EXPECT_NE(svg.find("<text>" + text + "</text>"), std::string::npos) << text;
 }
 
+TEST(ExperimentsDrawing, EndsOfCdataInTitlesAreNoneInTheSvg) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
+  Plot plot = awkward_plot();
+  plot.title = plot.x_label = "a ]]> b";
+  plot.series[0].name = "c ]]> d";
+  const TemporaryFolder folder;
+  draw_plot(plot, folder.path);
+  std::string svg = read_file(folder.path / (plot.name + ".svg"));
+  EXPECT_NE(svg.find("a ]]&gt; b"), svg.npos);
+  for (std::size_t begin; (begin = svg.find("<![CDATA[")) != svg.npos;)
+    svg.erase(begin, svg.find("]]>", begin) + 3 - begin);
+  EXPECT_EQ(svg.find("]]>"), svg.npos);
+}
+
 TEST(ExperimentsDrawing, ReferencesHaveTheColourOfTheirCurve) {
   Plot plot;
   plot.series = {{.name = "200 objects", .x = {1}, .y = {1}},

@@ -96,6 +96,25 @@ TEST(ExperimentsCsv, ReadsWhatPeopleWrite) {
   EXPECT_EQ(table.rows[1], (std::vector<Value>{std::int64_t{2}, {}, {}}));
 }
 
+TEST(ExperimentsCsv, FormulasOfASpreadsheetAreGuarded) {
+  Table table{.columns = {"a", "b"}, .rows = {}};
+  for (const char* text : {"=1+1", "+1", "-x", "@f", "\t=1", "a=1", ""})
+    table.rows.push_back({std::string(text), -1.5});
+  const auto guarded = guard_formulas(table);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& text = std::get<std::string>(table.rows[i][0]);
+    EXPECT_EQ(to_string(guarded.rows[i][0]), i < 5 ? "'" + text : text);
+    EXPECT_EQ(guarded.rows[i][1], table.rows[i][1]) << "a number is none";
+  }
+}
+
+TEST(ExperimentsCsv, QuotedNumbersAreNumbersWhereThatIsAsked) {
+  const auto table = parse_csv("a\n\"1.5\"\n\" 3 \"\n\"x\"\n\"\"\n2\n", "t.csv");
+  const Value expected[] = {1.5, std::int64_t{3}, "x", "", std::int64_t{2}};
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    EXPECT_EQ(unquote_number(table.rows[i][0]), expected[i]) << i;
+}
+
 TEST(ExperimentsCsv, ErrorsNameTheLine) {
   const auto message = [](std::string_view text) {
     return message_of<base::BadInput>([&] { parse_csv(text, "ref.csv"); });

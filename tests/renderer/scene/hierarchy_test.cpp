@@ -61,6 +61,15 @@ TEST(Hierarchy, CoincidentObjects) {
   EXPECT_EQ(met.size(), objects.size());
 }
 
+TEST(Hierarchy, ManyCoincidentObjectsAreNotCompared) {
+  const std::vector<Bounds> objects(30'000, Bounds{{0, 0, 0}, {1, 1, 1}});
+  std::vector<std::uint32_t> met;
+  const std::vector<Box> boxes = make_hierarchy(objects).boxes;
+  EXPECT_EQ(check_subtree(boxes, 0, objects, met), boxes.size());
+  EXPECT_EQ(met.size(), objects.size());
+  EXPECT_EQ(boxes[boxes[1].skip].skip, boxes.size()) << "two children: those inserted, the others";
+}
+
 TEST(Hierarchy, TwoClustersGetABoxEach) {
   std::vector<Bounds> objects;
   for (const double x : {0.0, 100.0, 1.0, 101.0})

@@ -106,6 +106,12 @@ TEST(Model, FileIsFoundByItsPath) {
   std::filesystem::remove(path);
 }
 
+TEST(Model, HasALimitedNumberOfEntries) {
+  std::string text = "name = \"mine\"\nbase = \"t805-25\"\n[operation]\n";
+  for (int i = 0; i <= 10'000; ++i) text += fmt::format("x{} = 1\n", i);
+  EXPECT_EQ(refusal_of(text), "my.toml: found more than 10000 entries, expected at most so many");
+}
+
 struct Malformed {
   const char* what;
   const char* text;
@@ -135,7 +141,7 @@ TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {
        {"my.toml:4", "cpu.clock", "expected an expression"}},
       {"formula of an unknown name",
        R"(clock = {value="2 * link.bit_rat",unit="Hz",provenance="assumed",source="x"})",
-       {"my.toml:4", "cpu.clock", "unknown name link.bit_rat", "nearest is link.bit_rate"}},
+       {"my.toml:4", "cpu.clock", "unknown name link.bit_rat", "nearest is \"link.bit_rate\""}},
       {"formula that needs itself",
        "clock = {value=\"link.bit_rate\",unit=\"Hz\",provenance=\"assumed\",source=\"x\"}\n[link]\n"
        "bit_rate = {value=\"cpu.clock\",unit=\"bit/s\",provenance=\"assumed\",source=\"x\"}",

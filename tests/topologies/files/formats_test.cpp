@@ -1,7 +1,7 @@
 #include "topologies/files/formats.hpp"
 
 #include "tests/topologies/support.hpp"
-#include "topologies/draw/graphviz.hpp"
+#include "topologies/draw/drawing.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace topologies {
@@ -34,6 +34,34 @@ TEST(TopologyRandomFormats, RoundTripWithPortsRootAndAwkwardLabels) {
       t.labels.push_back("a \"quoted\" <name> & " + std::to_string(t.processors - p));
     expect_round_trips(t);
   }
+}
+
+std::string repeat(int times, const std::string& part) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
+}
+
+TEST(TopologyGraphMl, ElementsMayBeNestedHoweverDeep) {
+  constexpr int LEVELS = 140'000;
+  for (const char* open :
+       {"<x>", "<x y='/>'>", "<x><!-- </x> -->", "<x><![CDATA[</x>]]>", "<x><?p </x> ?>"})
+    EXPECT_EQ(read_graphml("<graphml><graph><node id='a'/>" + repeat(LEVELS, open) +
+                               repeat(LEVELS, "</x>") + "</graph></graphml>",
+                           "deep.graphml")
+                  .processors,
+              1)
+        << open;
+}
+
+TEST(TopologyGraphMl, ManyNamesMayLookLikeElements) {
+  std::string text = "<graphml><graph>";
+  for (int p = 0; p < 300; ++p) text += fmt::format("<node id='a{}&lt;>1'/>", p);
+  for (int p = 1; p < 300; ++p)
+    text += fmt::format("<edge source='a{}&lt;>1' target='a{}&lt;>1'/>", p - 1, p);
+  const auto t = read_graphml(text + "</graph></graphml>", "names.graphml");
+  EXPECT_EQ(t.processors, 300);
+  EXPECT_EQ(t.labels[1], "a1<>1");
 }
 
 TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
@@ -126,6 +154,9 @@ TEST(TopologySvg, IsDrawnOrSaysThatGraphvizIsMissing) {
       EXPECT_NE(svg.find("<svg"), svg.npos);
       EXPECT_NE(svg.find("</svg>"), svg.npos);
     }
+  // Places come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
+  const auto mesh = to_svg(make_topology("mesh:16x16"));
+  EXPECT_NE(mesh.find("width=\"9"), mesh.npos) << mesh.substr(0, 800);
   const std::string path = getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
   try {

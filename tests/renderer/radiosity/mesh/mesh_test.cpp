@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/renderer/radiosity/rooms.hpp"
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
@@ -35,6 +36,51 @@ TEST(Mesh, KeepsAreasAndPowers) {
 }
 
 // A patch's corners run counter-clockwise about its normal, which is its vertices'.
+std::string refusal_of(const Room& room) {
+  try {
+    make_mesh(room, {});
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// The second face alone would have patches that are smaller than is allowed: nothing is made of it.
+TEST(Mesh, TheSumOfPatchesIsCheckedBeforeAnyIsMade) {
+  Room room = make_small_room();
+  room.faces[0].along = 3000;
+  room.faces[0].across = 2000;
+  room.faces[1].along = room.faces[1].across = 2001;
+  room.faces[1].where = "r.room:7";
+  EXPECT_EQ(refusal_of(room),
+            "r.room:7: found more than 10000000 patches, expected fewer divisions (of the room's "
+            "faces, or by refine)");
+}
+
+TEST(Mesh, FacesThatTouchAreLimited) {
+  Room room = make_small_room();
+  const Face face = room.faces[0];
+  room.faces.insert(room.faces.end(), 2000, face);
+  EXPECT_NE(refusal_of(room).find("found one of more than 1200200 pairs of faces that touch"),
+            std::string::npos);
+}
+
+TEST(Mesh, ManyFacesInOnePlaneAreNotComparedWithEachOther) {
+  for (const int axis : {0, 1, 2}) {
+    Room room = make_small_room();
+    for (int i = 0; i < 3000; ++i) {
+      Face& face = room.faces.emplace_back(room.faces[0]);
+      for (Vec& corner : face.corners) {
+        const double at[] = {corner.x, corner.y, 0};
+        corner = axis == 0   ? Vec{5, at[0] + 3 * i, at[1]}
+                 : axis == 1 ? Vec{at[1], 5, at[0] + 3 * i}
+                             : Vec{at[0] + 3 * i, at[1], 5};
+      }
+    }
+    EXPECT_EQ(make_mesh(room, {}).patches.size(), 3002u);
+  }
+}
+
 TEST(Mesh, PatchesLookWhereTheirFaceDoes) {
   Random random{5};
   const Room room = make_furnished(random, 3, 3);

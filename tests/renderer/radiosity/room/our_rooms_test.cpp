@@ -8,6 +8,7 @@
 
 #include "renderer/radiosity/mesh/mesh.hpp"
 #include "renderer/radiosity/room/check.hpp"
+#include "renderer/radiosity/show/orientation.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
 
 namespace radiosity::test {
@@ -30,6 +31,11 @@ TEST(OurRooms, AreAllHere) {
   for (const auto& entry : std::filesystem::directory_iterator(ROOMS))
     files += entry.path().extension() == ".room" || entry.path().extension() == ".obj";
   EXPECT_EQ(files, 9) << "list new rooms above";
+}
+
+TEST_P(OurRooms, HaveNoFacesThatLookTheWrongWay) {
+  const Room room = load_room(path());
+  EXPECT_EQ(find_turned_faces(room, make_mesh(room, {})), std::vector<std::string>());
 }
 
 TEST_P(OurRooms, HaveAsManyPatchesAsTheySay) {

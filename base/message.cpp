@@ -1,0 +1,62 @@
+#include "base/message.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace base {
+
+namespace {
+
+// The number of bytes of the UTF-8 character that begins the text; 0 where there is none.
+std::size_t measure_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t length = byte(0) < 0x80   ? 1
+                             : byte(0) < 0xc2 ? 0
+                             : byte(0) < 0xe0 ? 2
+                             : byte(0) < 0xf0 ? 3
+                             : byte(0) < 0xf5 ? 4
+                                              : 0;
+  if (length < 2 || length > text.size()) return length == 1 ? 1 : 0;
+  std::uint32_t code = byte(0) & (0xffu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  constexpr std::uint32_t LEAST[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xd800 && code < 0xe000;
+  const bool is_control = code < 0xa0;  // of those beyond ASCII
+  return code < LEAST[length] || code > 0x10ffff || is_surrogate || is_control ? 0 : length;
+}
+
+std::string escape(std::string_view text) {
+  std::string shown;
+  for (std::size_t at = 0, length = 0; at < text.size(); at += std::max<std::size_t>(length, 1)) {
+    const auto c = static_cast<unsigned char>(text[at]);
+    const bool is_control = (c < 0x20 && c != '\n') || c == 0x7f;
+    length = is_control ? 0 : measure_character(text.substr(at));
+    if (length == 0)
+      shown += fmt::format("\\x{:02x}", c);
+    else
+      shown += text.substr(at, length);
+  }
+  return shown;
+}
+
+// Whether this byte is a later one of a character.
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+}  // namespace
+
+std::string make_readable(std::string_view message) {
+  constexpr std::size_t MOST = 2000, HEAD = 1200, TAIL = 600;
+  if (message.size() <= MOST) return escape(message);
+  std::size_t from = HEAD, to = message.size() - TAIL;
+  while (from > HEAD - 3 && continues(message[from])) --from;
+  while (to < message.size() - TAIL + 3 && continues(message[to])) ++to;
+  return fmt::format("{} ... ({} bytes) ... {}", escape(message.substr(0, from)), to - from,
+                     escape(message.substr(to)));
+}
+
+}  // namespace base

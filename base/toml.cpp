@@ -1,0 +1,60 @@
+#include "base/toml.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/errors.hpp"
+
+namespace base {
+
+namespace {
+
+// The length of the quoted string, of one line or of several, that begins the text.
+std::size_t measure_string(std::string_view text) {
+  const char mark = text[0];
+  const bool has_lines = text.substr(1, 2) == std::string_view{mark == '"' ? "\"\"" : "''"};
+  const auto end = text.substr(0, has_lines ? 3 : 1);
+  std::size_t at = end.size();
+  while (at < text.size() && !text.substr(at).starts_with(end)) {
+    if (text[at] == '\n' && !has_lines) return at;
+    at += mark == '"' && text[at] == '\\' ? 2 : 1;
+  }
+  return std::min(at + end.size(), text.size());
+}
+
+bool continues_key(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) || byte >= 0x80 || c == '_' || c == '-' || c == ' ' || c == '\t';
+}
+
+// toml++ makes a table of each part of a key, and destroys tables in tables by recursion.
+void check_keys(std::string_view text, std::string_view origin) {
+  int line = 1, parts = 1;
+  for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
+    const char c = text[at];
+    const auto rest = text.substr(at);
+    const bool is_string = c == '"' || c == '\'';
+    length = is_string  ? measure_string(rest)
+             : c == '#' ? std::min(rest.find('\n'), rest.size())
+                        : 1;
+    if (c == '.')
+      require(++parts <= MAX_KEY_PARTS, fmt::format("{}:{}", origin, line),
+              "found a key of more than {0} parts, expected at most {0}", MAX_KEY_PARTS);
+    else if (!is_string && !continues_key(c))
+      parts = 1;
+    line += static_cast<int>(std::ranges::count(rest.substr(0, length), '\n'));
+  }
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, std::string_view origin) {
+  check_keys(text, origin);
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    refuse(fmt::format("{}:{}", origin, error.source().begin.line), "{}", error.description());
+  }
+}
+
+}  // namespace base

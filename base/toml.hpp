@@ -1,0 +1,15 @@
+#pragma once
+// TOML files. The only door to toml++'s parser.
+#include <toml++/toml.h>
+
+#include <string_view>
+
+namespace base {
+
+/// Most parts of a key such as a.b.c, in its own line or in a section's name.
+constexpr int MAX_KEY_PARTS = 16;
+
+/// Throws BadInput "origin:line: ..." for what is no TOML, and for a longer key.
+toml::table parse_toml(std::string_view text, std::string_view origin);
+
+}  // namespace base

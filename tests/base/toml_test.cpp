@@ -1,0 +1,53 @@
+// TOML files: how deep their keys may be.
+#include "base/toml.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/errors.hpp"
+#include "tests/support/files.hpp"
+
+namespace base {
+namespace {
+
+std::string repeat(int times, const std::string& part) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
+}
+
+std::string refusal_of(const std::string& text) {
+  return test::message_of<BadInput>([&] { parse_toml(text, "e.toml"); });
+}
+
+TEST(Toml, KeysHaveALimitedNumberOfParts) {
+  const std::string expected = "e.toml:2: found a key of more than 16 parts, expected at most 16";
+  for (const int parts : {MAX_KEY_PARTS + 1, 60'000})
+    for (const char* part : {"a", "\"a.b\"", "'#' ", " a-b_c\t"}) {
+      const auto key = repeat(parts - 1, part + std::string(".")) + part;
+      for (const auto& text :
+           {key + " = 1", "[" + key + "]", "[[" + key + "]]", "x = { y = 1, " + key + " = 1 }"})
+        EXPECT_EQ(refusal_of("\n" + text), expected) << text.substr(0, 100);
+    }
+}
+
+TEST(Toml, PointsElsewhereAreNoPartsOfAKey) {
+  const auto points = repeat(100, ".");
+  EXPECT_EQ(refusal_of(repeat(MAX_KEY_PARTS - 1, "a.") + "a = 1"), "");
+  for (const auto& text :
+       {"a = \"\\\"" + points + "\"", "a = '" + points + "'", "a = 1 # " + points,
+        "a = \"\"\"\n\"\"" + points + "\\\"\"\"\"", "a = '''\n" + points + "'''",
+        "a = [" + repeat(100, "1.5, ") + "]", repeat(40, "[a]\n").substr(0, 4) + "b = 1.5"}) {
+    EXPECT_EQ(refusal_of(text), "") << text;
+  }
+}
+
+// toml++ itself limits values in values to 256.
+TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
+  const auto key = repeat(MAX_KEY_PARTS - 1, "a.") + "a";
+  EXPECT_EQ(refusal_of("[" + key + "]\n" + key + " = " + repeat(250, "{" + key + " = ") + "1" +
+                       repeat(250, "}")),
+            "");
+}
+
+}  // namespace
+}  // namespace base
