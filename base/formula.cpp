@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "base/suggest.hpp"
+#include "base/message.hpp"
 #include "base/text.hpp"
 
 namespace base {

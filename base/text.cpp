@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/suggest.hpp"
+#include "base/message.hpp"
 
 namespace base {
 

@@ -5,8 +5,8 @@
 
 #include "base/errors.hpp"
 #include "base/formula.hpp"
+#include "base/message.hpp"
 #include "base/order.hpp"
-#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "base/toml.hpp"
 #include "base/whole_file.hpp"

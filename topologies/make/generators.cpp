@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/errors.hpp"
-#include "base/suggest.hpp"
+#include "base/message.hpp"
 #include "base/text.hpp"
 #include "topologies/files/formats.hpp"
 #include "topologies/make/amp.hpp"

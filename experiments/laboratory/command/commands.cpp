@@ -10,7 +10,6 @@
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
 #include "base/message.hpp"
-#include "base/suggest.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"

@@ -4,7 +4,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 
-#include "base/suggest.hpp"
+#include "base/message.hpp"
 #include "experiments/laboratory/file/tables.hpp"
 
 namespace laboratory {

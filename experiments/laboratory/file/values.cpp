@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "base/suggest.hpp"
+#include "base/message.hpp"
 
 namespace laboratory {
 

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/message.hpp"
 #include "base/order.hpp"
-#include "base/suggest.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/results.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "base/errors.hpp"
-#include "base/suggest.hpp"
+#include "base/message.hpp"
 #include "base/text.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
