@@ -114,6 +114,7 @@ std::set<std::string> rooms_tested_in(const std::string& folder) {
                                                   {"support", "simulator/occam"},
                                                   {"benchmarks", "simulator"},
                                                   {"consumer", "simulator"},
+                                                  {"mutation", "base"},
                                                   {"reference", "experiments/laboratory"}};
   const auto other = others.find(folder);
   const std::string top = other == others.end() ? folder : other->second;
