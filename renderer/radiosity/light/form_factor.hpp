@@ -99,11 +99,13 @@ struct DeltaSide {
 /// grows, that more of the area lies towards its end. `normal` is the viewpoint's.
 inline double eval_extent(const Vec& normal, const Vec& way, const DeltaSide& a,
                           const DeltaSide& b) {
-  const double square = dot(way, way), here = dot(normal, way);
+  // Divisions are what costs here.
+  const double per_square = 1 / dot(way, way), per_here = 1 / dot(normal, way);
   const auto eval = [&](const DeltaSide& side) {
-    const double turn = dot(way, side.along) / square, rise = dot(normal, side.along) / here;
-    return turn * (turn - rise / 3) - dot(side.along, side.along) / (6 * square) +
-           side.growth / 12 * (rise - 4 * turn);
+    const double turn = per_square * dot(way, side.along),
+                 rise = per_here * dot(normal, side.along);
+    return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * per_square * dot(side.along, side.along) +
+           1.0 / 12 * side.growth * (rise - 4 * turn);
   };
   return eval(a) + eval(b);
 }
@@ -157,9 +159,11 @@ struct DeltaAreas {
     if (here <= 0 || there <= 0 || !sight.sees(point)) return 0;
     const double density = quad.eval_density(delta.s, delta.t);
     const double area = delta.along * delta.across * density;
-    const DeltaSide a{delta.along * (quad.a + delta.t * quad.c), delta.along * quad.by_s / density};
+    const double per_density = 1 / density;
+    const DeltaSide a{delta.along * (quad.a + delta.t * quad.c),
+                      per_density * delta.along * quad.by_s};
     const DeltaSide b{delta.across * (quad.b + delta.s * quad.c),
-                      delta.across * quad.by_t / density};
+                      per_density * delta.across * quad.by_t};
     if (std::max(dot(a.along, a.along), dot(b.along, b.along)) > square)
       return eval_delta(area, square, here, there);
     const double extent = eval_extent(eye.normal, way, a, b);

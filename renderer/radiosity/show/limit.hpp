@@ -17,13 +17,15 @@ struct Limits {
 /// beyond that a quarter of it; but no less than half of its least.
 std::vector<Limits> find_limits(const Mesh& mesh, const Fans& fans, std::span<const Rgb> vertices);
 
-/// The change along an edge at one end, limited: `whole` is that of the illumination from this end
-/// to the other, `there` the change along the edge at the other end. It stays as it is if it is
-/// between 0 and 3 times the whole, so that the edge is monotone; if the edge bends at the other
-/// end as well, as on a peak that several patches carry, by half as much at least (after H. Huynh,
-/// "Accurate Monotone Cubic Interpolation", SIAM J. Numerical Analysis 30(1), 1993), while beside a
-/// leap it bends at one end only; and if the bulge is below 2 % of the illumination. In any case a
-/// third of it is within the limits.
+/// The change along an edge at one end, limited. `whole` is the change of the illumination from
+/// this end to the other, `there` the change along the edge at the other end. Kept is a change
+/// - between 0 and 3 times the whole: the edge is then monotone;
+/// - or whose bend, the whole less the change, has the sign of the bend at the other end and is at
+///   most twice that: a peak that several patches carry bends at both ends, an edge beside a leap
+///   at one (after H. Huynh, "Accurate Monotone Cubic Interpolation", SIAM J. Numerical Analysis
+///   30(1), 1993);
+/// - or that makes a bulge below 2 % of the illumination.
+/// Any other becomes the nearest of these. Last, a third of it is kept within the limits.
 Rgb limit_change(const Limits& limits, const Rgb& value, const Rgb& change, const Rgb& whole,
                  const Rgb& there);
 

@@ -24,8 +24,8 @@ enum class Twist : std::uint8_t {
 struct ReconstructionParams {
   Reconstruction kind = Reconstruction::bilinear;
   Twist twist = Twist::estimated;
-  bool limited =
-      true;  ///< whether bicubic surfaces stay near the illumination around them (limit.hpp)
+  /// Whether bicubic surfaces stay near the illumination around them (limit.hpp).
+  bool limited = true;
 };
 
 /// The fields reconstruction, twist and limited.

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "base/order.hpp"
 #include "renderer/radiosity/show/slopes.hpp"
 
 namespace radiosity {
@@ -39,13 +40,30 @@ class Finder {
     std::vector<Seam> seams;
     for (const auto& [from, to] : borders_)
       if (auto seam = follow(from, to)) seams.push_back(std::move(*seam));
-    std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
-      return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
-    });
-    return seams;
+    return sort(std::move(seams));
   }
 
  private:
+  // Those on which others end come before these; in a circle the longest is first.
+  std::vector<Seam> sort(std::vector<Seam> seams) const {
+    std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
+      return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
+    });
+    std::multimap<std::uint32_t, std::size_t> on;  // by stop
+    for (std::size_t i = 0; i < seams.size(); ++i)
+      for (const auto& stop : seams[i].stops) on.emplace(stop.vertex, i);
+    std::vector<std::vector<std::size_t>> needs(seams.size());
+    for (std::size_t i = 0; i < seams.size(); ++i)
+      for (const std::uint32_t end : {seams[i].from, seams[i].to})
+        for (auto [at, last] = on.equal_range(end); at != last; ++at)
+          needs[i].push_back(at->second);
+    const base::Order order = base::sort_by_needs(needs);
+    if (!order.circle.empty()) return seams;
+    std::vector<Seam> sorted;
+    for (const std::size_t i : order.sorted) sorted.push_back(std::move(seams[i]));
+    return sorted;
+  }
+
   // The seam along an edge, if shorter ones lead from its one end to its other.
   std::optional<Seam> follow(std::uint32_t from, std::uint32_t to) const {
     const Vec way = mesh_.vertices[to].at - mesh_.vertices[from].at;

@@ -18,9 +18,9 @@ struct Seam {
   std::vector<Stop> stops;  ///< in their order; without the ends
 };
 
-/// The seams of a mesh, the longest first. `twins` as Fans::twins. Both ends must be vertices of
-/// both faces: divisions of which neither holds the other, as in 3 and in 5, make seams only where
-/// they do.
+/// The seams of a mesh; one on which others end comes before these, unless they end on each other
+/// in a circle. `twins` as Fans::twins. Both ends of a seam are vertices of both faces: divisions
+/// of which neither holds the other, as in 3 and in 5, make seams only where they do.
 std::vector<Seam> find_seams(const Mesh& mesh, std::span<const std::uint32_t> twins);
 
 }  // namespace radiosity

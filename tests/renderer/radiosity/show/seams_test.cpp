@@ -89,6 +89,45 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
     }
 }
 
+// Three faces of one plane, whose seams meet in a T: the shorter one holds an end of the longer.
+TEST(Seams, ThatMeetInATHaveNoGaps) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const Surface plane = make_plane(random);
+    Room room;
+    room.materials.push_back({"white", {0.5, 0.5, 0.5}, {1, 1, 1}});
+    const auto add = [&](double u0, double v0, double u1, double v1, int along) {
+      Face face;
+      for (const auto& [u, v] : {std::pair{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}})
+        face.corners.push_back(plane(u, v).at);
+      face.along = along;
+      face.across = 1;
+      room.faces.push_back(face);
+    };
+    add(-1, -0.5, 0, 0.5, 1);
+    add(0, 0, 2, 0.5, 1);
+    add(0, -0.5, 2, 0, 4);
+    const Mesh mesh = make_mesh(room, {});
+    const auto values = make_colours(random, mesh.vertices.size());
+    for (const auto& params : {BICUBIC, LIMITED, BILINEAR}) {
+      const auto lit = reconstruct(mesh, values, params);
+      const auto eval = [&](std::uint32_t p, const Vec& point) {
+        const Patch& patch = mesh.patches[p];
+        const Vec a = patch.at[1] - patch.at[0], b = patch.at[3] - patch.at[0];
+        const Vec to = point - patch.at[0], n = cross(a, b);
+        return eval_illumination(lit, p, dot(n, cross(to, b)) / dot(n, n),
+                                 dot(n, cross(a, to)) / dot(n, n));
+      };
+      ASSERT_EQ(mesh.patches.size(), 6u);
+      const double u = random.range(0, 2), v = random.range(-0.5, 0.5);
+      const auto below = static_cast<std::uint32_t>(2 + std::min(3, int(u * 2)));
+      EXPECT_LT(eval_distance(eval(1, plane(u, 0).at), eval(below, plane(u, 0).at)), 1e-9);
+      EXPECT_LT(eval_distance(eval(0, plane(0, v).at), eval(v < 0 ? 2 : 1, plane(0, v).at)), 1e-9);
+    }
+  }
+}
+
 TEST(Seams, AreFoundOnceAndTheLongestFirst) {
   Random random{7};
   Halves halves(random, 2, 8);
