@@ -242,10 +242,14 @@ void ResultsFolder::replace(const Check& check) {
       fail(path_, "cannot put results in place", last_error());
     }
   }
+  is_committed_ = true;  // the working folder is the older one now, and must not be removed
   try {
     check_replaced(working_, check);
-  } catch (const base::BadInput&) {
-    rename_with(RENAME_EXCHANGE, working_, path_);
+  } catch (const std::exception& error) {
+    if (!rename_with(RENAME_EXCHANGE, working_, path_))
+      throw std::system_error(last_error(), fmt::format("{}; it cannot be put back to {}",
+                                                        error.what(), path_.string()));
+    is_committed_ = false;
     check_replaced(path_, check);  // throws with its name
     throw;
   }
