@@ -113,6 +113,21 @@ TEST(ExperimentsResultsFolder, WhatFileManagersLeaveIsNoObstacle) {
   EXPECT_THROW(check_results_folder(out), base::BadInput);
 }
 
+TEST(ExperimentsResultsFolder, FoldersWithNamesOfFileManagersAreNotOurs) {
+  for (const auto* place : {"", "points", "points/0123", "plots"})
+    for (const auto* name : {".DS_Store", "Thumbs.db", "desktop.ini", ".directory"})
+      for (const bool is_link : {false, true}) {
+        const TemporaryFolder folder;
+        const auto out = folder.path / "out", inside = out / place / name;
+        fs::create_directories(out / "points");
+        fs::create_directories(is_link ? folder.path / "mine" : inside);
+        write_file((is_link ? folder.path / "mine" : inside) / "thesis.tex", "years of work");
+        fs::create_directories(inside.parent_path());
+        if (is_link) fs::create_directory_symlink(folder.path / "mine", inside);
+        EXPECT_THROW(check_results_folder(out), base::BadInput) << inside << is_link;
+      }
+}
+
 TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out";
