@@ -39,7 +39,7 @@ std::string escape(std::string_view text) {
   std::string shown;
   for (std::size_t at = 0, length = 0; at < text.size(); at += std::max<std::size_t>(length, 1)) {
     const auto c = static_cast<unsigned char>(text[at]);
-    const bool is_control = (c < 0x20 && c != '\n') || c == 0x7f;
+    const bool is_control = c < 0x20 || c == 0x7f;
     length = is_control ? 0 : measure_character(text.substr(at));
     if (length == 0)
       shown += fmt::format("\\x{:02x}", c);
@@ -52,27 +52,40 @@ std::string escape(std::string_view text) {
 // Whether this byte is a later one of a character.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
+std::string show_line(std::string_view line) {
+  constexpr std::size_t MOST = 2000, HEAD = 1200, TAIL = 600;
+  if (line.size() <= MOST) return escape(line);
+  std::size_t from = HEAD, to = line.size() - TAIL;
+  while (from > HEAD - 3 && continues(line[from])) --from;
+  while (to < line.size() - TAIL + 3 && continues(line[to])) ++to;
+  return fmt::format("{} ... ({} bytes) ... {}", escape(line.substr(0, from)), to - from,
+                     escape(line.substr(to)));
+}
+
 }  // namespace
 
 std::string make_readable(std::string_view message) {
-  constexpr std::size_t MOST = 2000, HEAD = 1200, TAIL = 600;
-  if (message.size() <= MOST) return escape(message);
-  std::size_t from = HEAD, to = message.size() - TAIL;
-  while (from > HEAD - 3 && continues(message[from])) --from;
-  while (to < message.size() - TAIL + 3 && continues(message[to])) ++to;
-  return fmt::format("{} ... ({} bytes) ... {}", escape(message.substr(0, from)), to - from,
-                     escape(message.substr(to)));
+  std::string shown;
+  for (;;) {
+    const auto end = message.find('\n');
+    shown += show_line(message.substr(0, end));
+    if (end == message.npos) return shown;
+    shown += '\n';
+    message.remove_prefix(end + 1);
+  }
 }
 
 std::size_t count_edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  // The edits from the beginnings of `a`, two letters and one letter shorter, to those of `b`.
+  std::vector<std::size_t> two_back, back, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
+    two_back = std::exchange(back, row);
+    row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
+      row[j + 1] = std::min({back[j] + (a[i] != b[j]), back[j + 1] + 1, row[j] + 1});
+      if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
+        row[j + 1] = std::min(row[j + 1], two_back[j - 1] + 1);
     }
   }
   return row.back();

@@ -9,12 +9,12 @@
 namespace base {
 
 /// A message that may repeat any bytes of an input: control characters other than line ends, which
-/// would command a terminal, and bytes that are no UTF-8 become "\x1b"; of more than 2000 bytes the
-/// middle is left out, and it says how much.
+/// would command a terminal, and bytes that are no UTF-8 become "\x1b"; of each line of more than
+/// 2000 bytes the middle is left out, and it says how much.
 std::string make_readable(std::string_view message);
 
-/// The nearest name among `known` if it is similar, a third of the letters or fewer being others;
-/// else the nearest of those that contain `name` or are contained in it.
+/// The nearest name among `known` if it is similar, a third of the letters, rounded up, or
+/// fewer being others; else the nearest of those that contain `name` or are contained in it.
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known);
 
@@ -25,7 +25,8 @@ std::string suggest(std::string_view name, const std::vector<std::string>& known
 /// " (did you mean "NAME"?)", or nothing where no name is similar.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
-/// The number of letters to insert, remove or change to make one of the other (Levenshtein).
+/// The number of letters to insert, remove or change, and of neighbours to swap, to make one of the
+/// other (optimal string alignment).
 std::size_t count_edits(std::string_view a, std::string_view b);
 
 }  // namespace base

@@ -24,8 +24,8 @@ std::optional<Number> parse_number(std::string_view text) {
   return number;
 }
 
-/// The name among `known` (not empty) that takes the fewest edits from `name` (Levenshtein's
-/// distance); of several the first.
+/// The name among `known` (not empty) that takes the fewest edits from `name` (count_edits in
+/// base/message.hpp); of several the first.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 /// A word as messages show it: in single quotes, at most 40 bytes, others than printable ASCII as

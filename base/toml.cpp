@@ -19,7 +19,10 @@ std::size_t measure_string(std::string_view text) {
     if (text[at] == '\n' && !has_lines) return at;
     at += mark == '"' && text[at] == '\\' ? 2 : 1;
   }
-  return std::min(at + end.size(), text.size());
+  at = std::min(at + end.size(), text.size());
+  // Up to two marks right before the closing three are of the string: the last three close it.
+  for (int i = 0; i < 2 && has_lines && at < text.size() && text[at] == mark; ++i) ++at;
+  return at;
 }
 
 bool continues_key(char c) {

@@ -47,6 +47,17 @@ void write_in_place(const fs::path& path, const Write& write) {
   fill_file(out, path, write);
 }
 
+// Whether an error says that the file system has no such operation.
+bool is_unable(int error) {
+  return error == ENOSYS || error == EINVAL || error == ENOTSUP || error == EPERM;
+}
+
+// False, and errno says why, where there is a file or can be none.
+bool make_empty(const fs::path& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  return file >= 0 && close(file) == 0;
+}
+
 // A new file beside `path`, which goes with this unless it has been renamed.
 class PartialFile {
  public:
@@ -68,12 +79,17 @@ class PartialFile {
   // Gives the file its name; false where another file has it.
   bool rename_to_new() {
     const Undivided section;
-    if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
-      if (errno == EEXIST) return false;
-      if (errno != ENOSYS && errno != EINVAL && errno != ENOTSUP) fail(path_, errno);
-      if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+    if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0)
+      return is_renamed_ = true;
+    // A second name; the first one goes with this.
+    if (is_unable(errno) && link(partial_.c_str(), path_.c_str()) == 0) return true;
+    // A file system without such links: an empty file holds the name until it is replaced.
+    if (is_unable(errno) && make_empty(path_)) {
+      rename();
+      return true;
     }
-    return is_renamed_ = true;
+    if (errno != EEXIST) fail(path_, errno);
+    return false;
   }
   void rename() {
     const Undivided section;

@@ -14,7 +14,7 @@ TEST(Message, ControlsAndBrokenCharactersAreEscaped) {
       << "overlong, a surrogate, a control";
 }
 
-TEST(Message, TheMiddleOfALongOneIsLeftOut) {
+TEST(Message, TheMiddleOfALongLineIsLeftOut) {
   EXPECT_EQ(make_readable(std::string(2000, 'x')), std::string(2000, 'x'));
   const auto cut = make_readable("begin " + std::string(1'000'000, 'x') + " end");
   EXPECT_LT(cut.size(), 2000u);
@@ -27,13 +27,37 @@ TEST(Message, TheMiddleOfALongOneIsLeftOut) {
   }
 }
 
+TEST(Message, AnyNumberOfLinesIsWhole) {
+  std::string lines = "deadlock:\n";
+  for (int i = 0; i < 1000; ++i) lines += "  one waits for another\n";
+  EXPECT_EQ(make_readable(lines + "the cycle"), lines + "the cycle");
+  const auto cut = make_readable(lines + std::string(3000, 'x') + "\n\nend\n");
+  EXPECT_TRUE(cut.starts_with(lines + "xxx") && cut.ends_with("xxx\n\nend\n")) << cut;
+  EXPECT_NE(cut.find(" ... (1200 bytes) ... "), std::string::npos) << cut;
+}
+
 const std::vector<std::string> COMMANDS = {"topology", "render", "run", "verify"};
 
 TEST(Suggest, SimilarNamesAreOffered) {
   EXPECT_EQ(suggest("runn", COMMANDS), ", the nearest is \"run\"");
+  EXPECT_EQ(suggest("rnu", COMMANDS), ", the nearest is \"run\"");
   EXPECT_EQ(suggest("topolgy", COMMANDS, "try"), ", try \"topology\"");
   EXPECT_EQ(suggest("cell", {"time", "min_cell"}), ", the nearest is \"min_cell\"");
   EXPECT_EQ(did_you_mean("verfy", COMMANDS), " (did you mean \"verify\"?)");
+}
+
+TEST(Suggest, ASwapOfNeighboursIsOneEdit) {
+  EXPECT_EQ(count_edits("rnu", "run"), 1u);
+  EXPECT_EQ(count_edits("vreiyf", "verify"), 2u);
+  EXPECT_EQ(count_edits("ca", "abc"), 3u) << "no letter is edited twice";
+  EXPECT_EQ(count_edits("", "ab"), 2u);
+  EXPECT_EQ(count_edits("ab", ""), 2u);
+  EXPECT_EQ(count_edits("kitten", "sitting"), 3u);
+}
+
+TEST(Suggest, ThisManyLettersMayBeOthers) {
+  EXPECT_EQ(did_you_mean("abyy", {"abcd"}), " (did you mean \"abcd\"?)");
+  EXPECT_EQ(did_you_mean("xxcd", {"abyd"}), "");
 }
 
 TEST(Suggest, OthersAreNot) {

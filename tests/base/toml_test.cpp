@@ -25,7 +25,10 @@ TEST(Toml, KeysHaveALimitedNumberOfParts) {
     for (const char* part : {"a", "\"a.b\"", "'#' ", " a-b_c\t"}) {
       const auto key = repeat(parts - 1, part + std::string(".")) + part;
       for (const auto& text :
-           {key + " = 1", "[" + key + "]", "[[" + key + "]]", "x = { y = 1, " + key + " = 1 }"})
+           {key + " = 1", "[" + key + "]", "[[" + key + "]]", "x = { y = 1, " + key + " = 1 }",
+            "x = { y = \"\"\"z\"\"\"\", " + key + " = 1 }",
+            "x = { y = \"\"\"z\"\"\"\"\", " + key + " = 1 }",
+            "x = { y = '''z'''', " + key + " = 1 }"})
         EXPECT_EQ(refusal_of("\n" + text), expected) << text.substr(0, 100);
     }
 }
@@ -36,6 +39,7 @@ TEST(Toml, PointsElsewhereAreNoPartsOfAKey) {
   for (const auto& text :
        {"a = \"\\\"" + points + "\"", "a = '" + points + "'", "a = 1 # " + points,
         "a = \"\"\"\n\"\"" + points + "\\\"\"\"\"", "a = '''\n" + points + "'''",
+        "a = [\"\"\"\"\"\"\"\", \"" + points + "\"]", "a = [\"\", \"" + points + "\"]",
         "a = [" + repeat(100, "1.5, ") + "]", repeat(40, "[a]\n").substr(0, 4) + "b = 1.5"}) {
     EXPECT_EQ(refusal_of(text), "") << text;
   }

@@ -1,10 +1,15 @@
 #include "base/whole_file.hpp"
 
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <ostream>
 #include <system_error>
 #include <thread>
@@ -105,6 +110,52 @@ TEST(WholeFile, ANewFileReplacesNone) {
   EXPECT_FALSE(save_new(folder.path / "a", "second"));
   EXPECT_EQ(read_text(folder.path / "a"), "first");
   EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+// From now on this process is on a file system that knows no flags of renames, as NFS, and, as
+// some, no links. False where it cannot be had.
+bool forget_renames_with_flags(bool links_too) {
+  std::vector<sock_filter> filter;
+  const auto load = [&](std::size_t at) {
+    filter.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(at)));
+  };
+  const auto fail_with = [&](unsigned error) {
+    filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | error));
+  };
+  load(offsetof(seccomp_data, nr));
+  std::vector<unsigned> links{SYS_linkat};
+#ifdef SYS_link
+  links.push_back(SYS_link);
+#endif
+  if (links_too)
+    for (const unsigned call : links) {
+      filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1));
+      fail_with(EPERM);
+    }
+  filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_renameat2, 0, 3));
+  load(offsetof(seccomp_data, args[4]));
+  filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 1, 0));
+  fail_with(EINVAL);
+  filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+TEST(WholeFile, ANewFileReplacesNoneWhereRenamesHaveNoFlags) {
+  for (const bool links_too : {false, true}) {
+    const TemporaryFolder folder;
+    const auto told = test::isolated([&]() -> std::string {
+      if (!forget_renames_with_flags(links_too)) return "no filter";
+      const bool first = save_new(folder.path / "a", "first");
+      const bool second = save_new(folder.path / "a", "second");
+      return std::string(first ? "saved" : "not") + (second ? " twice" : " once");
+    });
+    if (told == "no filter") GTEST_SKIP() << "no filters of system calls";
+    EXPECT_EQ(told, "saved once");
+    EXPECT_EQ(read_text(folder.path / "a"), "first");
+    EXPECT_EQ(folder.names(), Names{"a"});
+  }
 }
 
 TEST(WholeFile, ANameMayBeAsLongAsTheDiskAllows) {

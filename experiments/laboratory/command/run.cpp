@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/singles.hpp"
@@ -77,6 +78,7 @@ void print_summary(const RunOptions& options, const Simulation& s) {
 // Throws for what is wrong with results that have been written.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
+  for (const auto& failure : s.undrawn) complain(failure);
   if (was_interrupted())
     throw Failure(
         fmt::format("interrupted; what was measured until then is in {}, marked incomplete",
@@ -91,7 +93,7 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
     throw Failure(fmt::format("{}: {} of {} check(s) do not hold; results are in {}", options.file,
                               failed, s.checks.size(), output),
                   EXIT_DEFECT);
-  throw_undrawn(s.undrawn, output);
+  throw_undrawn(s.undrawn.size(), output);
 }
 
 void write_and_judge(const RunOptions& options, const ExperimentFile& file, Missing missing) {

@@ -5,8 +5,6 @@
 
 #include "experiments/laboratory/host/streams.hpp"
 
-#include "base/message.hpp"
-
 namespace laboratory {
 
 using std::chrono::steady_clock;
@@ -22,7 +20,7 @@ Progress::~Progress() {
 }
 
 void Progress::say(const std::string& line) {
-  print_on_error(fmt::format("{}{}\n", terminal_ ? "\r\x1b[K" : "", base::make_readable(line)));
+  print_line(line);
   shown_ = {};
 }
 

@@ -41,19 +41,20 @@ void refuse(const fs::path& path, const std::string& found) {
                 found);
 }
 
-// Whether a file manager leaves files of this name wherever it has been.
-bool is_of_desktop(const std::string& name) {
-  return name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini" ||
-         name == ".directory";
+// Whether this is a file as file managers leave them wherever they have been.
+bool is_of_desktop(const fs::path& entry) {
+  const auto name = entry.filename().string();
+  return (name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini" ||
+          name == ".directory") &&
+         fs::is_regular_file(fs::symlink_status(entry));
 }
 
 // Whether a folder holds nothing but files with names of ours.
 template <class IsOurs>
 bool has_only(const fs::path& folder, const IsOurs& is_ours) {
   return std::ranges::all_of(fs::directory_iterator(folder), [&](const auto& entry) {
-    return entry.is_regular_file() && !entry.is_symlink() &&
-           (is_ours(entry.path().filename().string()) ||
-            is_of_desktop(entry.path().filename().string()));
+    return is_of_desktop(entry.path()) || (entry.is_regular_file() && !entry.is_symlink() &&
+                                           is_ours(entry.path().filename().string()));
   });
 }
 
@@ -70,7 +71,7 @@ bool is_store(const fs::path& folder) {
   return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
     if (entry.is_directory() && !entry.is_symlink()) return has_only(entry.path(), is_of_record);
     const auto name = entry.path().filename().string();
-    return name.find("experiment.json") != std::string::npos || is_of_desktop(name);
+    return name.find("experiment.json") != std::string::npos || is_of_desktop(entry.path());
   });
 }
 
@@ -81,7 +82,7 @@ bool is_result(const fs::path& entry) {
                                               "run.json",    "report.html"};
   const auto name = entry.filename().string();
   if (fs::is_symlink(entry)) return false;
-  if (is_of_desktop(name)) return true;
+  if (is_of_desktop(entry)) return true;
   if (fs::is_directory(entry))
     return name == "plots" || name == "networks" ? has_only(entry, is_plot)
                                                  : name == "points" && is_store(entry);
@@ -242,10 +243,14 @@ void ResultsFolder::replace(const Check& check) {
       fail(path_, "cannot put results in place", last_error());
     }
   }
+  is_committed_ = true;  // the working folder is the older one now, and must not be removed
   try {
     check_replaced(working_, check);
-  } catch (const base::BadInput&) {
-    rename_with(RENAME_EXCHANGE, working_, path_);
+  } catch (const std::exception& error) {
+    if (!rename_with(RENAME_EXCHANGE, working_, path_))
+      throw std::system_error(last_error(), fmt::format("{}; it cannot be put back to {}",
+                                                        error.what(), path_.string()));
+    is_committed_ = false;
     check_replaced(path_, check);  // throws with its name
     throw;
   }

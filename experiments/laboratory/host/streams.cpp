@@ -26,9 +26,12 @@ void print_on_error(std::string_view text) {
   std::fflush(stderr);
 }
 
-void complain(std::string_view text) {
-  print_on_error(fmt::format("tlab: {}\n", base::make_readable(text)));
+void print_line(std::string_view text) {
+  const auto* const begin = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+  print_on_error(fmt::format("{}{}\n", begin, base::make_readable(text)));
 }
+
+void complain(std::string_view text) { print_line(fmt::format("tlab: {}", text)); }
 
 void flush_output() {
   errno = 0;

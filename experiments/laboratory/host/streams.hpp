@@ -11,7 +11,11 @@ void secure_streams();
 /// Prints the text on standard error; where that cannot be written there is nobody to tell.
 void print_on_error(std::string_view text);
 
-/// Prints a line that begins with "tlab: ".
+/// Prints a line on standard error so that people can read it (base/message.hpp); on a terminal in
+/// the place of a progress bar.
+void print_line(std::string_view text);
+
+/// Prints a line that begins with "tlab: ", as print_line does.
 void complain(std::string_view text);
 
 /// Throws std::system_error where something that was printed cannot be written.

@@ -110,9 +110,9 @@ NetworkDrawings draw_networks(const fs::path& folder, const Simulation& s) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;
     const Point& point = s.file.points[i];
-    const auto caption = make_caption(s, i);
-    const auto use = load_record(folder / s.records[i]).use;
     try {
+      const auto caption = make_caption(s, i);
+      const auto use = load_record(folder / s.records[i]).use;
       const auto svg = draw(point, caption, use);
       base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
       if (is_largest[i]) networks.drawings.push_back({caption, svg});

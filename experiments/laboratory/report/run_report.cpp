@@ -324,12 +324,11 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   return undrawn;
 }
 
-void throw_undrawn(const Texts& undrawn, const std::string& results) {
-  for (const auto& failure : undrawn) complain(failure);
-  if (!undrawn.empty())
+void throw_undrawn(std::size_t undrawn, const std::string& results) {
+  if (undrawn > 0)
     throw Failure(fmt::format("{} drawing(s) failed; the rest is in {}, and tlab report {} draws "
                               "again",
-                              undrawn.size(), results, results),
+                              undrawn, results, results),
                   EXIT_HOST);
 }
 
@@ -348,7 +347,8 @@ void report_results(const std::string& results) {
   }
   folder.commit();
   fmt::print("report   {}\n", (fs::path(results) / "report.html").string());
-  throw_undrawn(undrawn, results);
+  for (const auto& failure : undrawn) complain(failure);
+  throw_undrawn(undrawn.size(), results);
 }
 
 }  // namespace laboratory

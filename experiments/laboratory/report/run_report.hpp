@@ -17,8 +17,8 @@ namespace laboratory {
 std::vector<std::string> write_report(const std::filesystem::path& folder,
                                       const RunOptions& options, const Simulation& simulation);
 
-/// Names the drawings that failed on standard error and throws Failure, unless there are none.
-void throw_undrawn(const std::vector<std::string>& undrawn, const std::string& results);
+/// Throws Failure with the number of drawings that failed, unless there are none.
+void throw_undrawn(std::size_t undrawn, const std::string& results);
 
 /// Does so again for the results of an earlier run, and prints where the page is. Throws
 /// base::BadInput, with the file, where the folder holds no results or damaged ones; Failure, when

@@ -1,4 +1,5 @@
 // Runs that are cut short, and runs that are watched.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -188,6 +189,22 @@ TEST(ExperimentsDeadlock, IsReportedWithItsCycleAndExitCode3) {
                            "from p1.station", "the cycle:"})
     EXPECT_NE(failed.err.find(part), std::string::npos) << part << "\n" << failed.err;
   EXPECT_EQ(folder.names(), std::vector<std::string>{"e.toml"});
+}
+
+TEST(ExperimentsDeadlock, OfManyStationsIsToldWhole) {
+  const TemporaryFolder folder;
+  for (const char* sweep : {"", "[sweep]\n\"model.cpu.clock\" = [20e6]\n"}) {
+    std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\nstations = 40\n"
+                                          << sweep;
+    const auto failed = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+    EXPECT_EQ(failed.exit_code, 3);
+    for (int i = 0; i < 40; ++i)
+      EXPECT_NE(failed.err.find(fmt::format("\n  p{0}.station on p{0} waits for out on ", i)),
+                std::string::npos)
+          << i << failed.err;
+    EXPECT_NE(failed.err.find("\n  the cycle: p0.station -> p"), std::string::npos) << failed.err;
+    EXPECT_EQ(failed.err.find(" bytes) ... "), std::string::npos) << failed.err;
+  }
 }
 
 TEST(ExperimentsSwitches, LinkSwitchesMakeLinksSlowerWhereTheyAre) {

@@ -5,6 +5,9 @@
 #include <pty.h>
 #include <unistd.h>
 
+#include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/host/streams.hpp"
+
 namespace laboratory {
 namespace {
 
@@ -41,7 +44,23 @@ class Terminal {
 TEST(Patience, ATerminalShowsWhatTakesLong) {
   const Terminal terminal;
   const Patience patience("making\x1b[2J it", std::chrono::milliseconds(0));
-  EXPECT_NE(terminal.read_until(" s").find("making\\x1b[2J it, 0 s"), std::string::npos);
+  const auto shown = terminal.read_until(" s");
+  EXPECT_NE(shown.find("making\\x1b[2J it, "), std::string::npos) << shown;
+}
+
+TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
+  const Terminal terminal;
+  Progress bar("points");
+  bar.show(3, 9);
+  complain("interrupted");
+  const auto shown = terminal.read_until("interrupted");
+  EXPECT_NE(shown.find(" 3/9\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
+}
+
+TEST(Streams, ALineInAPipeIsNothingElse) {
+  testing::internal::CaptureStderr();
+  complain("interrupted");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "tlab: interrupted\n");
 }
 
 TEST(Patience, APipeShowsNothing) {

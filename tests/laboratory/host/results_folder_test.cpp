@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <functional>
 #include <system_error>
 
 #include "base/errors.hpp"
@@ -112,6 +113,21 @@ TEST(ExperimentsResultsFolder, WhatFileManagersLeaveIsNoObstacle) {
   EXPECT_THROW(check_results_folder(out), base::BadInput);
 }
 
+TEST(ExperimentsResultsFolder, FoldersWithNamesOfFileManagersAreNotOurs) {
+  for (const auto* place : {"", "points", "points/0123", "plots"})
+    for (const auto* name : {".DS_Store", "Thumbs.db", "desktop.ini", ".directory"})
+      for (const bool is_link : {false, true}) {
+        const TemporaryFolder folder;
+        const auto out = folder.path / "out", inside = out / place / name;
+        fs::create_directories(out / "points");
+        fs::create_directories(is_link ? folder.path / "mine" : inside);
+        write_file((is_link ? folder.path / "mine" : inside) / "thesis.tex", "years of work");
+        fs::create_directories(inside.parent_path());
+        if (is_link) fs::create_directory_symlink(folder.path / "mine", inside);
+        EXPECT_THROW(check_results_folder(out), base::BadInput) << inside << is_link;
+      }
+}
+
 TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out";
@@ -147,6 +163,74 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
     EXPECT_EQ(told, out.string() + ": another's");
     EXPECT_EQ(read_file(out / "run.json"), "another's");
   }
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+// Looks at results, and fails at the second look: the exchange stands by then.
+class Look {
+ public:
+  explicit Look(std::function<void()> before_failing = [] {})
+      : before_failing_(std::move(before_failing)) {}
+  void operator()(const fs::path&) {
+    if (++looks_ != 2) return;
+    before_failing_();
+    throw std::runtime_error("the host has no more memory");
+  }
+
+ private:
+  std::function<void()> before_failing_;
+  int looks_ = 0;
+};
+
+TEST(ExperimentsResultsFolder, AnyErrorAfterTheExchangeBringsTheOlderBack) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  fs::create_directories(out / "points/0123");
+  write_file(out / "points/0123/a.json", "old");
+  {
+    ResultsFolder results(out);
+    write_file(results.working() / "run.json", "new");
+    EXPECT_EQ(message_of<std::runtime_error>([&] { results.commit(Look()); }),
+              "the host has no more memory");
+  }
+  EXPECT_EQ(read_file(out / "points/0123/a.json"), "old");
+  EXPECT_FALSE(fs::exists(out / "run.json"));
+  EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBePutBackAreKept) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out";
+  fs::create_directories(out / "points/0123");
+  write_file(out / "points/0123/a.json", "old");
+  {
+    ResultsFolder results(out);
+    const Look look([&] { fs::rename(out, folder.path / "elsewhere"); });
+    const auto told = message_of<std::system_error>([&] { results.commit(look); });
+    EXPECT_TRUE(told.starts_with("the host has no more memory; it cannot be put back to ")) << told;
+  }
+  { ResultsFolder results(out); }
+  EXPECT_EQ(read_file(out / "points/0123/a.json"), "old");
+  EXPECT_EQ(folder.names(), (Names{"elsewhere", "out"}));
+}
+
+// A link to itself stands for a record that cannot be carried over, as on a full disk.
+TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBeCarriedOverAreKept) {
+  const TemporaryFolder folder;
+  const auto out = folder.path / "out", points = fs::path("points/0123");
+  fs::create_directories(out / points);
+  for (const auto* record : {"a.json", "b.json"}) write_file(out / points / record, "old");
+  {
+    ResultsFolder results(out);
+    fs::create_directories(results.working() / points);
+    for (const auto* record : {"a.json", "b.json"})
+      fs::create_symlink(record, results.working() / points / record);
+    EXPECT_THROW(results.commit(), fs::filesystem_error);
+  }
+  for (const auto* record : {"a.json", "b.json"}) fs::remove(out / points / record);
+  { ResultsFolder results(out); }
+  for (const auto* record : {"a.json", "b.json"})
+    EXPECT_EQ(read_file(out / points / record), "old");
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 

@@ -7,7 +7,9 @@
 
 #include "base/partial_name.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
+#include "experiments/laboratory/report/network_drawings.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/load.hpp"
 #include "tests/laboratory/support/sweep.hpp"
@@ -242,11 +244,35 @@ TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   }
 }
 
-// A check that does not hold says more than a drawing that fails.
+// A check that does not hold, and a point that fails, say more than a drawing that fails; but that
+// is told too.
 TEST_F(Sweep, ADrawingThatFailsHidesNoCheck) {
   const Failing failing(folder.path / "bin", "gnuplot");
   const auto failed = run({"-o", "r", "--set", "check=[{name=\"c\", of=\"rays\", at_most=1}]"});
   EXPECT_EQ(failed.exit_code, 1) << failed.err;
+  EXPECT_TRUE(contains(failed.err, "1 of 1 check(s) do not hold")) << failed.err;
+  const std::string told = "tlab: plot speedup: gnuplot failed (exit code 5): no drawing today";
+  EXPECT_TRUE(contains(failed.err, told)) << failed.err;
+  const auto out_of_memory =
+      run({"-o", "s", "--set", "sweep.workers=[1, 2, 3]", "--set", "sweep.objects=[20]", "--set",
+           "sweep.database_memory_bytes=[146432, 200000000]"});
+  EXPECT_EQ(out_of_memory.exit_code, 3) << out_of_memory.err;
+  EXPECT_TRUE(contains(out_of_memory.err, "point(s) failed, at ")) << out_of_memory.err;
+  EXPECT_TRUE(contains(out_of_memory.err, "no drawing today")) << out_of_memory.err;
+}
+
+TEST_F(Sweep, ARecordThatCannotBeReadCostsItsDrawingAlone) {
+  ASSERT_EQ(run({"-o", "r", "--set", "report.networks=all"}).exit_code, 0);
+  const auto results = folder.path / "r";
+  const auto simulation = load_simulation(results, load_origin(results, "run.json").file);
+  const auto networks = visible("r").size();
+  fs::remove_all(results / "networks");
+  write_file(results / simulation.records.front(), "{");
+  const auto drawn = draw_networks(results, simulation);
+  ASSERT_EQ(drawn.failures.size(), 1u);
+  EXPECT_TRUE(drawn.failures[0].starts_with("network at objects = 20, workers = 1: "))
+      << drawn.failures[0];
+  EXPECT_EQ(visible("r").size(), networks - 1);
 }
 
 // A name that no column has is found when the first point has ended, and costs no point.
