@@ -9,8 +9,14 @@
 
 namespace base {
 
+namespace {
+
+constexpr std::string_view MARK = "\xef\xbb\xbf";  // of byte order, where a text begins
+
+}  // namespace
+
 CsvReader::CsvReader(std::string_view text, std::string_view name) : text_(text), name_(name) {
-  if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+  if (text_.starts_with(MARK)) text_.remove_prefix(MARK.size());
 }
 
 void CsvReader::fail_at(int line, std::string_view what) const {
@@ -94,7 +100,7 @@ bool is_blank(const std::vector<CsvCell>& record) {
 
 std::string quote_csv(std::string_view text) {
   const bool is_safe = !text.empty() && text.find_first_of(",\"\n\r") == text.npos &&
-                       trim(text) == text && !text.starts_with('#');
+                       trim(text) == text && !text.starts_with('#') && !text.starts_with(MARK);
   if (is_safe) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);

@@ -61,7 +61,10 @@ Formula::Formula(const std::string& text, std::string place)
   check_functions(parser, text, place_);
   try {
     parser.SetExpr(text);
-    for (const auto& [name, ignored] : parser.GetUsedVar()) variables_.push_back(name);
+    for (const auto& [name, ignored] : parser.GetUsedVar()) {
+      if (!is_name(name)) refuse(fmt::format("\"{}\" is no name", name));
+      variables_.push_back(name);
+    }
     parser_->values.resize(variables_.size());
     for (std::size_t i = 0; i < variables_.size(); ++i)
       parser.DefineVar(variables_[i], &parser_->values[i]);

@@ -64,7 +64,7 @@ std::string escape_xml(std::string_view text) {
       escaped += "&quot;";
     else if (c == '\'')
       escaped += "&#39;";
-    else if (is_control(static_cast<unsigned char>(c)) && c != '\n' && c != '\t')
+    else if (is_control(static_cast<unsigned char>(c)) && c != '\n' && c != '\t' && c != '\x7f')
       escaped += "\xef\xbf\xbd";
     else
       escaped += c;

@@ -35,8 +35,8 @@ std::string quote(std::string_view word);
 /// A text on one line: control characters, which would also command a terminal, become `instead`.
 std::string blank_controls(std::string_view text, char instead = ' ');
 
-/// A text for elements and quoted attributes of XML and HTML. Control characters other than line
-/// ends and tabs, which XML cannot hold, become U+FFFD.
+/// A text for elements and quoted attributes of XML and HTML. Control characters that XML cannot
+/// hold, all but line ends, tabs and DEL, become U+FFFD.
 std::string escape_xml(std::string_view text);
 
 }  // namespace base

@@ -114,6 +114,7 @@ std::set<std::string> rooms_tested_in(const std::string& folder) {
                                                   {"support", "simulator/occam"},
                                                   {"benchmarks", "simulator"},
                                                   {"consumer", "simulator"},
+                                                  {"fuzz", "experiments/laboratory"},
                                                   {"mutation", "base"},
                                                   {"reference", "experiments/laboratory"}};
   const auto other = others.find(folder);
@@ -231,7 +232,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"boost/context/"}, std::regex("simulator/machine/fiber\\.cpp")},
       {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
       {{"pugixml"}, std::regex("topologies/files/graphml\\.cpp")},
-      {{"CLI/"}, std::regex("experiments/laboratory/command/.*|tests/reference/main\\.cpp")},
+      {{"CLI/"}, std::regex("experiments/laboratory/command/.*|tests/(fuzz|reference)/main\\.cpp")},
       {{"muParser"}, std::regex("base/formula\\.cpp")},
       {{"toml++/"}, std::regex("base/toml\\.[ch]pp|experiments/laboratory/.*")},
       {{"kainjow/"}, std::regex("experiments/laboratory/report/(report|plot_script)\\.cpp")},

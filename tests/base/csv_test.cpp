@@ -38,6 +38,12 @@ TEST(Csv, QuotesOnlyWhatNeedsThem) {
   EXPECT_EQ(join_csv({"a", "", "b"}), "a,,b\n");
 }
 
+TEST(Csv, ACellMayBeginLikeAByteOrderMark) {
+  const std::string cell = "\xef\xbb\xbfx";
+  const auto text = join_csv({quote_csv(cell)});
+  EXPECT_EQ(texts_of(CsvReader(text, "x.csv").take()), Texts{cell});
+}
+
 TEST(Csv, CommentsBlankLinesAndEmptyCells) {
   CsvReader reader("\xef\xbb\xbf# first\n\n a , b\r\n#,\n1,\n\"\"", "x.csv");
   EXPECT_EQ(reader.take_header(), (Texts{"a", "b"}));

@@ -69,6 +69,7 @@ TEST(Formula, MistakesAreNamed) {
            {"\"text\"", "expected an expression"},
            {"sqr(2)", "here: unknown function \"sqr\", the nearest is \"sqrt\""},
            {"1 + foo (2)", "unknown function \"foo\""},
+           {".a + 1", "here: found \".a + 1\", expected an expression: \".a\" is no name"},
            {"min()", "expected an expression"}}) {
     const auto told = refusal_of([&, text = text] { eval(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << ": " << told;

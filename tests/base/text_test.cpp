@@ -33,7 +33,7 @@ TEST(Text, QuotesArePrintableAndShort) {
 TEST(Text, ControlCharactersAreReplaced) {
   EXPECT_EQ(blank_controls("a\x1b[2Jb\x7f\n"), "a [2Jb  ");
   EXPECT_EQ(blank_controls("ä\t", '?'), "ä?");
-  EXPECT_EQ(escape_xml("<&>\"'\x01\t"), "&lt;&amp;&gt;&quot;&#39;\xef\xbf\xbd\t");
+  EXPECT_EQ(escape_xml("<&>\"'\x01\t\x7f"), "&lt;&amp;&gt;&quot;&#39;\xef\xbf\xbd\t\x7f");
 }
 
 }  // namespace

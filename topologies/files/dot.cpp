@@ -66,6 +66,14 @@ bool is_identifier(std::string_view token) {
   return !token.empty() && (is_word(token[0]) || token[0] == '"');
 }
 
+// Whether a bare word is none of a node, in whatever letters.
+bool is_keyword(std::string_view word) {
+  std::string lower;
+  for (const unsigned char c : word) lower += static_cast<char>(std::tolower(c));
+  return lower == "graph" || lower == "digraph" || lower == "subgraph" || lower == "node" ||
+         lower == "edge" || lower == "strict";
+}
+
 std::string unquote(std::string_view token) {
   if (token.size() < 2 || token[0] != '"') return std::string(token);
   std::string result;
@@ -86,7 +94,7 @@ struct DotText {
 DotText make_dot_text(const std::string& text, const std::string& file) {
   DotText result;
   std::string_view before, last;  // tokens
-  int line = 1, braces = 0, brackets = 0, named = 0;
+  int line = 1, braces = 0, last_braces = 0, brackets = 0, named = 0;
   const auto refuse = [&](const std::string& what) {
     throw base::BadInput(fmt::format("{}: line {}: {}", file, line, what));
   };
@@ -110,9 +118,11 @@ DotText make_dot_text(const std::string& text, const std::string& file) {
     line += static_cast<int>(std::ranges::count(token, '\n'));
     if (is_gap(token)) continue;
     const bool assigned = c == '=' || before == "=";  // an attribute: its name or its value
-    if (brackets == 0 && is_identifier(last) && !assigned)
+    const bool is_node = last_braces > 0 && before != "subgraph" && !is_keyword(last);
+    if (brackets == 0 && is_identifier(last) && is_node && !assigned)
       named += result.place.try_emplace(unquote(last), named).second;
     braces -= c == '}', brackets += (c == '[') - (c == ']');
+    last_braces = braces;
     before = last, last = token;
   }
   return result;
@@ -184,6 +194,31 @@ RawGraph read_raw(const std::string& text, const std::string& name) {
   }
 }
 
+// Whether a string in quotes can say it: the reader keeps a backslash and takes what follows for
+// no end.
+bool can_quote(std::string_view text) {
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\') continue;
+    if (i + 1 == text.size() || text[i + 1] == '"' || text[i + 1] == '\n') return false;
+  }
+  return true;
+}
+
+std::string quote(const std::string& text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const bool is_number = !text.empty() && std::ranges::all_of(text, is_digit);
+  const bool is_name =
+      !text.empty() && is_plain(text[0]) && !is_keyword(text) &&
+      std::ranges::all_of(text, [&](char c) { return is_plain(c) || is_digit(c); });
+  if (is_number || is_name) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\\\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 }  // namespace
 
 Topology read_dot(const std::string& text, const std::string& name) {
@@ -194,27 +229,24 @@ Topology read_dot(const std::string& text, const std::string& name) {
 }
 
 std::string to_dot(const Topology& topology) {
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Link>
-      graph(topology.processors);
-  for (const auto& link : topology.links) add_edge(link.a.processor, link.b.processor, link, graph);
-  auto names = names_of(topology);
-  const auto write_graph = [&](std::ostream& out) {
-    out << "label=" << boost::escape_dot_string(topology.name)
-        << ";\nroot=" << boost::escape_dot_string(names[topology.root])
-        << ";\nnode [shape=circle];\nedge [fontsize=8];\n";
-  };
-  const auto write_vertex = [&](std::ostream& out, auto v) {
-    if (static_cast<int>(v) == topology.root) out << " [peripheries=2]";
-  };
-  const auto write_edge = [&](std::ostream& out, auto e) {
-    const auto [a, b] = graph[e];
-    out << fmt::format(" [port_a={0}, port_b={1}, taillabel={0}, headlabel={1}]", a.port, b.port);
-  };
-  std::ostringstream out;
-  boost::write_graphviz(
-      out, graph, write_vertex, write_edge, write_graph,
-      boost::make_iterator_property_map(names.begin(), get(boost::vertex_index, graph)));
-  return out.str();
+  std::vector<std::string> names;
+  for (const auto& name : names_of(topology)) {
+    base::require(can_quote(name), topology.name,
+                  "the processor \"{}\": DOT cannot hold a backslash before a quote or at the end",
+                  name);
+    names.push_back(quote(name));
+  }
+  auto title = topology.name;  // which the reader passes over
+  if (!can_quote(title)) std::ranges::replace(title, '\\', '/');
+  std::string text =
+      fmt::format("graph G {{\nlabel={};\nroot={};\nnode [shape=circle];\nedge [fontsize=8];\n",
+                  quote(title), names[topology.root]);
+  for (int p = 0; p < topology.processors; ++p)
+    text += fmt::format("{}{};\n", names[p], p == topology.root ? " [peripheries=2]" : "");
+  for (const auto& [a, b] : topology.links)
+    text += fmt::format("{0}--{1}  [port_a={2}, port_b={3}, taillabel={2}, headlabel={3}];\n",
+                        names[a.processor], names[b.processor], a.port, b.port);
+  return text + "}\n";
 }
 
 }  // namespace topologies

@@ -3,6 +3,7 @@
 #include <map>
 #include <ostream>
 
+#include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/points/origin.hpp"
@@ -105,9 +106,14 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
     result.use = nullptr;
     result.images = read_images(json);
     if (json.contains("single_worker_s")) result.single_s = json["single_worker_s"].get<double>();
-    s.file.points.push_back(*points.at(result.at));
+    const auto point = points.find(result.at);
+    base::require(point != points.end(), s.records.back().string(),
+                  "damaged: found a record of the point \"{}\", expected one of the experiment",
+                  result.at);
+    s.file.points.push_back(*point->second);
     s.results.push_back(std::move(result));
   }
+  base::require(!s.results.empty(), "run.json", "damaged: found no points, expected some");
   s.table = make_table(s.file, s.results);
   s.checks = eval_checks(plan_checks(s.file), s.file, s.table);
   s.ended = run.at("ended").get<std::string>();

@@ -37,8 +37,8 @@ void save_run_json(const std::filesystem::path& folder, const RunOptions& option
 
 /// Reads `folder`/run.json and the records of its points; makes the table and evaluates the checks
 /// anew. `file` is the experiment that run.json holds. host_speeds, there and wall_s stay as they
-/// are by default. Throws nlohmann::json::exception for a damaged run.json, base::BadInput for a
-/// damaged record.
+/// are by default. Throws nlohmann::json::exception for a damaged run.json, base::BadInput for
+/// one without points and for a damaged record or one of another experiment.
 Simulation load_simulation(const std::filesystem::path& folder, const ExperimentFile& file);
 
 }  // namespace laboratory

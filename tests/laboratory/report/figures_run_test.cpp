@@ -1,5 +1,6 @@
 // Declared figures and answers in a whole run: which files, and what is said about mistakes.
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
@@ -69,6 +70,27 @@ TEST(ExperimentsFigures, TheReportSaysWhatRan) {
   for (const char* part :
        {"# image.width", "# scene.objects", "# network.workers", "# scene.source"})
     EXPECT_FALSE(contains(html, part)) << part;
+}
+
+TEST(ExperimentsFigures, ARunJsonOfOtherPointsIsRefused) {
+  const Trial run("[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2]\n");
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const auto whole = nlohmann::json::parse(run.read("run.json"));
+  const auto report = [&](const nlohmann::json& json) {
+    std::ofstream(run.folder.path / "out/run.json") << json;
+    return tlab(run.folder.path, {"report", "out"});
+  };
+  EXPECT_EQ(report(whole).exit_code, 0);
+  auto empty = whole, other = whole;
+  empty["points"] = nlohmann::json::array();
+  other["experiment"] = "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 3]\n";
+  const auto expect_refused = [&](const nlohmann::json& json, const std::string& told) {
+    const auto refused = report(json);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(contains(refused.err, told)) << refused.err;
+  };
+  expect_refused(empty, "run.json: damaged: found no points");
+  expect_refused(other, "damaged: found a record of the point \"bytes = 2\"");
 }
 
 TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {

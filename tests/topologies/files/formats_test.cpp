@@ -36,6 +36,32 @@ TEST(TopologyRandomFormats, RoundTripWithPortsRootAndAwkwardLabels) {
   }
 }
 
+TEST(TopologyDot, NamesMayBeThoseOfGraphsAndGroupsAndKeywords) {
+  auto ring = make_topology("ring:4");
+  for (const std::vector<std::string>& labels :
+       {std::vector<std::string>{"one", "G", "two", "three"},
+        {"b", "a", "node", "GRAPH"},
+        {"x", "edge", "subgraph", "-5"},
+        {".", "\\n", "a\\b", "1.5"}}) {
+    ring.labels = labels;
+    expect_round_trips(ring);
+  }
+  EXPECT_EQ(read_dot("graph g { subgraph s { a } a -- s; s -- g }", "x.dot").labels,
+            (std::vector<std::string>{"a", "s", "g"}));
+}
+
+TEST(TopologyDot, RefusesToWriteWhatItCannotHold) {
+  auto ring = make_topology("ring:3");
+  for (const char* label : {"a\\", "a\\\"b"}) {
+    ring.labels = {"x", label, "y"};
+    EXPECT_THROW(to_dot(ring), base::BadInput) << label;
+    expect_same_wiring(read_graphml(to_graphml(ring), "x"), ring);
+  }
+  ring.labels = {};
+  ring.name = "a\\";
+  expect_same_wiring(read_dot(to_dot(ring), "x"), ring);
+}
+
 std::string repeat(int times, const std::string& part) {
   std::string text;
   for (int i = 0; i < times; ++i) text += part;
