@@ -54,7 +54,8 @@ TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   bar.show(3, 9);
   complain("interrupted");
   const auto shown = terminal.read_until("interrupted");
-  EXPECT_NE(shown.find(" 3/9\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
+  EXPECT_NE(shown.find(" 3/9"), std::string::npos) << shown;
+  EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
 }
 
 TEST(Streams, ALineInAPipeIsNothingElse) {
