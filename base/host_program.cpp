@@ -83,6 +83,7 @@ class Child {
   /// Its exit code, or the number of the signal that ended it.
   int wait() {
     child_.wait();
+    undo_.reset();  // its number may be another process's from now on
     return child_.exit_code();
   }
 

@@ -13,6 +13,7 @@
 #include "base/whole_file.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/isolated.hpp"
+#include "tests/support/processes.hpp"
 
 namespace base {
 namespace {
@@ -21,16 +22,9 @@ namespace fs = std::filesystem;
 using test::TemporaryFolder;
 using Names = std::vector<std::string>;
 
-// A process whose parent does not wait for it stays as a zombie.
-bool is_gone(pid_t process) {
-  std::ifstream in("/proc/" + std::to_string(process) + "/stat");
-  std::string number, name, state;
-  return !(in >> number >> name >> state) || state == "Z" || state == "X";
-}
-
 bool becomes_gone(pid_t process) {
-  for (int i = 0; i < 1000 && !is_gone(process); ++i) usleep(10'000);
-  return is_gone(process);
+  for (int i = 0; i < 1000 && !test::is_gone(process); ++i) usleep(10'000);
+  return test::is_gone(process);
 }
 
 TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {

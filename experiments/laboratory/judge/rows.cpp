@@ -262,9 +262,9 @@ std::vector<std::pair<std::size_t, double>> match_reference(const Reference& ref
     const auto before = matched.size();
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       if (std::ranges::all_of(keys, [&](const auto& key) {
-            const auto& value = wanted[*from.find(key)];
+            const auto& theirs = wanted[*from.find(key)];
             const auto& ours = table.rows[i][*table.find(key)];
-            return is_same(ours, as_number(ours) ? unquote_number(value) : value);
+            return is_same(ours, as_number(ours) ? unquote_number(theirs) : theirs);
           }))
         matched.emplace_back(i, *value);
     if (matched.size() == before) missing.push_back(name_row(from, wanted, keys));

@@ -236,7 +236,6 @@ class Builder {
   }
 
   void add_patches(const Face& face, std::uint32_t number) {
-    check_count(face, mesh_.patches.size() + count_quads(face, params_.refine));
     const Division division =
         divide_face(face, params_.refine, {room_.creases, contacts_[number], growth_});
     check_count(face, mesh_.patches.size() + division.quads.size());

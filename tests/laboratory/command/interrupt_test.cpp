@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "tests/laboratory/support/sweep.hpp"
+#include "tests/support/processes.hpp"
 
 namespace laboratory {
 namespace {
@@ -17,13 +18,6 @@ template <class Holds>
 bool comes_true(const Holds& holds) {
   for (int i = 0; i < 6000 && !holds(); ++i) usleep(10'000);
   return holds();
-}
-
-// A process that nobody has waited for stays as a zombie.
-bool is_gone(pid_t process) {
-  std::ifstream in("/proc/" + std::to_string(process) + "/stat");
-  std::string number, name, state;
-  return !(in >> number >> name >> state) || state == "Z" || state == "X";
 }
 
 // Programs in a folder that is first on PATH: each writes its number into the file "started" and
@@ -49,7 +43,7 @@ struct Interrupt : Sweep {
     kill(tlab, signal);
     const auto outcome = wait_for_tlab(folder.path, tlab);
     const auto program = static_cast<pid_t>(std::stol(read_file(started)));
-    EXPECT_TRUE(comes_true([&] { return is_gone(program); }));
+    EXPECT_TRUE(comes_true([&] { return test::is_gone(program); }));
     fs::remove(started);
     return outcome;
   }
