@@ -64,7 +64,7 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   const auto alone = run_with({});
   ASSERT_GT(alone[0] - alone[1], 0.01);
   for (int i = 0; i < 40; ++i) {
-    const double at_s = alone[1] - 0.0005 * i;
+    const double at_s = alone[1] - 0.00002 * i;
     const auto times = run_with({{{at_s}, {Limits{}}}});
     EXPECT_NEAR(times[1], times[0], 0.001) << at_s;
   }
