@@ -300,14 +300,21 @@ def main():
         outcomes = {int(n): outcome for n, outcome in before["outcomes"].items() if int(n) in mutants}
         numbers = [n for n in mutants if n not in refused and not outcomes.get(n, {}).get("killer")]
         plans = [plan_tests(n, mutants[n], tests, measured, outcomes.get(n, {}).get("passed", [])) for n in numbers]
-        found = list(pool.map(lambda n, plan: try_mutant(n, plan, limit_s), numbers, plans))
-    for number, outcome in zip(numbers, found):
-        outcome["passed"] += outcomes.get(number, {}).get("passed", [])
-        outcomes[number] = outcome
+        for number, outcome in zip(numbers, pool.map(lambda n, plan: try_mutant(n, plan, limit_s), numbers, plans)):
+            outcome["passed"] += outcomes.get(number, {}).get("passed", [])
+            outcomes[number] = outcome
+            if not outcome["killer"]:
+                print(show_survivor(number, mutants[number], outcome), flush=True)
     RESULTS.write_text(json.dumps({"mutants": {n: asdict(site) for n, site in mutants.items()}, "outcomes": outcomes,
                                    "refused": sorted(refused), "measured": measured}))
     report(mutants, outcomes)
     return 0
+
+
+def show_survivor(number, site, outcome):
+    judgement = read_judged().get((site.file, site.old, site.new), "not judged")
+    return (f"\n{number}: {site.file}:{site.line}: {site.kind}, {len(outcome['passed'])} tests came by, "
+            f"{outcome['left']} left: {judgement}\n- {site.old}\n+ {site.new}")
 
 
 def report(mutants, outcomes):
@@ -317,9 +324,6 @@ def report(mutants, outcomes):
         judgement = judged.get((site.file, site.old, site.new))
         for room in {site.file.split("/")[0], room_of(site.file)}:
             rooms.setdefault(room, []).append((outcome["killer"] is not None, judgement is not None))
-        if outcome["killer"] is None:
-            print(f"\n{number}: {site.file}:{site.line}: {site.kind}, {len(outcome['passed'])} tests came by, "
-                  f"{outcome['left']} left: {judgement or 'not judged'}\n- {site.old}\n+ {site.new}")
     rooms["all"] = [k for room, killed in rooms.items() if "/" not in room for k in killed]
     print(f"\n{'room':32} {'killed':>7} {'of':>5} {'%':>6} {'judged':>7} {'% of the others':>16}")
     for room, results in sorted(rooms.items()):
