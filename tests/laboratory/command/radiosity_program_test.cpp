@@ -121,6 +121,7 @@ TEST_F(Radiosity, RowsHaveSpeedUpsLossesAndErrors) {
     EXPECT_GT(cell(row, "line_error"), 0);
     EXPECT_LT(cell(row, "image_error"), 0.5);
     EXPECT_LE(cell(row, "time_s"), cell(row, "total_s"));
+    EXPECT_NEAR(cell(row, "rays_per_s") * cell(row, "time_s") / cell(row, "rays"), 1, 1e-9);
   }
   EXPECT_EQ(cell(0, "radiosity_mean"), cell(1, "radiosity_mean"));
   EXPECT_EQ(cell(0, "rays"), cell(1, "rays"));

@@ -155,6 +155,9 @@ TEST(ExperimentsFile, MistakesAreNamed) {
            {"[image]\nfeelers = \"some\"\n", "expected one of all, front"},
            {"[image]\nmin_influence = nan\n", "expected a number from 0 to 1"},
            {"[image]\narea = [1, 2]\n", "expected [x, y, width, height] in pixels"},
+           {"[image]\narea = [0, 0.5, 8, 8]\n", "expected [x, y, width, height] in pixels"},
+           {"[image]\narea = [-1, 0, 8, 8]\n", "expected [x, y, width, height] in pixels"},
+           {"[image]\narea = [0, 0, 1e9, 8]\n", "expected [x, y, width, height] in pixels"},
            {"[sweep]\nworker = [1]\n",
             "unknown axis \"worker\" in [sweep], the nearest valid one "
             "is \"workers\""},
@@ -173,7 +176,8 @@ TEST(ExperimentsFile, MistakesAreNamed) {
     const auto told = message_of<base::BadInput>([&, text = text] { load(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
-  for (const char* override : {"workers", "=3", "sweep.workers.deep=3"})
+  for (const char* override :
+       {"workers", "=3", "sweep.workers.deep=3", "title=1\nnetwork.workers=2"})
     EXPECT_NE(message_of<base::BadInput>([&] { load("[sweep]\nworkers=[1]\n", {override}); }), "")
         << override;
   EXPECT_NE(message_of<base::BadInput>([] { load_experiment("/nowhere/e.toml", {}); }), "");
