@@ -136,6 +136,40 @@ TEST_F(Radiosity, MayBeTimedAndOthersMayNot) {
   EXPECT_TRUE(contains(told, "run.cost: the program message has no use for timed costs")) << told;
 }
 
+TEST_F(Radiosity, CreasesAreThoseThatAreAskedFor) {
+  write_file(folder.path / "rooms/box.room", ROOM + "crease 0.3 0 0  0.3 1 0\n");
+  const auto patches = [&](const std::string& creases) {
+    const auto done =
+        run({"-o", creases, "--set", "sweep.workers=[1]", "--set", "program.creases=" + creases});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const auto table = parse_csv(read_file(folder.path / creases / "results.csv"), "r");
+    return as_number(table.rows.at(0)[table.find("patches").value()]).value();
+  };
+  EXPECT_GT(patches("file"), patches("none"));
+}
+
+// The uppermost line is the ceiling's, which is a lamp but for its mirror image at the right.
+TEST_F(Radiosity, AScanLineSaysWhereALampIs) {
+  const auto lamps = [&](int line) {
+    write_file(folder.path / "line.toml",
+               "[program]\nname = \"scan_line\"\nscene = \"rooms/box.room\"\nspread = 1\n"
+               "reference_refine = 2\nmax_shots = 6\nheight = 9\nwidth = 11\nline = " +
+                   std::to_string(line) + "\n");
+    const auto name = "r" + std::to_string(line);
+    const auto done = tlab(folder.path, {"run", "line.toml", "-o", name});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const auto table = parse_csv(read_file(folder.path / name / "results.csv"), "r");
+    std::vector<double> emits;
+    for (const auto& row : table.rows)
+      emits.push_back(as_number(row[table.find("emits").value()]).value());
+    return emits;
+  };
+  const auto top = lamps(0), bottom = lamps(8);
+  ASSERT_EQ(top.size(), 11u);
+  for (std::size_t x = 2; x < 8; ++x) EXPECT_EQ(top[x], 1) << x;
+  EXPECT_EQ(bottom, std::vector<double>(11, 0));
+}
+
 TEST_F(Radiosity, AScanLineHasARowAPixel) {
   write_file(folder.path / "line.toml",
              "[program]\nname = \"scan_line\"\nscene = \"rooms/box.room\"\nspread = 1\n"

@@ -106,6 +106,23 @@ TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
   EXPECT_EQ(run(), run());
 }
 
+// What is measured begins with the first task: the scene that was sent before is not in it.
+TEST(Farm, UseDoesNotCountTheScene) {
+  const auto bytes_with = [](std::uint32_t scene_message) {
+    return isolated([&] {
+      auto params = small_params();
+      params.scene_message = scene_message;
+      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("line:1"),
+                              make_glass_scene(), params);
+      std::string bytes;
+      for (const auto& link : r.use.links)
+        bytes += fmt::format("{} to {}: {}\n", link.from, link.to, link.bytes);
+      return bytes;
+    });
+  };
+  EXPECT_EQ(bytes_with(64), bytes_with(0));
+}
+
 // A task is a ray; its answer is the ray, and what it hits if it hits anything.
 TEST(Farm, MissesAreShorterThanHits) {
   run_isolated([] {
