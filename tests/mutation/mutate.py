@@ -250,15 +250,23 @@ def find_again(site):
     """A place in a source that may have changed since, or nothing."""
     if (ROOT / site.file).read_bytes()[site.start:site.end].decode(errors="replace") == site.old:
         return site
-    same = [s for s in read_sites(site.file, read_commands()[site.file])
-            if (s.kind, s.old, s.new) == (site.kind, site.old, site.new)]
-    return min(same, key=lambda s: abs(s.line - site.line), default=None)
+    moved = [s for s in read_sites(site.file, read_commands()[site.file])
+             if (s.kind, s.old, s.new) == (site.kind, site.old, site.new) and abs(s.line - site.line) <= 10]
+    return min(moved, key=lambda s: abs(s.line - site.line), default=None)
 
 
 def read_judged():
     if not JUDGED.exists():
         return {}
-    return {(j["file"], j["old"], j["new"]): j["judgement"] for j in tomllib.loads(JUDGED.read_text()).get("mutant", [])}
+    return {(j["file"], j["line"], j["old"], j["new"]): j["judgement"]
+            for j in tomllib.loads(JUDGED.read_text()).get("mutant", [])}
+
+
+def find_judgement(site, judged):
+    """That of a mutant in this line of a source, or nothing."""
+    text = (ROOT / site.file).read_bytes()
+    line = text[text.rfind(b"\n", 0, site.start) + 1:].split(b"\n")[0].decode().strip()
+    return judged.get((site.file, line, site.old, site.new))
 
 
 def main():
@@ -312,7 +320,7 @@ def main():
 
 
 def show_survivor(number, site, outcome):
-    judgement = read_judged().get((site.file, site.old, site.new), "not judged")
+    judgement = find_judgement(site, read_judged()) or "not judged"
     return (f"\n{number}: {site.file}:{site.line}: {site.kind}, {len(outcome['passed'])} tests came by, "
             f"{outcome['left']} left: {judgement}\n- {site.old}\n+ {site.new}")
 
@@ -321,7 +329,7 @@ def report(mutants, outcomes):
     judged, rooms = read_judged(), {}
     for number in sorted(outcomes):
         site, outcome = mutants[number], outcomes[number]
-        judgement = judged.get((site.file, site.old, site.new))
+        judgement = find_judgement(site, judged)
         for room in {site.file.split("/")[0], room_of(site.file)}:
             rooms.setdefault(room, []).append((outcome["killer"] is not None, judgement is not None))
     rooms["all"] = [k for room, killed in rooms.items() if "/" not in room for k in killed]
