@@ -166,12 +166,12 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
-// To merge writes no record, which would be refused.
-TEST_F(Sweep, ResultsOfAnotherExperimentAreNotMergedOver) {
+// All its points are there, so that it would write no record that is refused.
+TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
   const auto before = visible("r");
-  const auto refused = tlab(folder.path, {"merge", "other.toml", "-o", "r"});
+  const auto refused = tlab(folder.path, {"run", "other.toml", "-o", "r"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(contains(refused.err, "holds results of the experiment")) << refused.err;
   EXPECT_EQ(visible("r"), before);
