@@ -34,6 +34,8 @@ enum class Op : std::uint8_t {
   vertex_lit,          ///< a vertex's radiosity updated (Eq 3.9)
   patch_lit,           ///< a patch's unsent light updated, by the mean of what it received
   patch_compared,      ///< a patch compared with the brightest so far
+  glow_found,          ///< how bright a patch that does not glow evenly is in a delta area
+  corner_lit,          ///< a patch's corner's unsent light updated
   COUNT
 };
 
@@ -58,7 +60,8 @@ inline std::span<const std::string_view> op_names() {
       "polygon_edges",  "cone_test",     "ray_intersected",    "hit_made",       "surface_shaded",
       "feeler_made",    "ray_reflected", "ray_refracted",      "texture_mapped", "texel_mixed",
       "sample_updated", "pixel_drawn",   "pixel_interpolated", "factor_begun",   "delta_area",
-      "light_mirrored", "vertex_lit",    "patch_lit",          "patch_compared"};
+      "light_mirrored", "vertex_lit",    "patch_lit",          "patch_compared", "glow_found",
+      "corner_lit"};
   static_assert(!NAMES.back().empty(), "an Op has no name here");
   return NAMES;
 }

@@ -27,11 +27,11 @@ Kernels::Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const
       receive(make_cost("receive", model, params)),
       settle(make_cost("settle", model, params)),
       draw(make_cost("draw", model, params)) {
-  if (params.cycles_per_host_s) scratch = make_state(mesh);
+  if (params.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
 Application::Application(const Common& common, const Node& node)
-    : common_(common), node_(node), state_(make_state(common.mesh)) {}
+    : common_(common), node_(node), state_(make_state(common.mesh, common.params.solve.sends)) {}
 
 void Application::run() {
   for (bool going = true; going;) {
@@ -122,10 +122,10 @@ void Application::wait_for_borders() {
 
 void Application::light(const radiosity::Eye& eye, const Shot& shot, State& state,
                         Work& work) const {
-  const radiosity::Patch& sender = common_.mesh.patches[shot.patch];
-  receive(eye, sender, shot.radiosity, node_.share.vertices, state, work);
+  const radiosity::Sender sender(common_.mesh.patches[shot.patch], shot.glow);
+  receive(eye, sender, node_.share.vertices, state, work);
   if (common_.params.solve.mean == radiosity::Mean::simpson)
-    receive_in_centres(eye, sender, shot.radiosity, node_.share.patches, state, work);
+    receive_in_centres(eye, sender, node_.share.patches, state, work);
 }
 
 // The same with geometry that may be on other processors: work is charged between accesses.

@@ -29,10 +29,14 @@ Candidate& Candidate::operator+=(const Candidate& other) {
   return *this;
 }
 
-MessageBytes::MessageBytes(const machine::Model& model)
+MessageBytes::MessageBytes(const machine::Model& model, radiosity::Sends sends)
     : candidate(get_bytes(model, "radiosity_candidate")),
       shot(get_bytes(model, "radiosity_shot")),
-      colour(get_bytes(model, "colour")) {}
+      colour(get_bytes(model, "colour")) {
+  if (sends == radiosity::Sends::mean) return;
+  candidate += 3 * colour;
+  shot += 3 * colour;
+}
 
 std::uint64_t MessageBytes::of(const AmpMessage::Content& content) const {
   return occam::case_of(

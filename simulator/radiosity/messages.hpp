@@ -46,9 +46,10 @@ struct AmpMessage : network::Contents {
 /// Number of colours in a message.
 std::size_t count_colours(const AmpMessage::Content& content);
 
-/// Lengths of messages in bytes (the model's [bytes] radiosity_*).
+/// Lengths of messages in bytes (the model's [bytes] radiosity_*). A shot has one colour, or one
+/// for each corner.
 struct MessageBytes {
-  explicit MessageBytes(const machine::Model& model);
+  MessageBytes(const machine::Model& model, radiosity::Sends sends);
   std::uint64_t candidate, shot, colour;
   static constexpr std::uint64_t WORD = 4;
   static constexpr std::size_t MOST = 64;  ///< values of a message

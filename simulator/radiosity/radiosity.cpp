@@ -102,7 +102,7 @@ class Amp {
         kernels_(model, mesh, params),
         common_{mesh,
                 params,
-                MessageBytes(model),
+                MessageBytes(model, params.solve.sends),
                 kernels_,
                 {},
                 topology.root,
@@ -155,6 +155,8 @@ class Amp {
       memory.allocate(count * get_bytes(model_, record), what, {});
     };
     room(node.share.patches.size(), "radiosity_patch", "its patches");
+    if (params_.solve.sends == radiosity::Sends::corners)
+      room(4 * node.share.patches.size(), "colour", "what its patches' corners have not sent");
     room(node.share.vertices.size(), "radiosity_vertex", "its vertices");
     std::size_t told = 0;
     for (const Border& border : node.share.in) told += border.vertices.size();

@@ -123,8 +123,9 @@ class Comparison {
   // By the first reconstruction.
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
-    LitRoom lit{adapt_mesh(room, light, shown, o_.adapt).mesh, {}};
-    const Solution solution = solve(lit.mesh, light.solve);
+    AdaptedMesh adapted = adapt_mesh(room, light, shown, o_.adapt);
+    const Solution solution = solve_further(adapted.mesh, light.solve, std::move(adapted.rough));
+    LitRoom lit{std::move(adapted.mesh), {}};
     lit.vertices = solution.vertices;
     if (light.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);
     return lit;

@@ -94,6 +94,7 @@ Outcome light(Options& o) {
     mesh = std::move(adapted.mesh);
     made.rounds = adapted.rounds;
     made.error = adapted.error;
+    made.solution = std::move(adapted.rough);
   } else {
     mesh = radiosity::make_mesh(room, o.light.mesh);
   }
@@ -106,7 +107,9 @@ Outcome light(Options& o) {
     bar.say(fmt::format("tlab: warning: {}: {}", o.room, problem));
   made.mesh_s = clock.lap();
 
-  made.solution = radiosity::solve(mesh, o.light.solve, step);
+  made.solution = o.adapt.error > 0
+                      ? solve_further(mesh, o.light.solve, std::move(made.solution), step)
+                      : solve(mesh, o.light.solve, step);
   made.emitted = mesh.emitted;
   made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();

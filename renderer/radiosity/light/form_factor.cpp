@@ -25,6 +25,19 @@ struct DirectSight {
   static bool misses(const Vec&, double) { return false; }
 };
 
+// What a vertex gets from a patch directly, for DeltaAreas's `source`.
+template <class Source>
+auto eval_direct(const Eye& eye, const Vertex& vertex, const Patch& patch, const Quad& quad,
+                 const Source& source, Work& work) {
+  using Areas = DeltaAreas<DirectSight, Source>;
+  work[Op::factor_begun] += 1;
+  const Viewpoint view{vertex.lit, vertex.normal};
+  if (!face_each_other(view, patch)) return typename Areas::Sum{};
+  const DirectSight sight{eye, vertex, patch, work};
+  const double enough = eye.params.spread * eye.params.spread;
+  return Areas(eye.params, enough, view, quad, sight, source, work).sum();
+}
+
 }  // namespace
 
 base::Fields<FactorParams> factor_fields() {
@@ -64,19 +77,21 @@ bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, 
 }
 
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
-  work[Op::factor_begun] += 1;
-  const Viewpoint view{vertex.lit, vertex.normal};
-  if (!face_each_other(view, patch)) return 0;
-  const DirectSight sight{eye, vertex, patch, work};
-  const double enough = eye.params.spread * eye.params.spread;
-  return DeltaAreas<DirectSight>{eye.params, enough, view, Quad(patch), sight, work}.sum();
+  return eval_direct(eye, vertex, patch, Quad(patch), Even{}, work);
 }
 
-Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
-  const double direct = eval_factor(eye, vertex, patch, work);
-  const Rgb all{direct, direct, direct};
-  if (eye.mesh.mirrors.empty() || eye.params.reflections == 0) return all;
-  return all + eval_mirrored_factor(eye, vertex, patch, work);
+Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
+  const auto& [patch, quad, glow, is_even] = sender;
+  const Rgb direct = is_even ? eval_direct(eye, vertex, patch, quad, Even{}, work) * glow.at
+                             : eval_direct(eye, vertex, patch, quad, glow, work);
+  if (eye.mesh.mirrors.empty() || eye.params.reflections == 0) return direct;
+  return direct + eval_mirrored_light(eye, vertex, sender, work);
 }
+
+Glow::Glow(const std::array<Rgb, 4>& corners)
+    : at(corners[0]),
+      along(corners[1] - at),
+      across(corners[3] - at),
+      twist(corners[2] - corners[1] - across) {}
 
 }  // namespace radiosity

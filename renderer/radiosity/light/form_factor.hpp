@@ -3,7 +3,10 @@
 // Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989; thesis, Eq 3.8 and 3.9.
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <numbers>
+#include <utility>
 
 #include "base/fields.hpp"
 #include "renderer/radiosity/mesh/mesh.hpp"
@@ -46,13 +49,6 @@ struct Eye {
 bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, std::uint32_t other,
           renderer::Work& work);
 
-/// The sum of Eq 3.9 times A_2, without mirrors: the share of the vertex's hemisphere, weighted by
-/// its cosine, in which the patch is seen, 0..1; B_1 = rho_1 B_2 times it. Adds to `work`.
-double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
-
-/// eval_factor() and what arrives by way of mirrors, each colour times the mirrors' reflectance.
-Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
-
 // A patch cut into delta areas, as a point sees it: the sum of Eq 3.8.
 
 /// A patch as a function of its parameters: p + s a + t b + s t c.
@@ -62,18 +58,51 @@ struct Quad {
     a = patch.at[1] - p;
     b = patch.at[3] - p;
     c = patch.at[2] - patch.at[1] - b;
-    along = std::max(dot(a, a), dot(a + c, a + c));
-    across = std::max(dot(b, b), dot(b + c, b + c));
+    aa = dot(a, a), ac = dot(a, c), bb = dot(b, b), bc = dot(b, c), cc = dot(c, c);
+    along = std::max(aa, dot(a + c, a + c));
+    across = std::max(bb, dot(b + c, b + c));
+    density = dot(normal, cross(a, b));
     by_s = dot(normal, cross(a, c));
     by_t = dot(normal, cross(c, b));
   }
   Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
   /// Area for each unit of s and t.
-  double eval_density(double s, double t) const { return dot(normal, cross(a + t * c, b + s * c)); }
+  double eval_density(double s, double t) const { return density + s * by_s + t * by_t; }
   Vec p, a, b, c, normal;
-  double along, across;  // squares of the longer of opposite sides
-  double by_s, by_t;     // how eval_density() grows
+  double along, across;        // squares of the longer of opposite sides
+  double density, by_s, by_t;  // eval_density() at (0, 0), and how it grows
+  double aa, ac, bb, bc, cc;   // products of a, b and c
 };
+
+/// The radiosity of a patch's points, bilinear in its parameters.
+struct Glow {
+  Glow() = default;
+  explicit Glow(const Rgb& even) : at(even) {}
+  /// From those of the corners, in their order.
+  explicit Glow(const std::array<Rgb, 4>& corners);
+  Rgb eval(double s, double t) const { return at + s * along + t * (across + s * twist); }
+  /// Whether it is the same everywhere.
+  bool is_even() const { return along == Rgb{} && across == Rgb{} && twist == Rgb{}; }
+  Rgb at, along, across, twist;
+};
+
+/// A patch that sends light.
+struct Sender {
+  Sender(const Patch& patch, const Glow& glow)
+      : patch(patch), quad(patch), glow(glow), is_even(glow.is_even()) {}
+  const Patch& patch;
+  Quad quad;
+  Glow glow;
+  bool is_even;
+};
+
+/// The sum of Eq 3.9 times A_2, without mirrors: the share of the vertex's hemisphere, weighted by
+/// its cosine, in which the patch is seen, 0..1; B_1 = rho_1 B_2 times it. Adds to `work`.
+double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
+
+/// The light that arrives at a vertex, also by way of mirrors, each colour times their reflectance.
+/// Of an even glow it is eval_factor(), and those over mirrors, times it. Adds to `work`.
+Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);
 
 /// A point that looks, and the normal of the surface that it lies on.
 struct Viewpoint {
@@ -86,49 +115,66 @@ inline double eval_delta(double area, double square, double here, double there) 
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// A side of a delta area, at its middle, and how much longer the other side is at its end than at
-/// its beginning, over its length.
+/// A side of a delta area, at its middle, as a point sees it from afar.
 struct DeltaSide {
-  Vec along;
-  double growth = 0;
+  double turn;    ///< its part along the way to the delta area's centre, over the way's length
+  double rise;    ///< its part along the viewpoint's normal, over the way's part along that
+  double square;  ///< of its length over the way's
+  double growth;  ///< how much longer the other side is at its end than at its beginning, over that
+
+  /// Its share of eval_extent().
+  double eval_extent() const {
+    return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
+           1.0 / 12 * growth * (rise - 4 * turn);
+  }
+  /// How far off the delta area's centre the middle of its factor lies along the side, as a share
+  /// of its length, to the first order.
+  double eval_drift() const { return std::clamp(1.0 / 12 * (growth + rise - 4 * turn), -0.5, 0.5); }
 };
 
-/// How much a delta area whose centre is `way` off differs from a point with its area: its factor
-/// is 1 + eval_extent() times that of the point, up to the fourth power of side over distance.
-/// The kernel's second derivatives along the sides, over 24, make the difference, and, where a side
-/// grows, that more of the area lies towards its end. `normal` is the viewpoint's.
-inline double eval_extent(const Vec& normal, const Vec& way, const DeltaSide& a,
-                          const DeltaSide& b) {
-  // Divisions are what costs here.
-  const double per_square = 1 / dot(way, way), per_here = 1 / dot(normal, way);
-  const auto eval = [&](const DeltaSide& side) {
-    const double turn = per_square * dot(way, side.along),
-                 rise = per_here * dot(normal, side.along);
-    return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * per_square * dot(side.along, side.along) +
-           1.0 / 12 * side.growth * (rise - 4 * turn);
-  };
-  return eval(a) + eval(b);
+/// How much a delta area differs from a point with its area: its factor is 1 + eval_extent() times
+/// that of the point, up to the fourth power of side over distance. The kernel's second derivatives
+/// along the sides, over 24, make the difference, and, where a side grows, that more of the area
+/// lies towards its end.
+inline double eval_extent(const DeltaSide& a, const DeltaSide& b) {
+  return a.eval_extent() + b.eval_extent();
 }
+
+/// A patch that glows evenly, with 1.
+struct Even {
+  static double eval(double, double) { return 1; }
+};
 
 /// The sum over a patch: of Eq 3.8 where a delta area is wider than it is far, else of what is
 /// exact to the second order in side over distance (Eq 3.8 is for a disc that faces the viewpoint,
-/// and loses 0.3 % of the light of a room). `sight.sees(point)` says whether the viewpoint sees a
-/// point of the patch, `sight.misses(point, radius)` whether it surely sees none within the radius.
-template <class Sight>
-struct DeltaAreas {
-  const FactorParams& params;
-  double enough;  ///< widest delta area that is not halved: the square of its share of the distance
-  const Viewpoint& eye;
-  const Quad& quad;
-  const Sight& sight;
-  renderer::Work& work;
+/// and loses 0.3 % of the light of a room); each times `source.eval(s, t)`. `sight.sees(point)`
+/// says whether the viewpoint sees a point of the patch, `sight.misses(point, radius)` whether it
+/// surely sees none within the radius.
+template <class Sight, class Source>
+class DeltaAreas {
+ public:
+  using Sum = decltype(1.0 * std::declval<Source>().eval(0, 0));
 
-  double sum() {
-    const int n = params.samples;
-    double total = 0;
+  /// `enough`: the widest delta area that is not halved, the square of its share of the distance.
+  DeltaAreas(const FactorParams& params, double enough, const Viewpoint& eye, const Quad& quad,
+             const Sight& sight, const Source& source, renderer::Work& work)
+      : params_(params),
+        enough_(enough),
+        eye_(eye),
+        quad_(quad),
+        sight_(sight),
+        source_(source),
+        work_(work),
+        rise_a_(dot(eye.normal, quad.a)),
+        rise_b_(dot(eye.normal, quad.b)),
+        rise_c_(dot(eye.normal, quad.c)) {}
+
+  Sum sum() {
+    const int n = params_.samples;
+    Sum total{};
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        total += add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, params.halvings);
+        total += add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, params_.halvings);
     return total;
   }
 
@@ -138,50 +184,72 @@ struct DeltaAreas {
     double s, t, along, across;
   };
 
-  double add(const Delta& delta, int halvings) {
-    work[renderer::Op::delta_area] += 1;
+  Sum add(const Delta& delta, int halvings) {
+    work_[renderer::Op::delta_area] += 1;
     // Not quite the centre: in rooms full of symmetry lines between centres pass exactly through
     // edges, of two mirrors above all, and rounding would say by which side.
     constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
-    const Vec point = quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
-    const Vec way = point - eye.at;
+    const Vec point = quad_.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
+    const Vec way = point - eye_.at;
     const double square = dot(way, way);
     if (halvings > 0) {
-      const double along = delta.along * delta.along * quad.along;
-      const double across = delta.across * delta.across * quad.across;
+      const double along = delta.along * delta.along * quad_.along;
+      const double across = delta.across * delta.across * quad_.across;
       const double wide = std::max(along, across);
-      if (wide > enough * square)
-        return sight.misses(point, std::sqrt(along + across) / 2)
-                   ? 0
+      if (wide > enough_ * square)
+        return sight_.misses(point, std::sqrt(along + across) / 2)
+                   ? Sum{}
                    : add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
     }
-    const double here = dot(eye.normal, way), there = -dot(quad.normal, way);
-    if (here <= 0 || there <= 0 || !sight.sees(point)) return 0;
-    const double density = quad.eval_density(delta.s, delta.t);
-    const double area = delta.along * delta.across * density;
-    const double per_density = 1 / density;
-    const DeltaSide a{delta.along * (quad.a + delta.t * quad.c),
-                      per_density * delta.along * quad.by_s};
-    const DeltaSide b{delta.across * (quad.b + delta.s * quad.c),
-                      per_density * delta.across * quad.by_t};
-    if (std::max(dot(a.along, a.along), dot(b.along, b.along)) > square)
-      return eval_delta(area, square, here, there);
-    const double extent = eval_extent(eye.normal, way, a, b);
-    const double factor = here * there * area / (std::numbers::pi * square * square);
-    return extent > 0 ? factor * (1 + extent) : factor / (1 - extent);
+    const double here = dot(eye_.normal, way), there = -dot(quad_.normal, way);
+    if (here <= 0 || there <= 0 || !sight_.sees(point)) return Sum{};
+    return eval_seen(delta, way, square, here, there);
+  }
+
+  // The term of a delta area that is `way` off.
+  Sum eval_seen(const Delta& delta, const Vec& way, double square, double here, double there) {
+    const auto [s, t, along, across] = delta;
+    const double density = quad_.eval_density(s, t), area = along * across * density;
+    const double long_a = along * along * (quad_.aa + t * (2 * quad_.ac + t * quad_.cc));
+    const double long_b = across * across * (quad_.bb + s * (2 * quad_.bc + s * quad_.cc));
+    if constexpr (std::same_as<Source, Glow>) work_[renderer::Op::glow_found] += 1;
+    if (std::max(long_a, long_b) > square)
+      return eval_delta(area, square, here, there) * source_.eval(s, t);
+    // Divisions are what costs here.
+    const double per_square = 1 / square, per_here = 1 / here, per_density = 1 / density;
+    const double way_c = dot(way, quad_.c);
+    const DeltaSide a{per_square * along * (dot(way, quad_.a) + t * way_c),
+                      per_here * along * (rise_a_ + t * rise_c_), per_square * long_a,
+                      per_density * along * quad_.by_s};
+    const DeltaSide b{per_square * across * (dot(way, quad_.b) + s * way_c),
+                      per_here * across * (rise_b_ + s * rise_c_), per_square * long_b,
+                      per_density * across * quad_.by_t};
+    const double extent = eval_extent(a, b);
+    const double factor = std::numbers::inv_pi * here * there * area * (per_square * per_square);
+    return (extent > 0 ? factor * (1 + extent) : factor / (1 - extent)) *
+           source_.eval(s + a.eval_drift() * along, t + b.eval_drift() * across);
   }
 
   // The sum over the parts of a delta area that is halved along, across, or both.
-  double add_parts(const Delta& delta, bool along, bool across, int halvings) {
+  Sum add_parts(const Delta& delta, bool along, bool across, int halvings) {
     const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
     const double width = along ? delta.along / 2 : delta.along;
     const double height = across ? delta.across / 2 : delta.across;
-    double total = 0;
+    Sum total{};
     for (int j = across ? -1 : 0; j <= (across ? 1 : 0); j += 2)
       for (int i = along ? -1 : 0; i <= (along ? 1 : 0); i += 2)
         total += add({delta.s + i * step, delta.t + j * rise, width, height}, halvings);
     return total;
   }
+
+  const FactorParams& params_;
+  double enough_;
+  const Viewpoint& eye_;
+  const Quad& quad_;
+  const Sight& sight_;
+  const Source& source_;
+  renderer::Work& work_;
+  double rise_a_, rise_b_, rise_c_;  // the parts of a, b and c along the viewpoint's normal
 };
 
 /// Whether a part of the patch is in front of the viewpoint, and the viewpoint in front of it.

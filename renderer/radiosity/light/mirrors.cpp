@@ -195,18 +195,24 @@ struct Way {
 
 // The sum of Eq 3.17 over the patch's delta areas (samples x samples, not halved) and the pieces
 // of the chain's mirrors (FactorParams::mirror_pieces).
+template <class Source>
 class PieceSum {
  public:
-  explicit PieceSum(const MirroredSight& seen) : seen_(seen) {
+  using Sum = typename DeltaAreas<MirroredSight, Source>::Sum;
+
+  PieceSum(const MirroredSight& seen, const Source& source) : seen_(seen), source_(source) {
     for (const Mirror* mirror : seen.chain.mirrors)
       pieces_.emplace_back(*mirror, seen.eye.params.mirror_pieces);
   }
 
-  double sum() {
+  Sum sum() {
     const int n = seen_.eye.params.samples;
-    double total = 0;
+    Sum total{};
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) total += add_delta((i + 0.5) / n, (j + 0.5) / n, 0.5 / n);
+      for (int i = 0; i < n; ++i) {
+        const double s = (i + 0.5) / n, t = (j + 0.5) / n;
+        total += add_delta(s, t, 0.5 / n) * source_.eval(s, t);
+      }
     return total;
   }
 
@@ -292,25 +298,28 @@ class PieceSum {
   }
 
   const MirroredSight& seen_;
+  const Source& source_;
   std::vector<Pieces> pieces_;  // by mirror of the chain
   std::array<Vec, 4> corners_;  // of the delta area
 };
 
-// The form factor over one chain, without its reflectance.
-double eval_chain(const MirroredSight& sight) {
+// What arrives over one chain, without its reflectance.
+template <class Source>
+auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;
-  if (params.mirror_pieces > 0) return PieceSum(sight).sum();
+  if (params.mirror_pieces > 0) return PieceSum(sight, source).sum();
   // Little light comes through a mirror that looks very narrow: it deserves no more care.
   constexpr double LEAST = 0.25;
   const double spread =
       std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
-  return DeltaAreas<MirroredSight>{params,     spread * spread, sight.chain.last(),
-                                   sight.quad, sight,           sight.work}
+  return DeltaAreas<MirroredSight, Source>(params, spread * spread, sight.chain.last(), sight.quad,
+                                           sight, source, sight.work)
       .sum();
 }
 
 // The sum over all chains that begin with that of `sight`, without its own.
-Rgb sum_chains(const MirroredSight& sight) {
+template <class Source>
+Rgb sum_chains(const MirroredSight& sight, const Source& source) {
   const auto& [eye, vertex, patch, quad, chain, work] = sight;
   Rgb total;
   if (chain.mirrors.size() == static_cast<std::size_t>(eye.params.reflections)) return total;
@@ -320,16 +329,19 @@ Rgb sum_chains(const MirroredSight& sight) {
     const Chain longer = chain.extend(mirror, eye.mesh.materials[mirror.material].reflectance);
     const MirroredSight further{eye, vertex, patch, quad, longer, work};
     if (face_each_other(longer.last(), patch) && longer.may_show(patch.at))
-      total += eval_chain(further) * longer.reflectance;
-    total += sum_chains(further);
+      total += eval_chain(further, source) * longer.reflectance;
+    total += sum_chains(further, source);
   }
   return total;
 }
 
 }  // namespace
 
-Rgb eval_mirrored_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
-  return sum_chains({eye, vertex, patch, Quad(patch), Chain({vertex.lit, vertex.normal}), work});
+Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
+  const Chain none({vertex.lit, vertex.normal});
+  const MirroredSight sight{eye, vertex, sender.patch, sender.quad, none, work};
+  return sender.is_even ? sum_chains(sight, Even{}) * sender.glow.at
+                        : sum_chains(sight, sender.glow);
 }
 
 }  // namespace radiosity

@@ -21,9 +21,9 @@
 
 namespace radiosity {
 
-/// The form factor from the patch to the vertex over 1 to FactorParams::reflections mirrors, each
+/// The light that a patch sends to the vertex over 1 to FactorParams::reflections mirrors, each
 /// chain once; for each colour times the reflectance of the chain's mirrors.
-Rgb eval_mirrored_factor(const Eye& eye, const Vertex& vertex, const Patch& patch,
-                         renderer::Work& work);
+Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& sender,
+                        renderer::Work& work);
 
 }  // namespace radiosity

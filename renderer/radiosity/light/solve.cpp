@@ -29,6 +29,72 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
   return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
 }
 
+// The share of a patch's area that is a corner's, by the bilinear weights.
+std::array<double, 4> eval_shares(const Patch& patch) {
+  const Quad quad(patch);
+  const auto eval = [&](double s, double t) {
+    // Weights of a line's ends, and of their products with its parameter.
+    const double of_s = (1 + s) / 6, of_t = (1 + t) / 6;
+    return (quad.density / 4 + quad.by_s * of_s / 2 + quad.by_t * of_t / 2) /
+           (quad.density + quad.by_s / 2 + quad.by_t / 2);
+  };
+  return {eval(0, 0), eval(1, 0), eval(1, 1), eval(0, 1)};
+}
+
+// A patch's corners' unsent light, changed so that its mean over the patch is `mean`: what is
+// missing is added everywhere, what is too much is taken from each in proportion.
+Glow fit_glow(const Patch& patch, std::array<Rgb, 4> corners, const Rgb& mean) {
+  const auto shares = eval_shares(patch);
+  for (double Rgb::*colour : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+    double found = 0;
+    for (std::size_t k = 0; k < 4; ++k) found += shares[k] * corners[k].*colour;
+    const double missing = mean.*colour - found;
+    for (Rgb& corner : corners)
+      corner.*colour = missing > 0 ? corner.*colour + missing
+                                   : corner.*colour * (found > 0 ? mean.*colour / found : 0);
+  }
+  return Glow(corners);
+}
+
+Glow find_glow(const Mesh& mesh, const State& state, std::uint32_t p) {
+  if (state.in_corners.empty()) return Glow(state.unshot[p]);
+  return fit_glow(mesh.patches[p], state.in_corners[p], state.unshot[p]);
+}
+
+// See solve().
+Solution shoot_until(const Mesh& mesh, const SolveParams& params, Solution solution,
+                     const Step& step, const Mesh* fine) {
+  check(params.factor);
+  const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
+  const auto fine_vertices = fine ? all_vertices(*fine) : std::vector<std::uint32_t>{};
+  State& state = solution.state;
+  State fine_state = fine ? make_state(*fine, Sends::mean) : State{};
+  Work& work = solution.work;
+  for (;; ++solution.shots) {
+    const Unshot unshot = sum_unshot(mesh, state, patches);
+    solution.unshot = eval_share(unshot);
+    solution.ambient = eval_ambient(mesh, unshot);
+    if (step && !step(solution.shots, solution.unshot)) break;
+    if (solution.shots >= params.shots || solution.unshot <= params.tolerance) break;
+    const auto shot = find_shot(mesh, state, patches, work);
+    if (!shot) break;
+    const Sender sender(mesh.patches[shot->patch], shot->glow);
+    receive({mesh, params.factor}, sender, vertices, state, work);
+    if (fine) receive({*fine, params.factor}, sender, fine_vertices, fine_state, work);
+    if (params.mean == Mean::simpson)
+      receive_in_centres({mesh, params.factor}, sender, patches, state, work);
+    settle(mesh, *shot, patches, params.mean, state, work);
+  }
+  solution.means.clear();
+  for (const auto p : patches) {
+    const Material& material = mesh.materials[mesh.patches[p].material];
+    solution.means.push_back(material.emission + material.reflectance * state.arrived[p]);
+  }
+  solution.balance = eval_balance(mesh, state.arrived, state.unshot);
+  solution.vertices = fine ? std::move(fine_state.radiosity) : state.radiosity;
+  return solution;
+}
+
 }  // namespace
 
 Vertex make_centre(const Patch& patch) {
@@ -38,11 +104,14 @@ Vertex make_centre(const Patch& patch) {
 std::vector<std::uint32_t> all_vertices(const Mesh& mesh) { return count_up(mesh.vertices.size()); }
 std::vector<std::uint32_t> all_patches(const Mesh& mesh) { return count_up(mesh.patches.size()); }
 
-State make_state(const Mesh& mesh) {
+State make_state(const Mesh& mesh, Sends sends) {
   State state;
   for (const Vertex& v : mesh.vertices)
     state.radiosity.push_back(mesh.materials[v.material].emission);
   for (const Patch& p : mesh.patches) state.unshot.push_back(mesh.materials[p.material].emission);
+  if (sends == Sends::corners)
+    for (const Rgb& unshot : state.unshot)
+      state.in_corners.push_back({unshot, unshot, unshot, unshot});
   state.received.resize(mesh.vertices.size());
   state.in_centre.resize(mesh.patches.size());
   state.arrived.resize(mesh.patches.size());
@@ -54,39 +123,47 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
   Shot best;
   for (const auto patch : patches) {
     const double power = sum(state.unshot[patch]) * mesh.patches[patch].area;
-    if (power > best.power) best = {patch, state.unshot[patch], power};
+    if (power > best.power) best = {patch, {}, power};
   }
   work[Op::patch_compared] += patches.size();
-  return best.power > 0 ? std::optional(best) : std::nullopt;
+  if (best.power <= 0) return std::nullopt;
+  best.glow = find_glow(mesh, state, best.patch);
+  return best;
 }
 
-void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
-             std::span<const std::uint32_t> vertices, State& state, Work& work) {
+void receive(const Eye& eye, const Sender& sender, std::span<const std::uint32_t> vertices,
+             State& state, Work& work) {
   for (const auto v : vertices) {
     const Vertex& vertex = eye.mesh.vertices[v];
-    state.received[v] = eval_factors(eye, vertex, sender, work) * radiosity;
+    state.received[v] = eval_light(eye, vertex, sender, work);
     state.radiosity[v] += eye.mesh.materials[vertex.material].reflectance * state.received[v];
   }
   work[Op::vertex_lit] += vertices.size();
 }
 
-void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+void receive_in_centres(const Eye& eye, const Sender& sender,
                         std::span<const std::uint32_t> patches, State& state, Work& work) {
   for (const auto p : patches)
-    state.in_centre[p] =
-        eval_factors(eye, make_centre(eye.mesh.patches[p]), sender, work) * radiosity;
+    state.in_centre[p] = eval_light(eye, make_centre(eye.mesh.patches[p]), sender, work);
   work[Op::vertex_lit] += patches.size();
 }
 
 void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,
             State& state, Work& work) {
   for (const auto p : patches) {
+    const Patch& patch = mesh.patches[p];
+    const Rgb& reflectance = mesh.materials[patch.material].reflectance;
     if (p == shot.patch) state.unshot[p] = {};
     const Rgb arrived = eval_mean(mesh, p, mean, state);
     state.arrived[p] += arrived;
-    state.unshot[p] += mesh.materials[mesh.patches[p].material].reflectance * arrived;
+    state.unshot[p] += reflectance * arrived;
+    if (state.in_corners.empty()) continue;
+    if (p == shot.patch) state.in_corners[p] = {};
+    for (std::size_t k = 0; k < 4; ++k)
+      state.in_corners[p][k] += reflectance * state.received[patch.corners[k]];
   }
   work[Op::patch_lit] += patches.size();
+  if (!state.in_corners.empty()) work[Op::corner_lit] += 4 * patches.size();
 }
 
 Unshot& Unshot::operator+=(const Unshot& other) {
@@ -101,8 +178,10 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
     const Rgb power = unit * mesh.patches[p].area * state.unshot[p];
+    // Half away from zero, as std::llround(), which takes longer than all else here.
     const auto round = [](double share) {
-      return std::llround(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT));
+      return static_cast<std::int64_t>(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT) +
+                                       std::copysign(0.5, share));
     };
     total += {round(power.r), round(power.g), round(power.b)};
   }
@@ -130,11 +209,15 @@ void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertice
 base::Fields<SolveParams> solve_fields() {
   using D = base::Declare<SolveParams>;
   static const base::Names<Mean> MEANS = {{"simpson", Mean::simpson}, {"corners", Mean::corners}};
+  static const base::Names<Sends> SENDS = {{"corners", Sends::corners}, {"mean", Sends::mean}};
   return base::join(
       base::lift_all<SolveParams>(factor_fields(), &SolveParams::factor),
       {{D::choice("mean", &SolveParams::mean, MEANS,
                   "what a patch has received: a twelfth of each corner's and two thirds of the "
                   "centre's; or the mean of its corners"),
+        D::choice(
+            "sends", &SolveParams::sends, SENDS,
+            "what a patch sends: its corners' light, bilinear; or their mean from everywhere"),
         D::whole("max_shots", &SolveParams::shots, 0, 1e9, "",
                  "times that a patch sends its light, at most"),
         D::number("tolerance", &SolveParams::tolerance, 0, 1, "",
@@ -142,35 +225,14 @@ base::Fields<SolveParams> solve_fields() {
 }
 
 Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step, const Mesh* fine) {
-  check(params.factor);
-  const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
-  const auto fine_vertices = fine ? all_vertices(*fine) : std::vector<std::uint32_t>{};
-  State state = make_state(mesh), fine_state = fine ? make_state(*fine) : State{};
-  Solution solution;
-  Work& work = solution.work;
-  for (;; ++solution.shots) {
-    const Unshot unshot = sum_unshot(mesh, state, patches);
-    solution.unshot = eval_share(unshot);
-    solution.ambient = eval_ambient(mesh, unshot);
-    if (step && !step(solution.shots, solution.unshot)) break;
-    if (solution.shots >= params.shots || solution.unshot <= params.tolerance) break;
-    const auto shot = find_shot(mesh, state, patches, work);
-    if (!shot) break;
-    const Patch& sender = mesh.patches[shot->patch];
-    receive({mesh, params.factor}, sender, shot->radiosity, vertices, state, work);
-    if (fine)
-      receive({*fine, params.factor}, sender, shot->radiosity, fine_vertices, fine_state, work);
-    if (params.mean == Mean::simpson)
-      receive_in_centres({mesh, params.factor}, sender, shot->radiosity, patches, state, work);
-    settle(mesh, *shot, patches, params.mean, state, work);
-  }
-  for (const auto p : patches) {
-    const Material& material = mesh.materials[mesh.patches[p].material];
-    solution.means.push_back(material.emission + material.reflectance * state.arrived[p]);
-  }
-  solution.balance = eval_balance(mesh, state.arrived, state.unshot);
-  solution.vertices = std::move(fine ? fine_state.radiosity : state.radiosity);
-  return solution;
+  Solution none;
+  none.state = make_state(mesh, params.sends);
+  return shoot_until(mesh, params, std::move(none), step, fine);
+}
+
+Solution solve_further(const Mesh& mesh, const SolveParams& params, Solution begun,
+                       const Step& step) {
+  return shoot_until(mesh, params, std::move(begun), step, nullptr);
 }
 
 LitRoom light_room(const Room& room, const LightParams& params) {

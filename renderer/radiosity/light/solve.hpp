@@ -12,22 +12,30 @@ namespace radiosity {
 /// The light that a patch sends to all.
 struct Shot {
   std::uint32_t patch = 0;
-  Rgb radiosity;     ///< the patch's unsent radiosity
+  Glow glow;         ///< the patch's unsent radiosity
   double power = 0;  ///< its sum over the colours, times the patch's area
+};
+
+/// How the unsent light of a patch is spread over it.
+enum class Sends : std::uint8_t {
+  mean,     ///< evenly, by J. Wallace and the thesis: too much comes from a dark edge or corner
+  corners,  ///< bilinear, as its corners received it
 };
 
 /// The light of all vertices and patches. Where several share the work, the owner of a patch keeps
 /// its light and that of its vertices up to date.
 struct State {
   std::vector<Rgb> radiosity;  ///< by vertex
-  std::vector<Rgb> unshot;     ///< by patch
+  std::vector<Rgb> unshot;     ///< by patch, the mean
+  /// By patch, what its corners have not sent; none for Sends::mean.
+  std::vector<std::array<Rgb, 4>> in_corners;
   std::vector<Rgb> received;   ///< by vertex, the light that arrived in the last shot
   std::vector<Rgb> in_centre;  ///< by patch, the light that arrived at its centre in the last shot
   std::vector<Rgb> arrived;    ///< by patch, the light that has arrived in all shots, its mean
 };
 
 /// Everything emits, nothing is sent.
-State make_state(const Mesh& mesh);
+State make_state(const Mesh& mesh, Sends sends);
 
 /// A shot of the patch, of those named, with most unsent power; of equals the first; none if all
 /// are dark.
@@ -36,11 +44,11 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
 
 /// Each of the vertices named takes and reflects its share of the radiosity that the patch sends:
 /// Eq 3.9 and 3.17. The patch may belong to another mesh of the same room.
-void receive(const Eye& eye, const Patch& sender, const Rgb& radiosity,
-             std::span<const std::uint32_t> vertices, State& state, renderer::Work& work);
+void receive(const Eye& eye, const Sender& sender, std::span<const std::uint32_t> vertices,
+             State& state, renderer::Work& work);
 
 /// The centres of the patches named take their shares, for Mean::simpson.
-void receive_in_centres(const Eye& eye, const Patch& sender, const Rgb& radiosity,
+void receive_in_centres(const Eye& eye, const Sender& sender,
                         std::span<const std::uint32_t> patches, State& state, renderer::Work& work);
 
 /// How the light that a patch received is found from that of points on it.
@@ -74,6 +82,7 @@ void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertice
 struct SolveParams {
   FactorParams factor;
   Mean mean = Mean::simpson;
+  Sends sends = Sends::corners;
   int shots = 1'000'000;     ///< most shots, >= 0
   double tolerance = 0.001;  ///< unsent share of the emitted power at which it ends, 0..1
 };
@@ -86,9 +95,10 @@ struct Solution {
   double unshot = 0;  ///< share of the emitted power
   Balance balance;    ///< of the mesh that sends
   renderer::Work work;
+  State state;  ///< of the mesh that sends: solve() can go on from it
 };
 
-/// The fields of the form factors, mean, max_shots and tolerance.
+/// The fields of the form factors, mean, sends, max_shots and tolerance.
 base::Fields<SolveParams> solve_fields();
 
 /// Is called after every shot with how many there were and what share is unsent; returns whether to
@@ -102,6 +112,11 @@ using Step = std::function<bool(int shots, double unshot)>;
 /// Brock, "An Efficient Radiosity Approach for Realistic Image Synthesis", IEEE CG&A 6(3), 1986.)
 Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step = {},
                const Mesh* fine = nullptr);
+
+/// Goes on from a solution of the same mesh that `sends` alike: what comes out is as if it had not
+/// been left.
+Solution solve_further(const Mesh& mesh, const SolveParams& params, Solution begun,
+                       const Step& step = {});
 
 /// The centre of a patch as a vertex.
 Vertex make_centre(const Patch& patch);

@@ -19,6 +19,7 @@ struct AdaptedMesh {
   Mesh mesh;
   int rounds = 0;    ///< how often patches were halved
   double error = 0;  ///< the estimate of what is left, as `error` below
+  Solution rough;    ///< the mesh's light, from which solve_further() goes on
 };
 
 /// Halves patches, beginning with those of params.mesh, until the illumination's error over all

@@ -113,6 +113,11 @@ double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
   return total / area;
 }
 
+/// eval_factor() and what arrives by way of mirrors, each colour times their reflectance.
+inline Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
+  return eval_light(eye, vertex, {patch, Glow(grey(1))}, work);
+}
+
 inline double sum_factors(const Eye& eye, const Vertex& vertex, const auto& holds) {
   Work work;
   double total = 0;

@@ -14,8 +14,9 @@ Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& wor
   const FactorParams factor;
   const Eye eye{mesh, factor};
   const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
-  receive(eye, mesh.patches[shot.patch], shot.radiosity, vertices, state, work);
-  receive_in_centres(eye, mesh.patches[shot.patch], shot.radiosity, patches, state, work);
+  const Sender sender(mesh.patches[shot.patch], shot.glow);
+  receive(eye, sender, vertices, state, work);
+  receive_in_centres(eye, sender, patches, state, work);
   Rgb before, after;
   state.unshot[shot.patch] = {};
   for (const auto p : patches) before += mesh.patches[p].area * state.unshot[p];
@@ -32,11 +33,11 @@ Balance shoot_each(const Mesh& mesh, std::size_t step, Mean mean) {
   Balance balance;
   int shots = 0;
   for (std::uint32_t i = 0; i < mesh.patches.size(); i += step, ++shots) {
-    State state = make_state(mesh);
+    State state = make_state(mesh, Sends::mean);
     for (Rgb& unshot : state.unshot) unshot = {};
     Work work;
     const double area = mesh.patches[i].area;
-    const double reflected = shoot(mesh, {i, grey(1), 3 * area}, mean, state, work).r;
+    const double reflected = shoot(mesh, {i, Glow(grey(1)), 3 * area}, mean, state, work).r;
     const double share = reflected / mesh.materials[0].reflectance.r / area;
     balance.least = std::min(balance.least, share);
     balance.most = std::max(balance.most, share);
@@ -89,7 +90,7 @@ TEST(Energy, EmittedIsAbsorbed) {
     room.faces[1].material = 1;
     room.materials[1].reflectance = grey(0.5);
     const Mesh mesh = make_mesh(room, {});
-    State state = make_state(mesh);
+    State state = make_state(mesh, Sends::mean);
     Work work;
     const auto patches = all_patches(mesh);
     double absorbed = 0;

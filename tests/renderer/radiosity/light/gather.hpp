@@ -6,36 +6,43 @@
 
 namespace radiosity::test {
 
-// The radiosity of a vertex that gets light of all patches (Eq 1.8).
-inline Rgb collect(const Eye& eye, const Vertex& vertex, const std::vector<Rgb>& patches,
-                   Work& work) {
+// The radiosity of a vertex that gets light of all patches (Eq 1.8), all of which `patches` has as
+// unsent.
+inline Rgb collect(const Eye& eye, const Vertex& vertex, const State& patches, Work& work) {
   const Mesh& mesh = eye.mesh;
   const Material& material = mesh.materials[vertex.material];
   Rgb incident;
-  for (std::size_t j = 0; j < patches.size(); ++j)
-    if (renderer::max_component(patches[j]) > 0)
-      incident += eval_factors(eye, vertex, mesh.patches[j], work) * patches[j];
+  for (std::uint32_t j = 0; j < mesh.patches.size(); ++j)
+    if (const auto all = find_shot(mesh, patches, std::array{j}, work))
+      incident += eval_light(eye, vertex, {mesh.patches[j], all->glow}, work);
   return material.emission + material.reflectance * incident;
 }
 
 // The radiosity of every patch, kept up to date as its corners and its centre change.
 class PatchLight {
  public:
-  PatchLight(const Mesh& mesh, Mean mean)
-      : around_(find_surroundings(mesh)), of_corner_(mean == Mean::corners ? 0.25 : 1.0 / 12) {
-    for (const Patch& patch : mesh.patches) {
-      values.push_back(mesh.materials[patch.material].emission);
-      centres.push_back(values.back());
+  PatchLight(const Mesh& mesh, const SolveParams& params)
+      : patches(make_state(mesh, params.sends)),
+        centres(patches.unshot),
+        mesh_(mesh),
+        around_(find_surroundings(mesh)),
+        of_corner_(params.mean == Mean::corners ? 0.25 : 1.0 / 12) {}
+  void change_corner(std::uint32_t vertex, const Rgb& more) {
+    for (const auto patch : around_.of(vertex)) {
+      patches.unshot[patch] += of_corner_ * more;
+      for (std::size_t k = 0; k < 4 && !patches.in_corners.empty(); ++k)
+        if (mesh_.patches[patch].corners[k] == vertex) patches.in_corners[patch][k] += more;
     }
   }
-  void change_corner(std::uint32_t vertex, const Rgb& more) {
-    for (const auto patch : around_.of(vertex)) values[patch] += of_corner_ * more;
+  void change_centre(std::uint32_t patch, const Rgb& more) {
+    patches.unshot[patch] += (2.0 / 3) * more;
   }
-  void change_centre(std::uint32_t patch, const Rgb& more) { values[patch] += (2.0 / 3) * more; }
 
-  std::vector<Rgb> values, centres;
+  State patches;
+  std::vector<Rgb> centres;
 
  private:
+  const Mesh& mesh_;
   Surroundings around_;
   double of_corner_;
 };
@@ -60,13 +67,13 @@ struct Sweep {
 inline Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6) {
   check(params.factor);
   const Eye eye{mesh, params.factor};
-  PatchLight light(mesh, params.mean);
+  PatchLight light(mesh, params);
   Solution solution;
-  solution.vertices = make_state(mesh).radiosity;
+  solution.vertices = light.patches.radiosity;
   for (bool going = true; going; ++solution.shots) {
     Sweep sweep;
     const auto collect_at = [&](const Vertex& vertex, Rgb& value) {
-      return sweep.set(value, collect(eye, vertex, light.values, solution.work));
+      return sweep.set(value, collect(eye, vertex, light.patches, solution.work));
     };
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
       light.change_corner(v, collect_at(mesh.vertices[v], solution.vertices[v]));

@@ -29,7 +29,7 @@ class Pieces : public testing::Test {
   static double eval(const Mesh& mesh, const Vertex& point, const Patch& patch,
                      const FactorParams& params) {
     Work work;
-    return eval_mirrored_factor({mesh, params}, point, patch, work).r;
+    return eval_mirrored_light({mesh, params}, point, {patch, Glow(grey(1))}, work).r;
   }
 };
 

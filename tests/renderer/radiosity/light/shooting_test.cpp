@@ -36,6 +36,7 @@ TEST(Shooting, AgreesWithGathering) {
     const FactorParams factor{.spread = 0.4};
     SolveParams params = make_params(2e-4, factor);
     params.mean = seed % 3 == 0 ? Mean::corners : Mean::simpson;
+    params.sends = seed < 3 ? Sends::mean : Sends::corners;
     const Solution shot = solve(mesh, params);
     const Solution gathered = gather(mesh, params, 1e-5);
     double worst = 0;
@@ -83,7 +84,7 @@ TEST(Shooting, AmbientLightStandsForWhatIsUnsent) {
 
 TEST(Shooting, SumsOfUnsentLightDoNotDependOnTheOrder) {
   const Mesh mesh = make_mesh(make_room(6, false, 2), {});
-  State state = make_state(mesh);
+  State state = make_state(mesh, Sends::mean);
   Random random{6};
   for (Rgb& unshot : state.unshot) unshot = random.colour();
   auto patches = all_patches(mesh);
@@ -97,7 +98,7 @@ TEST(Shooting, SumsOfUnsentLightDoNotDependOnTheOrder) {
     parts += sum_unshot(mesh, state, half);
     EXPECT_EQ(parts, expected);
   }
-  EXPECT_NEAR(eval_share(sum_unshot(mesh, make_state(mesh), patches)), 1, 1e-9);
+  EXPECT_NEAR(eval_share(sum_unshot(mesh, make_state(mesh, Sends::mean), patches)), 1, 1e-9);
 }
 
 TEST(Shooting, EndsAtItsToleranceOrNumberOfShots) {
@@ -123,11 +124,23 @@ TEST(Shooting, EndsAtItsToleranceOrNumberOfShots) {
   EXPECT_EQ(solve(mesh, make_params(0), [](int shots, double) { return shots < 3; }).shots, 3);
 }
 
+TEST(Shooting, GoesOnAsIfItHadNotBeenLeft) {
+  const Mesh mesh = make_mesh(make_room(7, true, 1), {});
+  const Solution whole = solve(mesh, make_params(0.02));
+  const Solution halves = solve_further(mesh, make_params(0.02), solve(mesh, make_params(0.3)));
+  EXPECT_EQ(halves.vertices, whole.vertices);
+  EXPECT_EQ(halves.means, whole.means);
+  EXPECT_EQ(halves.shots, whole.shots);
+  EXPECT_EQ(halves.unshot, whole.unshot);
+  EXPECT_EQ(halves.ambient, whole.ambient);
+  EXPECT_EQ(halves.work, whole.work);
+}
+
 // The brightest patch shoots first, of equals the first; it has nothing left (but what mirrors
 // return).
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
-  State state = make_state(mesh);
+  State state = make_state(mesh, Sends::mean);
   Work work;
   const auto patches = all_patches(mesh);
   const auto shot = find_shot(mesh, state, patches, work);
@@ -136,7 +149,7 @@ TEST(Shooting, TheBrightestShoots) {
     const double power = sum(state.unshot[p]) * mesh.patches[p].area;
     EXPECT_TRUE(power < shot->power || (power == shot->power && p >= shot->patch));
   }
-  receive({mesh, {}}, mesh.patches[shot->patch], shot->radiosity, all_vertices(mesh), state, work);
+  receive({mesh, {}}, {mesh.patches[shot->patch], shot->glow}, all_vertices(mesh), state, work);
   settle(mesh, *shot, patches, Mean::corners, state, work);
   EXPECT_EQ(state.unshot[shot->patch], Rgb{});
   for (Rgb& unshot : state.unshot) unshot = {};
