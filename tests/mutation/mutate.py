@@ -33,7 +33,7 @@ RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
 # Tests of the text of sources, of other programs, and of tests like this one.
-NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer)\b|Spin")
+NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|HaveAtMost100Lines")
 
 
 def room_of(file):
@@ -122,6 +122,10 @@ def write_sources(mutants, left_out=()):
         if not target.exists() or target.read_bytes() != text:
             target.write_bytes(text)
             shutil.copymode(ROOT / file, target)
+    for folder in {SOURCE / Path(file).parts[0] for file in filter(None, listed) if "/" in file}:
+        for path in folder.rglob("*"):
+            if path.is_file() and str(path.relative_to(SOURCE)) not in listed:
+                path.unlink()  # of an earlier call
     header = Path(__file__).with_name("mutant.hpp")
     if not (SOURCE / header.name).exists() or (SOURCE / header.name).read_bytes() != header.read_bytes():
         shutil.copy(header, SOURCE)
@@ -142,7 +146,7 @@ def build(mutants, targets):
         for file, line in set(re.findall(r"([\w/.-]+\.cpp):(\d+):\d+: error", made.stdout + made.stderr)):
             path = (TREE / file).resolve()
             files.add(str(path.relative_to(SOURCE)))
-            text = path.read_text().split("\n")[int(line) + 1]
+            text = "\n".join(path.read_text().split("\n")[int(line) - 1:int(line) + 2])  # two are before line 1
             wrong |= {int(n) for n in re.findall(r"is_mutant\((\d+)\)", text)}
         wrong = (wrong - left_out) or ({n for n, s in mutants.items() if s.file in files} - left_out)
         if not wrong:
