@@ -57,7 +57,7 @@ std::vector<std::string> note_short(const std::vector<KernelUse>& uses) {
 
 KernelUse KernelCost::use() const {
   KernelUse use = use_;
-  if (timed_ && use.calls > 0) {
+  if (timed_) {
     use.is_short = timed_->timer.is_short();
     use.longest_batch_s = timed_->timer.longest_batch_s();
   }

@@ -44,6 +44,12 @@ TEST(WholeFile, WritesAndReadsAnyBytes) {
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 
+TEST(WholeFile, AnEarlierErrorIsNotItsOwn) {
+  const TemporaryFolder folder;
+  errno = EIO;
+  EXPECT_EQ(write_error(folder.path / "a"), "");
+}
+
 TEST(WholeFile, ErrorsNameThePath) {
   const TemporaryFolder folder;
   const auto missing = folder.path / "none" / "a";

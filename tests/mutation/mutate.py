@@ -1,7 +1,8 @@
 """Changes the program in one place at a time and looks whether the tests notice.
 
 All changes are in one build, each behind a switch. A mutant is killed if a test fails, crashes or takes 10 s
-and ten times as long as without it. Only the tests that come by the changed place are run, the shortest first."""
+and ten times as long as without it. Only the tests that come by the changed place are run: those of the room's
+own folder first, the shortest before others, until a limit of time."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -16,7 +17,7 @@ import sys
 import tempfile
 import time
 import tomllib
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from clang.cindex import Config
@@ -25,6 +26,10 @@ from sites import Site, find_sites
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "mutation"
+# The build lies in its sources where a user's does, so that a compiler cache serves what is not mutated.
+SOURCE = BUILD / "source"
+TREE = SOURCE / "build" / "release"
+RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
 # Tests of the text of sources, of other programs, and of tests like this one.
@@ -33,8 +38,8 @@ NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer)\b|Spin")
 
 def room_of(file):
     """The room and the room inside it."""
-    parts = Path(file).parts
-    return "/".join(parts[:3 if parts[0] == "experiments" else 2]) if len(parts) > 2 else parts[0]
+    parts = Path(file).parent.parts
+    return "/".join(parts[:3 if parts[0] == "experiments" else 2])
 
 
 def read_commands():
@@ -101,7 +106,6 @@ def choose(rooms, number, seed):
 
 def write_sources(mutants, left_out=()):
     """A copy of the tree, changed; files that have not changed keep their dates."""
-    source = BUILD / "source"
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, text=True,
                             capture_output=True).stdout.split("\n")
     by_file = {}
@@ -109,35 +113,36 @@ def write_sources(mutants, left_out=()):
         if number not in left_out:
             by_file.setdefault(site.file, []).append((site, number))
     for file in filter(None, listed):
-        target, text = source / file, (ROOT / file).read_bytes()
+        target, text = SOURCE / file, (ROOT / file).read_bytes()
         for site, number in sorted(by_file.get(file, []), key=lambda m: -m[0].start):
             text = text[:site.start] + site.write(number).encode() + text[site.end:]
+        if file in by_file:
+            text = b'#include "mutant.hpp"\n#line 1\n' + text
         target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists() or target.read_bytes() != text:
             target.write_bytes(text)
             shutil.copymode(ROOT / file, target)
-    return source
+    header = Path(__file__).with_name("mutant.hpp")
+    if not (SOURCE / header.name).exists() or (SOURCE / header.name).read_bytes() != header.read_bytes():
+        shutil.copy(header, SOURCE)
 
 
 def build(mutants, targets):
     """Builds all of them, or some targets; returns the numbers of those that do not compile."""
     left_out = set()
-    header = Path(__file__).parent / "mutant.hpp"
     while True:
-        source = write_sources(mutants, left_out)
-        shutil.copy(header, source / "mutant.hpp")
-        subprocess.run(["cmake", "-S", source, "-B", BUILD / "tree", "-DCMAKE_BUILD_TYPE=Release",
-                        f"-DCMAKE_CXX_FLAGS=-std=c++20 -include {source / 'mutant.hpp'} -w"], check=True, stdout=subprocess.DEVNULL)
-        made = subprocess.run(["cmake", "--build", BUILD / "tree", "-j", str(os.cpu_count()), "--target", *targets, "--",
-                               "-k"], text=True, capture_output=True)
+        write_sources(mutants, left_out)
+        subprocess.run(["cmake", "--preset", "release"], cwd=SOURCE, check=True, stdout=subprocess.DEVNULL)
+        made = subprocess.run(["cmake", "--build", TREE, "-j", str(os.cpu_count()), "--target", *targets, "--", "-k"],
+                              text=True, capture_output=True)
         if made.returncode == 0:
             return left_out
         # The mutants on the lines with errors, or else all in their files.
         wrong, files = set(), set()
         for file, line in set(re.findall(r"([\w/.-]+\.cpp):(\d+):\d+: error", made.stdout + made.stderr)):
-            path = (BUILD / "tree" / file).resolve()
-            files.add(str(path.relative_to(source)))
-            text = path.read_text().split("\n")[int(line) - 1]
+            path = (TREE / file).resolve()
+            files.add(str(path.relative_to(SOURCE)))
+            text = path.read_text().split("\n")[int(line) + 1]
             wrong |= {int(n) for n in re.findall(r"is_mutant\((\d+)\)", text)}
         wrong = (wrong - left_out) or ({n for n, s in mutants.items() if s.file in files} - left_out)
         if not wrong:
@@ -145,53 +150,123 @@ def build(mutants, targets):
         left_out |= wrong
 
 
+@dataclass(frozen=True)
+class Test:
+    name: str
+    command: tuple
+    folder: str
+    environment: tuple
+    source: str  # of a gtest's suite; empty for others
+    version: str  # of the source
+
+
+def find_suites():
+    """The source of each suite of tests, and that source's hash."""
+    suites = {}
+    for file in sorted((ROOT / "tests").rglob("*_test.cpp")):
+        text = file.read_text()
+        for suite in set(re.findall(r"^TEST\w*\(\s*(\w+)", text, re.MULTILINE)):
+            suites[suite] = (str(file.relative_to(ROOT)), hashlib.sha256(text.encode()).hexdigest())
+    return suites
+
+
 def list_tests(wanted):
-    shown = subprocess.run(["ctest", "--show-only=json-v1"], cwd=BUILD / "tree", check=True, text=True,
+    shown = subprocess.run(["ctest", "--show-only=json-v1"], cwd=TREE, check=True, text=True,
                            capture_output=True).stdout
-    tests = []
+    suites, tests = find_suites(), []
     for test in json.loads(shown)["tests"]:
-        properties = {p["name"]: p["value"] for p in test.get("properties", [])}
-        if "command" in test and not NOT_RUN.search(test["name"]) and re.search(wanted, test["name"]):
-            tests.append((test["name"], test["command"], properties.get("WORKING_DIRECTORY", BUILD / "tree")))
+        name, properties = test["name"], {p["name"]: p["value"] for p in test.get("properties", [])}
+        if "command" not in test or NOT_RUN.search(name) or not re.search(wanted, name):
+            continue
+        parts = re.split(r"[./]", name)
+        found = next((suites[part] for part in parts if part in suites), ("", ""))
+        environment = tuple(tuple(e.split("=", 1)) for e in properties.get("ENVIRONMENT", []))
+        tests.append(Test(name, tuple(test["command"]), properties.get("WORKING_DIRECTORY", str(TREE)), environment,
+                          *found))
     return tests
 
 
+def is_own(test, file):
+    """Whether a test is of the folder that mirrors a source's room."""
+    folder = test.source.replace("tests/laboratory", "tests/experiments/laboratory").removeprefix("tests/")
+    return bool(folder) and room_of(folder) == room_of(file)
+
+
 def run_test(test, environment, limit_s):
-    """Whether it passes."""
-    name, command, folder = test
+    """Whether it passes, or nothing if it takes longer."""
     with tempfile.TemporaryDirectory() as temporary:
-        process = subprocess.Popen(command, cwd=folder, env=os.environ | {"TMPDIR": temporary} | environment,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        process = subprocess.Popen(test.command, cwd=test.folder, start_new_session=True, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL,
+                                   env=os.environ | {"TMPDIR": temporary} | dict(test.environment) | environment)
         try:
             return process.wait(limit_s) == 0
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, 9)
             process.wait()
-            return False
+            return None
 
 
-def measure(test):
-    """Which mutants a test comes by, and its time; none if it fails by itself."""
+def measure(test, longest_s):
+    """Which mutants a test comes by, its time, and whether it passes within the longest time."""
     with tempfile.NamedTemporaryFile() as file:
         begin = time.monotonic()
-        passed = run_test(test, {"TLAB_REACHED": file.name}, 600)
+        passed = run_test(test, {"TLAB_REACHED": file.name}, longest_s)
         took = time.monotonic() - begin
         reached = Path(file.name).read_bytes()
-    return (took, {i for i, byte in enumerate(reached) if byte} if passed else set(), passed)
+    numbers = [i for i, byte in enumerate(reached) if byte] if passed else []
+    return {"version": test.version, "took_s": took, "passed": passed, "reached": numbers}
 
 
-def try_mutant(number, tests):
-    """The name of the test that kills it, and how many were run."""
-    for count, (test, took) in enumerate(tests, 1):
+def measure_all(tests, known, longest_s, pool):
+    """The same for all tests; those of unchanged sources are known from the call before."""
+    wanted = [t for t in tests if known.get(t.name, {}).get("version") != t.version]
+    known = {t.name: known[t.name] for t in tests if t not in wanted}
+    return known | dict(zip([t.name for t in wanted], pool.map(lambda t: measure(t, longest_s), wanted)))
+
+
+def try_mutant(number, plan, limit_s):
+    """Runs tests with their times until one kills the mutant: that one, those that passed, and how many were left."""
+    begin, passed = time.monotonic(), []
+    for test, took in plan:
+        if time.monotonic() - begin > limit_s:
+            break
         if not run_test(test, {"TLAB_MUTANT": str(number)}, 10 + 10 * took):
-            return test[0], count
-    return None, len(tests)
+            return {"killer": test.name, "passed": passed, "left": 0}
+        passed.append([test.name, test.version])
+    return {"killer": None, "passed": passed, "left": len(plan) - len(passed)}
+
+
+def plan_tests(number, site, tests, measured, done):
+    """The tests that come by a mutant, in their order, without those done."""
+    plan = []
+    for test in tests:
+        found = measured[test.name]
+        if number in found["reached"] and [test.name, test.version] not in done:
+            plan.append((not is_own(test, site.file), found["took_s"], test.name, test))
+    return [(test, took) for _, took, _, test in sorted(plan, key=lambda p: p[:3])]
+
+
+def find_again(site):
+    """A place in a source that may have changed since, or nothing."""
+    if (ROOT / site.file).read_bytes()[site.start:site.end].decode(errors="replace") == site.old:
+        return site
+    moved = [s for s in read_sites(site.file, read_commands()[site.file])
+             if (s.kind, s.old, s.new) == (site.kind, site.old, site.new) and abs(s.line - site.line) <= 10]
+    return min(moved, key=lambda s: abs(s.line - site.line), default=None)
 
 
 def read_judged():
     if not JUDGED.exists():
         return {}
-    return {(j["file"], j["old"], j["new"]): j["judgement"] for j in tomllib.loads(JUDGED.read_text()).get("mutant", [])}
+    return {(j["file"], j["line"], j["old"], j["new"]): j["judgement"]
+            for j in tomllib.loads(JUDGED.read_text()).get("mutant", [])}
+
+
+def find_judgement(site, judged):
+    """That of a mutant in this line of a source, or nothing."""
+    text = (ROOT / site.file).read_bytes()
+    line = text[text.rfind(b"\n", 0, site.start) + 1:].split(b"\n")[0].decode().strip()
+    return judged.get((site.file, line, site.old, site.new))
 
 
 def main():
@@ -201,46 +276,68 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="of the choice [1]")
     parser.add_argument("--targets", nargs="+", default=["all"], metavar="T", help="test programs to build [all]")
     parser.add_argument("--tests", default="", help="a pattern of names; all unless given")
+    parser.add_argument("--seconds", type=float, metavar="T", help="of tests for each mutant [60; with --again no limit]")
+    parser.add_argument("--longest", type=float, default=20, metavar="T", help="of a test that is run, in seconds [20]")
+    parser.add_argument("--again", action="store_true", help="only those that survived the last call")
     parser.add_argument("--list", action="store_true", help="only print the mutants")
     options = parser.parse_args()
     libraries = sorted(Path("/usr/lib/llvm-14/lib").glob("libclang*.so*"))
     if libraries:
         Config.set_library_file(str(libraries[0]))
-    mutants = choose(options.rooms, options.number, options.seed)
+    before = json.loads(RESULTS.read_text()) if options.again else {"measured": {}, "outcomes": {}, "refused": []}
+    if options.again:
+        mutants = {int(n): Site(**site) for n, site in before["mutants"].items()}
+        mutants = {n: found for n, site in mutants.items() if (found := find_again(site))}
+    else:
+        mutants = choose(options.rooms, options.number, options.seed)
     if options.list:
         for number, site in mutants.items():
             print(f"{number:4} {site.file}:{site.line} {site.kind}: {site.old!r} -> {site.new!r}")
         return 0
-    refused = build(mutants, options.targets)
+    refused = set(before["refused"])
+    refused |= build({n: site for n, site in mutants.items() if n not in refused}, options.targets)
     tests = list_tests(options.tests)
+    limit_s = options.seconds or (float("inf") if options.again else 60)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        measured = list(pool.map(measure, tests))
-        failing = [t[0] for t, (_, _, passed) in zip(tests, measured) if not passed]
+        measured = measure_all(tests, before["measured"], options.longest, pool)
+        failing = [name for name, found in measured.items() if found["passed"] is False]
+        long = [name for name, found in measured.items() if found["passed"] is None]
         print(f"{len(mutants) - len(refused)} mutants, {len(refused)} that do not compile; {len(tests)} tests, "
-              f"{len(failing)} of which fail without any: {' '.join(failing)}", flush=True)
-        plans = {}
-        for number in mutants.keys() - refused:
-            reaching = sorted((took, i) for i, (took, reached, _) in enumerate(measured) if number in reached)
-            plans[number] = [(tests[i], took) for took, i in reaching]
-        outcomes = dict(zip(plans, pool.map(try_mutant, plans, plans.values())))
+              f"{len(failing)} of which fail without any ({' '.join(failing)}) and {len(long)} take longer than "
+              f"{options.longest:g} s ({' '.join(long)})", flush=True)
+        outcomes = {int(n): outcome for n, outcome in before["outcomes"].items() if int(n) in mutants}
+        numbers = [n for n in mutants if n not in refused and not outcomes.get(n, {}).get("killer")]
+        plans = [plan_tests(n, mutants[n], tests, measured, outcomes.get(n, {}).get("passed", [])) for n in numbers]
+        for number, outcome in zip(numbers, pool.map(lambda n, plan: try_mutant(n, plan, limit_s), numbers, plans)):
+            outcome["passed"] += outcomes.get(number, {}).get("passed", [])
+            outcomes[number] = outcome
+            if not outcome["killer"]:
+                print(show_survivor(number, mutants[number], outcome), flush=True)
+    RESULTS.write_text(json.dumps({"mutants": {n: asdict(site) for n, site in mutants.items()}, "outcomes": outcomes,
+                                   "refused": sorted(refused), "measured": measured}))
     report(mutants, outcomes)
     return 0
+
+
+def show_survivor(number, site, outcome):
+    judgement = find_judgement(site, read_judged()) or "not judged"
+    return (f"\n{number}: {site.file}:{site.line}: {site.kind}, {len(outcome['passed'])} tests came by, "
+            f"{outcome['left']} left: {judgement}\n- {site.old}\n+ {site.new}")
 
 
 def report(mutants, outcomes):
     judged, rooms = read_judged(), {}
     for number in sorted(outcomes):
-        site, (killer, run) = mutants[number], outcomes[number]
-        rooms.setdefault(site.file.split("/")[0] if site.file.count("/") < 2 else room_of(site.file), []).append(
-            killer is not None)
-        if killer is None:
-            judgement = judged.get((site.file, site.old, site.new), "not judged")
-            print(f"\n{site.file}:{site.line}: {site.kind}, {run} tests come by: {judgement}\n- {site.old}\n+ {site.new}")
-    print(f"\n{'room':32} {'killed':>7} {'of':>5} {'%':>6}")
-    for room, killed in sorted(rooms.items()):
-        print(f"{room:32} {sum(killed):7} {len(killed):5} {100 * sum(killed) / len(killed):6.1f}")
-    everything = [k for killed in rooms.values() for k in killed]
-    print(f"{'all':32} {sum(everything):7} {len(everything):5} {100 * sum(everything) / max(1, len(everything)):6.1f}")
+        site, outcome = mutants[number], outcomes[number]
+        judgement = find_judgement(site, judged)
+        for room in {site.file.split("/")[0], room_of(site.file)}:
+            rooms.setdefault(room, []).append((outcome["killer"] is not None, judgement is not None))
+    rooms["all"] = [k for room, killed in rooms.items() if "/" not in room for k in killed]
+    print(f"\n{'room':32} {'killed':>7} {'of':>5} {'%':>6} {'judged':>7} {'% of the others':>16}")
+    for room, results in sorted(rooms.items()):
+        killed, excused = sum(k for k, _ in results), sum(j and not k for k, j in results)
+        others = 100 * killed / max(1, len(results) - excused)
+        print(f"{room:32} {killed:7} {len(results):5} {100 * killed / len(results):6.1f} {excused:7} {others:16.1f}")
 
 
 if __name__ == "__main__":

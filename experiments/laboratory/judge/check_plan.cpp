@@ -226,7 +226,6 @@ Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file) {
   return [&](const Point& point, const PointResult& result) {
     if (!result.is_complete()) return;
     ExperimentFile alone;
-    alone.path = file.path;
     alone.axes = file.axes;
     alone.coupled = file.coupled;
     alone.points = {point};

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
 
+#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 
@@ -57,6 +61,27 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
         *as_number(row[*table.find("efficiency")]) * *as_number(row[*table.find("workers")]),
         *as_number(row[*table.find("speedup")]));
   }
+}
+
+TEST(ExperimentsCommand, AsManyJobsAsTheHostHasProcessors) {
+  CLI::App command;
+  RunOptions options;
+  add_run_options(command, options, "", "");
+  EXPECT_EQ(options.jobs, std::max(1u, std::thread::hardware_concurrency()));
+}
+
+// A line for each point below the title.
+TEST(ExperimentsCommand, ProfileShowsTheHostsTimeOfEachPoint) {
+  const TemporaryFolder folder;
+  const auto done = tlab(folder.path, small({"-o", "r", "--profile"}));
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const auto at = done.out.find("host CPU time, microseconds");
+  ASSERT_NE(at, std::string::npos) << done.out;
+  std::istringstream lines(done.out.substr(at));
+  std::size_t points = 0;
+  for (std::string line; std::getline(lines, line);)
+    points += line.find(" us (kernel ") != line.npos;
+  EXPECT_EQ(points, 4u) << done.out;
 }
 
 TEST(ExperimentsCommand, FarmImageIsTheRenderersFile) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/laboratory/support/tlab.hpp"
+#include "tests/support/webp.hpp"
 
 namespace laboratory {
 namespace {
@@ -73,7 +74,15 @@ TEST(DistributedCommand, FramesAreImagesAndAnAnimation) {
     EXPECT_TRUE(folder.has(name)) << name;
   EXPECT_FALSE(folder.has("a-0000.png"));
   EXPECT_FALSE(folder.has("a-0004.png"));
-  EXPECT_EQ(read_file(folder.path / "a.webp").substr(0, 4), "RIFF");
+  const auto animation = read_file(folder.path / "a.webp");
+  EXPECT_EQ(animation.substr(0, 4), "RIFF");
+  // 30 frames a second; each is rounded so that their sum is right.
+  ASSERT_EQ(
+      folder
+          .render({"-o", "c.webp", "--frames", "1-3", "--frame-rate", "30", "--pixel-samples", "2"})
+          .exit_code,
+      0);
+  EXPECT_EQ(test::durations_of_webp(read_file(folder.path / "c.webp")), (std::vector{33, 34, 33}));
   EXPECT_NE(read_file(folder.path / "a-0001.png"), read_file(folder.path / "a-0002.png"));
 
   // A frame does not depend on those before it, and frame 0 is the image without --frames.

@@ -118,6 +118,7 @@ TEST_F(RadiosityCommand, AdaptivePatchesReachTheErrorAndSaySo) {
   EXPECT_GT(adapted["rounds"], 0);
   EXPECT_LE(adapted["estimated_error"], 0.1);
   EXPECT_NE(done.out.find("halved "), std::string::npos) << done.out;
+  EXPECT_EQ(run({"i.png"}).out.find("halved "), std::string::npos);
   EXPECT_EQ(done.err, "");
 }
 

@@ -121,6 +121,7 @@ TEST_F(Radiosity, RowsHaveSpeedUpsLossesAndErrors) {
     EXPECT_GT(cell(row, "line_error"), 0);
     EXPECT_LT(cell(row, "image_error"), 0.5);
     EXPECT_LE(cell(row, "time_s"), cell(row, "total_s"));
+    EXPECT_NEAR(cell(row, "rays_per_s") * cell(row, "time_s") / cell(row, "rays"), 1, 1e-9);
   }
   EXPECT_EQ(cell(0, "radiosity_mean"), cell(1, "radiosity_mean"));
   EXPECT_EQ(cell(0, "rays"), cell(1, "rays"));
@@ -133,6 +134,43 @@ TEST_F(Radiosity, MayBeTimedAndOthersMayNot) {
   EXPECT_TRUE(fs::exists(folder.path / "r/image-picture.png"));
   const auto told = refused("[program]\nname = \"message\"\n[run]\ncost = \"timed\"\n");
   EXPECT_TRUE(contains(told, "run.cost: the program message has no use for timed costs")) << told;
+}
+
+TEST_F(Radiosity, CreasesAreThoseThatAreAskedFor) {
+  write_file(folder.path / "rooms/box.room", ROOM + "crease 0.45 0 0  0.45 1 0\n");
+  const auto patches = [&](const std::string& creases) {
+    const auto done =
+        run({"-o", creases, "--set", "sweep.workers=[1]", "--set", "program.creases=" + creases});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const auto table = parse_csv(read_file(folder.path / creases / "results.csv"), "r");
+    return as_number(table.rows.at(0)[table.find("patches").value()]).value();
+  };
+  EXPECT_GT(patches("file"), patches("none"));
+}
+
+// The uppermost line is the ceiling's, which is a lamp.
+TEST_F(Radiosity, AScanLineSaysWhereALampIs) {
+  auto room = ROOM;
+  room.replace(room.find("angle 70"), 8, "angle 110");
+  write_file(folder.path / "rooms/box.room", room);
+  const auto lamps = [&](int line) {
+    write_file(folder.path / "line.toml",
+               "[program]\nname = \"scan_line\"\nscene = \"rooms/box.room\"\nspread = 1\n"
+               "reference_refine = 2\nmax_shots = 6\nheight = 9\nwidth = 11\nline = " +
+                   std::to_string(line) + "\n");
+    const auto name = "r" + std::to_string(line);
+    const auto done = tlab(folder.path, {"run", "line.toml", "-o", name});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const auto table = parse_csv(read_file(folder.path / name / "results.csv"), "r");
+    std::vector<double> emits;
+    for (const auto& row : table.rows)
+      emits.push_back(as_number(row[table.find("emits").value()]).value());
+    return emits;
+  };
+  const auto top = lamps(0), bottom = lamps(8);
+  ASSERT_EQ(top.size(), 11u);
+  for (std::size_t x = 2; x < 8; ++x) EXPECT_EQ(top[x], 1) << x;
+  EXPECT_EQ(bottom, std::vector<double>(11, 0));
 }
 
 TEST_F(Radiosity, AScanLineHasARowAPixel) {

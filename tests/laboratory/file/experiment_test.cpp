@@ -1,6 +1,7 @@
 // Experiment files: what they say, and what is said about mistakes in them.
 #include "experiments/laboratory/file/experiment.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -75,6 +76,21 @@ TEST(ExperimentsFile, SetReplacesAnyKey) {
   EXPECT_EQ(objects_of(file.points[1].experiment), 9);
   EXPECT_EQ(file.points[0].experiment.title, "A = b");
   EXPECT_EQ(farm_of(file.points[0].experiment).farm.image.width, 64);
+}
+
+TEST(ExperimentsFile, TasksAreRaysOrBlocksOfAnySize) {
+  const auto block = [](const std::string& task) {
+    return farm_of(load("[farm]\ntask = \"" + task + "\"\n").points[0].experiment).farm.block;
+  };
+  EXPECT_FALSE(block("ray"));
+  for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {7, 1}, {64, 32}}) {
+    const auto found = block(fmt::format("block:{}x{}", width, height));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->width, width);
+    EXPECT_EQ(found->height, height);
+  }
+  for (const char* wrong : {"block:0x1", "block:1x0", "block:4", "block:4x", "block:4x4 ", "rays"})
+    EXPECT_THROW(block(wrong), base::BadInput) << wrong;
 }
 
 TEST(ExperimentsFile, StagesAndOrders) {
@@ -155,6 +171,9 @@ TEST(ExperimentsFile, MistakesAreNamed) {
            {"[image]\nfeelers = \"some\"\n", "expected one of all, front"},
            {"[image]\nmin_influence = nan\n", "expected a number from 0 to 1"},
            {"[image]\narea = [1, 2]\n", "expected [x, y, width, height] in pixels"},
+           {"[image]\narea = [0, 0.5, 8, 8]\n", "expected [x, y, width, height] in pixels"},
+           {"[image]\narea = [-1, 0, 8, 8]\n", "expected [x, y, width, height] in pixels"},
+           {"[image]\narea = [0, 0, 1e9, 8]\n", "expected [x, y, width, height] in pixels"},
            {"[sweep]\nworker = [1]\n",
             "unknown axis \"worker\" in [sweep], the nearest valid one "
             "is \"workers\""},
@@ -173,7 +192,8 @@ TEST(ExperimentsFile, MistakesAreNamed) {
     const auto told = message_of<base::BadInput>([&, text = text] { load(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
-  for (const char* override : {"workers", "=3", "sweep.workers.deep=3"})
+  for (const char* override :
+       {"workers", "=3", "sweep.workers.deep=3", "title=1\nnetwork.workers=2"})
     EXPECT_NE(message_of<base::BadInput>([&] { load("[sweep]\nworkers=[1]\n", {override}); }), "")
         << override;
   EXPECT_NE(message_of<base::BadInput>([] { load_experiment("/nowhere/e.toml", {}); }), "");

@@ -7,6 +7,7 @@
 
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "tests/support/isolated.hpp"
 
 namespace laboratory {
 namespace {
@@ -56,6 +57,24 @@ TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   const auto shown = terminal.read_until("interrupted");
   EXPECT_NE(shown.find(" 3/9"), std::string::npos) << shown;
   EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
+}
+
+// An earlier line could not be written: nobody knows why any more, and nothing is left to write.
+TEST(Streams, AnEarlierErrorOfStandardOutputIsTold) {
+  if (access("/dev/full", W_OK) != 0) GTEST_SKIP() << "no /dev/full";
+  EXPECT_EQ(test::isolated([]() -> std::string {
+              std::FILE* const full = std::fopen("/dev/full", "w");
+              std::setvbuf(full, nullptr, _IONBF, 0);
+              stdout = full;
+              std::fputs("lost", stdout);
+              try {
+                flush_output();
+                return "all is written";
+              } catch (const std::system_error& error) {
+                return error.what();
+              }
+            }),
+            "cannot write standard output: Input/output error");
 }
 
 TEST(Streams, ALineInAPipeIsNothingElse) {

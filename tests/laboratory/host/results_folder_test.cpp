@@ -255,8 +255,11 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
                    ".out.partial-of-another-host-" + dead};
   fs::create_directories(folder.path / (partial + dead) / "plots");
   for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
+  const auto dead_too = hidden("out.old") + dead;  // nobody makes a file of that name
+  write_file(folder.path / dead_too, "x");
   { ResultsFolder results(folder.path / "out"); }
   Names expected = kept;
+  expected.push_back(dead_too);
   std::ranges::sort(expected);
   EXPECT_EQ(folder.names(), expected);
 }

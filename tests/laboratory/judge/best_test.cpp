@@ -1,6 +1,8 @@
 // [[best]]: which of some is best for each of others.
 #include "experiments/laboratory/judge/best.hpp"
 
+#include <cmath>
+
 #include "base/errors.hpp"
 #include "tests/laboratory/support/load.hpp"
 
@@ -72,6 +74,10 @@ TEST(ExperimentsBest, DoublingPaysUntilItDoesNot) {
   EXPECT_EQ(some.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, {}}))
       << "to the end";
   EXPECT_EQ(some.findings.back(), "mesh: doubling workers pays up to 8, the most that was tried.");
+  const auto least =
+      Case(QUESTION + "pays = \"workers\"\ngain = 0.5\nwhere = \"workers != 2\"\n").find();
+  EXPECT_EQ(least.pays.rows.at(0)[1], Value(std::int64_t{1}));
+  EXPECT_NEAR(*as_number(least.pays.rows.at(0)[2]), 100 * (std::sqrt(2) - 1), 0.05);
   const auto csv = make_pays_csv({answer});
   EXPECT_EQ(csv.rows.at(1), (std::vector<Value>{"least", "topology = mesh", std::int64_t{8}, 0.0}));
   EXPECT_EQ(make_best_csv({answer}).rows.size(), 5u);

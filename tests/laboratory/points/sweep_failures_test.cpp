@@ -166,6 +166,25 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
+// All its points are there, so that it would write no record that is refused.
+TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
+  std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
+  ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
+  const auto before = visible("r");
+  const auto refused = tlab(folder.path, {"run", "other.toml", "-o", "r"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "holds results of the experiment")) << refused.err;
+  EXPECT_EQ(visible("r"), before);
+}
+
+// A folder that the user has made stays; one that the run has made goes with what it leaves.
+TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
+  std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
+  fs::create_directory(folder.path / "made");
+  for (const char* name : {"made", "new"}) EXPECT_EQ(run({"-o", name}).exit_code, 3);
+  EXPECT_EQ(folder.names(), (Arguments{"e.toml", "made"}));
+}
+
 // Whoever writes the first record has the folder; the others are told at their first one.
 TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;

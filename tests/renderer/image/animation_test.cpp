@@ -109,6 +109,7 @@ std::string complaint(const std::vector<Frame>& frames) {
 
 TEST(Animation, NamesWhatIsWrong) {
   const Frame good{{1, 1, {0, 0, 0}}, 10};
+  EXPECT_EQ(complaint({good, {good.bitmap, 1}}), "");
   EXPECT_EQ(complaint({}), "animation: found no frame, expected 1 or more");
   EXPECT_EQ(complaint({good, {{2, 1, {0, 0, 0, 0, 0, 0}}, 10}}),
             "animation, frame 1: found 2 x 1 pixels, expected 1 x 1 as the first");

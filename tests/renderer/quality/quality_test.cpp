@@ -169,6 +169,8 @@ TEST(Quality, NamesWhatIsWrong) {
             "rmse: found pictures of 2 x 1 and 1 x 2 pixels, expected equal sizes");
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { ssim(a, b); }),
             "ssim: found pictures of 2 x 1 and 1 x 2 pixels, expected equal sizes");
+  for (const Bitmap& other : {make_grey(2, 2, {0, 0, 0, 0}), make_grey(1, 1, {0})})
+    EXPECT_NE(::test::message_of<base::BadInput>([&] { ssim(a, other); }), "");
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { ssim({}, {}); }),
             "ssim: found an image of no pixels, expected 1 or more");
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { border_energy(a, 2); }),

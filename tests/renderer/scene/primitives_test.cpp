@@ -224,5 +224,23 @@ TEST(Primitives, ARayDoesNotMeetWhereItStarts) {
   }
 }
 
+// Rounding grows with the largest number: wherever the eye begins or ends its way.
+TEST(Scene, ToleranceFollowsTheFarthestPlaceOfTheEye) {
+  const auto epsilon = [](const Vec& from, const Vec& move) {
+    Scene scene;
+    scene.surfaces.push_back({});
+    scene.view.from = from;
+    scene.view.from_move = move;
+    add_sphere(scene, {0, 0, 0}, 1);
+    finish(scene);
+    return scene.epsilon;
+  };
+  const Vec near{0, 0, 5}, far{0, 0, 640};
+  const double largest = epsilon(far, {});
+  EXPECT_NEAR(largest / epsilon(near, {}), 640 / 5.0, 1e-9);
+  EXPECT_EQ(epsilon(near, far - near), largest);
+  EXPECT_EQ(epsilon(far, near - far), largest);
+}
+
 }  // namespace
 }  // namespace renderer::test

@@ -1,5 +1,6 @@
 // The hit does not depend on how it is searched for.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "renderer/scene/generators.hpp"
@@ -50,18 +51,43 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
   EXPECT_GT(hits, 1000);
 }
 
+// Rectangles in one plane, of sizes and in places that the hierarchy sorts otherwise than the file.
+// (With sides that are powers of two, distances have no rounding.)
 TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
-  std::string text = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\n";
-  for (int i = 0; i < 8; ++i) text += "f 1 1 1 1 0 0 0 0\ns 0 0 0 1\np 3 -9 -9 1 9 -9 1 0 9 1\n";
-  const Scene scene = parse(text);
-  for (const Traversal t : ALL) {
-    Work work;
-    const Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}, .influence = {}};
-    const std::optional<Hit> hit = intersect(scene, ray, t, work);
-    ASSERT_TRUE(hit);
-    EXPECT_EQ(hit->object, 0u);
-    EXPECT_EQ(hit->distance, 4);
+  Random random{11};
+  struct Rectangle {
+    double x, y, width, height;
+  };
+  std::vector<Rectangle> all;
+  std::string text = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 1 0 0 0 0\n";
+  for (int i = 0; i < 60; ++i) {
+    const auto place = [&] { return 0.125 * (random.below(136) - 72); };
+    const auto side = [&] { return 0.5 * (1 << random.below(5)); };
+    all.push_back({place(), place(), side(), side()});
+    const auto& [x, y, w, h] = all.back();
+    text += fmt::format("p 4 {0} {1} 1 {2} {1} 1 {2} {3} 1 {0} {3} 1\n", x, y, x + w, y + h);
   }
+  const Scene scene = parse(text);
+  int ties = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = random.range(-9, 9), y = random.range(-9, 9);
+    std::vector<std::uint32_t> there;
+    for (std::uint32_t k = 0; k < all.size(); ++k)
+      if (x > all[k].x && x < all[k].x + all[k].width && y > all[k].y &&
+          y < all[k].y + all[k].height)
+        there.push_back(k);
+    ties += there.size() > 1;
+    for (const Traversal t : ALL) {
+      Work work;
+      const Ray ray{.origin = {x, y, 5}, .direction = {0, 0, -1}, .influence = {}};
+      const std::optional<Hit> hit = intersect(scene, ray, t, work);
+      ASSERT_EQ(hit.has_value(), !there.empty()) << i;
+      if (!hit) continue;
+      EXPECT_EQ(hit->object, there.front()) << i;
+      EXPECT_EQ(hit->distance, 4);
+    }
+  }
+  EXPECT_GT(ties, 200);
 }
 
 TEST(Traversal, AFeelerReachesItsLightAndNoFurther) {

@@ -106,6 +106,48 @@ TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
   EXPECT_EQ(run(), run());
 }
 
+// What is measured begins with the first task: the scene that was sent before is not in it.
+TEST(Farm, UseDoesNotCountTheScene) {
+  const auto bytes_with = [](std::uint32_t scene_message) {
+    return isolated([&] {
+      auto params = small_params();
+      params.scene_message = scene_message;
+      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("line:1"),
+                              make_glass_scene(), params);
+      std::string bytes;
+      for (const auto& link : r.use.links)
+        bytes += fmt::format("{} to {}: {}\n", link.from, link.to, link.bytes);
+      return bytes;
+    });
+  };
+  EXPECT_EQ(bytes_with(64), bytes_with(0));
+}
+
+// A task is a ray; its answer is the ray, and what it hits if it hits anything.
+TEST(Farm, MissesAreShorterThanHits) {
+  run_isolated([] {
+    const auto scene = renderer::parse_nff(
+        "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
+        "f 1 1 1 1 0 0 0 0\ns 0 0 0 1\n",
+        "a sphere");
+    auto params = small_params();
+    params.image.limits.depth = 1;
+    const auto model = machine::load_model("t805-25");
+    const auto r = run_farm(model, topologies::make_topology("line:1"), scene, params);
+    ASSERT_EQ(r.rays.total(), r.rays.primary);
+    ASSERT_LT(r.rays.primary_hit, r.rays.primary);
+    ASSERT_GT(r.rays.primary_hit, 0u);
+    const auto bytes = [&](const std::string& from, const std::string& to) {
+      for (const auto& link : r.use.links)
+        if (link.from == from && link.to == to) return link.bytes;
+      return std::uint64_t{0};
+    };
+    const auto rays = get_bytes(model, "ray") * r.rays.primary;
+    EXPECT_EQ(bytes("coordinator", "worker1"), rays);
+    EXPECT_EQ(bytes("worker1", "coordinator"), rays + get_bytes(model, "hit") * r.rays.primary_hit);
+  });
+}
+
 // Eq 4.24 and 4.25: no more rays are in the farm than it has buffers, and no more feelers wait than
 // their descendants. A worker buffers a ray in its router, in each sender, before and in its
 // application and in its results router; the coordinator in its sender.

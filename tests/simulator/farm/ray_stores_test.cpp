@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <tuple>
 
 #include "renderer/scene/generators.hpp"
 #include "tests/simulator/farm/farm_support.hpp"
@@ -18,12 +20,39 @@ renderer::Ray random_ray(std::mt19937_64& random) {
   auto any = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   renderer::Ray ray;
   ray.kind = static_cast<renderer::RayKind>(any(4));
-  const double f = any(5) / 4.0;
-  ray.influence = {f, f / 2, f / 3};
+  ray.influence = {any(5) / 4.0, any(5) / 4.0, any(5) / 4.0};
   ray.level = static_cast<std::uint16_t>(1 + any(4));
   ray.sample = static_cast<std::uint32_t>(any(32 * 32));
   ray.through = any(2) == 0;
+  ray.is_urgent = any(4) == 0;
+  ray.pass = static_cast<std::uint16_t>(any(2));
   return ray;
+}
+
+int cell_size(const renderer::Ray& ray) {
+  const int x = static_cast<int>(ray.sample) % 32, y = static_cast<int>(ray.sample) / 32;
+  int size = 8;
+  while (x % size != 0 || y % size != 0) size /= 2;
+  return size;
+}
+
+double largest_factor(const renderer::Ray& ray) {
+  return std::max({ray.influence.r, ray.influence.g, ray.influence.b});
+}
+
+// The keys of 4.3.4, of which smaller ones go first: each decides where those before it are equal.
+std::tuple<int, double, int, int> keys_of(const renderer::Ray& ray) {
+  return {ray.pass, -largest_factor(ray), ray.level, -cell_size(ray) * (ray.is_urgent ? 4 : 1)};
+}
+
+bool is_within(const renderer::Ray& ray, const Limits& limits) {
+  const int x = static_cast<int>(ray.sample) % 32, y = static_cast<int>(ray.sample) / 32;
+  const int size = cell_size(ray);
+  const auto& area = limits.area;
+  const bool is_seen = area.width == 0 || (x < area.x + area.width && x + size > area.x &&
+                                           y < area.y + area.height && y + size > area.y);
+  return ray.level <= (ray.through ? limits.depth_transmitted : limits.depth_reflected) &&
+         largest_factor(ray) >= limits.min_influence && size >= limits.min_cell && is_seen;
 }
 
 // A list that is searched: what the stores must do, without their structure.
@@ -31,22 +60,21 @@ struct Oracle {
   std::vector<renderer::Ray> rays;
   Limits limits;
 
-  bool shadow(const renderer::Ray& r) const { return r.kind == renderer::RayKind::shadow; }
   // 0: feelers, 1: within the limits, 2: beyond.
   int rank(const renderer::Ray& r) const {
-    return shadow(r) ? 0 : is_interactive(r, limits, CELLS) ? 1 : 2;
+    return r.kind == renderer::RayKind::shadow ? 0 : is_within(r, limits) ? 1 : 2;
   }
   // Whether `taken` may come first, and removes one like it.
   bool take(const renderer::Ray& taken) {
     const auto same = std::ranges::find_if(rays, [&](const renderer::Ray& r) {
-      return r.sample == taken.sample && r.kind == taken.kind && r.level == taken.level &&
-             r.influence.r == taken.influence.r && r.through == taken.through;
+      return r.sample == taken.sample && r.kind == taken.kind && r.through == taken.through &&
+             keys_of(r) == keys_of(taken);
     });
     if (same == rays.end()) return false;
     const int rank_taken = rank(*same);
     for (const auto& other : rays) {
       if (rank(other) < rank_taken) return false;
-      if (rank_taken == 1 && rank(other) == 1 && goes_before(other, *same, CELLS)) return false;
+      if (rank_taken == 1 && rank(other) == 1 && keys_of(other) < keys_of(*same)) return false;
     }
     rays.erase(same);
     return true;
@@ -93,6 +121,23 @@ TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   for (const Weights& weights : {Weights{}, Weights{1, 2, 3}}) {
     EXPECT_TRUE(goes_before(first, second, CELLS, weights));
     EXPECT_FALSE(goes_before(second, first, CELLS, weights));
+  }
+}
+
+// The weighted sum of the largest factor, of 1 over the level, and of the cell's logarithm over
+// that of the largest cell; the sums of two rays that are nearly equal may go either way.
+TEST(Priority, IsTheWeightedSumOfItsKeys) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const auto weight = [&] { return static_cast<double>(random() % 4); };
+    const Weights weights{weight(), weight(), weight()};
+    const auto sum = [&](const renderer::Ray& r) {
+      return weights.influence * largest_factor(r) + weights.level / r.level +
+             weights.cell * std::log2(cell_size(r) * (r.is_urgent ? 4 : 1)) / std::log2(8);
+    };
+    const auto a = random_ray(random), b = random_ray(random);
+    if (a.pass != b.pass || weights == Weights{} || std::abs(sum(a) - sum(b)) < 1e-9) continue;
+    EXPECT_EQ(goes_before(a, b, CELLS, weights), sum(a) > sum(b)) << i;
   }
 }
 

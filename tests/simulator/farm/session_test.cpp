@@ -41,6 +41,35 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
   return n;
 }
 
+// The first rays are done from the top, where two mirrors are, and the last ones hit nothing: none
+// comes to the database any more that would have it asked again.
+TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
+  const auto scene = renderer::parse_nff(
+      "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
+      "b 0.2 0.4 0.7\nf 1 1 1 0.1 0.9 20 0 1\ns -0.4 0 1 0.4\ns 0.4 0 1 0.4\n",
+      "mirrors");
+  // The whole time, and the interactive phase's.
+  const auto run_with = [&](std::vector<Order> script) {
+    return test::isolated_numbers([&]() -> std::vector<double> {
+      Params params = small_params();
+      params.order = CellOrder::sequential;
+      params.max_cell = 1;
+      params.stages = {first_level(1)};
+      params.script = std::move(script);
+      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+                              scene, params);
+      return {r.time_s, r.interactive_s};
+    });
+  };
+  const auto alone = run_with({});
+  ASSERT_GT(alone[0] - alone[1], 0.01);
+  for (int i = 0; i < 40; ++i) {
+    const double at_s = alone[1] - 0.00002 * i;
+    const auto times = run_with({{{at_s}, {Limits{}}}});
+    EXPECT_NEAR(times[1], times[0], 0.001) << at_s;
+  }
+}
+
 // Whatever the order, the cells, the weights and the session: the sequential renderer's image.
 TEST(Session, EndsWithTheImage) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {

@@ -257,5 +257,17 @@ TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   });
 }
 
+// Of the time from the first task to the last pixel, some is left after the last task was taken.
+TEST(Columns, TheDrainIsTheEndOfTheTime) {
+  run_isolated([] {
+    const Measured measured(run(small_params()), {});
+    std::map<std::string, double> row;
+    for (const auto& [name, cell] : base::make_row(make_columns(), measured))
+      if (const auto* number = std::get_if<double>(&cell)) row[name] = *number;
+    EXPECT_GT(row.at("drain_s"), 0);
+    EXPECT_LT(row.at("drain_s"), row.at("time_s") / 2);
+  });
+}
+
 }  // namespace
 }  // namespace iirra

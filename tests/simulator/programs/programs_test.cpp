@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/errors.hpp"
 #include "tests/simulator/programs/run_program.hpp"
 #include "tests/support/lab.hpp"
 #include "topologies/make/generators.hpp"
@@ -81,6 +82,46 @@ TEST(Programs, ANetworkDeliversToItsSender) {
   EXPECT_EQ(found.at(1), 2);  // its queue's: the entry, and the sender that is free again
 }
 
+// A user's limit that comes first ends such a program without numbers, and is there afterwards.
+TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
+  const auto model = machine::load_model("t805-25");
+  const auto& program = get_program("random_traffic");
+  const auto run_until = [&](double until_s) {
+    return occam::isolated([&]() -> std::string {
+      auto setup = make_small_setup(model, program);
+      observe::Watch watch;
+      watch.until = {until_s};
+      setup.watch = &watch;
+      try {
+        const auto outcome = run_program(program, setup, {{"window_s", 0.01}});
+        return fmt::format("{} rows, limit {}", outcome.rows.size(), watch.until.value);
+      } catch (const Unfinished& error) {
+        return error.what();
+      }
+    });
+  };
+  EXPECT_EQ(run_until(0.02), "4 rows, limit 0.02");
+  EXPECT_NE(run_until(0.005).find("the run was ended at 0.005"), std::string::npos)
+      << run_until(0.005);
+}
+
+TEST(Programs, OfRoutersNeedTwoProcessors) {
+  const auto model = machine::load_model("t805-25");
+  for (const char* name : {"random_traffic", "global", "router_load", "soak"})
+    EXPECT_NE(occam::isolated([&]() -> std::string {
+                try {
+                  programs::Setup setup{model, topologies::make_topology("line:1")};
+                  setup.routes = topologies::make_routes(setup.topology);
+                  run_program(name, setup);
+                  return "";
+                } catch (const base::BadInput& error) {
+                  return error.what();
+                }
+              }),
+              "")
+        << name;
+}
+
 TEST(Programs, ParametersKnowWhatTheyAllow) {
   const auto& program = get_program("global");
   std::any params = program.defaults;
@@ -91,6 +132,10 @@ TEST(Programs, ParametersKnowWhatTheyAllow) {
   EXPECT_EQ(method->assign(params, "classes"), "one of green, chalmers, acyclic, naive");
   EXPECT_EQ(program.find("window")->assign(params, 0), "a whole number from 1 to 1000000");
   EXPECT_EQ(program.find("missing"), nullptr);
+  const auto& sources = get_program("sources");
+  std::any of_sources = sources.defaults;
+  EXPECT_EQ(sources.find("messages")->assign(of_sources, 4), "");
+  EXPECT_EQ(sources.find("messages")->assign(of_sources, 3), "a whole number from 4 to 10000000");
 }
 
 }  // namespace

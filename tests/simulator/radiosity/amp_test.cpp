@@ -222,6 +222,45 @@ TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {
             "out of memory");
 }
 
+// The longer a copy takes to begin, by so many cycles longer are processors busy with each colour
+// that goes into a message or out of it. (Routers begin as many copies, whatever the borders'
+// length.)
+TEST(Amp, ColoursOfMessagesAreCopied) {
+  constexpr int SHOTS = 3, MORE = 1000;
+  const auto count_colours_of_borders = [](const Mesh& mesh) {
+    auto shares = distribute(mesh, 2, Distribution::tiles);
+    exchange_borders(shares, mesh.vertices.size());
+    std::size_t sum = 0;
+    for (const Share& share : shares)
+      for (const Border& border : share.out) {
+        EXPECT_LE(border.vertices.size(), MessageBytes::MOST);
+        sum += border.vertices.size();
+      }
+    return sum;
+  };
+  const auto count_cycles = [](const Mesh& mesh, int setup) {
+    const auto cycles = isolated([&] {
+      const auto model = machine::override_model(
+          "t805-25", {{"instruction.move_setup", fmt::format("{}", setup)}}, "tests");
+      const auto r =
+          run_radiosity(model, topologies::make_topology("line:2"), mesh, make_params(SHOTS));
+      double busy_s = 0;
+      for (const auto& cpu : r.use.cpus) busy_s += cpu.busy_s;
+      return fmt::format("{}", busy_s * model.cpu.clock.value);
+    });
+    return std::stod(cycles);
+  };
+  const auto cycles_more = [&](const Mesh& mesh) {
+    return count_cycles(mesh, 8 + MORE) - count_cycles(mesh, 8);
+  };
+  const Mesh coarse = make_room(0, 1), fine = make_room(0, 2);
+  const auto few = count_colours_of_borders(coarse), many = count_colours_of_borders(fine);
+  ASSERT_GT(many, few);
+  EXPECT_NEAR((cycles_more(fine) - cycles_more(coarse)) /
+                  (2.0 * SHOTS * MORE * static_cast<double>(many - few)),
+              1, 0.01);
+}
+
 TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
   const Mesh mesh = make_room(1, 4);
   for (const int processors : {1, 2, 7, 16, 64})
@@ -250,6 +289,21 @@ TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
       }
       EXPECT_EQ(vertices, std::vector<int>(vertices.size(), 1));
     }
+}
+
+TEST(AmpMessages, AreAsLongAsWhatTheySay) {
+  const auto model = machine::load_model("t805-25");
+  const MessageBytes bytes(model);
+  const auto colour = get_bytes(model, "colour");
+  for (const std::size_t n : {0u, 1u, 64u}) {
+    const std::vector<radiosity::Rgb> values(n);
+    EXPECT_EQ(bytes.of(Given{0, values}), 8 + n * colour);
+    EXPECT_EQ(bytes.of(Shown{0, values}), 8 + n * colour);
+    EXPECT_GE(bytes.longest(), bytes.of(Given{0, values}));
+  }
+  EXPECT_EQ(bytes.of(Candidate{}), get_bytes(model, "radiosity_candidate"));
+  EXPECT_EQ(bytes.of(radiosity::Shot{}), get_bytes(model, "radiosity_shot"));
+  EXPECT_EQ(bytes.of(Stop{}), 8u);
 }
 
 TEST(AmpMessages, TheBrightestDoesNotDependOnTheOrder) {

@@ -6,6 +6,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -89,6 +90,40 @@ TEST(LoadDrawing, TakesAnyWiringAndAwkwardNames) {
     EXPECT_EQ(tips.size(), t.processors + 2u);
     EXPECT_TRUE(std::ranges::any_of(
         tips, [&](auto& tip) { return tip.starts_with(loads.extras[0].name); }));
+  }
+}
+
+// Where a processor's name is written: in its middle.
+void find_names(const Tree& tree, std::map<std::string, Place>& names) {
+  for (const auto& [name, child] : tree) {
+    if (child.get("<xmlattr>.class", "") == "node processor") {
+      const auto& text = child.get_child("g.a.text");
+      names[text.data()] = {text.get<double>("<xmlattr>.x"), text.get<double>("<xmlattr>.y")};
+    }
+    find_names(child, names);
+  }
+}
+
+// Each row's middle is above the root. (y grows downwards in an SVG.)
+TEST(LoadDrawing, ExtraProcessorsStandInRowsAboveTheRoot) {
+  for (const char* spec : {"line:5", "ring:9", "tree:40", "mesh:3x4"}) {
+    SCOPED_TRACE(spec);
+    const auto t = make_topology(spec);
+    auto loads = make_loads(t, 1);
+    loads.extras = {{"left", 0, "", {}}, {"right", 0, "", {}}, {"above", 0, "left", {}}};
+    std::istringstream in(to_load_svg(t, loads));
+    Tree tree;
+    read_xml(in, tree);
+    std::map<std::string, Place> at;
+    find_names(tree, at);
+    const Place root = at.at(std::to_string(t.root)), left = at.at("left"), right = at.at("right"),
+                above = at.at("above");
+    EXPECT_LT(left.x, right.x);
+    EXPECT_NEAR((left.x + right.x) / 2, root.x, 0.1);
+    EXPECT_NEAR(above.x, root.x, 0.1);
+    EXPECT_NEAR(left.y, right.y, 0.1);
+    EXPECT_GT(root.y, left.y + 20);
+    EXPECT_GT(left.y, above.y + 20);
   }
 }
 

@@ -100,6 +100,13 @@ TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
   EXPECT_EQ(describe_processor(t, 1), "\"w 10\"");
 }
 
+// As a C preprocessor leaves them: Graphviz takes them for comments.
+TEST(TopologyDot, LinesThatBeginWithAHashAreComments) {
+  const auto t = read_dot("# 1 \"net.dot\"\ngraph {\n# 5 -- 6\n0 -- 1 // 7\n}\n", "net.dot");
+  EXPECT_EQ(t.processors, 2);
+  EXPECT_EQ(t.links.size(), 1u);
+}
+
 TEST(TopologyDot, KeepsNumbersThatAreNames) {
   const auto t = read_dot("graph { 11--10--9--8--7--6--5--4--3--2--1--0 }", "n.dot");
   EXPECT_TRUE(t.labels.empty());

@@ -156,5 +156,28 @@ TEST(Shooting, TheBrightestShoots) {
   EXPECT_FALSE(find_shot(mesh, state, patches, work));
 }
 
+// All colours count, the patches by their area, and only those of materials that both meshes have.
+TEST(MeanRadiosity, IsOfAllColoursByArea) {
+  LitRoom lit{make_mesh(make_room(3, false, 2), {}), {}};
+  const auto is_wall = [&](const Patch& patch) {
+    return lit.mesh.materials[patch.material].name == "wall";
+  };
+  lit.vertices.assign(lit.mesh.vertices.size(), {1, 2, 6});
+  EXPECT_NEAR(radiosity::eval_mean_radiosity(lit, lit.mesh), 3, 1e-12);
+  double other_sum = 0, area = 0;
+  for (const Patch& patch : lit.mesh.patches) {
+    if (is_wall(patch)) continue;
+    for (const auto corner : patch.corners) lit.vertices[corner] = {3, 4, 5};
+  }
+  Mesh others = lit.mesh;
+  std::erase_if(others.patches, is_wall);
+  for (const Patch& patch : others.patches) {
+    other_sum += 4 * patch.area;
+    area += patch.area;
+  }
+  EXPECT_NEAR(radiosity::eval_mean_radiosity(lit, others), other_sum / area, 1e-12);
+  EXPECT_LT(radiosity::eval_mean_radiosity(lit, lit.mesh), 4);
+}
+
 }  // namespace
 }  // namespace radiosity::test

@@ -35,6 +35,38 @@ Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& pa
   return range;
 }
 
+// Whether limit_change() keeps a change: its three rules, of a tolerance.
+bool is_kept(double change, double value, double whole, double there) {
+  constexpr double TINY = 1e-9;
+  const double bend = whole - change, other_bend = there - whole;
+  const bool is_monotone =
+      change * whole >= -TINY && std::abs(change) <= 3 * std::abs(whole) + TINY;
+  const bool is_peak = bend * other_bend >= 0 && std::abs(bend) <= 2 * std::abs(other_bend) + TINY;
+  const bool is_small = std::abs(change) <= 0.15 * std::min(value, value + whole) + TINY;
+  return is_monotone || is_peak || is_small;
+}
+
+TEST(Limit, ChangesBecomeTheNearestThatIsKept) {
+  constexpr Limits WIDE{{-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}};
+  Random random{5};
+  int limited = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double value = random.range(0, 5), whole = random.range(-value, 5),
+                 there = random.range(-10, 10), change = random.range(-20, 20);
+    const double found =
+        limit_change(WIDE, {value, 0, 0}, {change, 0, 0}, {whole, 0, 0}, {there, 0, 0}).r;
+    EXPECT_TRUE(is_kept(found, value, whole, there)) << i;
+    limited += found != change;
+    for (int k = 0; k < 100; ++k) {
+      const double other = random.range(-20, 20);
+      if (is_kept(other, value, whole, there)) {
+        EXPECT_GE(std::abs(other - change), std::abs(found - change) - 1e-6) << i;
+      }
+    }
+  }
+  EXPECT_GT(limited, 100);
+}
+
 TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
   int beyond_without = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
