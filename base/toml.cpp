@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "base/errors.hpp"
 
@@ -49,6 +50,18 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
+bool has_line_end(std::string_view text) { return text.find('\n') != text.npos; }
+
+// Whether a text or a key in the node has several lines.
+bool has_lines(const toml::node& node) {
+  if (const auto* text = node.as_string()) return has_line_end(text->get());
+  if (const auto* list = node.as_array()) return std::ranges::any_of(*list, has_lines);
+  const auto* table = node.as_table();
+  return table && std::ranges::any_of(*table, [](const auto& entry) {
+           return has_line_end(entry.first.str()) || has_lines(entry.second);
+         });
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view origin) {
@@ -58,6 +71,18 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
   } catch (const toml::parse_error& error) {
     refuse(fmt::format("{}:{}", origin, error.source().begin.line), "{}", error.description());
   }
+}
+
+std::string to_toml(const toml::node& node) {
+  using enum toml::format_flags;
+  auto flags = toml::toml_formatter::default_flags;
+  flags &= ~(allow_binary_integers | allow_octal_integers | allow_hexadecimal_integers);
+  // toml++ writes texts of several lines between three marks, whatever they hold: a first line that
+  // is empty would be lost, and three marks inside would be the end.
+  if (has_lines(node)) flags &= ~(allow_multi_line_strings | allow_literal_strings);
+  std::ostringstream text;
+  text << toml::toml_formatter(node, flags);
+  return text.str();
 }
 
 }  // namespace base

@@ -1,7 +1,8 @@
 #pragma once
-// TOML files. The only door to toml++'s parser.
+// TOML files. The only door to toml++'s parser and to what it writes.
 #include <toml++/toml.h>
 
+#include <string>
 #include <string_view>
 
 namespace base {
@@ -11,5 +12,9 @@ constexpr int MAX_KEY_PARTS = 16;
 
 /// Throws BadInput "origin:line: ..." for what is no TOML, and for a longer key.
 toml::table parse_toml(std::string_view text, std::string_view origin);
+
+/// A value as TOML spells it, whole numbers in decimal; parse_toml reads a table's text as the same
+/// table.
+std::string to_toml(const toml::node& node);
 
 }  // namespace base

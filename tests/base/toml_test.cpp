@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "base/random.hpp"
 #include "tests/support/files.hpp"
 
 namespace base {
@@ -51,6 +52,33 @@ TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
   EXPECT_EQ(refusal_of("[" + key + "]\n" + key + " = " + repeat(250, "{" + key + " = ") + "1" +
                        repeat(250, "}")),
             "");
+}
+
+TEST(Toml, WholeNumbersAreWrittenInDecimal) {
+  EXPECT_EQ(to_toml(parse_toml("a = [0x10, 0o10, 0b10, 10]", "e.toml")), "a = [ 16, 8, 2, 10 ]");
+}
+
+TEST(Toml, WhatIsWrittenIsReadAgainAsTheSame) {
+  constexpr const char* PARTS[] = {"\n",       "\r",           "\t",  " ", "'", "'''",
+                                   "\"",       "\"\"\"",       "\\",  "a", "#", "=",
+                                   "\xc3\xa9", "\xe2\x80\xa8", "\x7f"};
+  Random random(1);
+  const auto make_text = [&] {
+    std::string text;
+    for (int parts = random.below(5); parts > 0; --parts)
+      text += PARTS[random.below(static_cast<int>(std::size(PARTS)))];
+    return text;
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const toml::table table{{make_text(), toml::array{make_text(), 1}},
+                            {"b", toml::table{{make_text(), make_text()}}},
+                            {"c", toml::array{toml::table{{make_text(), 0.1}}, make_text()}}};
+    const auto written = to_toml(table);
+    SCOPED_TRACE(written);
+    EXPECT_EQ(refusal_of(written), "");
+    if (HasFailure()) return;
+    EXPECT_TRUE(parse_toml(written, "again.toml") == table);
+  }
 }
 
 }  // namespace
