@@ -323,6 +323,7 @@ TEST_F(Sweep, ADiskThatFillsLosesNothing) {
   const auto full = run_with_limit(folder.path, {"run", "e.toml", "-o", "r"}, 12'000);
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_TRUE(contains(full.err, "File too large")) << full.err;
+  EXPECT_TRUE(contains(full.err, (folder.path / "r/").string())) << full.err;
   EXPECT_EQ(visible("r"), before);
   EXPECT_EQ(records("r").size(), 8u);
   const auto none = run_with_limit(folder.path, {"run", "e.toml", "-o", "s"}, 100);
