@@ -50,16 +50,27 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
-bool has_line_end(std::string_view text) { return text.find('\n') != text.npos; }
+// toml++ writes such keys without quotes, and then they are none.
+void check_names(const toml::node& node, std::string_view origin) {
+  if (const auto* list = node.as_array())
+    for (const auto& entry : *list) check_names(entry, origin);
+  const auto* table = node.as_table();
+  if (!table) return;
+  for (const auto& [key, value] : *table) {
+    require(key.str().find_first_of("'\t\n") == key.str().npos,
+            fmt::format("{}:{}", origin, key.source().begin.line),
+            "found a key with a quote, a tab or a line end, expected none in it");
+    check_names(value, origin);
+  }
+}
 
-// Whether a text or a key in the node has several lines.
+// Whether a text in the node has several lines.
 bool has_lines(const toml::node& node) {
-  if (const auto* text = node.as_string()) return has_line_end(text->get());
+  if (const auto* text = node.as_string()) return text->get().find('\n') != std::string::npos;
   if (const auto* list = node.as_array()) return std::ranges::any_of(*list, has_lines);
   const auto* table = node.as_table();
-  return table && std::ranges::any_of(*table, [](const auto& entry) {
-           return has_line_end(entry.first.str()) || has_lines(entry.second);
-         });
+  return table &&
+         std::ranges::any_of(*table, [](const auto& entry) { return has_lines(entry.second); });
 }
 
 }  // namespace
@@ -67,7 +78,9 @@ bool has_lines(const toml::node& node) {
 toml::table parse_toml(std::string_view text, std::string_view origin) {
   check_keys(text, origin);
   try {
-    return toml::parse(text, origin);
+    toml::table file = toml::parse(text, origin);
+    check_names(file, origin);
+    return file;
   } catch (const toml::parse_error& error) {
     refuse(fmt::format("{}:{}", origin, error.source().begin.line), "{}", error.description());
   }

@@ -54,6 +54,15 @@ TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
             "");
 }
 
+TEST(Toml, SomeKeysAreRefused) {
+  for (const auto* key : {"\"a'b\"", "\"'\"", "\"a\\tb\"", "\"a\\n\""})
+    for (const auto& text : {key + std::string(" = 1"), fmt::format("a = [{{{} = 1}}]", key),
+                             fmt::format("[a.{}]", key)})
+      EXPECT_EQ(refusal_of("\n" + text),
+                "e.toml:2: found a key with a quote, a tab or a line end, expected none in it")
+          << text;
+}
+
 TEST(Toml, WholeNumbersAreWrittenInDecimal) {
   EXPECT_EQ(to_toml(parse_toml("a = [0x10, 0o10, 0b10, 10]", "e.toml")), "a = [ 16, 8, 2, 10 ]");
 }
@@ -69,10 +78,15 @@ TEST(Toml, WhatIsWrittenIsReadAgainAsTheSame) {
       text += PARTS[random.below(static_cast<int>(std::size(PARTS)))];
     return text;
   };
+  const auto make_key = [&] {
+    std::string key = make_text();
+    std::erase_if(key, [](char c) { return c == '\'' || c == '\t' || c == '\n'; });
+    return key;
+  };
   for (int i = 0; i < 2000; ++i) {
-    const toml::table table{{make_text(), toml::array{make_text(), 1}},
-                            {"b", toml::table{{make_text(), make_text()}}},
-                            {"c", toml::array{toml::table{{make_text(), 0.1}}, make_text()}}};
+    const toml::table table{{make_key(), toml::array{make_text(), 1}},
+                            {"b", toml::table{{make_key(), make_text()}}},
+                            {"c", toml::array{toml::table{{make_key(), 0.1}}, make_text()}}};
     const auto written = to_toml(table);
     SCOPED_TRACE(written);
     EXPECT_EQ(refusal_of(written), "");
