@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -14,35 +13,21 @@ namespace base {
 
 namespace {
 
-// The number of bytes of the UTF-8 character that begins the text; 0 where there is none.
+// The number of bytes of the character that begins the text; 0 where people can read none.
 std::size_t measure_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t length = byte(0) < 0x80   ? 1
-                             : byte(0) < 0xc2 ? 0
-                             : byte(0) < 0xe0 ? 2
-                             : byte(0) < 0xf0 ? 3
-                             : byte(0) < 0xf5 ? 4
-                                              : 0;
-  if (length < 2 || length > text.size()) return length == 1 ? 1 : 0;
-  std::uint32_t code = byte(0) & (0xffu >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3f);
-  }
-  constexpr std::uint32_t LEAST[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-  const bool is_control = code < 0xa0;  // of those beyond ASCII
-  return code < LEAST[length] || code > 0x10ffff || is_surrogate || is_control ? 0 : length;
+  const bool is_control = byte(0) < 0x20 || byte(0) == 0x7f;
+  const auto length = measure_utf8(text);
+  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;  // C1
+  return is_control || is_later_control ? 0 : length;
 }
 
 std::string escape(std::string_view text) {
   std::string shown;
   for (std::size_t at = 0, length = 0; at < text.size(); at += std::max<std::size_t>(length, 1)) {
-    const auto c = static_cast<unsigned char>(text[at]);
-    const bool is_control = c < 0x20 || c == 0x7f;
-    length = is_control ? 0 : measure_character(text.substr(at));
+    length = measure_character(text.substr(at));
     if (length == 0)
-      shown += fmt::format("\\x{:02x}", c);
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
     else
       shown += text.substr(at, length);
   }
@@ -109,13 +94,14 @@ std::optional<std::string> find_similar(std::string_view name,
 std::string suggest(std::string_view name, const std::vector<std::string>& known,
                     std::string_view phrase) {
   if (const auto similar = find_similar(name, known))
-    return fmt::format(", {} \"{}\"", phrase, *similar);
-  return known.empty() ? "" : fmt::format(", expected one of {}", fmt::join(known, ", "));
+    return fmt::format(", {} \"{}\"", phrase, blank_controls(*similar));
+  const auto all = blank_controls(fmt::format("{}", fmt::join(known, ", ")));
+  return known.empty() ? "" : ", expected one of " + all;
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const auto similar = find_similar(name, known);
-  return similar ? fmt::format(" (did you mean \"{}\"?)", *similar) : "";
+  return similar ? fmt::format(" (did you mean \"{}\"?)", blank_controls(*similar)) : "";
 }
 
 }  // namespace base

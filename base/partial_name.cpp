@@ -14,6 +14,16 @@ namespace base {
 
 namespace {
 
+// "KIND-HOST-"
+std::string make_mark(std::string_view kind, std::string_view host) {
+  std::string mark(kind);
+  mark += '-';
+  for (const char c : host) mark += c == '-' ? std::string(2, c) : std::string(1, c);
+  return mark + '-';
+}
+
+}  // namespace
+
 std::string host_name() {
   char name[HOST_NAME_MAX + 1] = {};
   if (gethostname(name, HOST_NAME_MAX) != 0)
@@ -21,14 +31,14 @@ std::string host_name() {
   return name;
 }
 
-}  // namespace
-
-std::string make_partial_name(std::string_view name, std::string_view kind, pid_t process) {
-  return fmt::format(".{}.{}-{}-{}", name, kind, host_name(), process);
+std::string make_partial_name(std::string_view name, std::string_view kind, pid_t process,
+                              std::string_view host) {
+  return fmt::format(".{}.{}{}", name, make_mark(kind, host), process);
 }
 
-std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view kind) {
-  const auto mark = fmt::format(".{}-{}-", kind, host_name());
+std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view kind,
+                                std::string_view host) {
+  const auto mark = "." + make_mark(kind, host);
   const auto at = partial_name.rfind(mark);
   if (at == partial_name.npos || !partial_name.starts_with('.')) return std::nullopt;
   const auto rest = partial_name.substr(at + mark.size());

@@ -32,6 +32,12 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 /// "\x0a".
 std::string quote(std::string_view word);
 
+/// The number of bytes of the UTF-8 character that begins the text (not empty); 0 where there is
+/// none.
+std::size_t measure_utf8(std::string_view text);
+/// Whether the text is UTF-8, as JSON and TOML are.
+bool is_utf8(std::string_view text);
+
 /// A text on one line: control characters, which would also command a terminal, become `instead`.
 std::string blank_controls(std::string_view text, char instead = ' ');
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "base/errors.hpp"
 
@@ -49,15 +50,52 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
+// toml++ writes such keys without quotes, and then they are none.
+void check_names(const toml::node& node, std::string_view origin) {
+  if (const auto* list = node.as_array())
+    for (const auto& entry : *list) check_names(entry, origin);
+  const auto* table = node.as_table();
+  if (!table) return;
+  for (const auto& [key, value] : *table) {
+    require(key.str().find_first_of("'\t\n") == key.str().npos,
+            fmt::format("{}:{}", origin, key.source().begin.line),
+            "found a key with a quote, a tab or a line end, expected none in it");
+    check_names(value, origin);
+  }
+}
+
+// Whether a text in the node has several lines.
+bool has_lines(const toml::node& node) {
+  if (const auto* text = node.as_string()) return text->get().find('\n') != std::string::npos;
+  if (const auto* list = node.as_array()) return std::ranges::any_of(*list, has_lines);
+  const auto* table = node.as_table();
+  return table &&
+         std::ranges::any_of(*table, [](const auto& entry) { return has_lines(entry.second); });
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view origin) {
   check_keys(text, origin);
   try {
-    return toml::parse(text, origin);
+    toml::table file = toml::parse(text, origin);
+    check_names(file, origin);
+    return file;
   } catch (const toml::parse_error& error) {
     refuse(fmt::format("{}:{}", origin, error.source().begin.line), "{}", error.description());
   }
+}
+
+std::string to_toml(const toml::node& node) {
+  using enum toml::format_flags;
+  auto flags = toml::toml_formatter::default_flags;
+  flags &= ~(allow_binary_integers | allow_octal_integers | allow_hexadecimal_integers);
+  // toml++ writes texts of several lines between three marks, whatever they hold: a first line that
+  // is empty would be lost, and three marks inside would be the end.
+  if (has_lines(node)) flags &= ~(allow_multi_line_strings | allow_literal_strings);
+  std::ostringstream text;
+  text << toml::toml_formatter(node, flags);
+  return text.str();
 }
 
 }  // namespace base

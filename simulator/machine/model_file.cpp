@@ -295,8 +295,10 @@ std::optional<std::string> read_text(const toml::table& file, const char* key,
   return node->value<std::string>();
 }
 
-// `inside`: how many files of this chain of bases are being read.
-Model load(std::string_view name, const std::filesystem::path& folder, int inside);
+// `inside`: how many files of this chain of bases are being read. `where`: begins errors of a name
+// that is none and of a file that cannot be read.
+Model load(std::string_view name, const std::filesystem::path& folder, int inside,
+           const std::string& where);
 
 // The entries, not yet computed.
 Model parse(std::string_view text, std::string_view origin, const std::filesystem::path& folder,
@@ -305,7 +307,9 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
   Model model;
   const auto base_name = read_text(file, "base", origin);
   base::require(!base_name || inside <= 8, origin, "base: a chain without end");
-  if (base_name) model = load(*base_name, folder, inside + 1);
+  if (base_name)
+    model = load(*base_name, folder, inside + 1,
+                 place_of(origin, file.get("base")->source()) + ": base: ");
   model.name = read_text(file, "name", origin).value_or("");
   base::require(!model.name.empty(), origin, "name is missing");
   std::vector<std::pair<toml::source_position, Entry>> entries;
@@ -328,14 +332,21 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
   return model;
 }
 
-Model load(std::string_view name, const std::filesystem::path& folder, int inside) {
+Model load(std::string_view name, const std::filesystem::path& folder, int inside,
+           const std::string& where) {
   for (const auto& [builtin, text] : BUILTIN_MODELS)
     if (name == builtin) return parse(text, fmt::format("model {}", builtin), folder, inside);
   if (!name.ends_with(".toml"))
-    throw base::BadInput(fmt::format("unknown model \"{}\", expected {} or a .toml file", name,
-                                     fmt::join(builtin_models(), ", ")));
+    throw base::BadInput(fmt::format("{}unknown model \"{}\", expected {} or a .toml file", where,
+                                     name, fmt::join(builtin_models(), ", ")));
   const auto path = folder / std::filesystem::path(name);
-  return parse(base::read_text(path), path.string(), path.parent_path(), inside);
+  std::string text;
+  try {
+    text = base::read_text(path);
+  } catch (const base::BadInput& error) {
+    throw base::BadInput(where + error.what());
+  }
+  return parse(text, path.string(), path.parent_path(), inside);
 }
 
 Model complete(Model model, std::string_view origin) {
@@ -350,12 +361,12 @@ Model parse_model(std::string_view text, std::string_view origin) {
   return complete(parse(text, origin, "", 0), origin);
 }
 
-Model load_model(std::string_view name) { return complete(load(name, "", 0), name); }
+Model load_model(std::string_view name) { return complete(load(name, "", 0, ""), name); }
 
 Model override_model(std::string_view name,
                      const std::vector<std::pair<std::string, std::string>>& entries,
                      std::string_view origin) {
-  Model model = load(name, "", 0);
+  Model model = load(name, "", 0, "");
   for (const auto& [key, toml] : entries) {
     model.name += fmt::format("{}{} = {}", &key == &entries[0].first ? " with " : ", ", key, toml);
     Entry entry;

@@ -137,5 +137,20 @@ TEST(PartialName, TellsWhoMadeIt) {
   EXPECT_FALSE(is_dead(getpid()));
 }
 
+// Process 12 of "node" may have made "node-12-345", with 345 as the number that follows.
+TEST(PartialName, IsNotTakenForAnotherHosts) {
+  const std::string hosts[] = {"node", "node-12", "node--12",    "node-",
+                               "12",   "a-12",    "node-12-345", ""};
+  for (const auto& host : hosts) {
+    const auto name = make_partial_name("r", "partial", 345, host);
+    for (const auto& other : hosts)
+      for (const auto* more : {"", "-7", "-7.png"}) {
+        const auto expected = other == host ? std::optional<pid_t>(345) : std::nullopt;
+        EXPECT_EQ(find_maker(name + more, "partial", other), expected)
+            << name << more << " " << other;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace base

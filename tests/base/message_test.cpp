@@ -67,5 +67,11 @@ TEST(Suggest, OthersAreNot) {
   EXPECT_EQ(suggest("list", {}), "");
 }
 
+TEST(Suggest, NamesStayOnOneLine) {
+  EXPECT_EQ(suggest("latency_s", {"latency\n_s"}), ", the nearest is \"latency _s\"");
+  EXPECT_EQ(suggest("rays", {"a\nb", "c"}), ", expected one of a b, c");
+  EXPECT_EQ(did_you_mean("run", {"run\n"}), " (did you mean \"run \"?)");
+}
+
 }  // namespace
 }  // namespace base

@@ -36,5 +36,19 @@ TEST(Text, ControlCharactersAreReplaced) {
   EXPECT_EQ(escape_xml("<&>\"'\x01\t\x7f"), "&lt;&amp;&gt;&quot;&#39;\xef\xbf\xbd\t\x7f");
 }
 
+TEST(Text, Utf8IsWhatTheStandardSays) {
+  for (const auto* text : {"", "a\n", "\x7f", "\xc2\x80", "\xc3\xa4", "\xed\x9f\xbf",
+                           "\xee\x80\x80", "\xf4\x8f\xbf\xbf", "\xf0\x90\x80\x80"})
+    EXPECT_TRUE(is_utf8(text)) << quote(text);
+  // Later bytes alone, too few of them, longer than need be, surrogates, beyond the last character.
+  for (const auto* text :
+       {"\x80", "\xff", "\xc3", "\xc3(", "\xe2\x80", "\xc0\x80", "\xc1\xbf", "\xe0\x9f\xbf",
+        "\xf0\x8f\xbf\xbf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80"}) {
+    EXPECT_FALSE(is_utf8(text)) << quote(text);
+    EXPECT_FALSE(is_utf8(std::string("a") + text)) << quote(text);
+  }
+  EXPECT_EQ(measure_utf8("\xe2\x82\xac)"), 3u);
+}
+
 }  // namespace
 }  // namespace base

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "base/random.hpp"
 #include "tests/support/files.hpp"
 
 namespace base {
@@ -51,6 +52,47 @@ TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
   EXPECT_EQ(refusal_of("[" + key + "]\n" + key + " = " + repeat(250, "{" + key + " = ") + "1" +
                        repeat(250, "}")),
             "");
+}
+
+TEST(Toml, SomeKeysAreRefused) {
+  for (const auto* key : {"\"a'b\"", "\"'\"", "\"a\\tb\"", "\"a\\n\""})
+    for (const auto& text : {key + std::string(" = 1"), fmt::format("a = [{{{} = 1}}]", key),
+                             fmt::format("[a.{}]", key)})
+      EXPECT_EQ(refusal_of("\n" + text),
+                "e.toml:2: found a key with a quote, a tab or a line end, expected none in it")
+          << text;
+}
+
+TEST(Toml, WholeNumbersAreWrittenInDecimal) {
+  EXPECT_EQ(to_toml(parse_toml("a = [0x10, 0o10, 0b10, 10]", "e.toml")), "a = [ 16, 8, 2, 10 ]");
+}
+
+TEST(Toml, WhatIsWrittenIsReadAgainAsTheSame) {
+  constexpr const char* PARTS[] = {"\n",       "\r",           "\t",  " ", "'", "'''",
+                                   "\"",       "\"\"\"",       "\\",  "a", "#", "=",
+                                   "\xc3\xa9", "\xe2\x80\xa8", "\x7f"};
+  Random random(1);
+  const auto make_text = [&] {
+    std::string text;
+    for (int parts = random.below(5); parts > 0; --parts)
+      text += PARTS[random.below(static_cast<int>(std::size(PARTS)))];
+    return text;
+  };
+  const auto make_key = [&] {
+    std::string key = make_text();
+    std::erase_if(key, [](char c) { return c == '\'' || c == '\t' || c == '\n'; });
+    return key;
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const toml::table table{{make_key(), toml::array{make_text(), 1}},
+                            {"b", toml::table{{make_key(), make_text()}}},
+                            {"c", toml::array{toml::table{{make_key(), 0.1}}, make_text()}}};
+    const auto written = to_toml(table);
+    SCOPED_TRACE(written);
+    EXPECT_EQ(refusal_of(written), "");
+    if (HasFailure()) return;
+    EXPECT_TRUE(parse_toml(written, "again.toml") == table);
+  }
 }
 
 }  // namespace

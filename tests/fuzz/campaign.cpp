@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <boost/core/demangle.hpp>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -19,6 +20,11 @@
 
 namespace fuzz {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Cases of a child.
+constexpr std::uint64_t BATCH = 500;
 
 // What a child tells even if it crashes: it is in memory that the parent shares.
 struct Progress {
@@ -52,14 +58,18 @@ void limit_memory(const Limits& limits) {
   setrlimit(RLIMIT_AS, &memory);
 }
 
-// A signal ends the child where a case takes longer.
-void begin_time(const Limits& limits) {
+void set_timer(__itimer_which kind, double seconds) {
   itimerval timer{};
   double whole = 0;
-  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * std::modf(limits.cpu_s, &whole));
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * std::modf(seconds, &whole));
   timer.it_value.tv_sec = static_cast<time_t>(whole);
-  setitimer(ITIMER_PROF, &timer, nullptr);
-  alarm(limits.wall_s);
+  setitimer(kind, &timer, nullptr);
+}
+
+// A signal ends the child where a case takes longer.
+void begin_time(const Limits& limits) {
+  set_timer(ITIMER_PROF, limits.cpu_s);
+  set_timer(ITIMER_REAL, limits.wall_s);
 }
 
 void tell(Progress& progress, std::string_view what) {
@@ -79,6 +89,9 @@ bool run_case(const Reader& reader, const std::string& text, Progress& progress)
     tell(progress,
          fmt::format("{}: {}", boost::core::demangle(typeid(error).name()), error.what()));
     return false;
+  } catch (...) {
+    tell(progress, "throws what is no exception");
+    return false;
   }
   return true;
 }
@@ -91,43 +104,68 @@ std::string describe_end(int status, const Limits& limits) {
   return strsignal(WTERMSIG(status));
 }
 
-}  // namespace
-
-std::string make_case(const Reader& reader, const Corpus& corpus, std::uint64_t seed,
-                      std::uint64_t number) {
-  std::uint64_t key = seed;
-  for (const char c : reader.name) key = base::random_at(key, static_cast<unsigned char>(c));
-  base::Random random(base::random_at(key, number));
-  return mutate(corpus, random);
+// The cases up to the first that the reader does not stand.
+[[noreturn]] void run_child(const Trial& trial, std::uint64_t end, const Campaign& campaign,
+                            Progress& progress) {
+  limit_memory(campaign.limits);
+  for (; progress.next < end; ++progress.next) {
+    const std::string text = make_case(trial, campaign.seed, progress.next);
+    begin_time(campaign.limits);
+    if (!run_case(trial.reader, text, progress)) _exit(1);
+  }
+  _exit(0);  // without the parent's destructors
 }
 
-std::optional<Finding> run_cases(const Reader& reader, const Corpus& corpus, std::uint64_t seed,
-                                 std::uint64_t first, std::uint64_t cases, const Limits& limits,
-                                 Counts& counts) {
+}  // namespace
+
+std::string make_case(const Trial& trial, std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t key = seed;
+  for (const char c : trial.reader.name) key = base::random_at(key, static_cast<unsigned char>(c));
+  base::Random random(base::random_at(key, number));
+  return mutate(trial.corpus, random);
+}
+
+void run_batch(Trial& trial, std::uint64_t cases, const Campaign& campaign) {
+  const auto begin = Clock::now();
+  const std::uint64_t end = trial.next + cases;
   SharedProgress shared;
   Progress& progress = *shared;
-  progress.next = first;
+  progress.next = trial.next;
   std::fflush(nullptr);
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("no child process");
-  if (pid == 0) {
-    limit_memory(limits);
-    for (; progress.next < first + cases; ++progress.next) {
-      const std::string text = make_case(reader, corpus, seed, progress.next);
-      begin_time(limits);
-      if (!run_case(reader, text, progress)) _exit(1);
-    }
-    _exit(0);  // without the parent's destructors
-  }
+  if (pid == 0) run_child(trial, end, campaign, progress);
   int status = 0;
   waitpid(pid, &status, 0);
-  counts.accepted += progress.accepted;
-  counts.refused += progress.refused;
-  counts.cases += progress.next - first;
-  if (progress.next == first + cases) return std::nullopt;
-  ++counts.cases;
-  ++counts.findings;
-  return Finding{progress.next, *progress.what ? progress.what : describe_end(status, limits)};
+  trial.counts.accepted += progress.accepted;
+  trial.counts.refused += progress.refused;
+  trial.counts.cases += progress.next - trial.next;
+  trial.next = progress.next;
+  trial.wall_s += std::chrono::duration<double>(Clock::now() - begin).count();
+  if (trial.next == end) return;
+  ++trial.next;
+  ++trial.counts.cases;
+  ++trial.counts.findings;
+  campaign.tell(trial, {progress.next,
+                        *progress.what ? progress.what : describe_end(status, campaign.limits)});
+}
+
+void run_number(std::vector<Trial>& trials, std::uint64_t cases, const Campaign& campaign) {
+  for (auto& trial : trials)
+    while (trial.next < cases && trial.counts.findings < MOST_FINDINGS)
+      run_batch(trial, std::min(BATCH, cases - trial.next), campaign);
+}
+
+void run_hours(std::vector<Trial>& trials, double hours, const Campaign& campaign) {
+  const auto end = Clock::now() + std::chrono::duration<double>(3600 * hours);
+  while (Clock::now() < end) {
+    Trial* least = nullptr;
+    for (auto& trial : trials)
+      if (trial.counts.findings < MOST_FINDINGS && (!least || trial.wall_s < least->wall_s))
+        least = &trial;
+    if (!least) return;
+    run_batch(*least, BATCH, campaign);
+  }
 }
 
 }  // namespace fuzz

@@ -1,8 +1,7 @@
 #pragma once
-// Runs a reader with many texts in child processes, and says which of them it did not stand.
+// Runs readers with many texts in child processes, and says which of them they did not stand.
 #include <cstdint>
-#include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
 
 #include "tests/fuzz/readers.hpp"
@@ -12,7 +11,7 @@ namespace fuzz {
 /// What a case may take.
 struct Limits {
   double cpu_s = 5;                         ///< of the processor
-  unsigned wall_s = 120;                    ///< for one that waits
+  double wall_s = 120;                      ///< for one that waits
   std::uint64_t memory_bytes = 2ull << 30;  ///< where no sanitizer watches, which needs far more
 };
 
@@ -25,14 +24,38 @@ struct Counts {
   std::uint64_t cases = 0, accepted = 0, refused = 0, findings = 0;
 };
 
-/// The text of a case, which depends on the reader's name, its corpus, the seed and the number.
-std::string make_case(const Reader& reader, const Corpus& corpus, std::uint64_t seed,
-                      std::uint64_t number);
+/// A reader, what it is tried with, and how far that is.
+struct Trial {
+  Reader reader;
+  Corpus corpus;
+  Counts counts = {};
+  std::uint64_t next = 0;  ///< case
+  double wall_s = 0;
+};
 
-/// Runs the cases first .. first + cases - 1 up to the first that the reader does not stand: it
-/// crashes, throws something else than base::BadInput, or goes beyond the limits. Adds to `counts`.
-std::optional<Finding> run_cases(const Reader& reader, const Corpus& corpus, std::uint64_t seed,
-                                 std::uint64_t first, std::uint64_t cases, const Limits& limits,
-                                 Counts& counts);
+/// How trials are made.
+struct Campaign {
+  using Tell = std::function<void(const Trial&, const Finding&)>;
+
+  std::uint64_t seed = 1;
+  Limits limits = {};
+  Tell tell;  ///< is called for each finding, at once
+};
+
+/// A trial with so many findings is not continued: they are likely to be of few kinds.
+constexpr std::uint64_t MOST_FINDINGS = 20;
+
+/// The text of a case, which depends on the reader's name, its corpus, the seed and the number.
+std::string make_case(const Trial& trial, std::uint64_t seed, std::uint64_t number);
+
+/// Runs the next cases, at most `cases`, in a child process, up to the first that the reader does
+/// not stand: it crashes, throws something else than base::BadInput, or goes beyond the limits.
+void run_batch(Trial& trial, std::uint64_t cases, const Campaign& campaign);
+
+/// Runs each trial up to a case, or to MOST_FINDINGS.
+void run_number(std::vector<Trial>& trials, std::uint64_t cases, const Campaign& campaign);
+
+/// Gives all trials the same time, together so many hours.
+void run_hours(std::vector<Trial>& trials, double hours, const Campaign& campaign);
 
 }  // namespace fuzz

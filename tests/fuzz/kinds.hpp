@@ -2,6 +2,8 @@
 // The readers by kind, and what they share.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "tests/fuzz/readers.hpp"
 
 namespace fuzz {
@@ -10,6 +12,11 @@ std::vector<Reader> scene_readers();
 std::vector<Reader> network_readers();
 std::vector<Reader> text_readers();
 std::vector<Reader> result_readers();
+std::vector<Reader> picture_readers();
+
+/// Writes the records 0.json and 1.json, which the texts for the reader "simulation" name, unless
+/// they are there.
+void save_two_records(const std::filesystem::path& folder);
 
 /// Where a file of the project is.
 std::string place_of(const std::string& path);

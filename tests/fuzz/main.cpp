@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <tuple>
 #include <vector>
 
 #include "base/errors.hpp"
@@ -19,9 +19,9 @@ namespace fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 struct Options {
+  bool command = false;
   std::vector<std::string> readers;
   std::uint64_t cases = 10'000, seed = 1;
   std::optional<std::uint64_t> only;
@@ -30,81 +30,44 @@ struct Options {
   Limits limits;
 };
 
-// A reader after so many findings is not tried further: they are likely to be of few kinds.
-constexpr std::uint64_t MOST_FINDINGS = 20;
-constexpr std::uint64_t BATCH = 500;
 // So many cases of which a reader accepts none, or refuses none, show nothing.
 constexpr std::uint64_t MANY = 100;
 
-struct Trial {
-  Reader reader;
-  Corpus corpus;
-  Counts counts;
-  std::uint64_t next = 0;  // case
-  double wall_s = 0;
-};
-
-std::vector<Trial> make_trials(const Options& o) {
+std::vector<Reader> find_readers(const Options& o) {
+  auto all = o.command ? command_readers(fs::read_symlink("/proc/self/exe").parent_path() / "tlab")
+                       : all_readers();
+  if (o.readers.empty()) return all;
   std::vector<std::string> known;
-  for (const auto& reader : all_readers()) known.push_back(reader.name);
+  for (const auto& reader : all) known.push_back(reader.name);
   for (const auto& name : o.readers)
     base::require(std::ranges::find(known, name) != known.end(), "--reader",
                   "found \"{}\", expected one of {}", name, fmt::join(known, ", "));
-  std::vector<Trial> trials;
-  for (auto& reader : all_readers())
-    if (o.readers.empty() || std::ranges::find(o.readers, reader.name) != o.readers.end())
-      trials.push_back({reader, load_corpus(reader), {}});
-  return trials;
+  std::erase_if(all, [&](const Reader& reader) {
+    return std::ranges::find(o.readers, reader.name) == o.readers.end();
+  });
+  return all;
 }
 
 void keep_finding(const Trial& trial, const Finding& finding, const Options& o,
                   const fs::path& folder) {
-  const auto file = folder / fmt::format("{}-{}-{}{}", trial.reader.name, o.seed, finding.number,
-                                         trial.reader.ending);
+  const auto& [name, number] = std::tie(trial.reader.name, finding.number);
+  const auto file = folder / fmt::format("{}-{}-{}{}", name, o.seed, number, trial.reader.ending);
   fs::create_directories(folder);
-  base::save_whole(file, make_case(trial.reader, trial.corpus, o.seed, finding.number));
-  fmt::print("{}: {}\n  {}\n  again: --reader {} --seed {} --only {}\n", trial.reader.name,
-             base::make_readable(finding.what), file.string(), trial.reader.name, o.seed,
-             finding.number);
+  base::save_whole(file, make_case(trial, o.seed, number));
+  fmt::print("{}: {}\n  {}\n  again: {}--reader {} --seed {} --only {}\n", name,
+             base::make_readable(finding.what), file.string(), o.command ? "--command " : "", name,
+             o.seed, number);
   std::fflush(stdout);
-}
-
-void run_batch(Trial& trial, std::uint64_t cases, const Options& o, const fs::path& folder) {
-  const auto begin = Clock::now();
-  const auto finding =
-      run_cases(trial.reader, trial.corpus, o.seed, trial.next, cases, o.limits, trial.counts);
-  trial.next = finding ? finding->number + 1 : trial.next + cases;
-  if (finding) keep_finding(trial, *finding, o, folder);
-  trial.wall_s += std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-void run_number(std::vector<Trial>& trials, const Options& o, const fs::path& folder) {
-  for (auto& trial : trials)
-    while (trial.next < o.cases && trial.counts.findings < MOST_FINDINGS)
-      run_batch(trial, std::min(BATCH, o.cases - trial.next), o, folder);
-}
-
-// Gives all readers the same time.
-void run_hours(std::vector<Trial>& trials, const Options& o, const fs::path& folder) {
-  const auto end = Clock::now() + std::chrono::duration<double>(3600 * o.hours);
-  while (Clock::now() < end) {
-    Trial* least = nullptr;
-    for (auto& trial : trials)
-      if (trial.counts.findings < MOST_FINDINGS && (!least || trial.wall_s < least->wall_s))
-        least = &trial;
-    if (!least) return;
-    run_batch(*least, BATCH, o, folder);
-  }
 }
 
 // Whether every reader stood every case, and accepted some: one that refuses all shows nothing.
 bool print_counts(const std::vector<Trial>& trials, const Options& o) {
-  fmt::print("seed {}{}\n{:>12} {:>10} {:>10} {:>10} {:>9} {:>8}\n", o.seed,
+  fmt::print("seed {}{}\n{:>17} {:>10} {:>10} {:>10} {:>9} {:>8}\n", o.seed,
              test::IS_SANITIZED ? ", with sanitizers" : "", "reader", "cases", "accepted",
              "refused", "findings", "wall_s");
   bool good = true;
   for (const auto& [reader, corpus, counts, next, wall_s] : trials) {
-    fmt::print("{:>12} {:>10} {:>10} {:>10} {:>9} {:>8.1f}\n", reader.name, counts.cases,
+    fmt::print("{:>17} {:>10} {:>10} {:>10} {:>9} {:>8.1f}\n", reader.name, counts.cases,
                counts.accepted, counts.refused, counts.findings, wall_s);
     const bool shows_nothing =
         counts.cases >= MANY && (counts.accepted == 0 || counts.refused == 0);
@@ -115,6 +78,9 @@ bool print_counts(const std::vector<Trial>& trials, const Options& o) {
 }
 
 void add_options(CLI::App& app, Options& o) {
+  app.add_flag(
+      "--command", o.command,
+      "tries the command with files: every 16th time in a process of tlab beside this program");
   app.add_option("--reader", o.readers, "only these readers")->delimiter(',');
   auto* cases = app.add_option("--cases", o.cases, "for each reader")->capture_default_str();
   app.add_option("--hours", o.hours, "as many cases as this takes, in place of --cases")
@@ -131,15 +97,21 @@ void add_options(CLI::App& app, Options& o) {
 
 int run(const Options& o) {
   const fs::path folder = fs::absolute(o.keep);
-  auto trials = make_trials(o);
+  // What is written waits for the disk, and memory is faster.
+  if (fs::is_directory("/dev/shm")) setenv("TMPDIR", "/dev/shm", 0);
   const test::TemporaryFolder working;
   fs::current_path(working.path);
+  std::vector<Trial> trials;
+  for (const auto& reader : find_readers(o)) trials.push_back({reader, load_corpus(reader)});
+  const Campaign campaign{o.seed, o.limits, [&](const Trial& trial, const Finding& finding) {
+                            keep_finding(trial, finding, o, folder);
+                          }};
   if (o.only)
-    for (auto& trial : trials) trial.next = *o.only, run_batch(trial, 1, o, folder);
+    for (auto& trial : trials) trial.next = *o.only, run_batch(trial, 1, campaign);
   else if (o.hours > 0)
-    run_hours(trials, o, folder);
+    run_hours(trials, o.hours, campaign);
   else
-    run_number(trials, o, folder);
+    run_number(trials, o.cases, campaign);
   fs::current_path("/");
   return print_counts(trials, o) ? 0 : 1;
 }

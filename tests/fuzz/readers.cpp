@@ -34,14 +34,16 @@ std::string place_of(const std::string& path) {
 
 std::vector<Reader> all_readers() {
   std::vector<Reader> all;
-  for (const auto& kind : {scene_readers(), network_readers(), text_readers(), result_readers()})
+  for (const auto& kind :
+       {scene_readers(), network_readers(), text_readers(), result_readers(), picture_readers()})
     all.insert(all.end(), kind.begin(), kind.end());
   return all;
 }
 
 Corpus load_corpus(const Reader& reader) {
   std::vector<std::string> texts;
-  add_files(place_of("tests/fuzz/corpus/" + reader.name), "", texts);
+  const auto& name = reader.corpus.empty() ? reader.name : reader.corpus;
+  add_files(place_of("tests/fuzz/corpus/" + name), "", texts);
   for (const auto& folder : reader.folders) add_files(place_of(folder), reader.ending, texts);
   if (texts.empty()) throw std::runtime_error(reader.name + ": no corpus");
   return make_corpus(std::move(texts));

@@ -23,10 +23,15 @@ struct Reader {
   /// Reads a text. Throws base::BadInput to refuse it; anything else that it throws is a defect. It
   /// may make files in the current folder, which is its own.
   std::function<void(const std::string& text)> read;
+  std::string corpus = {};  ///< name of the reader whose texts it is tried with, if another
 };
 
 /// All that there are; names differ.
 std::vector<Reader> all_readers();
+
+/// The same for the program `tlab`, in a process of its own, with files that it is given. They make
+/// files in the current folder, now too.
+std::vector<Reader> command_readers(const std::string& tlab);
 
 /// The texts that a reader is tried with: those of its corpus and the project's own.
 Corpus load_corpus(const Reader& reader);

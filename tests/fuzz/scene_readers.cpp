@@ -52,7 +52,7 @@ std::vector<Reader> scene_readers() {
       {"nff", ".nff", {SCENES}, read_nff},
       {"path", ".csv", {SCENES}, read_path},
       {"room", ".room", {SCENES}, [](const auto& text) { read_room(text, ".room"); }},
-      {"nff-room", ".nff", {SCENES}, [](const auto& text) { read_room(text, ".nff"); }},
+      {"nff-room", ".nff", {}, [](const auto& text) { read_room(text, ".nff"); }},
       {"obj", ".obj", {SCENES}, [](const auto& text) { read_room(text, ".obj"); }},
       {"mtl", ".mtl", {SCENES}, read_mtl},
   };

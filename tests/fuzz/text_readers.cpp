@@ -60,19 +60,14 @@ void read_expression(const std::string& text) {
 }
 
 void read_toml(const std::string& text) {
-  const auto write = [](const toml::table& table) {
-    std::ostringstream out;
-    out << table;
-    return out.str();
-  };
-  const std::string written = write(base::parse_toml(text, "fuzz.toml"));
-  expect_same("TOML", write(read_again("TOML", [&] { return base::parse_toml(written, "again"); })),
-              written);
+  const std::string written = base::to_toml(base::parse_toml(text, "fuzz.toml"));
+  const auto again = read_again("TOML", [&] { return base::parse_toml(written, "again.toml"); });
+  expect_same("TOML", base::to_toml(again), written);
 }
 
 void read_model(const std::string& text) {
   const auto model = machine::parse_model(text, "fuzz.toml");
-  expect_same("the model", describe(machine::parse_model(text, "fuzz.toml")), describe(model));
+  describe(model);
   for (const auto& entry : model.entries)
     expect(std::isfinite(entry.value), "an entry is a finite number");
 }

@@ -30,6 +30,13 @@ std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   return processor;
 }
 
+// Whether every format can hold a vertex's name, and JSON, too.
+bool is_name(const std::string& text) {
+  const auto is_control = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n'; };
+  return !text.empty() && base::trim(text) == text && base::is_utf8(text) &&
+         std::ranges::none_of(text, is_control);
+}
+
 bool read_flag(const RawVertex& vertex, const std::string& file) {
   if (vertex.root.empty() || vertex.root == "false" || vertex.root == "0") return false;
   if (vertex.root == "true" || vertex.root == "1") return true;
@@ -92,6 +99,11 @@ std::vector<std::string> names_of(const Topology& topology) {
 
 Topology make_topology(const RawGraph& graph, const std::string& name) {
   base::require(!graph.vertices.empty(), name, "the graph is empty, expected a vertex at least");
+  for (const auto& vertex : graph.vertices)
+    base::require(is_name(vertex.name), name,
+                  "found a vertex called {}, expected UTF-8 without control characters and without "
+                  "blanks at its ends",
+                  base::quote(vertex.name));
   Topology topology{name, static_cast<int>(graph.vertices.size()), 0, {}, {}, {}};
   const auto processor = number_vertices(graph, topology);
   const int root = find_root(graph, name);

@@ -175,6 +175,7 @@ int run_tlab(int argc, char** argv) try {
     flush_output();
     return exit_code;
   } catch (const std::exception& error) {
+    wait_for_error_stream();  // a signal ends the program meanwhile
     const base::Undivided last_words;
     if (is_broken_pipe(error)) std::signal(SIGPIPE, SIG_DFL), std::raise(SIGPIPE);
     const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error);

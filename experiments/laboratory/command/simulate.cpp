@@ -89,19 +89,21 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   s.host_speeds = measure_host(s.file);
   PointsPlan plan(options, s.file, inspect_names(checks, s.file));
   plan.lone = folder.working() / lone_records_folder();
-  s.results = make_results(plan, missing, s.there);
-  measure_singles(plan, s.results, missing == Missing::run ? Singles::run : Singles::find);
-  carry_files(results / records_folder(), folder.working() / records_folder());
-  place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
-  keep_points_that_ran(s, plan);
-  s.table = make_table(s.file, s.results);
-  s.checks = eval_checks(checks, s.file, s.table);
-  s.complete = s.results.size() == file.points.size() &&
-               std::ranges::all_of(s.results, &PointResult::is_complete);
-  s.ended = describe_end(s.results, file.points.size());
-  s.wall_s = clock.lap();
-  save_origin(folder.working(), file, plan.origin);
-  write_results(folder.working(), options, s);
+  folder.fill([&] {
+    s.results = make_results(plan, missing, s.there);
+    measure_singles(plan, s.results, missing == Missing::run ? Singles::run : Singles::find);
+    carry_files(results / records_folder(), folder.working() / records_folder());
+    place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
+    keep_points_that_ran(s, plan);
+    s.table = make_table(s.file, s.results);
+    s.checks = eval_checks(checks, s.file, s.table);
+    s.complete = s.results.size() == file.points.size() &&
+                 std::ranges::all_of(s.results, &PointResult::is_complete);
+    s.ended = describe_end(s.results, file.points.size());
+    s.wall_s = clock.lap();
+    save_origin(folder.working(), file, plan.origin);
+    write_results(folder.working(), options, s);
+  });
   folder.commit([&](const fs::path& older) { check_same_experiment(older, file); });
   return s;
 }

@@ -33,6 +33,7 @@ void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
   base::require(equals != std::string::npos && equals > 0, "--set " + text,
                 "expected key.path=value");
+  base::require(base::is_utf8(text), "--set " + text, "found bytes that are no UTF-8");
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   base::require(std::ranges::count(key, '.') < base::MAX_KEY_PARTS, "--set " + text,
                 "found a key of more than {0} parts, expected at most {0}", base::MAX_KEY_PARTS);
@@ -113,6 +114,8 @@ ExperimentFile load_experiment(const std::string& path, const std::vector<std::s
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                const std::string& folder,
                                const std::vector<std::string>& overrides) {
+  for (const auto& name : {path, folder})
+    base::require(base::is_utf8(name), name, "found a name that is no UTF-8, which run.json needs");
   toml::table file = base::parse_toml(text, path);
   std::vector<std::string> order;
   add_names(order, file, path);

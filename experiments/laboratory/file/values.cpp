@@ -1,7 +1,6 @@
 #include "experiments/laboratory/file/values.hpp"
 
 #include <filesystem>
-#include <sstream>
 
 #include "base/message.hpp"
 
@@ -101,12 +100,6 @@ void refuse_key(const Place& at, const std::vector<std::string>& known) {
   const auto& near = same_end != known.end() ? std::vector{*same_end} : known;
   base::refuse(at.where(), "unknown key \"{}\"{}", at.key,
                base::suggest(at.key, near, "the nearest valid key is"));
-}
-
-std::string to_toml(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& n) { text << n; });
-  return text.str();
 }
 
 void for_each_key(const toml::table& file,

@@ -19,6 +19,8 @@
 
 namespace laboratory {
 
+using base::to_toml;
+
 /// A value and where it stands.
 struct Place {
   std::string origin;  ///< name of the file
@@ -123,8 +125,6 @@ void bind_all(Target& target, const Bindings<Target>& bindings, const toml::tabl
   for (auto&& [key, node] : table) bind_one(target, bindings, at.inside(key.str(), node));
 }
 
-/// A value as TOML spells it.
-std::string to_toml(const toml::node& node);
 /// Visits every key of a point, dotted, in the order of names: not those of [sweep], [let],
 /// [[check]] and what the report shows.
 void for_each_key(const toml::table& file,

@@ -1,6 +1,7 @@
 #include "experiments/laboratory/host/interrupt.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -36,15 +37,38 @@ void count_or_end(int) {
   errno = error;
 }
 
+// Counts these signals from now on, but those that were ignored when the program began (nohup, a
+// job in the background of a script) stay ignored. Returns the handlers so far.
+Handlers begin_to_count() {
+  Handlers old{};
+  for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i) {
+    struct sigaction now {};
+    sigaction(ASKS_TO_END[i], nullptr, &now);
+    old[i] = now.sa_handler;
+    if (now.sa_handler != SIG_IGN) std::signal(ASKS_TO_END[i], &count_or_end);
+  }
+  return old;
+}
+
+// Whether something can be written to a stream at once. A thread may hold it that waits for
+// somebody to read, and a pipe may be full.
+bool is_free(FILE* stream) {
+  constexpr int MOST_MS = 1000;
+  if (ftrylockfile(stream) != 0) return false;
+  pollfd written{fileno(stream), POLLOUT, 0};
+  const bool is_ready = poll(&written, 1, MOST_MS) > 0;
+  funlockfile(stream);
+  return is_ready;
+}
+
 void wait_for_end() {
   char what = END_NOW;
   while (read(wake[0], &what, 1) < 0 && errno == EINTR) {
   }
   if (what == WORK_IS_DONE) return;
   base::undo_all();
-  complain(INTERRUPTED);
-  // What was printed is whole, unless another thread is just printing.
-  if (ftrylockfile(stdout) == 0) std::fflush(stdout);
+  if (is_free(stderr)) complain(INTERRUPTED);
+  if (is_free(stdout)) std::fflush(stdout);  // what was printed is whole
   _exit(EXIT_INTERRUPTED);
 }
 
@@ -54,7 +78,7 @@ InterruptWatch::InterruptWatch() {
   if (pipe2(wake, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   waits_ = std::thread(wait_for_end);
   watched = getpid();
-  for (const int asked : ASKS_TO_END) std::signal(asked, &count_or_end);
+  begin_to_count();
 }
 
 InterruptWatch::~InterruptWatch() {
@@ -71,8 +95,7 @@ InterruptWatch::~InterruptWatch() {
 InterruptGuard::InterruptGuard() {
   interrupts = 0;
   ++guards;
-  for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i)
-    old_[i] = std::signal(ASKS_TO_END[i], &count_or_end);
+  old_ = begin_to_count();
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -1,6 +1,8 @@
 #pragma once
-// What the user asks for with Ctrl-C, SIGINT or SIGTERM.
+// What the user asks for with Ctrl-C, SIGINT or SIGTERM. One that was ignored when the program
+// began, as nohup and scripts' background jobs have it, stays ignored.
 
+#include <array>
 #include <csignal>
 #include <iterator>
 #include <thread>
@@ -10,6 +12,8 @@ namespace laboratory {
 inline constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM};
 inline constexpr int EXIT_INTERRUPTED = 130;
 inline constexpr const char* INTERRUPTED = "interrupted; only what was done is kept";
+
+using Handlers = std::array<void (*)(int), std::size(ASKS_TO_END)>;
 
 /// While it lives, these signals end the program wherever it is, with what is half done undone
 /// (base/early_end.hpp), INTERRUPTED on standard error and EXIT_INTERRUPTED; but the first one that
@@ -35,7 +39,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  void (*old_[std::size(ASKS_TO_END)])(int);
+  Handlers old_;
 };
 
 /// How often the user has interrupted since the last guard was made.

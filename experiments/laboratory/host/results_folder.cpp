@@ -200,16 +200,45 @@ void check_results_folder(const fs::path& path) { check_is_ours(resolve(path)); 
 ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
   check_is_ours(path_);
   const base::Undivided section;
-  std::error_code error;
   for (auto parent = path_.parent_path(); !fs::exists(parent); parent = parent.parent_path())
     made_.push_back(parent);
+  try {
+    make_working();
+  } catch (const std::exception&) {
+    clean_up();
+    throw;
+  }
+  undo_.emplace([this] { clean_up(); });
+}
+
+void ResultsFolder::make_working() {
+  std::error_code error;
   fs::create_directories(path_.parent_path(), error);
   if (error) fail(path_.parent_path(), "cannot make this folder", error);
   remove_stale(path_);
   const auto working = beside(path_, PARTIAL);
   if (!fs::create_directory(working, error)) fail(path_, "cannot write beside it", error);
   working_ = working;
-  undo_.emplace([this] { clean_up(); });
+}
+
+void ResultsFolder::fill(const std::function<void()>& write) const {
+  const auto rename = [&](std::string what) {
+    const auto hidden = working_.string();
+    if (const auto at = what.find(hidden); at != what.npos)
+      what.replace(at, hidden.size(), path_.string());
+    return what;
+  };
+  try {
+    write();
+  } catch (const base::BadInput& error) {
+    throw base::BadInput(rename(error.what()));
+  } catch (const std::system_error& error) {
+    auto what = rename(error.what());
+    if (what == error.what()) throw;
+    if (const auto end = ": " + error.code().message(); what.ends_with(end))
+      what.resize(what.size() - end.size());
+    throw std::system_error(error.code(), what);
+  }
 }
 
 ResultsFolder::~ResultsFolder() {
@@ -220,7 +249,7 @@ ResultsFolder::~ResultsFolder() {
 void ResultsFolder::clean_up() const {
   std::error_code ignored;
   if (is_committed_) return;
-  fs::remove_all(working_, ignored);
+  if (!working_.empty()) fs::remove_all(working_, ignored);
   for (const auto& parent : made_) fs::remove(parent, ignored);  // stays if it is not empty
 }
 

@@ -31,6 +31,9 @@ class ResultsFolder {
   /// The folder to write into; it is gone after `commit`.
   const std::filesystem::path& working() const { return working_; }
 
+  /// Calls what writes there; errors of the host and of input name `path` in place of the folder.
+  void fill(const std::function<void()>& write) const;
+
   /// Throws where results must not be replaced.
   using Check = std::function<void(const std::filesystem::path& results)>;
 
@@ -41,6 +44,7 @@ class ResultsFolder {
   void commit(const Check& check = {});
 
  private:
+  void make_working();
   void clean_up() const;
   void replace(const Check& check);
 

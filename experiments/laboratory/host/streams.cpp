@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,6 +20,11 @@ void secure_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0)
       throw std::system_error(errno, std::generic_category(), "/dev/null");
+}
+
+void wait_for_error_stream() {
+  pollfd written{STDERR_FILENO, POLLOUT, 0};
+  poll(&written, 1, -1);
 }
 
 void print_on_error(std::string_view text) {

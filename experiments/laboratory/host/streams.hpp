@@ -8,6 +8,9 @@ namespace laboratory {
 /// keeps the numbers of streams that are closed from files that the program opens.
 void secure_streams();
 
+/// Waits while standard error is a pipe that is full.
+void wait_for_error_stream();
+
 /// Prints the text on standard error; where that cannot be written there is nobody to tell.
 void print_on_error(std::string_view text);
 

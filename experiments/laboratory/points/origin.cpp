@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/version.hpp"
@@ -65,13 +66,15 @@ std::string command_line(const RunOptions& options) {
 
 ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                          const fs::path& results) {
-  const auto folder = resolve(file.folder);
+  const auto folder = resolve(file.folder).lexically_relative(resolve(results)).string();
+  base::require(base::is_utf8(folder), folder,
+                "found a name that is no UTF-8, which run.json needs");
   return {
       {"tlab", VERSION},
       {"name", name_of(file.path)},
       {"title", file.points[0].experiment.title},
       {"file", file.path},
-      {"folder", folder.lexically_relative(resolve(results)).string()},
+      {"folder", folder},
       {"set", options.overrides},
       {"until_s", std::isfinite(options.until_s) ? ordered_json(options.until_s) : ordered_json()},
       {"experiment", file.resolved}};
@@ -124,6 +127,8 @@ Origin load_origin(const fs::path& results, const fs::path& file) {
     return read_origin(results, ordered_json::parse(base::read_text(path)));
   } catch (const ordered_json::exception& error) {
     throw make_damaged(path, error);
+  } catch (const BadInput& error) {
+    throw BadInput(fmt::format("{}: experiment: {}", path.string(), error.what()));
   }
 }
 

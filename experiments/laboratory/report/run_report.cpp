@@ -335,13 +335,16 @@ void throw_undrawn(std::size_t undrawn, const std::string& results) {
 void report_results(const std::string& results) {
   const Origin origin = load_origin(results, "run.json");
   ResultsFolder folder(results);
-  carry_files(results, folder.working());
-  carry_files(results / fs::path("points"), folder.working() / "points");
-  carry_records(results, folder.working());
-  carry_files(results / lone_records_folder(), folder.working() / lone_records_folder());
   Texts undrawn;
   try {
-    undrawn = write_report(folder.working(), origin.options, load_simulation(results, origin.file));
+    folder.fill([&] {
+      carry_files(results, folder.working());
+      carry_files(results / fs::path("points"), folder.working() / "points");
+      carry_records(results, folder.working());
+      carry_files(results / lone_records_folder(), folder.working() / lone_records_folder());
+      undrawn =
+          write_report(folder.working(), origin.options, load_simulation(results, origin.file));
+    });
   } catch (const nlohmann::json::exception& error) {
     throw make_damaged(fs::path(results) / "run.json", error);
   }

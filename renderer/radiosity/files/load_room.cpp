@@ -263,8 +263,7 @@ void read_mtl_statement(Tokens& tokens, std::vector<Draft>& drafts) {
   tokens.end_line();
 }
 
-void load_mtl(const std::string& path, std::vector<Material>& materials) {
-  const std::string text = base::read_text(path);
+void read_mtl(const std::string& text, const std::string& path, std::vector<Material>& materials) {
   Tokens tokens(text, path);
   std::vector<Draft> drafts;
   while (tokens.begin_line()) read_mtl_statement(tokens, drafts);
@@ -321,7 +320,9 @@ class ObjReader {
     do {
       const auto folder = std::filesystem::path(tokens_.name()).parent_path();
       const std::string path = (folder / tokens_.take_word("a file")).string();
-      load_mtl(path, room_.materials);
+      std::string text;
+      tokens_.at_line(tokens_.line(), [&] { text = base::read_text(path); });
+      read_mtl(text, path, room_.materials);
       room_.libraries.push_back(path);
     } while (!tokens_.peek().empty());
   }

@@ -18,8 +18,9 @@ constexpr double LEFT = 0.5;
 constexpr double LONG = 1.5;
 // Times that patches are halved while their number does not grow.
 constexpr int MOST_TRIES = 4;
-// While patches are halved, a solution leaves so much light unsent.
-constexpr double ROUGH = 0.02;
+// While patches are halved, a solution leaves so much light unsent: what makes edges is sent early.
+// A mesh is good enough if it is so with less as well.
+constexpr double ROUGH = 0.2, LESS = 0.02;
 
 // The mean square of an error over a patch, by its square in the middle, for illumination that is
 // quadratic along both sides: from 4/9 to 8/15.
@@ -50,13 +51,16 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
   return errors;
 }
 
-// The mean square radiosity of the patches that do not emit, mean of the colours.
+// The mean square radiosity of the patches that do not emit, mean of the colours; what is unsent is
+// everywhere alike.
 double eval_mean_square(const Mesh& mesh, const Solution& solution) {
   double total = 0, area = 0;
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
     const Patch& patch = mesh.patches[p];
-    if (max_component(mesh.materials[patch.material].emission) > 0) continue;
-    total += patch.area * sum(solution.means[p] * solution.means[p]) / 3;
+    const Material& material = mesh.materials[patch.material];
+    if (max_component(material.emission) > 0) continue;
+    const Rgb radiosity = solution.means[p] + material.reflectance * solution.ambient;
+    total += patch.area * sum(radiosity * radiosity) / 3;
     area += patch.area;
   }
   return area > 0 ? total / area : 0;
@@ -170,13 +174,14 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
-  LightParams rough = params;
-  rough.mesh.refine = 1;
-  rough.solve.tolerance = std::max(params.solve.tolerance, ROUGH);
-  AdaptedMesh adapted{make_mesh(room, rough.mesh), 0, 0, {}};
-  for (;; ++adapted.rounds) {
+  MeshParams parts = params.mesh;
+  parts.refine = 1;
+  SolveParams rough = params.solve;
+  rough.tolerance = std::max(params.solve.tolerance, ROUGH);
+  AdaptedMesh adapted{make_mesh(room, parts), 0, 0, {}};
+  adapted.rough = solve(adapted.mesh, rough, step);
+  for (;;) {
     const Mesh& mesh = adapted.mesh;
-    adapted.rough = solve(mesh, rough.solve, step);
     const Solution& solution = adapted.rough;
     const auto errors =
         find_errors(mesh, solution, reconstruct(mesh, solution.vertices, reconstruction));
@@ -185,18 +190,26 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     const double allowed = adapt.error * adapt.error * square;
     // Nothing but lamps may be lit.
     adapted.error = square > 0 ? std::sqrt(total / square) : 0;
-    if (!(square > 0 && total > allowed) || adapted.rounds == MOST_ROUNDS) return adapted;
+    if (!(square > 0 && total > allowed)) {
+      if (rough.tolerance <= std::max(params.solve.tolerance, LESS)) return adapted;
+      rough.tolerance = std::max(params.solve.tolerance, LESS);
+      adapted.rough = solve_further(mesh, rough, std::move(adapted.rough), step);
+      continue;
+    }
+    if (adapted.rounds == MOST_ROUNDS) return adapted;
     const auto chosen = choose(errors, LEFT * allowed);
     // Lines near a contact or a crease give way to it: those between them may need more halvings.
     Mesh finer;
     for (int tries = 0; tries < MOST_TRIES; ++tries) {
       refine(room, mesh, chosen);
-      finer = make_mesh(room, rough.mesh);
+      finer = make_mesh(room, parts);
       if (finer.patches.size() > MOST_ADAPTED) return adapted;
       if (finer.patches.size() > mesh.patches.size()) break;
     }
     if (finer.patches.size() <= mesh.patches.size()) return adapted;
     adapted.mesh = std::move(finer);
+    adapted.rough = solve(adapted.mesh, rough, step);
+    ++adapted.rounds;
   }
 }
 

@@ -1,5 +1,6 @@
 // Signals that come where nothing is simulated: the program ends with one sentence and leaves
 // nothing behind, neither files nor programs that it has started.
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 
@@ -114,6 +115,48 @@ TEST_F(Sweep, ReadingIsInterrupted) {
     EXPECT_EQ(ended.err, SENTENCE);
     EXPECT_EQ(folder.names(), (Arguments{"e.toml", "scene.nff"}));
   }
+}
+
+// nohup, and jobs that a script puts into the background.
+TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
+  const auto pipe = folder.path / "scene.nff";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const pid_t pid =
+      start_tlab(folder.path, {"render", "scene.nff", "-o", "x.png", "--size", "4x3"}, SIG_IGN);
+  {
+    std::ofstream scene(pipe);
+    for (const int signal : {SIGINT, SIGTERM}) kill(pid, signal);
+    scene
+        << "v\nfrom 0 -5 2\nat 0 0 0\nup 0 0 1\nangle 40\nl 0 0 9\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
+  }
+  const auto ended = wait_for_tlab(folder.path, pid);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(fs::exists(folder.path / "x.png"));
+}
+
+// Standard error is a pipe that is full and that nobody reads.
+TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
+  const auto pipe = folder.path / "scene.nff", err = folder.path / ".err";
+  for (const auto& path : {pipe, err}) ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int full = open(err.c_str(), O_RDWR | O_NONBLOCK);
+  while (write(full, " ", 1) == 1) {
+  }
+  const auto end_of = [&](const Arguments& arguments, const auto& wait) {
+    const pid_t pid = start_tlab(folder.path, arguments);
+    wait();
+    int status = 0;
+    for (int i = 0; i < 6000 && waitpid(pid, &status, WNOHANG) == 0; ++i) {
+      kill(pid, SIGTERM);
+      usleep(10'000);
+    }
+    kill(pid, SIGKILL);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  std::ofstream scene;
+  EXPECT_EQ(end_of({"render", "scene.nff", "-o", "x.png"}, [&] { scene.open(pipe); }), 130);
+  // An error is waiting to be told.
+  EXPECT_EQ(end_of({"render", "none.nff", "-o", "x.png"}, [] { usleep(200'000); }), 130);
+  close(full);
 }
 
 // Images that would take long. Where the signal comes before the first ray, it is sent later.

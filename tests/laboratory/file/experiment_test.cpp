@@ -33,6 +33,15 @@ TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
   }
 }
 
+TEST(ExperimentsFile, NumbersInAnyBaseAndTextsOfAnyShapeAreReadAgain) {
+  EXPECT_EQ(load("[image]\nheight = 0x10\n").settings, load("[image]\nheight = 16\n").settings);
+  const auto file = load("title = \"\"\"\n\n  two\nlines\"\"\"\n[image]\nheight = 0x10\n");
+  EXPECT_EQ(file.points[0].experiment.title, "\n  two\nlines");
+  const auto again = load(file.resolved);
+  EXPECT_EQ(again.points[0].experiment.title, file.points[0].experiment.title);
+  EXPECT_EQ(again.settings, file.settings);
+}
+
 TEST(ExperimentsFile, CoupledAxesMoveTogether) {
   const std::string text =
       "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]\n";

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/errors.hpp"
+#include "base/partial_name.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {
@@ -23,11 +24,12 @@ pid_t dead_process() {
   return child;
 }
 
-// How the folders of a process begin: ".out.partial-HOST-".
+// How the folders of a process begin: ".out.partial-HOST-", for "out.partial".
 std::string hidden(const std::string& what) {
-  char host[256] = {};
-  gethostname(host, sizeof host - 1);
-  return "." + what + "-" + host + "-";
+  const auto dot = what.find('.');
+  auto name = base::make_partial_name(what.substr(0, dot), what.substr(dot + 1), 0);
+  name.pop_back();
+  return name;
 }
 
 TEST(ExperimentsResultsFolder, ReadOnlyFolder) {
@@ -300,6 +302,28 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
 }
 
 // Where folders cannot be exchanged in one step, a crash may leave the old results aside.
+TEST(ExperimentsResultsFolder, LeavesNoParentsWhereItCannotBeMade) {
+  const TemporaryFolder folder;
+  const std::string name(250, 'x');  // the hidden one beside it is too long
+  EXPECT_THROW(ResultsFolder(folder.path / "a/b" / name), std::system_error);
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(ExperimentsResultsFolder, ErrorsOfTheHostNameTheUsersPath) {
+  const TemporaryFolder folder;
+  const ResultsFolder results(folder.path / "out");
+  const auto fill = [&](const std::string& name) {
+    return message_of<std::system_error>(
+        [&] { results.fill([&] { base::save_whole(results.working() / name, "{}"); }); });
+  };
+  EXPECT_EQ(fill("run.json"), "");
+  EXPECT_EQ(fill("missing/run.json"), (folder.path / "out/missing/run.json").string() +
+                                          ": cannot be written: No such file or directory");
+  EXPECT_EQ(message_of<std::system_error>(
+                [&] { results.fill([] { base::save_whole("/dev/full", "{}"); }); }),
+            "/dev/full: cannot be written: No space left on device");
+}
+
 TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   const TemporaryFolder folder;
   const auto aside = folder.path / (hidden("out.old") + std::to_string(dead_process()));

@@ -312,6 +312,9 @@ TEST_F(Sweep, MistakesAreNamed) {
            {{"--set", "farm.max_cell=3"}, "e.toml: farm.max_cell: found 3"},
            {{"--set", "farm.task=block:2x2"}, "e.toml: farm.task: found a block"},
            {{"--set", "network.topology=hypercube"}, "e.toml: network.workers: found 3"},
+           {{"--set", "title=a\x8a"}, "--set title=a\\x8a: found bytes that are no UTF-8"},
+           {{"--list", "--set", "model.link.bits=1"},
+            "e.toml: [model]: model.link.bits: unknown key"},
            {{"--list", "--point", "0"}, "--list"}}) {
     auto arguments = more;
     arguments.insert(arguments.end(), {"-o", "r"});
@@ -322,6 +325,21 @@ TEST_F(Sweep, MistakesAreNamed) {
   EXPECT_EQ(tlab(folder.path, {"merge", "r"}).exit_code, 2);
   EXPECT_EQ(tlab(folder.path, {"report", "r"}).exit_code, 2);
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
+}
+
+// JSON could not hold it: found out before anything runs.
+TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
+  const std::string name = "e\xff.toml", folder_name = "f\xff";
+  fs::copy(folder.path / "e.toml", folder.path / name);
+  fs::create_directory(folder.path / folder_name);
+  fs::copy(folder.path / "e.toml", folder.path / folder_name / "e.toml");
+  for (const auto& file : {name, folder_name + "/e.toml"}) {
+    const auto done = tlab(folder.path, {"run", file, "-o", "r"});
+    EXPECT_EQ(done.exit_code, 2);
+    EXPECT_TRUE(contains(done.err, "\\xff")) << done.err;
+    EXPECT_TRUE(contains(done.err, "found a name that is no UTF-8")) << done.err;
+  }
+  EXPECT_FALSE(fs::exists(folder.path / "r"));
 }
 
 // A disk that fills: no file may be longer than this.
@@ -342,6 +360,7 @@ TEST_F(Sweep, ADiskThatFillsLosesNothing) {
   const auto full = run_with_limit(folder.path, {"run", "e.toml", "-o", "r"}, 12'000);
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_TRUE(contains(full.err, "File too large")) << full.err;
+  EXPECT_TRUE(contains(full.err, (folder.path / "r/").string())) << full.err;
   EXPECT_EQ(visible("r"), before);
   EXPECT_EQ(records("r").size(), 8u);
   const auto none = run_with_limit(folder.path, {"run", "e.toml", "-o", "s"}, 100);

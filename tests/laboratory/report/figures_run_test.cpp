@@ -81,9 +81,10 @@ TEST(ExperimentsFigures, ARunJsonOfOtherPointsIsRefused) {
     return tlab(run.folder.path, {"report", "out"});
   };
   EXPECT_EQ(report(whole).exit_code, 0);
-  auto empty = whole, other = whole;
+  auto empty = whole, other = whole, broken = whole;
   empty["points"] = nlohmann::json::array();
   other["experiment"] = "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 3]\n";
+  broken["experiment"] = "program.name = message\n";
   const auto expect_refused = [&](const nlohmann::json& json, const std::string& told) {
     const auto refused = report(json);
     EXPECT_EQ(refused.exit_code, 2);
@@ -91,6 +92,7 @@ TEST(ExperimentsFigures, ARunJsonOfOtherPointsIsRefused) {
   };
   expect_refused(empty, "run.json: damaged: found no points");
   expect_refused(other, "damaged: found a record of the point \"bytes = 2\"");
+  expect_refused(broken, "tlab: out/run.json: experiment: e.toml:1: ");
 }
 
 TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -18,15 +19,17 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Starts tlab with `folder` as its current folder; what it prints goes to the files .out and .err
-/// there.
-inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments) {
+/// Starts tlab with `folder` as its current folder, and with this done for the signals that ask it
+/// to end; what it prints goes to the files .out and .err there.
+inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments,
+                        void (*handler)(int) = SIG_DFL) {
   arguments.insert(arguments.begin(), "tlab");
   std::fflush(nullptr);
   const pid_t pid = fork();
   if (pid != 0) return pid;
   std::vector<char*> argv;
   for (auto& a : arguments) argv.push_back(a.data());
+  for (const int asked : {SIGINT, SIGTERM}) std::signal(asked, handler);
   std::filesystem::current_path(folder);
   if (!freopen(".out", "w", stdout) || !freopen(".err", "w", stderr)) _exit(99);
   const int code = run_tlab(static_cast<int>(argv.size()), argv.data());

@@ -192,7 +192,8 @@ TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {
 TEST(Model, RefusesAnotherBaseNameOrAnIncompleteModel) {
   const std::pair<const char*, const char*> table[] = {
       {"name = \"mine\"\nbase = \"t9000\"",
-       "unknown model \"t9000\", expected t414-20, t800-20, t805-25, t805-30"},
+       ":2: base: unknown model \"t9000\", expected t414-20, t800-20, t805-25, t805-30"},
+      {"name = \"mine\"\nbase = \"none.toml\"", ":2: base: none.toml: cannot be read"},
       {"base = \"t805-25\"", "name is missing"},
       {"name = \"mine\"", "cpu.clock is missing (unit Hz)"},
       {"name = \"mine\"\ncpu = 1", "cpu: expected a section"},

@@ -1,5 +1,6 @@
 #include "topologies/files/formats.hpp"
 
+#include "tests/support/files.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/draw/drawing.hpp"
 #include "topologies/make/generators.hpp"
@@ -34,6 +35,31 @@ TEST(TopologyRandomFormats, RoundTripWithPortsRootAndAwkwardLabels) {
       t.labels.push_back("a \"quoted\" <name> & " + std::to_string(t.processors - p));
     expect_round_trips(t);
   }
+}
+
+// Names that XML or JSON could not hold, or that would be others when they are read again.
+TEST(TopologyNames, AreUtf8WithoutControlCharactersAndBlanksAtTheirEnds) {
+  auto ring = make_topology("ring:3");
+  for (const auto* name : {"a b", "a\nb", "\xc3\xa9", "a\x7f"}) {
+    ring.labels = {name, "b", "c"};
+    expect_round_trips(ring);
+  }
+  const auto refused = [](const auto& read) {
+    return test::message_of<base::BadInput>(read).find("found a vertex called ") !=
+           std::string::npos;
+  };
+  for (const auto* name : {"", " a", "a ", "a\n", "a\x06", "a\r", "a\xff"}) {
+    EXPECT_TRUE(refused([&] {
+      read_dot("graph G { \"" + std::string(name) + "\" -- \"b\" }", "f.dot");
+    })) << name;
+    EXPECT_TRUE(refused([&] {
+      read_graphml("<graphml><graph><node id=\"" + std::string(name) + "\"/></graph></graphml>",
+                   "f.graphml");
+    })) << name;
+  }
+  EXPECT_TRUE(refused([] {
+    read_graphml("<graphml><graph><node id=\"a&#13;\"/></graph></graphml>", "f.graphml");
+  }));
 }
 
 TEST(TopologyDot, NamesMayBeThoseOfGraphsAndGroupsAndKeywords) {

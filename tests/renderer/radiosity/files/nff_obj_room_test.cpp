@@ -154,7 +154,7 @@ TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
                               "usemtl or mtllib"},
       {use + "f 1 2 3", in + "a.obj: found no face that emits, expected one or more"},
       {"mtllib", at + "1: found the end of the line, expected a file"},
-      {"mtllib m.mtl no.mtl", in + "no.mtl: cannot be read"},
+      {"mtllib m.mtl no.mtl", at + "1: " + in + "no.mtl: cannot be read"},
       {"mtllib m.mtl m.mtl", in + "m.mtl:2: found a second material 'wall', expected another"},
       {"mtllib bright.mtl", in + "bright.mtl:4: found a diffuse reflectance 1 1 1, expected 0 or"},
       {"mtllib nan.mtl", in + "nan.mtl:2: found 'nan', expected Kd (a number"},

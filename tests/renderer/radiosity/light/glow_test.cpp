@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
@@ -116,6 +118,43 @@ TEST(Glow, OfAShotHasThePatchsPower) {
         for (const double t : {0, 1}) EXPECT_GE(shot->glow.eval(s, t).*c, -1e-15);
     }
   }
+}
+
+// Where wall and ceiling meet, each is dark, or bright, as the other is there and not as its
+// patches are in the mean.
+TEST(Glow, OfCornersIsRightInTheRoomsEdges) {
+  Room room;
+  room.materials = {{"wall", grey(0.7), {}}, {"lamp", grey(0), grey(1)}};
+  add_box(room, 0, {0, 0, 0}, {4, 3, 2.5});
+  add_quad(room, 1, {1.5, 1, 2.4}, {0, 1, 0}, {1, 0, 0});
+  const auto light = [&](int refine, Sends sends) {
+    const Mesh mesh = make_mesh(room, {.refine = refine});
+    SolveParams params = make_params(1e-3);
+    params.sends = sends;
+    const Solution solution = solve(mesh, params);
+    std::map<std::array<double, 6>, double> found;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      const auto& [at, lit, normal, material, object] = mesh.vertices[v];
+      const bool in_edge =
+          (at.x == 0 || at.x == 4) + (at.y == 0 || at.y == 3) + (at.z == 0 || at.z == 2.5) >= 2;
+      if (in_edge) found[{at.x, at.y, at.z, normal.x, normal.y, normal.z}] = solution.vertices[v].g;
+    }
+    return found;
+  };
+  const auto fine = light(12, Sends::corners);
+  const auto eval_error = [&](Sends sends) {
+    double square = 0, mean = 0;
+    const auto coarse = light(2, sends);
+    for (const auto& [vertex, radiosity] : coarse) {
+      const double exact = fine.at(vertex), off = radiosity / exact - 1;
+      square += off * off / static_cast<double>(coarse.size());
+      mean += off / static_cast<double>(coarse.size());
+    }
+    fmt::print("{} vertices in edges, {}: off by {:.4f}, {:.4f} in the mean\n", coarse.size(),
+               sends == Sends::mean ? "mean" : "corners", std::sqrt(square), mean);
+    return std::sqrt(square);
+  };
+  EXPECT_LT(eval_error(Sends::corners), 0.5 * eval_error(Sends::mean));
 }
 
 }  // namespace
