@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <limits>
 #include <sstream>
 
 #include "base/errors.hpp"
@@ -28,11 +30,14 @@ std::size_t measure_string(std::string_view text) {
 
 bool continues_key(char c) {
   const auto byte = static_cast<unsigned char>(c);
-  return std::isalnum(byte) || byte >= 0x80 || c == '_' || c == '-' || c == ' ' || c == '\t';
+  return std::isalnum(byte) || c == '_' || c == '-' || c == ' ' || c == '\t';
 }
 
-// toml++ makes a table of each part of a key, and destroys tables in tables by recursion.
+// toml++ makes a table of each part of a key, and destroys tables in tables by recursion; and what
+// it does with other letters than ASCII outside of texts and comments is undefined.
 void check_keys(std::string_view text, std::string_view origin) {
+  constexpr std::string_view MARK = "\xef\xbb\xbf";  // of the order of bytes
+  if (text.starts_with(MARK)) text.remove_prefix(MARK.size());
   int line = 1, parts = 1;
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
     const char c = text[at];
@@ -41,6 +46,8 @@ void check_keys(std::string_view text, std::string_view origin) {
     length = is_string  ? measure_string(rest)
              : c == '#' ? std::min(rest.find('\n'), rest.size())
                         : 1;
+    require(is_string || static_cast<unsigned char>(c) < 0x80, fmt::format("{}:{}", origin, line),
+            "found a letter beyond ASCII, expected it in a text or a comment");
     if (c == '.')
       require(++parts <= MAX_KEY_PARTS, fmt::format("{}:{}", origin, line),
               "found a key of more than {0} parts, expected at most {0}", MAX_KEY_PARTS);
@@ -50,17 +57,22 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
-// toml++ writes such keys without quotes, and then they are none.
-void check_names(const toml::node& node, std::string_view origin) {
+// toml++ writes such keys without quotes, and then they are none; and it measures the least number
+// by its absolute value.
+void check_nodes(const toml::node& node, std::string_view origin) {
   if (const auto* list = node.as_array())
-    for (const auto& entry : *list) check_names(entry, origin);
+    for (const auto& entry : *list) check_nodes(entry, origin);
+  if (const auto* number = node.as_integer())
+    require(number->get() != std::numeric_limits<std::int64_t>::min(),
+            fmt::format("{}:{}", origin, node.source().begin.line),
+            "found {}, expected a number above it", number->get());
   const auto* table = node.as_table();
   if (!table) return;
   for (const auto& [key, value] : *table) {
     require(key.str().find_first_of("'\t\n") == key.str().npos,
             fmt::format("{}:{}", origin, key.source().begin.line),
             "found a key with a quote, a tab or a line end, expected none in it");
-    check_names(value, origin);
+    check_nodes(value, origin);
   }
 }
 
@@ -79,7 +91,7 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
   check_keys(text, origin);
   try {
     toml::table file = toml::parse(text, origin);
-    check_names(file, origin);
+    check_nodes(file, origin);
     return file;
   } catch (const toml::parse_error& error) {
     refuse(fmt::format("{}:{}", origin, error.source().begin.line), "{}", error.description());

@@ -63,6 +63,19 @@ TEST(Toml, SomeKeysAreRefused) {
           << text;
 }
 
+TEST(Toml, WhatTheLibraryDoesNotStandIsRefused) {
+  for (const auto* text :
+       {"a = 1\xc3\xa9", "\xc3\xa9 = 1", "a = 1 \xef\xbb\xbf", "[a\xe2\x80\xa8]"})
+    EXPECT_EQ(refusal_of(std::string("\n") + text),
+              "e.toml:2: found a letter beyond ASCII, expected it in a text or a comment")
+        << text;
+  EXPECT_EQ(refusal_of("a = [1,\n-9223372036854775808]"),
+            "e.toml:2: found -9223372036854775808, expected a number above it");
+  EXPECT_EQ(refusal_of("\xef\xbb\xbf# \xc3\xa9\n\"\xc3\xa9\" = '\xc3\xa9' # \xe2\x80\xa8\n"
+                       "b = \"\"\"\n\xc3\xa9\"\"\"\nc = -9223372036854775807"),
+            "");
+}
+
 TEST(Toml, WholeNumbersAreWrittenInDecimal) {
   EXPECT_EQ(to_toml(parse_toml("a = [0x10, 0o10, 0b10, 10]", "e.toml")), "a = [ 16, 8, 2, 10 ]");
 }

@@ -30,7 +30,9 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 // it.
 fs::path resolve(const fs::path& path) {
   if (path.empty()) throw base::BadInput("the name of a results folder is empty");
-  auto resolved = fs::weakly_canonical(fs::absolute(path));
+  std::error_code error;
+  const auto resolved = fs::weakly_canonical(fs::absolute(path), error);
+  if (error) throw base::BadInput(fmt::format("{}: {}", path.string(), error.message()));
   return resolved.has_filename() ? resolved : resolved.parent_path();
 }
 

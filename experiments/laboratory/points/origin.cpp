@@ -20,7 +20,10 @@ namespace fs = std::filesystem;
 fs::path file_in(const fs::path& results) { return results / POINTS_ORIGIN; }
 
 fs::path resolve(const fs::path& path) {
-  return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path));
+  std::error_code error;
+  const auto resolved = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), error);
+  if (error) throw BadInput(fmt::format("{}: {}", path.string(), error.message()));
+  return resolved;
 }
 
 std::string name_of(const std::string& file) { return fs::path(file).stem().string(); }
@@ -128,7 +131,7 @@ Origin load_origin(const fs::path& results, const fs::path& file) {
   } catch (const ordered_json::exception& error) {
     throw make_damaged(path, error);
   } catch (const BadInput& error) {
-    throw BadInput(fmt::format("{}: experiment: {}", path.string(), error.what()));
+    throw BadInput(fmt::format("{}: {}", path.string(), error.what()));
   }
 }
 

@@ -309,6 +309,12 @@ TEST(ExperimentsResultsFolder, LeavesNoParentsWhereItCannotBeMade) {
   EXPECT_EQ(folder.names(), Names{});
 }
 
+TEST(ExperimentsResultsFolder, ANameThatIsTooLongIsRefused) {
+  const std::string name(300, 'x');
+  EXPECT_EQ(message_of<base::BadInput>([&] { check_results_folder(name); }),
+            name + ": File name too long");
+}
+
 TEST(ExperimentsResultsFolder, ErrorsOfTheHostNameTheUsersPath) {
   const TemporaryFolder folder;
   const ResultsFolder results(folder.path / "out");

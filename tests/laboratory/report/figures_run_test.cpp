@@ -92,7 +92,10 @@ TEST(ExperimentsFigures, ARunJsonOfOtherPointsIsRefused) {
   };
   expect_refused(empty, "run.json: damaged: found no points");
   expect_refused(other, "damaged: found a record of the point \"bytes = 2\"");
-  expect_refused(broken, "tlab: out/run.json: experiment: e.toml:1: ");
+  expect_refused(broken, "tlab: out/run.json: e.toml:1: ");
+  auto far = whole;
+  far["file"] = std::string(300, 'x') + "/e.toml";
+  expect_refused(far, "x: File name too long");
 }
 
 TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {
