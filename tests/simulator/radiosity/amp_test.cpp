@@ -291,19 +291,24 @@ TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
     }
 }
 
+// A patch that sends by its corners takes three colours more than one that sends its mean.
 TEST(AmpMessages, AreAsLongAsWhatTheySay) {
   const auto model = machine::load_model("t805-25");
-  const MessageBytes bytes(model);
   const auto colour = get_bytes(model, "colour");
-  for (const std::size_t n : {0u, 1u, 64u}) {
-    const std::vector<radiosity::Rgb> values(n);
-    EXPECT_EQ(bytes.of(Given{0, values}), 8 + n * colour);
-    EXPECT_EQ(bytes.of(Shown{0, values}), 8 + n * colour);
-    EXPECT_GE(bytes.longest(), bytes.of(Given{0, values}));
+  for (const auto& [sends, colours] :
+       {std::pair(radiosity::Sends::mean, 0), {radiosity::Sends::corners, 3}}) {
+    const MessageBytes bytes(model, sends);
+    for (const std::size_t n : {0u, 1u, 64u}) {
+      const std::vector<radiosity::Rgb> values(n);
+      EXPECT_EQ(bytes.of(Given{0, values}), 8 + n * colour);
+      EXPECT_EQ(bytes.of(Shown{0, values}), 8 + n * colour);
+      EXPECT_GE(bytes.longest(), bytes.of(Given{0, values}));
+    }
+    const auto more = static_cast<std::uint64_t>(colours) * colour;
+    EXPECT_EQ(bytes.of(Candidate{}), get_bytes(model, "radiosity_candidate") + more);
+    EXPECT_EQ(bytes.of(radiosity::Shot{}), get_bytes(model, "radiosity_shot") + more);
+    EXPECT_EQ(bytes.of(Stop{}), 8u);
   }
-  EXPECT_EQ(bytes.of(Candidate{}), get_bytes(model, "radiosity_candidate"));
-  EXPECT_EQ(bytes.of(radiosity::Shot{}), get_bytes(model, "radiosity_shot"));
-  EXPECT_EQ(bytes.of(Stop{}), 8u);
 }
 
 TEST(AmpMessages, TheBrightestDoesNotDependOnTheOrder) {
