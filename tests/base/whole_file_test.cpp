@@ -1,5 +1,6 @@
 #include "base/whole_file.hpp"
 
+#include <fmt/format.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <signal.h>
@@ -42,12 +43,6 @@ TEST(WholeFile, WritesAndReadsAnyBytes) {
     EXPECT_EQ(read_text(folder.path / "a"), content);
   }
   EXPECT_EQ(folder.names(), Names{"a"});
-}
-
-TEST(WholeFile, AnEarlierErrorIsNotItsOwn) {
-  const TemporaryFolder folder;
-  errno = EIO;
-  EXPECT_EQ(write_error(folder.path / "a"), "");
 }
 
 TEST(WholeFile, ErrorsNameThePath) {
@@ -118,8 +113,16 @@ TEST(WholeFile, ANewFileReplacesNone) {
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 
+// What happens to system calls of this process from now on. False where it cannot be had.
+bool install(const std::vector<sock_filter>& filter) {
+  auto copy = filter;
+  const sock_fprog program{static_cast<unsigned short>(copy.size()), copy.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
 // From now on this process is on a file system that knows no flags of renames, as NFS, and, as
-// some, no links. False where it cannot be had.
+// some, no links. False as above.
 bool forget_renames_with_flags(bool links_too) {
   std::vector<sock_filter> filter;
   const auto load = [&](std::size_t at) {
@@ -143,9 +146,29 @@ bool forget_renames_with_flags(bool links_too) {
   filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 1, 0));
   fail_with(EINVAL);
   filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
-  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
-  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+  return install(filter);
+}
+
+// Some file systems find out at last that there is no room; some have nothing to do there.
+TEST(WholeFile, WhatIsNotStoredAtLastIsAnError) {
+  const auto told = [](unsigned error) {
+    return test::isolated([&]() -> std::string {
+      const TemporaryFolder folder;
+      if (!install({BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fsync, 0, 1),
+                    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | error),
+                    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}))
+        return "no filter";
+      const auto message = write_error(folder.path / "a");
+      const auto files = folder.names().size();
+      return fmt::format("{} file(s){}", files,
+                         message.substr(std::min(message.size(), message.rfind(": "))));
+    });
+  };
+  if (told(ENOSPC) == "no filter") GTEST_SKIP() << "no filters of system calls";
+  EXPECT_EQ(told(ENOSPC), "0 file(s): No space left on device");
+  for (const unsigned nothing_to_do : {EINVAL, ENOTSUP})
+    EXPECT_EQ(told(nothing_to_do), "1 file(s)");
 }
 
 TEST(WholeFile, ANewFileReplacesNoneWhereRenamesHaveNoFlags) {

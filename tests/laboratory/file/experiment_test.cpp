@@ -201,8 +201,7 @@ TEST(ExperimentsFile, MistakesAreNamed) {
     const auto told = message_of<base::BadInput>([&, text = text] { load(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
-  for (const char* override :
-       {"workers", "=3", "sweep.workers.deep=3", "title=1\nnetwork.workers=2"})
+  for (const char* override : {"workers", "=3", "sweep.workers.deep=3", "image.width=64\nx = 3"})
     EXPECT_NE(message_of<base::BadInput>([&] { load("[sweep]\nworkers=[1]\n", {override}); }), "")
         << override;
   EXPECT_NE(message_of<base::BadInput>([] { load_experiment("/nowhere/e.toml", {}); }), "");

@@ -126,10 +126,10 @@ TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
   EXPECT_EQ(describe_processor(t, 1), "\"w 10\"");
 }
 
-// As a C preprocessor leaves them: Graphviz takes them for comments.
+// As a C preprocessor leaves them: they do not name vertices.
 TEST(TopologyDot, LinesThatBeginWithAHashAreComments) {
-  const auto t = read_dot("# 1 \"net.dot\"\ngraph {\n# 5 -- 6\n0 -- 1 // 7\n}\n", "net.dot");
-  EXPECT_EQ(t.processors, 2);
+  const auto t = read_dot("# 1 \"net.dot\"\ngraph {\n# b -- a\na -- b // c\n}\n", "net.dot");
+  EXPECT_EQ(t.labels, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(t.links.size(), 1u);
 }
 
