@@ -65,7 +65,8 @@ TEST(FuzzCampaign, TellsOfReadersThatEndTheProgram) {
 TEST(FuzzCampaign, TellsOfReadersThatDoNotEnd) {
   expect_told(
       [] {
-        for (volatile int i = 0;; i = 1 - i) {
+        volatile bool goes_on = true;
+        while (goes_on) {
         }
       },
       "takes more than 0.2 s of the processor", 5, {.cpu_s = 0.2});
@@ -101,7 +102,7 @@ TEST(FuzzCampaign, EndsWithManyFindings) {
 TEST(FuzzCampaign, MakesTheTextOfANumberAgain) {
   const Trial trial{{.name = "test", .ending = ".txt", .folders = {}, .read = {}},
                     make_corpus({"a = 1\n", "b 2 c\nd\n"})};
-  const auto fails = [](const std::string& text) { return text.size() % 37 == 36; };
+  const auto fails = [](const std::string& text) { return text.size() % 13 == 12; };
   const auto told = run(
       [&](const auto& text) {
         if (fails(text)) throw Broken("long");

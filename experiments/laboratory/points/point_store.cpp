@@ -98,7 +98,11 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
     std::string text = fmt::format("{}\nuntil {}\n", program_id(), until_s);
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
     auto& model = models[model_key(experiment)];
-    if (model.empty()) model = hash_of(describe_entries(experiment));
+    if (model.empty()) try {
+        model = hash_of(describe_entries(experiment));
+      } catch (const base::BadInput& error) {
+        throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
+      }
     text += "model " + model;
     for (const auto& source : files_of(experiment)) {
       text += describe_file(source);
