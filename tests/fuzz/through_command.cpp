@@ -50,7 +50,7 @@ constexpr double FACTOR = test::IS_SANITIZED ? 6 : 1;
 constexpr double PATIENCE_S = 3 * FACTOR;  // before a computation is interrupted
 constexpr double WALL_S = 30 * FACTOR;
 constexpr rlim_t CPU_S = static_cast<rlim_t>(10 * FACTOR), FILE_BYTES = 1 << 26;
-// Of so many texts one is for the program itself.
+// Every so many texts the program itself is started; the others go to run_tlab() in a child.
 constexpr std::uint64_t PROGRAM_EVERY = 16;
 
 struct Outcome {

@@ -101,7 +101,8 @@ struct Sender {
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
 /// The light that arrives at a vertex, also by way of mirrors, each colour times their reflectance.
-/// Of an even glow it is eval_factor(), and those over mirrors, times it. Adds to `work`.
+/// Where the patch glows evenly, that is its form factors, direct and over mirrors, times the glow.
+/// Adds to `work`.
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);
 
 /// A point that looks, and the normal of the surface that it lies on.

@@ -90,7 +90,7 @@ TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   }
 }
 
-// Of 1 x 1 pixel.
+// A picture of 1 x 1 pixel.
 std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   std::vector<Shown> pictures;
   for (const double at_s : times_s) {

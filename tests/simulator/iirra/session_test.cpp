@@ -257,7 +257,7 @@ TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   });
 }
 
-// Of the time from the first task to the last pixel, some is left after the last task was taken.
+// When the last task is taken, there is still work to do until the last pixel.
 TEST(Columns, TheDrainIsTheEndOfTheTime) {
   run_isolated([] {
     const Measured measured(run(small_params()), {});

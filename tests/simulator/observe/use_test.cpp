@@ -8,7 +8,8 @@
 namespace observe {
 namespace {
 
-// Of two processors, three link directions and two processes; all counts grow from one to the next.
+// Use of two processors, three link directions and two processes, in which no count is less than in
+// the one before.
 Use make_use(std::mt19937_64& random, const Use& before) {
   const auto more = [&] { return static_cast<double>(random() % 100); };
   const auto count = [&] { return random() % 100; };
