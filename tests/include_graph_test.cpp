@@ -223,7 +223,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       // (tests/benchmarks/raw_simgrid.cpp is SimGrid without us, to be measured against;
       // forecast_test.cpp sets SimGrid wrong.)
       {{"simgrid/", "xbt/"},
-       std::regex("simulator/machine/engine\\.cpp|tests/simulator/machine/forecast_test\\.cpp|"
+       std::regex("simulator/machine/simgrid\\.cpp|tests/simulator/machine/forecast_test\\.cpp|"
                   "tests/benchmarks/raw_simgrid\\.cpp")},
       {{"boost/graph/"}, std::regex("topologies/.*\\.cpp")},
       {{"boost/container/"},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <utility>
 
 namespace machine {
@@ -12,49 +11,63 @@ std::size_t Forecast::add_link(double one_way, double both_ways) {
   return 2 * (links_.size() - 1);
 }
 
-void Forecast::advance(Link& link, double date) {
-  const bool both = link.ways[0].valid && link.ways[1].valid;
+// What has moved until the date has moved at the rates until then.
+Forecast::Link& Forecast::change(std::size_t direction, double date) {
+  Link& link = links_[direction / 2];
+  const bool both = link.ways[0].busy && link.ways[1].busy;
   for (Way& way : link.ways)
     way.left = std::max(0.0, way.left - (both ? link.shared : link.alone) * (date - link.since));
   link.since = date;
+  if (!std::exchange(link.changed, true)) changed_.push_back(direction / 2);
+  return link;
 }
 
 void Forecast::start(std::size_t direction, double bytes, double date) {
-  Link& link = links_[direction / 2];
-  advance(link, date);
-  link.ways[direction % 2].left = bytes;
-  predict(direction);
-  if (link.ways[1 - direction % 2].valid) predict(direction ^ 1);
+  Link& link = change(direction, date);
+  link.newest = direction % 2;
+  link.ways[link.newest].left = bytes;
+  link.ways[link.newest].busy = true;
 }
 
-Forecast::Bounds Forecast::end(std::size_t direction, double date) {
-  advance(links_[direction / 2], date);
-  return std::exchange(way(direction), {}).bounds;
+void Forecast::end(std::size_t direction, double date) {
+  change(direction, date).ways[direction % 2] = {};
 }
 
-// Both share the link until the shorter ends. SimGrid rounds dates, the later the more: a hair
-// early, and late.
-void Forecast::predict(std::size_t direction) {
-  Link& link = links_[direction / 2];
+// SimGrid solves a link's newest message first; this decides which of two ends that fall on the
+// same date comes first.
+void Forecast::settle() {
+  for (const std::size_t number : changed_) {
+    Link& link = links_[number];
+    link.changed = false;
+    foresee(link, 2 * number + link.newest);
+    foresee(link, 2 * number + 1 - link.newest);
+  }
+  changed_.clear();
+}
+
+// Both share the link until the shorter ends. SimGrid rounds dates, the later the more.
+void Forecast::foresee(Link& link, std::size_t direction) {
   Way& own = link.ways[direction % 2];
   const Way& other = link.ways[1 - direction % 2];
-  const double together = other.valid ? std::min(own.left, other.left) : 0;
+  if (!own.busy) return;
+  const double together = other.busy ? std::min(own.left, other.left) : 0;
   const double duration = together / link.shared + (own.left - together) / link.alone;
-  const double date = link.since + duration, hair = 1e-9 * duration + 1e-11 + 1e-14 * date;
+  const double date = link.since + duration;
   own.valid = ++numbers_;
-  own.bounds = {date - hair, date + hair};
-  heap_.push_back({own.bounds.earliest, direction, own.valid});
+  own.end = {date, 1e-9 * duration + 1e-11 + 1e-14 * date, direction};
+  heap_.push_back({date, own.valid, direction});
   std::ranges::push_heap(heap_, std::less<>());
 }
 
-Forecast::Bounds Forecast::next() {
-  const auto is_old = [&](const Entry& e) { return way(e.direction).valid != e.number; };
-  while (!heap_.empty() && is_old(heap_.front())) {
+Forecast::End Forecast::next() {
+  const auto valid = [&](std::size_t direction) {
+    return links_[direction / 2].ways[direction % 2].valid;
+  };
+  while (!heap_.empty() && valid(heap_.front().direction) != heap_.front().number) {
     std::ranges::pop_heap(heap_, std::less<>());
     heap_.pop_back();
   }
-  constexpr double NEVER = std::numeric_limits<double>::infinity();
-  return heap_.empty() ? Bounds{NEVER, NEVER} : way(heap_.front().direction).bounds;
+  return heap_.empty() ? End{} : end_of(heap_.front().direction);
 }
 
 }  // namespace machine

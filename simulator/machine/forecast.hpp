@@ -1,8 +1,8 @@
 #pragma once
-// Bounds of the dates when messages on links end, by the fluid model of each link by itself.
-// SimGrid, which moves the messages, decides; the forecast saves asking it too early.
+// The dates when messages on links end, by the fluid model of each link by itself.
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace machine {
@@ -13,42 +13,57 @@ class Forecast {
   /// number of the link's direction there; that of its direction back is one higher.
   std::size_t add_link(double one_way, double both_ways);
 
-  /// Bounds of the end of a message. They hold until the next start on its link, which can only
-  /// make them later.
-  struct Bounds {
-    double earliest, latest;
-    bool contain(double date) const { return earliest <= date && date <= latest; }
-  };
-  /// A message of `bytes` starts on an idle direction; it ends there, or is lost, and its bounds
-  /// are returned. Dates are seconds, ascending.
+  /// A message of `bytes` starts on an idle direction; it ends there, or is lost. Dates are
+  /// seconds, ascending.
   void start(std::size_t direction, double bytes, double date);
-  Bounds end(std::size_t direction, double date);
-  /// The lowest bounds of all; infinity if no message is under way.
-  Bounds next();
+  void end(std::size_t direction, double date);
+  /// Foresees the ends on the links where messages have started or ended.
+  void settle();
+
+  /// When a message ends, if no other starts on its link before, which can only make it later.
+  struct End {
+    double date = std::numeric_limits<double>::infinity();  ///< infinite without a message
+    double hair = 0;  ///< seconds that SimGrid, which rounds, may be early or late
+    std::size_t direction = 0;
+    double earliest() const { return date - hair; }
+    double latest() const { return date + hair; }
+    bool contains(double other) const { return earliest() <= other && other <= latest(); }
+  };
+  /// The first end of all that were foreseen, and the end of one message under way. Of those that
+  /// end together, the one that was foreseen first comes first.
+  End next();
+  const End& end_of(std::size_t direction) const {
+    return links_[direction / 2].ways[direction % 2].end;
+  }
 
  private:
   struct Way {
-    double left = 0;          // bytes, at the link's `since`
-    std::uint64_t valid = 0;  // the number of its bounds; 0 while it is idle
-    Bounds bounds{};
+    double left = 0;  // bytes, at the link's `since`
+    bool busy = false;
+    std::uint64_t valid = 0;  // the number of its end in the heap
+    End end = {};
   };
   struct Link {
     double alone, shared;  // bytes/s of a direction
     double since = 0;
-    std::array<Way, 2> ways{};
+    std::array<Way, 2> ways = {};
+    std::size_t newest = 0;  // the way whose message has started last
+    bool changed = false;
   };
   // Entries whose number is not valid any more are dropped when they come to the top.
   struct Entry {
-    double earliest;
-    std::size_t direction;
+    double date;
     std::uint64_t number;
-    bool operator<(const Entry& o) const { return earliest > o.earliest; }
+    std::size_t direction;
+    bool operator<(const Entry& o) const {  // for a heap whose top is the next end
+      return date != o.date ? date > o.date : number > o.number;
+    }
   };
-  static void advance(Link& link, double date);
-  Way& way(std::size_t direction) { return links_[direction / 2].ways[direction % 2]; }
-  void predict(std::size_t direction);
+  Link& change(std::size_t direction, double date);
+  void foresee(Link& link, std::size_t direction);
 
   std::vector<Link> links_;
+  std::vector<std::size_t> changed_;  // links
   std::vector<Entry> heap_;
   std::uint64_t numbers_ = 0;
 };
