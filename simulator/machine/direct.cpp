@@ -34,25 +34,23 @@ class Direct final : public Carrier {
   void run() override {
     double last_end = 0;
     while (!events_.stopped()) {
-      // Links that have changed are looked at again only when the clock is about to go on.
-      auto end = forecast_.next();
       if (events_.next() <= events_.now()) {
         events_.handle_next();
         continue;
       }
-      if (end.date >= last_end + PICOSECOND) {
-        forecast_.settle();
-        end = forecast_.next();
-      }
-      if (events_.next() <= end.date) {
+      // Links that have changed are looked at again only when the clock is about to go on.
+      const bool together = forecast_.next_date() < last_end + PICOSECOND;
+      if (!together) forecast_.settle();
+      if (events_.next() <= forecast_.next_date()) {
         if (events_.next() == Events::NEVER) return;
         events_.handle_next();
         continue;
       }
-      if (end.date >= last_end + PICOSECOND) last_end = end.date;
+      if (!together) last_end = forecast_.next_date();
+      const std::size_t direction = forecast_.next().direction;
       events_.advance(last_end);
-      forecast_.end(end.direction, events_.now());
-      events_.handle(arrived_[end.direction]);
+      forecast_.end(direction, events_.now());
+      events_.handle(arrived_[direction]);
     }
   }
 

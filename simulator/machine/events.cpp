@@ -1,8 +1,6 @@
 #include "simulator/machine/events.hpp"
 
-#include <algorithm>
 #include <csignal>
-#include <functional>
 
 namespace machine {
 
@@ -13,16 +11,22 @@ volatile std::sig_atomic_t stop_requested = 0;
 void request_stop() { stop_requested = 1; }
 
 void Events::ask(double date, std::uint64_t order, Callback callback) {
-  heap_.push_back({date, order, callback});
-  std::ranges::push_heap(heap_, std::less<>());
+  if (free_.empty()) {
+    free_.push_back(static_cast<std::uint32_t>(callbacks_.size()));
+    callbacks_.emplace_back();
+  }
+  const std::uint32_t place = free_.back();
+  free_.pop_back();
+  callbacks_[place] = callback;
+  heap_.push({date, order, place});
 }
 
 void Events::handle_next() {
-  std::ranges::pop_heap(heap_, std::less<>());
-  const Event event = heap_.back();
-  heap_.pop_back();
+  const Event event = heap_.top();
+  heap_.pop();
+  free_.push_back(event.callback);
   now_ = event.date;
-  handle(event.callback);
+  handle(callbacks_[event.callback]);
 }
 
 void Events::handle(Callback callback) {

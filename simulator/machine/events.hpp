@@ -1,5 +1,6 @@
 #pragma once
 // The simulated clock and the events that are asked for, without the messages on links.
+#include <boost/heap/d_ary_heap.hpp>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -28,7 +29,7 @@ class Events {
   void soon(Callback callback) { soon_.push_back(callback); }
 
   /// The date of the next event; NEVER if there is none.
-  double next() const { return heap_.empty() ? NEVER : heap_.front().date; }
+  double next() const { return heap_.empty() ? NEVER : heap_.top().date; }
   /// Takes the next event, which there must be: the clock comes to its date.
   void handle_next();
   /// The clock goes on to `date`, unless it is there already.
@@ -57,7 +58,7 @@ class Events {
   struct Event {
     double date;
     std::uint64_t order;
-    Callback callback;
+    std::uint32_t callback;                 // its place
     bool operator<(const Event& o) const {  // for a heap whose top is the next event
       return date != o.date ? date > o.date : order > o.order;
     }
@@ -65,7 +66,9 @@ class Events {
   void ask(double date, std::uint64_t order, Callback callback);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;
-  std::vector<Event> heap_;
+  boost::heap::d_ary_heap<Event, boost::heap::arity<4>> heap_;
+  std::vector<Callback> callbacks_;  // of the events in the heap, which moves them often
+  std::vector<std::uint32_t> free_;  // places
   std::vector<Callback> soon_, soon_now_;
   std::uint64_t asked_first_ = 0, asked_ = FIRST, handled_ = 0;
   bool stopped_ = false, ignored_ = false;

@@ -59,15 +59,9 @@ void Forecast::foresee(Link& link, std::size_t direction) {
   std::ranges::push_heap(heap_, std::less<>());
 }
 
-Forecast::End Forecast::next() {
-  const auto valid = [&](std::size_t direction) {
-    return links_[direction / 2].ways[direction % 2].valid;
-  };
-  while (!heap_.empty() && valid(heap_.front().direction) != heap_.front().number) {
-    std::ranges::pop_heap(heap_, std::less<>());
-    heap_.pop_back();
-  }
-  return heap_.empty() ? End{} : end_of(heap_.front().direction);
+void Forecast::drop_top() {
+  std::ranges::pop_heap(heap_, std::less<>());
+  heap_.pop_back();
 }
 
 }  // namespace machine

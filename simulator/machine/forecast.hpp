@@ -31,10 +31,15 @@ class Forecast {
   };
   /// The first end of all that were foreseen, and the end of one message under way. Of those that
   /// end together, the one that was foreseen first comes first.
-  End next();
-  const End& end_of(std::size_t direction) const {
-    return links_[direction / 2].ways[direction % 2].end;
+  const End& next() {
+    static constexpr End NONE = {};
+    return next_date() < NONE.date ? end_of(heap_.front().direction) : NONE;
   }
+  double next_date() {
+    while (!heap_.empty() && way(heap_.front().direction).valid != heap_.front().number) drop_top();
+    return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().date;
+  }
+  const End& end_of(std::size_t direction) const { return way(direction).end; }
 
  private:
   struct Way {
@@ -59,6 +64,8 @@ class Forecast {
       return date != o.date ? date > o.date : number > o.number;
     }
   };
+  const Way& way(std::size_t direction) const { return links_[direction / 2].ways[direction % 2]; }
+  void drop_top();
   Link& change(std::size_t direction, double date);
   void foresee(Link& link, std::size_t direction);
 

@@ -102,4 +102,9 @@ class Processor {
   std::exception_ptr failure_;
 };
 
+inline Seconds Process::own_time() const {
+  const Seconds clock = processor_.now();
+  return debt_.value == 0 ? clock : clock + processor_.duration(debt_);
+}
+
 }  // namespace machine

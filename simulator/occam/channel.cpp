@@ -8,7 +8,8 @@ using machine::Seconds;
 
 Cycles compiled(Cycles instructions) {
   const double factor = this_process().processor().software_factor();
-  return Cycles{std::llround(factor * static_cast<double>(instructions.value))};
+  return factor == 1 ? instructions
+                     : Cycles{std::llround(factor * static_cast<double>(instructions.value))};
 }
 
 void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }

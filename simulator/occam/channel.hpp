@@ -54,7 +54,9 @@ class ChannelBase : machine::Wait {
   /// The process that would have to output for an ALT on the channel to go on; 0 if that is not
   /// known.
   machine::ProcessId last_writer() const { return ends_[writer].user; }
-  /// For ALT: whether an output is waiting at time `at`.
+  /// For ALT: whether an output is waiting, if only from a time to come on.
+  bool has_output() const { return ends_[writer].waiting.process != nullptr; }
+  /// The same at time `at`.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = ends_[writer].waiting;
     return waiting.process && waiting.since <= at && !cut();
