@@ -1,7 +1,5 @@
 #include "simulator/machine/process.hpp"
 
-#include <cmath>
-
 #include "simulator/machine/processor.hpp"
 
 namespace machine {
@@ -56,11 +54,7 @@ void Process::suspend() {
 }
 
 void Process::charge(Seconds duration) {
-  charge(Cycles{std::llround(duration.value * processor_.clock().value)});
-}
-
-void Process::sync() {
-  if (debt_.value > 0 || processor_.cpu().is_interrupted(*this)) suspend();
+  charge(round_to_cycles(duration.value * processor_.clock().value));
 }
 
 void Process::block(Wait& wait) {

@@ -57,7 +57,7 @@ class Process {
   }
   void charge(Seconds duration);
   /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
-  void sync();
+  inline void sync();
   void sync_if_low() {
     if (priority_ == Priority::low) sync();
   }

@@ -233,9 +233,12 @@ template <class Message>
 }
 
 /// The cycles of instructions of compiled occam: times the machine's software factor.
-Cycles compiled(Cycles instructions);
+inline Cycles compiled(Cycles instructions) {
+  return machine::round_to_cycles(this_process().processor().software_factor() *
+                                  static_cast<double>(instructions.value));
+}
 /// Spends them.
-void charge(Cycles instructions);
+inline void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
 /// Spends a duration, whatever the software factor; see Process::charge.
 void charge(machine::Seconds duration);
 /// The same for an instruction by its name in the model file's [instruction]: charge("lend").

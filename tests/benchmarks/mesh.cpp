@@ -41,7 +41,7 @@ Sample mesh(const Traffic& traffic, machine::EngineParams engine) {
 void add_mesh() {
   static const Traffic traffic = make_traffic();
   add_on_all("hops of 80 bytes, 8 x 8 mesh",
-              [](machine::EngineParams engine) { return mesh(traffic, engine); });
+             [](machine::EngineParams engine) { return mesh(traffic, engine); });
   add_simulation("hops of 80 bytes, 8 x 8 mesh", "simgrid",
                  [] { return raw_mesh(model(), traffic); });
 }
