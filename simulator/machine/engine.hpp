@@ -3,7 +3,7 @@
 //
 // Processor time is arbitrated by our own scheduler (SimGrid has no two-priority processor), which
 // needs only a clock and events at a date.
-#include "simulator/machine/carrier.hpp"
+#include "simulator/machine/carriers/carrier.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {

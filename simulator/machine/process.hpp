@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/machine/coroutine.hpp"
+#include "simulator/machine/carriers/coroutine.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {

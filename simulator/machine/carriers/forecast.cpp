@@ -1,4 +1,4 @@
-#include "simulator/machine/forecast.hpp"
+#include "simulator/machine/carriers/forecast.hpp"
 
 #include <algorithm>
 #include <functional>

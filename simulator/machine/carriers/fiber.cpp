@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-#include "simulator/machine/coroutine.hpp"
+#include "simulator/machine/carriers/coroutine.hpp"
 
 // The address sanitizer must be told when the stack changes; no effect on any result.
 #ifdef __SANITIZE_ADDRESS__

@@ -1,4 +1,4 @@
-#include "simulator/machine/events.hpp"
+#include "simulator/machine/carriers/events.hpp"
 
 #include <csignal>
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "simulator/machine/coroutine.hpp"
-#include "simulator/machine/events.hpp"
+#include "simulator/machine/carriers/coroutine.hpp"
+#include "simulator/machine/carriers/events.hpp"
 
 namespace machine {
 

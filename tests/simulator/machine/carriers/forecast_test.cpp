@@ -1,5 +1,5 @@
 // When messages on a link can end: bytes over rates, and the rates change when another comes.
-#include "simulator/machine/forecast.hpp"
+#include "simulator/machine/carriers/forecast.hpp"
 
 #include <gtest/gtest.h>
 #include <simgrid/s4u/Engine.hpp>

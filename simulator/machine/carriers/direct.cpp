@@ -1,7 +1,7 @@
 #include <vector>
 
-#include "simulator/machine/carrier.hpp"
-#include "simulator/machine/forecast.hpp"
+#include "simulator/machine/carriers/carrier.hpp"
+#include "simulator/machine/carriers/forecast.hpp"
 
 namespace machine {
 

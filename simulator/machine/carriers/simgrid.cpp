@@ -1,5 +1,6 @@
 #include <xbt/base.h>  // before version.h, which needs it
 
+#include <fmt/format.h>
 #include <simgrid/version.h>
 #include <simgrid/kernel/Timer.hpp>
 #include <simgrid/s4u.hpp>
@@ -11,9 +12,9 @@
 #include <exception>
 #include <utility>
 
-#include "simulator/machine/carrier.hpp"
-#include "simulator/machine/faults.hpp"
-#include "simulator/machine/forecast.hpp"
+#include "base/errors.hpp"
+#include "simulator/machine/carriers/carrier.hpp"
+#include "simulator/machine/carriers/forecast.hpp"
 
 namespace machine {
 

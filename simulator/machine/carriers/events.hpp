@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "simulator/machine/callback.hpp"
+#include "simulator/machine/carriers/callback.hpp"
 
 namespace machine {
 
