@@ -19,10 +19,6 @@ const std::string FAILS =
     "[[check]]\nname = \"wrong\"\nof = \"latency_s\"\nwithin = 0.01\n"
     "formula = \"bytes / link.one_way_rate\"\n";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(ExperimentsVerify, AFailingCheckEndsWithOneAndKeepsResults) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << SWEEP << HOLDS << FAILS;
