@@ -94,7 +94,7 @@ void add_run_command(CLI::App& app) {
                       "a file for what every processor and link did in the one point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
   command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
-  command->footer(describe_keys() + describe_programs());
+  command->footer([] { return describe_keys() + describe_programs(); });  // takes milliseconds
   command->callback([o] {
     if (o->list) return list_points(*o);
     if (!o->points.empty()) return run_chosen_points(*o);
