@@ -80,7 +80,7 @@ bool print_counts(const std::vector<Trial>& trials, const Options& o) {
 void add_options(CLI::App& app, Options& o) {
   app.add_flag(
       "--command", o.command,
-      "tries the command with files: every 16th time in a process of tlab beside this program");
+      "tries the command with files: every 256th time in a process of tlab beside this program");
   app.add_option("--reader", o.readers, "only these readers")->delimiter(',');
   auto* cases = app.add_option("--cases", o.cases, "for each reader")->capture_default_str();
   app.add_option("--hours", o.hours, "as many cases as this takes, in place of --cases")

@@ -94,7 +94,11 @@ void add_run_command(CLI::App& app) {
                       "a file for what every processor and link did in the one point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
   command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
-  command->footer(describe_keys() + describe_programs());
+  command->footer([] {  // is made when it is asked for, since it takes milliseconds
+    std::string text = describe_keys() + describe_programs();
+    text.pop_back();  // CLI11 adds the end of the last line
+    return text;
+  });
   command->callback([o] {
     if (o->list) return list_points(*o);
     if (!o->points.empty()) return run_chosen_points(*o);
