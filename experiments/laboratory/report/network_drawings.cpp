@@ -10,6 +10,7 @@
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "topologies/draw/layout.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
 namespace laboratory {
@@ -17,6 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
+
+constexpr int MAX_SHOWN = 1024;  // workers of a drawing within the report: 2 MB of it
 
 // Reads the busy share of the time, from 0 to 1; rounding may have led a hair beyond.
 double busy(const ordered_json& of, const std::string& name) {
@@ -47,8 +50,8 @@ std::string make_caption(const Simulation& s, std::size_t point) {
   return join_texts(parts, ", ");
 }
 
-std::string draw(const Point& point, const std::string& caption, const ordered_json& use) {
-  auto topology = make_workers(point.experiment);
+std::string draw(topologies::Topology topology, const std::string& caption,
+                 const ordered_json& use) {
   const auto &cpus = use.at("cpus"), &links = use.at("links");
   keep_links_of(topology, links);
   topologies::Loads loads;
@@ -112,10 +115,25 @@ NetworkDrawings draw_networks(const fs::path& folder, const Simulation& s) {
     const Point& point = s.file.points[i];
     try {
       const auto caption = make_caption(s, i);
+      const auto topology = make_workers(point.experiment);
+      const int workers = topology.processors;
+      if (workers > topologies::MAX_DRAWN) {
+        networks.notes.push_back(
+            fmt::format("not drawn: network at {}: {} workers, a drawing has at most {}",
+                        name_of(point), workers, topologies::MAX_DRAWN));
+        continue;
+      }
       const auto use = load_record(folder / s.records[i]).use;
-      const auto svg = draw(point, caption, use);
-      base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
-      if (is_largest[i]) networks.drawings.push_back({caption, svg});
+      const auto svg = draw(topology, caption, use);
+      const auto file = fs::path("networks") / (file_name(point) + ".svg");
+      base::save_whole(folder / file, svg);
+      if (!is_largest[i]) continue;
+      if (workers <= MAX_SHOWN)
+        networks.drawings.push_back({caption, svg});
+      else
+        networks.notes.push_back(
+            fmt::format("the network at {} is in {}: {} workers, this page shows at most {}",
+                        name_of(point), file.string(), workers, MAX_SHOWN));
     } catch (const std::exception& error) {
       networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), error.what()));
     }
