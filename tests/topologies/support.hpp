@@ -86,12 +86,13 @@ inline void shuffle_ports(Topology& t, std::mt19937& random) {
     for (End* end : {&link.a, &link.b}) end->port = ports[end->processor][end->port];
 }
 
-// Links another network to the last processor that has a free port.
+// Links another network to the last processor that has a free port, if it has one itself.
 inline void append(Topology& t, const Topology& other) {
   const int first = t.processors;
   int at = first - 1, there = 0;
   while (free_port(t, at) < 0) --at;
-  while (free_port(other, there) < 0) ++there;
+  while (there < other.processors && free_port(other, there) < 0) ++there;
+  if (there == other.processors) return;
   t.links.push_back({{at, free_port(t, at)}, {first + there, free_port(other, there)}});
   for (const auto& [a, b] : other.links)
     t.links.push_back({{first + a.processor, a.port}, {first + b.processor, b.port}});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
@@ -21,21 +22,25 @@ namespace fs = std::filesystem;
 
 constexpr int MAX_SHOWN = 1024;  // workers of a drawing within the report: 2 MB of it
 
-// Reads the busy share of the time, from 0 to 1; rounding may have led a hair beyond.
-double busy(const ordered_json& of, const std::string& name) {
-  return std::clamp(of.at(name).at("busy").get<double>(), 0.0, 1.0);
+// Shares of the time, from 0 to 1; rounding may have led a hair beyond.
+using Busy = std::unordered_map<std::string, double>;  // by name
+
+Busy read_busy(const ordered_json& all) {
+  Busy busy;
+  for (const auto& [name, of] : all.items())
+    busy[name] = std::clamp(of.at("busy").get<double>(), 0.0, 1.0);
+  return busy;
 }
 
-std::array<double, 2> both_ways(const ordered_json& links, const std::string& a,
-                                const std::string& b) {
-  return {busy(links, a + ">" + b), busy(links, b + ">" + a)};
+std::array<double, 2> both_ways(const Busy& links, const std::string& a, const std::string& b) {
+  return {links.at(a + ">" + b), links.at(b + ">" + a)};
 }
 
 // Names the worker of a processor as records do.
 std::string worker(int id) { return fmt::format("worker{}", id + 1); }
 
 // Removes the link that the farm opens where the root has no free one: the record lacks it.
-void keep_links_of(topologies::Topology& topology, const ordered_json& links) {
+void keep_links_of(topologies::Topology& topology, const Busy& links) {
   std::erase_if(topology.links, [&](const topologies::Link& link) {
     return !links.contains(worker(link.a.processor) + ">" + worker(link.b.processor));
   });
@@ -52,20 +57,20 @@ std::string make_caption(const Simulation& s, std::size_t point) {
 
 std::string draw(topologies::Topology topology, const std::string& caption,
                  const ordered_json& use) {
-  const auto &cpus = use.at("cpus"), &links = use.at("links");
+  const auto cpus = read_busy(use.at("cpus")), links = read_busy(use.at("links"));
   keep_links_of(topology, links);
   topologies::Loads loads;
   loads.title = caption;
   for (int id = 0; id < topology.processors; ++id) {
-    loads.processors.push_back(busy(cpus, worker(id)));
+    loads.processors.push_back(cpus.at(worker(id)));
     loads.labels.push_back(std::to_string(id + 1));
   }
   for (const auto& link : topology.links)
     loads.links.push_back(both_ways(links, worker(link.a.processor), worker(link.b.processor)));
   const auto root = worker(topology.root);
-  loads.extras = {{"coordinator", busy(cpus, "coordinator"), "", {}},
-                  {"database", busy(cpus, "database"), "coordinator", {}},
-                  {"display", busy(cpus, "display"), "coordinator", {}}};
+  loads.extras = {{"coordinator", cpus.at("coordinator"), "", {}},
+                  {"database", cpus.at("database"), "coordinator", {}},
+                  {"display", cpus.at("display"), "coordinator", {}}};
   for (std::size_t i = 0; i < loads.extras.size(); ++i) {
     auto& extra = loads.extras[i];
     extra.link = both_ways(links, extra.name, i == 0 ? root : "coordinator");
