@@ -12,7 +12,6 @@
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
-#include "experiments/laboratory/points/read_json.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
@@ -57,15 +56,14 @@ std::string make_seal(std::string_view text) {
 }
 
 // Reads a record, or null where its bytes are not those that were written, or it is of another key.
-// `filter`: see nlohmann::json::parse; or null for the whole record.
+// `filter`: see nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
   const std::string text = base::read_text(file);
   const std::size_t end = make_seal("").size();
   if (text.size() < end) return {};
   const auto sealed = std::string_view(text).substr(0, text.size() - end);
   if (!text.ends_with(make_seal(sealed))) return {};
-  if (!ordered_json::accept(text)) return {};
-  auto record = filter ? ordered_json::parse(text, filter) : read_json(text);
+  auto record = ordered_json::parse(text, filter, false);
   return record.is_object() && record.value("key", "") == file.stem() ? record : ordered_json();
 }
 

@@ -10,7 +10,6 @@
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
-#include "experiments/laboratory/points/read_json.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 
@@ -113,7 +112,8 @@ void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers,
       [&](std::size_t i) { return to_json(run_and_save(plan, numbers[i])).dump(); },
       [&](JobEnd end) {
         auto& result = results[numbers[end.index]];
-        result = end.died.empty() ? to_result(read_json(end.result)) : make_failure(end.died);
+        result =
+            end.died.empty() ? to_result(ordered_json::parse(end.result)) : make_failure(end.died);
         if (result.ended == "interrupt" && !was_interrupted())
           result = make_failure("its process was asked to end, and tlab was not");
         if (result.is_failed()) finish_failure(plan, numbers[end.index], result, bar);

@@ -25,11 +25,21 @@ constexpr int MAX_SHOWN = 1024;  // workers of a drawing within the report: 2 MB
 // Shares of the time, from 0 to 1; rounding may have led a hair beyond.
 using Busy = std::unordered_map<std::string, double>;  // by name
 
-Busy read_busy(const ordered_json& all) {
-  Busy busy;
-  for (const auto& [name, of] : all.items())
-    busy[name] = std::clamp(of.at("busy").get<double>(), 0.0, 1.0);
-  return busy;
+double busy(const ordered_json& of) { return std::clamp(of.at("busy").get<double>(), 0.0, 1.0); }
+
+Busy read_cpus(const ordered_json& use) {
+  Busy cpus;
+  for (const auto& cpu : use.at("cpus")) cpus[cpu.at("name")] = busy(cpu);
+  return cpus;
+}
+
+// By "FROM>TO".
+Busy read_links(const ordered_json& use) {
+  Busy links;
+  for (const auto& link : use.at("links"))
+    links[fmt::format("{}>{}", link.at("from").get_ref<const std::string&>(),
+                      link.at("to").get_ref<const std::string&>())] = busy(link);
+  return links;
 }
 
 std::array<double, 2> both_ways(const Busy& links, const std::string& a, const std::string& b) {
@@ -57,7 +67,7 @@ std::string make_caption(const Simulation& s, std::size_t point) {
 
 std::string draw(topologies::Topology topology, const std::string& caption,
                  const ordered_json& use) {
-  const auto cpus = read_busy(use.at("cpus")), links = read_busy(use.at("links"));
+  const auto cpus = read_cpus(use), links = read_links(use);
   keep_links_of(topology, links);
   topologies::Loads loads;
   loads.title = caption;

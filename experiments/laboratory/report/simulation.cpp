@@ -8,7 +8,6 @@
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
-#include "experiments/laboratory/points/read_json.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/machine/engine.hpp"
@@ -95,7 +94,7 @@ std::vector<SavedImage> read_images(const ordered_json& point) {
 }  // namespace
 
 Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
-  const auto run = read_json(base::read_text(folder / "run.json"));
+  const auto run = ordered_json::parse(base::read_text(folder / "run.json"));
   Simulation s;
   s.file = file;
   s.file.points.clear();
