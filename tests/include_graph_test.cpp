@@ -223,13 +223,14 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       // (tests/benchmarks/raw_simgrid.cpp is SimGrid without us, to be measured against;
       // forecast_test.cpp sets SimGrid wrong.)
       {{"simgrid/", "xbt/"},
-       std::regex("simulator/machine/engine\\.cpp|tests/simulator/machine/forecast_test\\.cpp|"
+       std::regex("simulator/machine/carriers/simgrid\\.cpp|tests/simulator/machine/carriers/"
+                  "forecast_test\\.cpp|"
                   "tests/benchmarks/raw_simgrid\\.cpp")},
       {{"boost/graph/"}, std::regex("topologies/.*\\.cpp")},
       {{"boost/container/"},
        std::regex("renderer/radiosity/light/mirrors\\.cpp|simulator/occam/alt\\.hpp|"
                   "renderer/progressive/sampled_cell\\.(hpp|cpp)")},
-      {{"boost/context/"}, std::regex("simulator/machine/fiber\\.cpp")},
+      {{"boost/context/"}, std::regex("simulator/machine/carriers/fiber\\.cpp")},
       {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
       {{"pugixml"}, std::regex("topologies/files/graphml\\.cpp")},
       {{"CLI/"},

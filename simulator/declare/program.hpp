@@ -39,7 +39,7 @@ struct Setup {
   std::vector<PlannedFault> faults = {};  ///< where the program uses faults
   std::optional<double> cycles_per_host_s = {};  ///< where costs are timed: charge host time
   bool profile = false;                          ///< measure the host time of kernels
-  machine::Processes processes = machine::Processes::fibers;
+  machine::EngineParams engine = {};
 };
 
 /// A picture of what was computed: equal runs give equal bytes.

@@ -34,7 +34,7 @@ inline void compute(Cycles cycles) { this_process().charge(cycles); }
 struct Machine : machine::Machine {
   /// `software_factor` as machine::Machine has it.
   Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY, double software_factor = 1)
-      : machine::Machine(setup.model, software_factor, setup.processes) {
+      : machine::Machine(setup.model, software_factor, setup.engine) {
     for (int id = 0; id < count; ++id) add_processor(fmt::format("p{}", id), memory);
   }
   machine::Processor& operator[](int id) const { return *processors()[id]; }

@@ -303,7 +303,7 @@ void check(const Params& params) {
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,
                 const renderer::Scene& scene, const Params& params) {
   check(params);
-  Machine machine(model, model.software.occam_factor, params.processes);
+  Machine machine(model, model.software.occam_factor, params.engine);
   Wires wires;
   Kernel kernel = make_kernel(model, scene, params);
   Centre centre(machine, scene, params, params.block ? kernel.block : kernel.ray);

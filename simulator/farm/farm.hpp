@@ -38,7 +38,7 @@ struct Params {
   /// this; else their counts. The ray database's operations are counted in any case.
   std::optional<double> cycles_per_host_s;
   bool profile = false;  ///< measure the host time spent in kernels
-  machine::Processes processes = machine::Processes::fibers;
+  machine::EngineParams engine = {};
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 

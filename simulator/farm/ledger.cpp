@@ -2,17 +2,15 @@
 
 namespace farm {
 
-using renderer::Params;
-
 namespace {
 
-std::uint32_t corner_number(const Params& params, int x, int y) {
+std::uint32_t corner_number(const renderer::Params& params, int x, int y) {
   return static_cast<std::uint32_t>(y * (params.width + 1) + x);
 }
 
 }  // namespace
 
-Ledger::Ledger(const Params& params) : params_(params), area_(get_area(params)) {}
+Ledger::Ledger(const renderer::Params& params) : params_(params), area_(get_area(params)) {}
 
 std::vector<std::pair<int, int>> Ledger::ask_corners(std::uint32_t pixel) {
   const int x = static_cast<int>(pixel) % params_.width,

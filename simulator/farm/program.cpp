@@ -154,7 +154,7 @@ Params make_params(const Setup& setup, const ProgramParams& params) {
   Params farm = params.farm;
   farm.cycles_per_host_s = setup.cycles_per_host_s;
   farm.profile = setup.profile;
-  farm.processes = setup.processes;
+  farm.engine = setup.engine;
   farm.watch = setup.watch;
   return farm;
 }

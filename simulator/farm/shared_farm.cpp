@@ -102,7 +102,7 @@ class SharedFarm {
         scene_(scene),
         items_(model, scene),
         data_params_(make_data_params(model, tracing::size_of(scene), data)),
-        machine_(model, model.software.occam_factor, params.processes),
+        machine_(model, model.software.occam_factor, params.engine),
         pixel_bytes_(kernels::record_bytes(model).pixel),
         display_cost_(central_cost("display", model, params)),
         block_cost_("block", kernels::tree_costs(model), params.cycles_per_host_s),

@@ -65,7 +65,7 @@ class Run {
       const renderer::Scene& scene, const Params& params)
       : params_(params),
         topology_(topology),
-        machine_(model, model.software.occam_factor, params.processes),
+        machine_(model, model.software.occam_factor, params.engine),
         items_(params.data ? std::optional<shared_memory::SceneItems>(std::in_place, model, scene)
                            : std::nullopt),
         shared_{

@@ -52,7 +52,7 @@ struct Params {
   std::optional<std::uint64_t> memory;            ///< bytes of each processor; else the model's
   std::vector<programs::PlannedFault> faults;
   std::optional<double> cycles_per_host_s;  ///< as farm::Params
-  machine::Processes processes = machine::Processes::fibers;
+  machine::EngineParams engine = {};
   observe::Watch* watch = nullptr;
 };
 constexpr int MAX_CELL = 512;

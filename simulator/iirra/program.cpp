@@ -147,7 +147,7 @@ Params make_params(const Setup& setup, const ProgramParams& params) {
   Params iirra = params.iirra;
   iirra.faults = setup.faults;
   iirra.cycles_per_host_s = setup.cycles_per_host_s;
-  iirra.processes = setup.processes;
+  iirra.engine = setup.engine;
   iirra.watch = setup.watch;
   if (params.data) iirra.method = params.data->method;
   if (shares_data(params))

@@ -31,9 +31,9 @@ Ordering make_ordering(const Shared& shared) {
           p.seed,      p.weights,  shared.quadrants};
 }
 
-machine::Memory& memory() { return this_process().processor().memory(); }
+machine::Memory& own_memory() { return this_process().processor().memory(); }
 void allocate(std::uint64_t bytes, const char* what) {
-  memory().allocate(bytes, what, this_process().own_time());
+  own_memory().allocate(bytes, what, this_process().own_time());
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void Worker::work() {
       rest();
       continue;
     }
-    memory().release(sizes_.cell);
+    own_memory().release(sizes_.cell);
     shared_.record.last_task_s = this_process().own_time().value;
     if (stores_.active() < static_cast<std::size_t>(params_.reserve)) balance_->ask();
     advance(*task);
@@ -142,7 +142,7 @@ void Worker::deepen(const SampledCell& cell, int pass, int level) {
         continue;
       }
       sample.waiting.erase(sample.waiting.begin() + static_cast<std::ptrdiff_t>(i));
-      memory().release(sizes_.ray);
+      own_memory().release(sizes_.ray);
       trace(sample, ray, is_outside);
     }
     if (!is_outside) extend(sample, p);
@@ -204,7 +204,7 @@ int Worker::find_wanted(Sample& sample, const Point& p) {
   }
   open.wanted = renderer::find_wanted(params_.image.sampling, open.samples, corners);
   if (open.wanted == sample.begun) {
-    memory().release(sizes_.pixel * open.samples.size());
+    own_memory().release(sizes_.pixel * open.samples.size());
     open.samples.clear();
   }
   return open.wanted;
@@ -313,7 +313,7 @@ void Worker::begin_phase(const NewPhase& phase) {
   new_parked_ = 0;
   new_finished_ = finished_;
   for (const Task& task : stores_.take_all()) {
-    memory().release(sizes_.cell);
+    own_memory().release(sizes_.cell);
     put(task.cell);
   }
   balance_->created();
@@ -339,7 +339,7 @@ std::size_t Worker::give(int to) {
   while (tasks.cells.size() < most) {
     const auto task = stores_.take_last(may_go, work_);
     if (!task) break;
-    memory().release(sizes_.cell);
+    own_memory().release(sizes_.cell);
     tasks.cells.push_back(pack(task->cell));
     bytes += sizes_.of(tasks.cells.back());
   }
@@ -359,7 +359,7 @@ MovedCell Worker::pack(const TaskCell& cell) {
   MovedCell moved{cell, {}};
   const auto forget_inner = [&](const Point& p) {
     if (!is_inner(cell, p)) return;
-    memory().release(sizes_.of(samples_.at(p)));
+    own_memory().release(sizes_.of(samples_.at(p)));
     samples_.erase(p);
   };
   for (const Point& p : points_of(cell)) {
@@ -381,7 +381,7 @@ void Worker::unpack(const MovedCell& moved, bool is_first) {
     const Sample& sample = moved.samples.at(i++);
     if (samples_.has(p)) {
       if (samples_.at(p).rays.total() >= sample.rays.total()) continue;
-      memory().release(sizes_.of(samples_.at(p)));
+      own_memory().release(sizes_.of(samples_.at(p)));
     }
     allocate(sizes_.of(sample), "samples");
     samples_[p] = sample;

@@ -85,7 +85,10 @@ class Cpu {
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
 
   /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
-  Seconds duration(Cycles cycles) const { return {(cycles / model_.cpu.clock).value / speed_}; }
+  Seconds duration(Cycles cycles) const {
+    const Seconds alone = cycles / model_.cpu.clock;
+    return speed_ == 1 ? alone : Seconds{alone.value / speed_};
+  }
   /// From now on `thief`, which is the DMA of a link by its port (0 to 3), BY_COMPANION or the DMA
   /// of a companion's link behind it, takes this share of the CPU's cycles: whatever is being
   /// computed ends later. (What a high-priority process charged just before it blocked is certain

@@ -32,7 +32,7 @@ void LinkDirection::move() {
   if (bytes_ == 0)
     engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
   else
-    engine_.transfer(from_.id(), to_.id(), bytes_, [this] { end(); });
+    engine_.transfer(number_, bytes_, [this] { end(); });
 }
 
 void LinkDirection::end() {

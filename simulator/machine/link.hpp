@@ -41,10 +41,15 @@ class Cable {
 /// One direction of a link.
 class LinkDirection {
  public:
-  /// `delay`: time of every message in the link switches on the way.
-  LinkDirection(Engine& engine, Processor& from, Processor& to, std::shared_ptr<Cable> cable,
-                Seconds delay)
-      : engine_(engine), from_(from), to_(to), cable_(std::move(cable)), delay_(delay) {}
+  /// `number` is the engine's; `delay` the time of every message in the link switches on the way.
+  LinkDirection(Engine& engine, std::size_t number, Processor& from, Processor& to,
+                std::shared_ptr<Cable> cable, Seconds delay)
+      : engine_(engine),
+        number_(number),
+        from_(from),
+        to_(to),
+        cable_(std::move(cable)),
+        delay_(delay) {}
 
   /// The direction is this channel's. Throws Misuse if it is another's.
   void carry(const std::string& channel);
@@ -52,6 +57,7 @@ class LinkDirection {
   /// `channel`, the name of the message's channel, must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
 
+  std::size_t number() const { return number_; }  ///< the engine's
   Processor& from() const { return from_; }
   Processor& to() const { return to_; }
   /// Nothing arrives any more, and nothing may be sent; the link's other direction is cut at the
@@ -69,6 +75,7 @@ class LinkDirection {
   void end();
 
   Engine& engine_;
+  std::size_t number_;
   Processor& from_;
   Processor& to_;
   std::shared_ptr<Cable> cable_;

@@ -10,7 +10,7 @@ constexpr std::size_t MAX_LINKS = 4, WORD_BYTES = 4;
 
 // With link switches a byte's period is longer, since the next byte waits for the acknowledge of
 // the one before, and both pass every switch.
-Engine::LinkRates rates_through(const Model::Link& link, int switches) {
+LinkRates rates_through(const Model::Link& link, int switches) {
   const double period = link.bit_rate / link.one_way_rate + switches * link.switch_byte_bits;
   const double rate = link.bit_rate / period;
   return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
@@ -154,9 +154,10 @@ void Machine::connect(Processor& a, Processor& b, int switches) {
       Cable::End{&a, ports_[a.id()]++}, Cable::End{&b, ports_[b.id()]++},
       std::array{steal * rates.one_way, steal * std::min(rates.both_ways, 2 * rates.one_way)});
   const Seconds delay{switches * model_.link.switch_bits / model_.link.bit_rate};
-  engine_.add_link(a.id(), b.id(), rates);
+  std::size_t direction = engine_.add_link(a.id(), b.id(), rates);
   for (auto [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    links_.push_back(std::make_unique<LinkDirection>(engine_, *from, *to, cable, delay));
+    links_.push_back(
+        std::make_unique<LinkDirection>(engine_, direction++, *from, *to, cable, delay));
     link_of_[{from->id(), to->id()}] = links_.back().get();
   }
 }
@@ -240,7 +241,7 @@ bool Machine::is_over() const {
 }
 
 bool Machine::cut_both_ways(LinkDirection& link) {
-  engine_.cut(link.from().id(), link.to().id());
+  engine_.cut(link.number());
   const bool there = link.cut(), back = this->link(link.to(), link.from()).cut();
   return there || back;
 }

@@ -26,9 +26,8 @@ class Machine {
  public:
   /// `software_factor` multiplies the cycles of occam's channel instructions: 1 is what the data
   /// sheet says they take, model.software.occam_factor what they take compiled programs off chip.
-  explicit Machine(const Model& model, double software_factor = 1,
-                   Processes processes = Processes::fibers)
-      : model_(model), software_factor_(software_factor), engine_(processes) {}
+  explicit Machine(const Model& model, double software_factor = 1, EngineParams engine = {})
+      : model_(model), software_factor_(software_factor), engine_(engine) {}
 
   /// `memory` in bytes; `role` as Processor::role().
   Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {});

@@ -43,7 +43,7 @@ struct Model {
   } memory;
   struct Link {
     double bit_rate;                      // bits/s
-    double one_way_rate, both_ways_rate;  // bytes/s, see Engine::LinkRates
+    double one_way_rate, both_ways_rate;  // bytes/s, see LinkRates
     double switch_bits;       // delay of a C004 link switch, in bit times, each time it is passed
     double switch_byte_bits;  // what each switch adds to the period of a byte, in bit times
   } link;

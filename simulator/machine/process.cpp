@@ -1,14 +1,11 @@
 #include "simulator/machine/process.hpp"
 
-#include <cmath>
-
 #include "simulator/machine/processor.hpp"
 
 namespace machine {
 
 namespace {
 
-Process* executing = nullptr;
 ProcessId last_id = 0;
 
 // Unwinds the body of a process that is destroyed before it has ended.
@@ -16,10 +13,8 @@ struct Cancelled {};
 
 }  // namespace
 
-Process& this_process() {
-  if (!executing)
-    throw base::InvariantBroken("a process's operation was called outside of any process");
-  return *executing;
+void throw_outside_of_process() {
+  throw base::InvariantBroken("a process's operation was called outside of any process");
 }
 
 Process::Process(Processor& processor, std::string name, Priority priority, Body body)
@@ -59,11 +54,7 @@ void Process::suspend() {
 }
 
 void Process::charge(Seconds duration) {
-  charge(Cycles{std::llround(duration.value * processor_.clock().value)});
-}
-
-void Process::sync() {
-  if (debt_.value > 0 || processor_.cpu().is_interrupted(*this)) suspend();
+  charge(round_to_cycles(duration.value * processor_.clock().value));
 }
 
 void Process::block(Wait& wait) {
@@ -96,11 +87,6 @@ Seconds Process::now() {
                              processor_.name(), processor_.now().value));
   sync();
   return processor_.now();
-}
-
-Seconds Process::own_time() const {
-  const Seconds clock = processor_.now();
-  return debt_.value == 0 ? clock : clock + processor_.duration(debt_);
 }
 
 }  // namespace machine

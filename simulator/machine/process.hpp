@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/machine/coroutine.hpp"
+#include "simulator/machine/carriers/coroutine.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
@@ -57,7 +57,7 @@ class Process {
   }
   void charge(Seconds duration);
   /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
-  void sync();
+  inline void sync();
   void sync_if_low() {
     if (priority_ == Priority::low) sync();
   }
@@ -72,7 +72,7 @@ class Process {
   Seconds now();
   /// The clock plus the debt, as the CPU would pay it if nothing pre-empted the process and the
   /// links' DMA went on as now. What a process that has no debt is told is exact.
-  Seconds own_time() const;
+  inline Seconds own_time() const;
 
   Processor& processor() { return processor_; }
   const Processor& processor() const { return processor_; }
@@ -103,6 +103,8 @@ class Process {
  private:
   friend class Cpu;
   friend class Processor;
+  friend Process& this_process();
+  static inline Process* executing = nullptr;
   static constexpr Cycles LONG_DEBT{1000}, MUCH_DEBT{1 << 20}, MOST_DEBT{1 << 30};
   void sync_if_much();
   void resume();   // the CPU enters the body, until it suspends or ends
@@ -129,7 +131,11 @@ class Process {
   std::uint32_t trace_id_ = 0;
 };
 
+[[noreturn]] void throw_outside_of_process();
 /// The process whose body is executing. Throws InvariantBroken outside of any process.
-Process& this_process();
+inline Process& this_process() {
+  if (!Process::executing) throw_outside_of_process();
+  return *Process::executing;
+}
 
 }  // namespace machine

@@ -102,4 +102,13 @@ class Processor {
   std::exception_ptr failure_;
 };
 
+inline void Process::sync() {
+  if (debt_.value > 0 || processor_.cpu().is_interrupted(*this)) suspend();
+}
+
+inline Seconds Process::own_time() const {
+  const Seconds clock = processor_.now();
+  return debt_.value == 0 ? clock : clock + processor_.duration(debt_);
+}
+
 }  // namespace machine

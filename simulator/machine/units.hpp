@@ -24,6 +24,14 @@ struct Cycles {
 inline Cycles operator+(Cycles a, Cycles b) { return {a.value + b.value}; }
 inline Cycles operator*(std::int64_t k, Cycles a) { return {k * a.value}; }
 
+/// Rounds to whole cycles, halves away from zero, as std::llround does; it is called for every
+/// instruction, and inline. At most 2^52 cycles.
+inline Cycles round_to_cycles(double cycles) {
+  const auto whole = static_cast<std::int64_t>(cycles);
+  const double rest = cycles - static_cast<double>(whole);
+  return {whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0)};
+}
+
 struct Hertz {
   double value = 1;
 };

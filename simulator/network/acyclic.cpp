@@ -37,14 +37,14 @@ struct WayOut {
   }
 };
 
-class Router {
+class AcyclicRouter {
  public:
-  explicit Router(Node& node) : node_(node), ways_(node.ways()) {
+  explicit AcyclicRouter(Node& node) : node_(node), ways_(node.ways()) {
     for (const int way : ways_)
       outs_.at(way) = std::make_unique<WayOut>(node.processor->name(), way, ways_);
   }
 
-  void start(const std::shared_ptr<Router>& self) {
+  void start(const std::shared_ptr<AcyclicRouter>& self) {
     for (const int way : ways_) {
       start_server(node_, fmt::format("receiver{}", way), [self, way] { self->receive(way); });
       if (way < CLIENT) {
@@ -150,7 +150,7 @@ class Router {
 }  // namespace
 
 void start_acyclic(Node& node) {
-  const auto router = std::make_shared<Router>(node);
+  const auto router = std::make_shared<AcyclicRouter>(node);
   router->start(router);
 }
 

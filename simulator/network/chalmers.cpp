@@ -8,9 +8,9 @@ namespace network {
 
 namespace {
 
-class Router {
+class ChalmersRouter {
  public:
-  explicit Router(Node& node) : node_(node), inputs_(node.inputs()) {
+  explicit ChalmersRouter(Node& node) : node_(node), inputs_(node.inputs()) {
     name_ = node.processor->name() + ".to.handle.input";
     sender_ = node.processor->name() + ".send";
   }
@@ -93,7 +93,7 @@ class Router {
 
 void start_chalmers(Node& node) {
   start_server(
-      node, "router", [&node] { Router(node).run(); }, machine::Priority::low);
+      node, "router", [&node] { ChalmersRouter(node).run(); }, machine::Priority::low);
 }
 
 }  // namespace network

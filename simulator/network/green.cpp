@@ -9,9 +9,9 @@ namespace network {
 
 namespace {
 
-class Router {
+class GreenRouter {
  public:
-  explicit Router(Node& node) : node_(node), inputs_(node.inputs()) {
+  explicit GreenRouter(Node& node) : node_(node), inputs_(node.inputs()) {
     for (const int way : node.ways()) {
       const bool to_lower = way < CLIENT && node.routing->neighbour(node.id, way) < node.id;
       if (!to_lower && way < CLIENT) continue;
@@ -93,7 +93,7 @@ class Router {
 }  // namespace
 
 void start_green(Node& node) {
-  auto router = std::make_shared<Router>(node);
+  auto router = std::make_shared<GreenRouter>(node);
   start_server(node, "router", [router] { router->run(); });
 }
 

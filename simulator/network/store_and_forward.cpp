@@ -8,7 +8,7 @@ using machine::Priority;
 
 namespace {
 
-constexpr int WAYS = topologies::PORTS + 1;
+constexpr int NODE_WAYS = topologies::PORTS + 1;
 
 std::string name(const machine::Processor& on, const char* what, int way) {
   return way < topologies::PORTS ? fmt::format("{}.{}{}", on.name(), what, way)
@@ -43,8 +43,8 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
     const auto& own = at(id)->name();
     into_.emplace_back(own + ".into");
     delivered_.emplace_back(own + ".delivered");
-    Node node{at(id), std::vector(WAYS, std::vector<Channel<Pointer>*>(WAYS)),
-              std::vector<Channel<Signal>*>(WAYS), std::vector<Channel<Pointer>*>(WAYS)};
+    Node node{at(id), std::vector(NODE_WAYS, std::vector<Channel<Pointer>*>(NODE_WAYS)),
+              std::vector<Channel<Signal>*>(NODE_WAYS), std::vector<Channel<Pointer>*>(NODE_WAYS)};
     const auto ways = ways_of(around[id]);
     for (int out : ways) {
       node.sent[out] = soft(signals_, name(*at(id), "sent", out));

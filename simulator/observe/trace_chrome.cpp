@@ -6,7 +6,7 @@ namespace observe {
 
 namespace {
 
-std::string quote(std::string_view text) {
+std::string quote_json(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\')
@@ -49,7 +49,7 @@ class ChromeFile {
                            "{{\"name\":{}}}}},\n"
                            "{{\"ph\":\"M\",\"pid\":{},\"name\":\"process_sort_index\",\"args\":"
                            "{{\"sort_index\":{}}}}},\n"),
-               pid, quote(name), pid, place);
+               pid, quote_json(name), pid, place);
   }
 
   void name_track(std::size_t pid, std::size_t tid, const std::string& name) {
@@ -57,7 +57,7 @@ class ChromeFile {
                            "\"args\":{{\"name\":{}}}}},\n"
                            "{{\"ph\":\"M\",\"pid\":{},\"tid\":{},\"name\":\"thread_sort_index\","
                            "\"args\":{{\"sort_index\":{}}}}},\n"),
-               pid, tid, quote(name), pid, tid, tid);
+               pid, tid, quote_json(name), pid, tid, tid);
   }
 
   // Also writes a slice as long as the window, so that idle ends of it are shown.
@@ -73,7 +73,7 @@ class ChromeFile {
     name_process(numbers_.window(), 0, title);
     name_track(numbers_.window(), numbers_.window(), "window");
     write_slice(numbers_.window(), numbers_.window(), trace_.begin_s, trace_.end_s);
-    out_.print(FMT_COMPILE(",\"name\":{},\"cat\":\"window\"}}"), quote(title));
+    out_.print(FMT_COMPILE(",\"name\":{},\"cat\":\"window\"}}"), quote_json(title));
   }
 
   // Writes a slice without its closing brace.
@@ -85,7 +85,7 @@ class ChromeFile {
 
   void write_transfers() {
     std::vector<std::string> channels;
-    for (const auto& name : trace_.channels) channels.push_back(quote(name));
+    for (const auto& name : trace_.channels) channels.push_back(quote_json(name));
     for (std::size_t i = 0; i < trace_.transfers.size(); ++i) {
       const auto& transfer = trace_.transfers[i];
       const auto& link = trace_.links[transfer.link];
@@ -111,8 +111,8 @@ class ChromeFile {
     const std::string switching = "\"switching\",\"cat\":\"switching\",\"cname\":\"grey\"";
     std::vector<std::string> high, low;  // ends of slices, by process
     for (const auto& process : trace_.processes) {
-      high.push_back(quote(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
-      low.push_back(quote(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");
+      high.push_back(quote_json(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
+      low.push_back(quote_json(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");
     }
     for (const auto& span : trace_.spans) {
       const auto& end = span.doing == Trace::Doing::switching ? switching

@@ -60,7 +60,7 @@ std::string make_header() {
   return text.append(TYPES);
 }
 
-std::string quote(std::string_view text) {
+std::string quote_paje(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text.empty() ? "-" : text) {  // PajeNG cannot read an empty one
     const auto code = static_cast<unsigned char>(c);
@@ -71,7 +71,7 @@ std::string quote(std::string_view text) {
 
 std::vector<std::string> quote_all(const std::vector<std::string>& names) {
   std::vector<std::string> quoted;
-  for (const auto& name : names) quoted.push_back(quote(name));
+  for (const auto& name : names) quoted.push_back(quote_paje(name));
   return quoted;
 }
 
@@ -79,7 +79,7 @@ class PajeFile {
  public:
   PajeFile(const Trace& trace, std::ostream& out)
       : trace_(trace), channels_(quote_all(trace.channels)), out_(out) {
-    for (const auto& process : trace.processes) processes_.push_back(quote(process.name));
+    for (const auto& process : trace.processes) processes_.push_back(quote_paje(process.name));
   }
 
   void write() {
@@ -109,19 +109,21 @@ class PajeFile {
 
   void create_containers() {
     begin(9);
-    out_.print(FMT_COMPILE("m Machine 0 {}\n"), quote(trace_.title.empty() ? "run" : trace_.title));
+    out_.print(FMT_COMPILE("m Machine 0 {}\n"),
+               quote_paje(trace_.title.empty() ? "run" : trace_.title));
     for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
       begin(9);
-      out_.print(FMT_COMPILE("p{} Processor m {}\n"), i, quote(trace_.processors[i]));
+      out_.print(FMT_COMPILE("p{} Processor m {}\n"), i, quote_paje(trace_.processors[i]));
       begin(9);
-      out_.print(FMT_COMPILE("c{} Cpu p{} {}\n"), i, i, quote("CPU of " + trace_.processors[i]));
+      out_.print(FMT_COMPILE("c{} Cpu p{} {}\n"), i, i,
+                 quote_paje("CPU of " + trace_.processors[i]));
       rest(i, "idle");
     }
     for (std::size_t i = 0; i < trace_.links.size(); ++i) {
       const auto [from, to] = trace_.links[i];
       begin(9);
       out_.print(FMT_COMPILE("l{} Link p{} {}\n"), i, from,
-                 quote("to " + trace_.processors[to] + " from " + trace_.processors[from]));
+                 quote_paje("to " + trace_.processors[to] + " from " + trace_.processors[from]));
       rest(trace_.processors.size() + i, "quiet");
     }
   }

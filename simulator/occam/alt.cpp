@@ -9,10 +9,13 @@ namespace {
 using Kind = Guard::Kind;
 using Costs = machine::Model::Alternative;
 
-bool is_ready(const Process& self, const Guard& guard, Seconds at) {
+// `date` tells when: it is asked only where that matters.
+template <class Date>
+bool is_ready(const Process& self, const Guard& guard, Date date) {
   if (!guard.condition) return false;
-  if (guard.kind == Kind::timer) return at >= date_of(self, guard.tick);
-  return guard.kind == Kind::skip || guard.channel->output_waits(at);
+  if (guard.kind == Kind::timer) return date() >= date_of(self, guard.tick);
+  return guard.kind == Kind::skip ||
+         (guard.channel->has_output() && guard.channel->output_waits(date()));
 }
 
 Cycles cost_to_enable(const Costs& costs, const Guard& guard, bool ready) {
@@ -85,7 +88,8 @@ std::optional<std::size_t> choose(const Process& self, std::span<const Guard> gu
   Cycles spent{};
   for (std::size_t i = 0; i < guards.size(); ++i) {
     spent += cost_to_disable(costs, guards[i]);
-    if (is_ready(self, guards[i], from + self.processor().duration(spent))) return i;
+    if (is_ready(self, guards[i], [&] { return from + self.processor().duration(spent); }))
+      return i;
   }
   if (any_cut(guards)) return {};
   throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
@@ -96,7 +100,7 @@ Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Se
   const auto& costs = self.processor().model().alternative;
   Cycles spent = compiled(has_timer(guards) ? costs.timer_setup : costs.setup);
   for (const Guard& guard : guards) {
-    const Seconds turn = from + self.processor().duration(spent);
+    const auto turn = [&] { return from + self.processor().duration(spent); };
     spent += cost_to_enable(costs, guard, is_ready(self, guard, turn));
   }
   return spent;
@@ -121,7 +125,7 @@ std::size_t select(std::span<const Guard> guards) {
   };
   auto some_ready = [&] {
     return std::ranges::any_of(
-        guards, [&, now = self.own_time()](const Guard& g) { return is_ready(self, g, now); });
+        guards, [&](const Guard& g) { return is_ready(self, g, [&] { return self.own_time(); }); });
   };
 
   settle();

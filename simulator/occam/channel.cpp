@@ -1,17 +1,8 @@
 #include "simulator/occam/channel.hpp"
 
-#include <cmath>
-
 namespace occam {
 
 using machine::Seconds;
-
-Cycles compiled(Cycles instructions) {
-  const double factor = this_process().processor().software_factor();
-  return Cycles{std::llround(factor * static_cast<double>(instructions.value))};
-}
-
-void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
 
 void charge(Seconds duration) { this_process().charge(duration); }
 

@@ -54,7 +54,9 @@ class ChannelBase : machine::Wait {
   /// The process that would have to output for an ALT on the channel to go on; 0 if that is not
   /// known.
   machine::ProcessId last_writer() const { return ends_[writer].user; }
-  /// For ALT: whether an output is waiting at time `at`.
+  /// For ALT: whether an output is waiting, if only from a time to come on.
+  bool has_output() const { return ends_[writer].waiting.process != nullptr; }
+  /// The same at time `at`.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = ends_[writer].waiting;
     return waiting.process && waiting.since <= at && !cut();
@@ -231,9 +233,12 @@ template <class Message>
 }
 
 /// The cycles of instructions of compiled occam: times the machine's software factor.
-Cycles compiled(Cycles instructions);
+inline Cycles compiled(Cycles instructions) {
+  return machine::round_to_cycles(this_process().processor().software_factor() *
+                                  static_cast<double>(instructions.value));
+}
 /// Spends them.
-void charge(Cycles instructions);
+inline void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
 /// Spends a duration, whatever the software factor; see Process::charge.
 void charge(machine::Seconds duration);
 /// The same for an instruction by its name in the model file's [instruction]: charge("lend").

@@ -195,7 +195,7 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
   Params machine = params.machine;
   machine.solve = params.room.light.solve;
   machine.cycles_per_host_s = setup.cycles_per_host_s;
-  machine.processes = setup.processes;
+  machine.engine = setup.engine;
   if (setup.cycles_per_host_s)
     machine.draw = [&](const Frame& frame) { draw(params, view, mesh, frame); };
   machine.watch = setup.watch;

@@ -109,7 +109,7 @@ class Amp {
                 get_compiled(model, "message_made"),
                 get_compiled(model, "message_read"),
                 copy_of_colour(model)},
-        machine_(model, model.software.occam_factor, params.processes) {
+        machine_(model, model.software.occam_factor, params.engine) {
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
     auto shares = distribute(mesh, topology.processors, params.distribution);
     if (params.exchange) exchange_borders(shares, mesh.vertices.size());

@@ -38,7 +38,7 @@ struct Params {
   double cache_percent = 0;
   /// Kernels are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
-  machine::Processes processes = machine::Processes::fibers;
+  machine::EngineParams engine = {};
   /// Draws the picture of a frame, if it is to be charged the host time that it takes: it counts no
   /// operations.
   std::function<void(const Frame&)> draw;

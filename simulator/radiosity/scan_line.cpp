@@ -49,7 +49,7 @@ void add_picture(std::vector<Pixel>& line, std::size_t number, const Picture& pi
   }
 }
 
-Outcome<Pixel> run(const Setup&, const LineParams& params) {
+Outcome<Pixel> run_line(const Setup&, const LineParams& params) {
   const auto& room_params = params.room;
   const auto room = load_scene(room_params);
   const auto lit = light_room(room, room_params.light);
@@ -76,14 +76,14 @@ Outcome<Pixel> run(const Setup&, const LineParams& params) {
   return Outcome<Pixel>(std::move(line));
 }
 
-void check_program(const Setup&, const LineParams& params) {
+void check_line(const Setup&, const LineParams& params) {
   check(params.room);
   if (params.room.reference.path.empty() && params.room.reference_refine == 0)
     base::refuse("program.reference_refine",
                  "found 0 and no program.reference, expected one of them");
 }
 
-base::Fields<LineParams> make_fields() {
+base::Fields<LineParams> make_line_fields() {
   using D = base::Declare<LineParams>;
   static const base::Names<Channel> CHANNELS = {
       {"red", Channel::red}, {"green", Channel::green}, {"blue", Channel::blue}};
@@ -95,7 +95,7 @@ base::Fields<LineParams> make_fields() {
         D::choice("channel", &LineParams::channel, CHANNELS, "colour of the pixels")}});
 }
 
-base::Columns<Pixel> make_columns() {
+base::Columns<Pixel> make_line_columns() {
   base::Columns<Pixel> all = {base::column("x", &Pixel::x, "pixel, from the left")};
   const auto add = [&](auto values, const std::string& suffix, const std::string& what) {
     for (std::size_t i = 0; i < PICTURES.size(); ++i)
@@ -116,11 +116,11 @@ programs::Program make_scan_line() {
       {.name = "scan_line",
        .help = "a line of a room's picture, without a machine, by bilinear and by bicubic "
                "interpolation and of a reference",
-       .fields = make_fields(),
-       .columns = make_columns(),
+       .fields = make_line_fields(),
+       .columns = make_line_columns(),
        .parts = {"x"},
-       .run = &run,
-       .check = &check_program});
+       .run = &run_line,
+       .check = &check_line});
 }
 
 }  // namespace amp

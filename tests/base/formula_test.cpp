@@ -10,7 +10,7 @@
 namespace base {
 namespace {
 
-std::string refusal_of(const auto& action) {
+std::string told_when(const auto& action) {
   try {
     action();
   } catch (const base::BadInput& error) {
@@ -50,11 +50,11 @@ TEST(Formula, AreOfALimitedLength) {
   std::string longest(Formula::MAX_BYTES, '-');
   longest.back() = '1';
   for (const std::string& text : {longest + ' ', std::string(1'000'000, '(')}) {
-    const auto told = refusal_of([&] { eval(text); });
+    const auto told = told_when([&] { eval(text); });
     EXPECT_EQ(told, fmt::format("here: found an expression of {} bytes, expected at most {}",
                                 text.size(), Formula::MAX_BYTES));
   }
-  EXPECT_EQ(refusal_of([&] { eval(longest); }).find("bytes"), std::string::npos);
+  EXPECT_EQ(told_when([&] { eval(longest); }).find("bytes"), std::string::npos);
 }
 
 TEST(Formula, MistakesAreNamed) {
@@ -71,7 +71,7 @@ TEST(Formula, MistakesAreNamed) {
            {"1 + foo (2)", "unknown function \"foo\""},
            {".a + 1", "here: found \".a + 1\", expected an expression: \".a\" is no name"},
            {"min()", "expected an expression"}}) {
-    const auto told = refusal_of([&, text = text] { eval(text); });
+    const auto told = told_when([&, text = text] { eval(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << ": " << told;
   }
   EXPECT_TRUE(base::Formula::is_name("link.one_way_rate"));

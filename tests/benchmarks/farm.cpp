@@ -13,7 +13,7 @@ namespace {
 
 constexpr int WORKERS = 7, OBJECTS = 200, SIZE = 100;
 
-farm::Result run_farm(observe::Watch* watch, bool profile, machine::Processes processes) {
+farm::Result run_farm(observe::Watch* watch, bool profile, machine::EngineParams engine) {
   static const auto scene = renderer::make_spheres(OBJECTS);
   static const auto workers = topologies::make_topology(fmt::format("tree:{}", WORKERS));
   farm::Params params;
@@ -21,7 +21,7 @@ farm::Result run_farm(observe::Watch* watch, bool profile, machine::Processes pr
   params.image.limits.depth = 15;
   params.watch = watch;
   params.profile = profile;
-  params.processes = processes;
+  params.engine = engine;
   return farm::run_farm(model(), workers, scene, params);
 }
 
@@ -30,7 +30,7 @@ farm::Result run_farm(observe::Watch* watch, bool profile, machine::Processes pr
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::Watch watch{.trace = &trace};
-  run_farm(&watch, false, machine::Processes::fibers);
+  run_farm(&watch, false, machine::EngineParams{});
   std::vector<std::pair<double, Activity>> begun;
   for (const auto& span : trace.spans) {
     if (span.doing == observe::Trace::Doing::switching) continue;
@@ -49,9 +49,9 @@ std::vector<Activity> record() {
 }
 
 // Without the intersections that the host computes meanwhile.
-Sample simulate(std::uint64_t activities, machine::Processes processes) {
+Sample simulate(std::uint64_t activities, machine::EngineParams engine) {
   farm::Result result;
-  const double cpu_s = time_of([&] { result = run_farm(nullptr, true, processes); });
+  const double cpu_s = time_of([&] { result = run_farm(nullptr, true, engine); });
   return {activities, cpu_s - result.kernel_host_s, result.time_s + result.setup_s, 0};
 }
 
@@ -65,11 +65,9 @@ const std::vector<Activity>& activities() {
 
 void add_farm() {
   const char* name = "activities of the farm, 7 workers";
-  const std::pair<const char*, machine::Processes> kinds[] = {
-      {"tlab", machine::Processes::fibers}, {"tlab actors", machine::Processes::actors}};
-  for (const auto& [who, kind] : kinds)
-    add(name, who, [processes = kind](benchmark::State&) {
-      return in_child([=, count = activities().size()] { return simulate(count, processes); });
+  for (const Engine& engine : ENGINES)
+    add(name, engine.by, [engine](benchmark::State&) {
+      return in_child([=, count = activities().size()] { return simulate(count, engine.params); });
     });
   add(name, "simgrid", [](benchmark::State&) {
     return in_child([&all = activities()] { return raw_activities(model(), all); });

@@ -25,8 +25,8 @@ void relay(Channel* before, Channel* after) {
 }
 
 // A line of processors; each but the last sends to the next, each but the first receives.
-Sample line(machine::Processes processes) {
-  Machine machine(model(), 1, processes);
+Sample line(machine::EngineParams engine) {
+  Machine machine(model(), 1, engine);
   std::deque<Channel> channels;
   const auto& processors = machine.processors();
   for (int id = 0; id <= LINE_HOPS; ++id)
@@ -45,7 +45,7 @@ Sample line(machine::Processes processes) {
 }  // namespace
 
 void add_line() {
-  add_on_both("hops of 80 bytes, line of 4", line);
+  add_on_all("hops of 80 bytes, line of 4", line);
   add_simulation("hops of 80 bytes, line of 4", "simgrid", [] { return raw_line(model()); });
 }
 

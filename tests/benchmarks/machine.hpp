@@ -17,13 +17,22 @@ inline Sample run(machine::Machine& machine, std::uint64_t count) {
   return {count, cpu_s, machine.now() / machine::Seconds{1}, 0};
 }
 
-/// Adds what `run` does with processes on fibers, as "tlab", and on SimGrid's actors, as "tlab
-/// actors".
+/// A machine's engines, by the names that the benchmarks give them.
+struct Engine {
+  const char* by;
+  machine::EngineParams params;
+};
+inline constexpr Engine ENGINES[] = {
+    {"tlab", {}},
+    {"tlab direct", {.links = machine::Links::direct}},
+    {"tlab actors", {.processes = machine::Processes::actors}},
+};
+
+/// Adds what `run` does on each engine.
 template <class Run>
-void add_on_both(const std::string& what, Run run) {
-  using machine::Processes;
-  add_simulation(what, "tlab", [run] { return run(Processes::fibers); });
-  add_simulation(what, "tlab actors", [run] { return run(Processes::actors); });
+void add_on_all(const std::string& what, Run run) {
+  for (const Engine& engine : ENGINES)
+    add_simulation(what, engine.by, [run, engine] { return run(engine.params); });
 }
 
 void add_line();          // a line of store-and-forward hops

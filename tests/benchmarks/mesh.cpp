@@ -21,8 +21,8 @@ void sink(network::StoreAndForward& network, int id, int messages) {
 }
 
 // The general router; each processor has a source and a sink.
-Sample mesh(const Traffic& traffic, machine::Processes processes) {
-  Machine machine(model(), 1, processes);
+Sample mesh(const Traffic& traffic, machine::EngineParams engine) {
+  Machine machine(model(), 1, engine);
   for (int id = 0; id < NODES; ++id)
     machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
   network::StoreAndForward network(machine,
@@ -40,8 +40,8 @@ Sample mesh(const Traffic& traffic, machine::Processes processes) {
 
 void add_mesh() {
   static const Traffic traffic = make_traffic();
-  add_on_both("hops of 80 bytes, 8 x 8 mesh",
-              [](machine::Processes processes) { return mesh(traffic, processes); });
+  add_on_all("hops of 80 bytes, 8 x 8 mesh",
+             [](machine::EngineParams engine) { return mesh(traffic, engine); });
   add_simulation("hops of 80 bytes, 8 x 8 mesh", "simgrid",
                  [] { return raw_mesh(model(), traffic); });
 }

@@ -49,14 +49,14 @@ struct Exchange {
 };
 
 // Memory is of all there is to a machine: what is built, and what has grown when it has run.
-Sample exchange(int side) {
+Sample exchange(int side, machine::EngineParams engine) {
   // As in a process that has allocated nothing yet: what the parent freed would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   const double before_kb = memory_kb();
   const auto topology = topologies::make_topology(fmt::format("mesh:{0}x{0}", side));
   const auto around = topologies::neighbours(topology);
-  Machine machine(model());
+  Machine machine(model(), 1, engine);
   for (int id = 0; id < topology.processors; ++id)
     machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
   StoreAndForward network(machine, topology);
@@ -79,13 +79,17 @@ Sample exchange(int side) {
 }  // namespace
 
 void add_neighbours() {
-  for (const int side : {8, 16, 32})
-    add(fmt::format("neighbours of a {0} x {0} mesh", side), "tlab",
-        [side](benchmark::State& state) {
-          const Sample sample = in_child([side] { return exchange(side); });
-          state.counters["KB_per_transputer"] = sample.memory_kb / (side * side);
-          return sample;
-        });
+  for (const Engine& engine : ENGINES)
+    for (const int side : {8, 16, 32, 128}) {
+      if (side > 32 && engine.params.links == machine::Links::simgrid) continue;  // for minutes
+      if (engine.params.processes == machine::Processes::actors) continue;
+      add(fmt::format("neighbours of a {0} x {0} mesh", side), engine.by,
+          [side, engine](benchmark::State& state) {
+            const Sample sample = in_child([&] { return exchange(side, engine.params); });
+            state.counters["KB_per_transputer"] = sample.memory_kb / (side * side);
+            return sample;
+          });
+    }
 }
 
 }  // namespace benchmarks

@@ -16,8 +16,8 @@ constexpr int MEETINGS = 200'000, PREEMPTIONS = 50'000;
 constexpr std::int64_t PERIOD_US = 100;  // between pre-emptions
 constexpr machine::Cycles INTERRUPTION{1000};
 
-Sample rendezvous(machine::Processes processes) {
-  Machine machine(model(), 1, processes);
+Sample rendezvous(machine::EngineParams engine) {
+  Machine machine(model(), 1, engine);
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   occam::Channel<Signal> channel("channel");
   processor.start("out", Priority::high, [&] {
@@ -29,8 +29,8 @@ Sample rendezvous(machine::Processes processes) {
   return run(machine, MEETINGS);
 }
 
-Sample preemptions(machine::Processes processes) {
-  Machine machine(model(), 1, processes);
+Sample preemptions(machine::EngineParams engine) {
+  Machine machine(model(), 1, engine);
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   processor.start("low", Priority::low, [&] {
     const auto period = static_cast<std::int64_t>(model().cpu.clock.value * 1e-6) * PERIOD_US;
@@ -51,10 +51,10 @@ Sample preemptions(machine::Processes processes) {
 }  // namespace
 
 void add_scheduler() {
-  add_on_both("soft-channel rendezvous", rendezvous);
+  add_on_all("soft-channel rendezvous", rendezvous);
   add_simulation("soft-channel rendezvous", "simgrid",
                  [] { return raw_rendezvous(model(), MEETINGS); });
-  add_on_both("pre-emptions", preemptions);
+  add_on_all("pre-emptions", preemptions);
   add_simulation("pre-emptions", "simgrid", [] {
     return raw_preemptions(model(), PREEMPTIONS, 1e-6 * PERIOD_US,
                            static_cast<double>(INTERRUPTION.value));

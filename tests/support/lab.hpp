@@ -66,18 +66,20 @@ inline void wait_until_cycle(std::int64_t cycle) {
   wait_until(ticks(Cycles{cycle} / this_process().processor().clock()));
 }
 
-// ctest runs the tests of machine and occam twice, the second time with actors in the environment.
-inline machine::Processes processes_under_test() {
-  const char* given = std::getenv("TLAB_TEST_PROCESSES");
-  const bool on_actors = given && std::string_view(given) == "actors";
-  return on_actors ? machine::Processes::actors : machine::Processes::fibers;
+// ctest runs the tests of machine and occam three times: on SimGrid with fibers; and as the
+// environment says with SimGrid's actors, and with links of our own.
+inline machine::EngineParams engine_under_test() {
+  const char* given = std::getenv("TLAB_TEST_ENGINE");
+  const std::string_view name = given ? given : "";
+  if (name == "direct") return {.links = machine::Links::direct};
+  return {.processes = name == "actors" ? machine::Processes::actors : machine::Processes::fibers};
 }
 
 // A machine and the channels of its processes. It is built and run inside of isolated().
 struct Lab {
   explicit Lab(const Model& model = make_exact_model(), double software_factor = 1,
-               machine::Processes processes = processes_under_test())
-      : machine(model, software_factor, processes) {}
+               machine::EngineParams engine = engine_under_test())
+      : machine(model, software_factor, engine) {}
 
   Processor& cpu() {
     return machine.add_processor(fmt::format("cpu {}", machine.processors().size()), 1 << 20);

@@ -23,7 +23,7 @@ using radiosity::Picture;
 using renderer::Rgb;
 using renderer::Work;
 
-struct Options {
+struct RadiosityOptions {
   std::string room, output, stats, size, exposure = "auto";
   radiosity::Creases creases = radiosity::Creases::file;
   radiosity::LightParams light;
@@ -34,9 +34,11 @@ struct Options {
   bool preview = false, asks_display = false;  // --exposure or --gamma is given
 };
 
-bool is_exr(const Options& o) { return std::filesystem::path(o.output).extension() == ".exr"; }
+bool is_exr(const RadiosityOptions& o) {
+  return std::filesystem::path(o.output).extension() == ".exr";
+}
 
-void check_files(const Options& o) {
+void check_files(const RadiosityOptions& o) {
   check_output(o.output, {".png", ".exr"}, o.stats);
   if (is_exr(o) && o.asks_display)
     throw CLI::ValidationError(
@@ -68,7 +70,7 @@ struct Outcome {
 };
 
 // Shows how far a solution is, on one bar for all of them.
-radiosity::Step make_step(const Options& o, Progress& bar) {
+radiosity::Step make_step(const RadiosityOptions& o, Progress& bar) {
   // Each shot sends about as large a share of what is left, so the bar goes by its logarithm.
   const double end = std::log(std::max(o.light.solve.tolerance, 1e-9));
   return [&o, &bar, end](int shots, double unshot) {
@@ -80,7 +82,7 @@ radiosity::Step make_step(const Options& o, Progress& bar) {
   };
 }
 
-Outcome light(Options& o) {
+Outcome light(RadiosityOptions& o) {
   Outcome made;
   Clock clock;
   auto room = radiosity::load_room(o.room);
@@ -126,7 +128,7 @@ Outcome light(Options& o) {
   return made;
 }
 
-void save_stats(const Options& o, const Outcome& made) {
+void save_stats(const RadiosityOptions& o, const Outcome& made) {
   const radiosity::Balance& balance = made.solution.balance;
   const auto rays = static_cast<double>(made.solution.work[renderer::Op::ray_intersected]);
   nlohmann::ordered_json stats = {
@@ -175,7 +177,7 @@ void print_balance(const Outcome& made) {
                     100 * std::abs(escaped), escaped > 0 ? "lost" : "too much"));
 }
 
-void warn_of_error(const Options& o, const Outcome& made) {
+void warn_of_error(const RadiosityOptions& o, const Outcome& made) {
   if (o.adapt.error > 0 && made.error > o.adapt.error)
     complain(
         fmt::format("warning: patches were halved {} times, and the error is estimated to be "
@@ -183,7 +185,7 @@ void warn_of_error(const Options& o, const Outcome& made) {
                     made.rounds, 100 * made.error, 100 * o.adapt.error));
 }
 
-void run(Options& o) {
+void run(RadiosityOptions& o) {
   check_files(o);
   parse_size(o.size, o.picture);
   o.display.exposure = parse_exposure(o.exposure);
@@ -210,7 +212,7 @@ void run(Options& o) {
 
 void add_radiosity_command(CLI::App& app) {
   auto* command = app.add_subcommand("radiosity", "light a room and show it");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<RadiosityOptions>();
   command->add_option("SCENE", o->room, "a .room, .nff or .obj file")->required();
   command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
   command->add_option("--size", o->size, "WxH in pixels [the room's]");

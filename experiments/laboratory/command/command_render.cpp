@@ -19,7 +19,7 @@ namespace {
 
 using Endings = std::vector<std::string>;
 
-struct Options : RenderTask {
+struct RenderOptions : RenderTask {
   std::string size, area;
   std::optional<renderer::PreviewStep> preview;
   ProgressiveOptions progressive;
@@ -29,7 +29,7 @@ struct Options : RenderTask {
 };
 
 // `rays` were traced in `seconds`; `more` is added.
-void save_stats(const Options& o, const renderer::Rendering& image, std::uint64_t rays,
+void save_stats(const RenderOptions& o, const renderer::Rendering& image, std::uint64_t rays,
                 double seconds, const nlohmann::ordered_json& more) {
   nlohmann::ordered_json stats = {{"scene", o.scene},
                                   {"width", o.params.width},
@@ -42,14 +42,14 @@ void save_stats(const Options& o, const renderer::Rendering& image, std::uint64_
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
-void save_image(const Options& o, const renderer::Rendering& image) {
+void save_image(const RenderOptions& o, const renderer::Rendering& image) {
   renderer::save_png(o.output, image.samples);
   if (!o.samples_map.empty())
     renderer::save_png(o.samples_map, o.params.width, o.params.height,
                        renderer::make_count_map(image.counts));
 }
 
-void check_samples_map(const Options& o) {
+void check_samples_map(const RenderOptions& o) {
   if (!is_adaptive(o.params.sampling))
     throw CLI::ValidationError(
         "--samples-map", fmt::format("expected --adaptive above 0 and --pixel-samples above {} "
@@ -59,7 +59,7 @@ void check_samples_map(const Options& o) {
   base::check_can_save(o.samples_map);
 }
 
-void render_at_once(const Options& o) {
+void render_at_once(const RenderOptions& o) {
   const auto scene = renderer::load_scene(o.scene);
   const InterruptGuard guard;  // until all is written
   Progress bar("rendering");
@@ -82,7 +82,7 @@ void render_at_once(const Options& o) {
                   EXIT_INTERRUPTED);
 }
 
-void render_in_order(const Options& o) {
+void render_in_order(const RenderOptions& o) {
   const auto scene = renderer::load_scene(o.scene);
   const InterruptGuard guard;  // until all is written
   Clock clock;
@@ -97,7 +97,7 @@ void render_in_order(const Options& o) {
   if (refined.interrupted) report_interrupt(o.refined, o, refined);
 }
 
-void render_scene(Options& o) {
+void render_scene(RenderOptions& o) {
   parse_size(o.size, o.params);
   if (!o.area.empty()) {
     const auto v = parse_numbers<4>("--area", o.area, "X,Y,WxH, such as 10,20,64x48");
@@ -127,7 +127,7 @@ void render_scene(Options& o) {
 
 void add_render_command(CLI::App& app) {
   auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<RenderOptions>();
   // Experiments count the thesis's search; this is faster, and the image is the same.
   o->params.traversal = renderer::Traversal::nearest;
 

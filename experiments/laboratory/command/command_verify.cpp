@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t MOST_SHOWN = 20;
 
-struct Options {
+struct VerifyOptions {
   std::vector<std::string> paths;  // experiment files, or folders of them
   RunOptions run;                  // output: folder of results for one file, else of all of those
   bool all = false;                // show every point of a check, and not only the worst of many
@@ -63,7 +63,8 @@ void print_check(const CheckResult& check, const Table& table, bool all, Count& 
   fmt::print("\n");
 }
 
-void verify_file(const Candidate& candidate, const Options& options, bool alone, Count& count) {
+void verify_file(const Candidate& candidate, const VerifyOptions& options, bool alone,
+                 Count& count) {
   if (!candidate.named &&
       !base::parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
     return fmt::print("{}: no checks, skipped\n\n", candidate.file);
@@ -86,7 +87,7 @@ void verify_file(const Candidate& candidate, const Options& options, bool alone,
 
 // Prints every check with its points. After all has been printed it throws Failure unless
 // every check holds and every path has one; a check that speaks of no point does not hold.
-void verify(const Options& options) {
+void verify(const VerifyOptions& options) {
   std::vector<std::vector<Candidate>> candidates;
   for (const auto& path : options.paths) candidates.push_back(find_candidates(path));
   const bool alone = candidates.size() == 1 && candidates[0][0].named;
@@ -114,7 +115,7 @@ void verify(const Options& options) {
 void add_verify_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("verify", "compare experiments with their formulas and references");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<VerifyOptions>();
   command->add_option("PATH", o->paths, "experiment files (TOML), or folders of them")->required();
   add_run_options(*command, o->run,
                   "results folder of one file, else the folder of all results [results]",

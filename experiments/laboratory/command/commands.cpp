@@ -128,6 +128,20 @@ void check_command(const CLI::App& app, int argc, char** argv) {
                                    fmt::join(known, ", "), base::did_you_mean(argv[1], known)));
 }
 
+// Help that is the same whenever the same is asked: CLI11 names the options that one excludes in
+// the order of their places in memory.
+class Help : public CLI::Formatter {
+  std::string make_option_opts(const CLI::Option* option) const override {
+    std::string text = Formatter::make_option_opts(option);
+    const std::string excludes = "Excludes:";
+    const auto at = text.find(excludes);
+    if (at == text.npos) return text;
+    auto names = CLI::detail::split(text.substr(at + excludes.size() + 1), ' ');
+    std::ranges::sort(names);
+    return fmt::format("{}{} {}", text.substr(0, at), excludes, fmt::join(names, " "));
+  }
+};
+
 void add_commands(CLI::App& app) {
   app.set_version_flag("--version", fmt::format("tlab {}", VERSION));
   app.require_subcommand(1);
@@ -170,6 +184,7 @@ int run_tlab(int argc, char** argv) try {
   const InterruptWatch watch;
   try {
     CLI::App app("tlab, the transputer laboratory: simulates transputer machines that ray trace");
+    app.formatter(std::make_shared<Help>());
     add_commands(app);
     const int exit_code = do_command(app, argc, argv);
     flush_output();

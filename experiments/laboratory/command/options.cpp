@@ -12,10 +12,10 @@ namespace laboratory {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = base::Domain::Kind;
+using DomainKind = base::Domain::Kind;
 
-base::Scalar parse_scalar(const std::string& text, Kind kind) {
-  if (kind == Kind::whole || kind == Kind::number) {
+base::Scalar parse_scalar(const std::string& text, DomainKind kind) {
+  if (kind == DomainKind::whole || kind == DomainKind::number) {
     if (const auto whole = base::parse_number<std::int64_t>(text)) return *whole;
     if (const auto number = base::parse_number<double>(text)) return *number;
   }
@@ -23,8 +23,8 @@ base::Scalar parse_scalar(const std::string& text, Kind kind) {
 }
 
 std::string describe(const base::Domain& domain) {
-  if (domain.kind == Kind::choice) return fmt::format("{}", fmt::join(domain.choices, "|"));
-  return domain.kind == Kind::text ? "TEXT" : fmt::format("{}..{}", domain.low, domain.high);
+  if (domain.kind == DomainKind::choice) return fmt::format("{}", fmt::join(domain.choices, "|"));
+  return domain.kind == DomainKind::text ? "TEXT" : fmt::format("{}..{}", domain.low, domain.high);
 }
 
 fs::path whole_path(const std::string& path) {

@@ -37,6 +37,7 @@ struct Experiment {
   topologies::TreeLinks tree_links;  ///< of the single tree; none: breadth first from the root
   std::vector<FaultSpec> faults;     ///< [[fault]]
   bool is_timed = false;             ///< run.cost
+  machine::Links links = machine::Links::simgrid;             ///< run.engine
   machine::Processes processes = machine::Processes::fibers;  ///< run.processes
   std::optional<double> cycles_per_host_s = {};  ///< where it is timed, once it is measured
 };

@@ -58,6 +58,8 @@ const Bindings<Experiment>& bindings() {
   static const base::Names<bool> COSTS = {{"counted", false}, {"timed", true}};
   static const base::Names<machine::Processes> PROCESSES = {{"fibers", machine::Processes::fibers},
                                                             {"actors", machine::Processes::actors}};
+  static const base::Names<machine::Links> ENGINES = {{"simgrid", machine::Links::simgrid},
+                                                      {"direct", machine::Links::direct}};
   static const Bindings<E> all = {
       bind_key("title", &E::title, "what the experiment is called"),
       bind_key("question", &E::question, "what it answers"),
@@ -77,6 +79,9 @@ const Bindings<Experiment>& bindings() {
       {"network.tree_links", "the links of the single tree, [[a, b], ...]", read_tree_links},
       bind_name("run.cost", &E::is_timed, COSTS,
                 "counted: operations times their cycles; timed: host time, scaled"),
+      bind_name("run.engine", &E::links, ENGINES,
+                "what moves messages over links: simgrid; or direct, the same results to rounding, "
+                "much less host time on large machines"),
       bind_name("run.processes", &E::processes, PROCESSES,
                 "fibers; or actors of SimGrid: the same results, more host time"),
       {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
@@ -314,6 +319,10 @@ Experiment bind_settings(const toml::table& file, const std::vector<Replacement>
   });
   for (const auto& [key, value] : replacements)
     bind_setting(experiment, in_play, {origin, key, folder, *value});
+  base::require(experiment.links == machine::Links::simgrid ||
+                    experiment.processes == machine::Processes::fibers,
+                origin + ": run.processes",
+                "found actors with run.engine = \"direct\", expected fibers: actors are SimGrid's");
   return experiment;
 }
 

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "base/errors.hpp"
 #include "base/partial_name.hpp"
@@ -126,6 +128,18 @@ std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
     if (*maker == getpid() || base::is_dead(*maker)) stale.push_back(entry.path());
   }
   return stale;
+}
+
+// Removes a folder in which another thread, or a child that is being killed, may just be writing: a
+// file that comes or goes meanwhile ends a removal, which then is begun again.
+void remove_surely(const fs::path& folder) {
+  constexpr int TRIES = 1000;
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  for (int i = 1; i < TRIES && fs::exists(folder, ignored); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    fs::remove_all(folder, ignored);
+  }
 }
 
 // Removes what dead processes left, except for results that they were replacing and records of
@@ -251,7 +265,7 @@ ResultsFolder::~ResultsFolder() {
 void ResultsFolder::clean_up() const {
   std::error_code ignored;
   if (is_committed_) return;
-  if (!working_.empty()) fs::remove_all(working_, ignored);
+  if (!working_.empty()) remove_surely(working_);
   for (const auto& parent : made_) fs::remove(parent, ignored);  // stays if it is not empty
 }
 

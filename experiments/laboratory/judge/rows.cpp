@@ -20,7 +20,7 @@ namespace {
 
 using base::BadInput;
 
-constexpr double NO_VALUE = std::numeric_limits<double>::quiet_NaN();
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t MOST_NAMED = 5;  // rows in one note
 
 std::string spell_as_name(std::string text) {
@@ -99,7 +99,7 @@ const std::string* Rows::find_text(const std::string& name, std::size_t row) con
 std::optional<double> Rows::find_number(const std::string& name, std::size_t row) const {
   if (find_text(name, row)) return std::nullopt;
   if (const auto column = table_.find(name))
-    return as_number(table_.rows[row][*column]).value_or(NO_VALUE);
+    return as_number(table_.rows[row][*column]).value_or(NOT_A_NUMBER);
   for (const auto* numbers : {model_of_[row], &point_of(row).numbers})
     if (const auto found = numbers->find(name); found != numbers->end()) return found->second;
   return std::nullopt;

@@ -62,7 +62,7 @@ std::optional<double> to_number(const ordered_json& json) {
   return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
 }
 
-PointResult make_failure(const char* ended, int exit_code, const std::string& message) {
+PointResult make_ended(const char* ended, int exit_code, const std::string& message) {
   PointResult failure;
   failure.ended = ended;
   failure.exit_code = exit_code;
@@ -148,17 +148,17 @@ std::vector<std::size_t> missing_points(const Results& results) {
 
 std::optional<PointResult> make_failure(const std::exception& error) {
   const std::string what = error.what();
-  if (dynamic_cast<const machine::Deadlock*>(&error)) return make_failure("deadlock", 3, what);
+  if (dynamic_cast<const machine::Deadlock*>(&error)) return make_ended("deadlock", 3, what);
   if (dynamic_cast<const machine::OutOfMemory*>(&error))
-    return make_failure("out of memory", 3, what);
-  if (dynamic_cast<const machine::Fault*>(&error)) return make_failure("failed", 3, what);
-  if (dynamic_cast<const base::InvariantBroken*>(&error)) return make_failure("failed", 1, what);
+    return make_ended("out of memory", 3, what);
+  if (dynamic_cast<const machine::Fault*>(&error)) return make_ended("failed", 3, what);
+  if (dynamic_cast<const base::InvariantBroken*>(&error)) return make_ended("failed", 1, what);
   if (dynamic_cast<const std::bad_alloc*>(&error))
-    return make_failure("failed", 2, "the host is out of memory");
+    return make_ended("failed", 2, "the host is out of memory");
   return {};
 }
 
-PointResult make_failure(const std::string& died) { return make_failure("failed", 1, died); }
+PointResult make_failure(const std::string& died) { return make_ended("failed", 1, died); }
 
 std::string describe_end(const Results& results, std::size_t points) {
   std::map<std::string, std::size_t> counts;

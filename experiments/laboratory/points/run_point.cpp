@@ -31,7 +31,7 @@ double process_cpu_s() {
 
 Setup make_setup_without_network(const Experiment& experiment, const machine::Model& model) {
   Setup setup{model, topologies::make_line(1)};
-  setup.processes = experiment.processes;
+  setup.engine = {experiment.links, experiment.processes};
   setup.cycles_per_host_s = experiment.cycles_per_host_s;
   if (experiment.is_timed && !setup.cycles_per_host_s) setup.cycles_per_host_s = 1;
   return setup;

@@ -98,7 +98,7 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
   Simulation s;
   s.file = file;
   s.file.points.clear();
-  std::map<std::string, const Point*> points;
+  std::map<std::string, const laboratory::Point*> points;
   for (const auto& point : file.points) points[name_of(point)] = &point;
   for (const auto& json : run.at("points")) {
     s.records.push_back(json.at("record").get<std::string>());

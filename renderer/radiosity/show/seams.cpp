@@ -19,9 +19,9 @@ std::vector<std::uint32_t> find_firsts(std::span<const std::uint32_t> twins) {
   return firsts;
 }
 
-class Finder {
+class SeamFinder {
  public:
-  Finder(const Mesh& mesh, std::span<const std::uint32_t> twins)
+  SeamFinder(const Mesh& mesh, std::span<const std::uint32_t> twins)
       : mesh_(mesh), firsts_(find_firsts(twins)), beside_(mesh.vertices.size()) {
     // Edges that belong to one patch only, between the first of twins.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
@@ -101,7 +101,7 @@ class Finder {
 }  // namespace
 
 std::vector<Seam> find_seams(const Mesh& mesh, std::span<const std::uint32_t> twins) {
-  return Finder(mesh, twins).find();
+  return SeamFinder(mesh, twins).find();
 }
 
 }  // namespace radiosity

@@ -161,7 +161,7 @@ Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vert
 }
 
 // Finds the slopes inside first, then on straight borders, then at corners.
-struct Finder {
+struct SlopeFinder {
   const Mesh& mesh;
   const Fans& fans;
   std::span<const Rgb> vertices;
@@ -250,7 +250,7 @@ struct Finder {
 
 std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
                                      std::span<const Rgb> vertices) {
-  Finder finder{mesh, fans, vertices, std::vector<Slopes<Rgb>>(mesh.vertices.size())};
+  SlopeFinder finder{mesh, fans, vertices, std::vector<Slopes<Rgb>>(mesh.vertices.size())};
   for (const Place place : {Place::inner, Place::straight, Place::corner})
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
       if (fans.places[v] == place) finder.slopes[v] = finder.find_at(v);

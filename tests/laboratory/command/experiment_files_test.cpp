@@ -1,9 +1,10 @@
-// Every experiment below experiments/, in a reduced size: its checks hold.
+// Every experiment below experiments/, in a reduced size: its checks hold, and the engines agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
+#include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 #include "tests/support/isolated.hpp"
 
@@ -158,11 +159,31 @@ std::string name_of(const testing::TestParamInfo<std::string>& at) {
 
 class Experiments : public testing::TestWithParam<std::string> {};
 
-TEST_P(Experiments, ChecksHold) {
+// Numbers may differ by what dates are rounded, all else not at all.
+void expect_near(const Table& table, const Table& expected) {
+  constexpr double ROUNDING = 1e-9;
+  ASSERT_EQ(table.columns, expected.columns);
+  ASSERT_EQ(table.rows.size(), expected.rows.size());
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      const Value &value = table.rows[row][column], &other = expected.rows[row][column];
+      if (is_same(value, other)) continue;
+      ASSERT_TRUE(as_number(value) && as_number(other)) << to_string(value) << to_string(other);
+      EXPECT_NEAR(*as_number(value), *as_number(other), ROUNDING * std::abs(*as_number(other)))
+          << table.columns[column] << " of row " << row + 1;
+    }
+}
+
+TEST_P(Experiments, ChecksHoldOnEveryEngine) {
   const TemporaryFolder folder;
-  const auto done = tlab_reduced(folder.path, "verify", GetParam());
-  EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
-  EXPECT_NE(done.out.find(" hold, 0 do not\n"), std::string::npos) << done.out;
+  const auto verify = [&](const std::string& engine) {
+    const auto done = tlab_reduced(folder.path, "verify", GetParam(),
+                                   {"-o", engine, "--set", "run.engine=" + engine});
+    EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+    EXPECT_NE(done.out.find(" hold, 0 do not\n"), std::string::npos) << done.out;
+    return parse_csv(read_file(folder.path / engine / "results.csv"), engine);
+  };
+  expect_near(verify("direct"), verify("simgrid"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()), name_of);

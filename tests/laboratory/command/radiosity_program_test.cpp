@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A box with a lit ceiling and a mirror to one side: 24 patches.
-const std::string ROOM =
+const std::string ROOM_TEXT =
     "material wall reflect 0.5 0.4 0.3\nmaterial lamp reflect 0 0 0 emit 4 5 6\n"
     "mirror glass reflect 0.9 0.9 0.9\n"
     "quad wall  0 0 0  1 0 0  1 1 0  0 1 0  divide 3 3\n"
@@ -28,7 +28,7 @@ const std::string PROGRAM =
 struct Radiosity : Sweep {
   Radiosity() {
     fs::create_directory(folder.path / "rooms");
-    write_file(folder.path / "rooms/box.room", ROOM);
+    write_file(folder.path / "rooms/box.room", ROOM_TEXT);
     write_file(folder.path / "e.toml",
                PROGRAM +
                    "show_every = 2\nreference_refine = 2\n[network]\ntopology = \"line\"\n"
@@ -73,7 +73,7 @@ TEST_F(Radiosity, KeysDependOnWhatTheirFilesHold) {
   };
   const auto first = key();
   EXPECT_EQ(key(), first);
-  write_file(folder.path / "rooms/box.room", ROOM + "# another\n");
+  write_file(folder.path / "rooms/box.room", ROOM_TEXT + "# another\n");
   EXPECT_NE(key(), first);
 }
 
@@ -137,7 +137,7 @@ TEST_F(Radiosity, MayBeTimedAndOthersMayNot) {
 }
 
 TEST_F(Radiosity, CreasesAreThoseThatAreAskedFor) {
-  write_file(folder.path / "rooms/box.room", ROOM + "crease 0.45 0 0  0.45 1 0\n");
+  write_file(folder.path / "rooms/box.room", ROOM_TEXT + "crease 0.45 0 0  0.45 1 0\n");
   const auto patches = [&](const std::string& creases) {
     const auto done =
         run({"-o", creases, "--set", "sweep.workers=[1]", "--set", "program.creases=" + creases});
@@ -150,7 +150,7 @@ TEST_F(Radiosity, CreasesAreThoseThatAreAskedFor) {
 
 // The uppermost line is the ceiling's, which is a lamp.
 TEST_F(Radiosity, AScanLineSaysWhereALampIs) {
-  auto room = ROOM;
+  auto room = ROOM_TEXT;
   room.replace(room.find("angle 70"), 8, "angle 110");
   write_file(folder.path / "rooms/box.room", room);
   const auto lamps = [&](int line) {

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string SWEEP =
+const std::string MESSAGES =
     "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 100, 10000]\n"
     "[let]\nt_start = \"(channel.operands + channel.blocked) / cpu.clock\"\n";
 const std::string HOLDS =
@@ -19,13 +19,9 @@ const std::string FAILS =
     "[[check]]\nname = \"wrong\"\nof = \"latency_s\"\nwithin = 0.01\n"
     "formula = \"bytes / link.one_way_rate\"\n";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(ExperimentsVerify, AFailingCheckEndsWithOneAndKeepsResults) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path / "e.toml") << SWEEP << HOLDS << FAILS;
+  std::ofstream(folder.path / "e.toml") << MESSAGES << HOLDS << FAILS;
   const auto run = tlab(folder.path, {"run", "e.toml"});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(contains(run.out, "ok       right: latency_s at 3 point(s)")) << run.out;
@@ -46,7 +42,7 @@ TEST(ExperimentsVerify, AFailingCheckEndsWithOneAndKeepsResults) {
 
 TEST(ExperimentsVerify, ACheckOfNoPointFailsInVerifyAndIsNamedInRun) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path / "e.toml") << SWEEP << HOLDS << "where = \"bytes > 1e6\"\n";
+  std::ofstream(folder.path / "e.toml") << MESSAGES << HOLDS << "where = \"bytes > 1e6\"\n";
   const auto run = tlab(folder.path, {"run", "e.toml"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_TRUE(contains(run.out, "no point right")) << run.out;
@@ -62,10 +58,10 @@ TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {
     EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
     return contains(done.out, "results were in");
   };
-  write(SWEEP + HOLDS);
+  write(MESSAGES + HOLDS);
   EXPECT_FALSE(verify());
   EXPECT_TRUE(verify());
-  write(SWEEP + HOLDS + "where = \"bytes > 1\"\n");
+  write(MESSAGES + HOLDS + "where = \"bytes > 1\"\n");
   EXPECT_TRUE(verify());  // another check, the same experiment
   EXPECT_FALSE(verify({"--set", "sweep.bytes=[2, 3]"}));
   EXPECT_FALSE(verify({"--set", "model.cpu.clock=20e6"}));
@@ -81,9 +77,9 @@ TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {
 TEST(ExperimentsVerify, FoldersAreSearchedAndFilesWithoutChecksSkipped) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path / "all/deep");
-  std::ofstream(folder.path / "all/b.toml") << SWEEP << HOLDS;
-  std::ofstream(folder.path / "all/deep/a.toml") << SWEEP << FAILS;
-  std::ofstream(folder.path / "all/plain.toml") << SWEEP;
+  std::ofstream(folder.path / "all/b.toml") << MESSAGES << HOLDS;
+  std::ofstream(folder.path / "all/deep/a.toml") << MESSAGES << FAILS;
+  std::ofstream(folder.path / "all/plain.toml") << MESSAGES;
   std::ofstream(folder.path / "all/model.toml") << "base = \"t805-25\"\nname = \"mine\"\n";
   const auto done = tlab(folder.path, {"verify", "all", "-o", "out"});
   EXPECT_EQ(done.exit_code, 1);
@@ -98,9 +94,9 @@ TEST(ExperimentsVerify, FoldersAreSearchedAndFilesWithoutChecksSkipped) {
 TEST(ExperimentsVerify, WithoutAnyCheckItEndsWithOneAndSaysWhere) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path / "none");
-  std::ofstream(folder.path / "e.toml") << SWEEP << HOLDS;
-  std::ofstream(folder.path / "plain.toml") << SWEEP;
-  std::ofstream(folder.path / "none/plain.toml") << SWEEP;
+  std::ofstream(folder.path / "e.toml") << MESSAGES << HOLDS;
+  std::ofstream(folder.path / "plain.toml") << MESSAGES;
+  std::ofstream(folder.path / "none/plain.toml") << MESSAGES;
   for (const std::vector<std::string>& paths :
        {std::vector<std::string>{"plain.toml"}, {"none"}, {"e.toml", "none"}}) {
     auto arguments = paths;
@@ -116,7 +112,7 @@ TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
   const TemporaryFolder folder;
   std::string bytes = "1";
   for (int i = 2; i <= 25; ++i) bytes += ", " + std::to_string(i);
-  std::ofstream(folder.path / "e.toml") << SWEEP << HOLDS;
+  std::ofstream(folder.path / "e.toml") << MESSAGES << HOLDS;
   const auto lines = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"verify", "e.toml", "--set", "sweep.bytes=[" + bytes + "]"});
     const auto out = tlab(folder.path, more).out;
@@ -129,7 +125,7 @@ TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
 TEST(ExperimentsVerify, MistakesAreFoundBeforeResultsAreWritten) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "name.toml")
-      << SWEEP << "[[check]]\nname = \"c\"\nof = \"latency_s\"\n"
+      << MESSAGES << "[[check]]\nname = \"c\"\nof = \"latency_s\"\n"
       << "within = 1\nformula = \"byte\"\n";
   std::ofstream(folder.path / "cut.toml") << "[[check\n";
   fs::create_directory(folder.path / "none");

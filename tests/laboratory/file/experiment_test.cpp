@@ -197,7 +197,11 @@ TEST(ExperimentsFile, MistakesAreNamed) {
            {"[[stage]]\ncell = 3\n", "unknown key \"cell\", the nearest valid key is \"min_cell\""},
            {"[run]\ncost = \"guessed\"\n", "expected one of counted"},
            {"[run]\nprocesses = \"threads\"\n",
-            "run.processes: found 'threads', expected one of fibers, actors"}}) {
+            "run.processes: found 'threads', expected one of fibers, actors"},
+           {"[run]\nengine = \"direct\"\nprocesses = \"actors\"\n",
+            "run.processes: found actors with run.engine = \"direct\", expected fibers"},
+           {"[run]\nengine = \"ns3\"\n",
+            "run.engine: found 'ns3', expected one of simgrid, direct"}}) {
     const auto told = message_of<base::BadInput>([&, text = text] { load(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }

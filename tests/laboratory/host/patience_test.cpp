@@ -31,7 +31,7 @@ class Terminal {
     std::string found;
     char part[256];
     while (found.find(text) == found.npos) {
-      const auto n = read(master_, part, sizeof part);
+      const auto n = ::read(master_, part, sizeof part);
       if (n <= 0) break;
       found.append(part, static_cast<std::size_t>(n));
     }

@@ -4,12 +4,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <functional>
 #include <system_error>
+#include <thread>
 
+#include "base/early_end.hpp"
 #include "base/errors.hpp"
 #include "base/partial_name.hpp"
 #include "tests/laboratory/support/support.hpp"
+#include "tests/support/isolated.hpp"
 
 namespace laboratory {
 namespace {
@@ -338,6 +342,26 @@ TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   { ResultsFolder results(folder.path / "out"); }
   EXPECT_EQ(read_file(folder.path / "out/run.json"), "old");
   EXPECT_EQ(folder.names(), Names{"out"});
+}
+
+// As when a signal comes while a drawing is being written.
+TEST(ExperimentsResultsFolder, IsRemovedWhileSomebodyWritesThere) {
+  for (int time = 0; time < 20; ++time) {
+    const TemporaryFolder folder;
+    test::run_isolated([&] {
+      // Neither goes: whoever leaves a section would wait for the end of the program.
+      const auto* results = new ResultsFolder(folder.path / "out");
+      new std::thread([from = results->working() / "new", to = results->working() / "renamed"] {
+        for (int i = 0; i < 2000; ++i) {
+          std::ofstream(from) << i;
+          std::rename(from.c_str(), to.c_str());
+        }
+      });
+      usleep(1000);
+      base::undo_all();
+    });
+    EXPECT_TRUE(fs::is_empty(folder.path)) << "time " << time;
+  }
 }
 
 TEST(ExperimentsResultsFolder, SurvivesAKilledRun) {

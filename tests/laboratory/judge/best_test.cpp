@@ -10,11 +10,11 @@ namespace laboratory {
 namespace {
 
 // The mesh is faster than the line from 4 workers on, and stops gaining after 8.
-struct Case {
+struct BestCase {
   ExperimentFile file;
   Table table{.columns = {"topology", "workers", "objects", "time_s"}, .axes = 3, .rows = {}};
 
-  explicit Case(const std::string& question) {
+  explicit BestCase(const std::string& question) {
     file =
         load("[sweep]\ntopology = [\"line\", \"mesh\"]\nworkers = [1, 2, 4, 8, 16]\n" + question);
     for (const auto& point : file.points) {
@@ -35,7 +35,7 @@ struct Case {
 const std::string QUESTION = "[[best]]\nname = \"least\"\nof = \"time_s\"\nover = [\"topology\"]\n";
 
 TEST(ExperimentsBest, TheLeastForEachOfTheOthers) {
-  const auto answer = Case(QUESTION).find();
+  const auto answer = BestCase(QUESTION).find();
   EXPECT_EQ(answer.best.columns, (std::vector<std::string>{"workers", "best", "time_s", "runner_up",
                                                            "runner_up_time_s", "better by %"}));
   ASSERT_EQ(answer.best.rows.size(), 5u);
@@ -51,7 +51,7 @@ TEST(ExperimentsBest, TheLeastForEachOfTheOthers) {
 
 TEST(ExperimentsBest, TheMostOfAnExpressionWhere) {
   const auto answer =
-      Case(
+      BestCase(
           "[[best]]\nname = \"b\"\nof = \"1 / time_s\"\nleast = false\nover = [\"workers\"]\n"
           "for_each = [\"topology\"]\nwhere = \"workers < 16\"\n")
           .find();
@@ -62,20 +62,20 @@ TEST(ExperimentsBest, TheMostOfAnExpressionWhere) {
 }
 
 TEST(ExperimentsBest, DoublingPaysUntilItDoesNot) {
-  const auto answer = Case(QUESTION + "pays = \"workers\"\ngain = 0.5\n").find();
+  const auto answer = BestCase(QUESTION + "pays = \"workers\"\ngain = 0.5\n").find();
   EXPECT_EQ(answer.pays.columns,
             (std::vector<std::string>{"topology", "pays_up_to_workers", "next doubling gains %"}));
   EXPECT_EQ(answer.pays.rows.at(0), (std::vector<Value>{"line", std::int64_t{2}, 0.0}));
   EXPECT_EQ(answer.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, 0.0}));
   const auto some =
-      Case(QUESTION + "pays = \"workers\"\nwhere = \"workers != 2 && workers < 16\"\n").find();
+      BestCase(QUESTION + "pays = \"workers\"\nwhere = \"workers != 2 && workers < 16\"\n").find();
   // From 1 to 4 workers the line gains a factor of 2 in two doublings: 41 % each.
   EXPECT_EQ(some.pays.rows.at(0)[1], Value(std::int64_t{4}));
   EXPECT_EQ(some.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, {}}))
       << "to the end";
   EXPECT_EQ(some.findings.back(), "mesh: doubling workers pays up to 8, the most that was tried.");
   const auto least =
-      Case(QUESTION + "pays = \"workers\"\ngain = 0.5\nwhere = \"workers != 2\"\n").find();
+      BestCase(QUESTION + "pays = \"workers\"\ngain = 0.5\nwhere = \"workers != 2\"\n").find();
   EXPECT_EQ(least.pays.rows.at(0)[1], Value(std::int64_t{1}));
   EXPECT_NEAR(*as_number(least.pays.rows.at(0)[2]), 100 * (std::sqrt(2) - 1), 0.05);
   const auto csv = make_pays_csv({answer});
@@ -94,7 +94,7 @@ TEST(ExperimentsBest, MistakesAreNamed) {
            {QUESTION + "gain = 2\n", "gain: found 2, expected a number from 0 to 1"},
            {"[[best]]\nname = \"b\"\nof = \"time\"\nover = [\"topology\"]\n",
             "of: unknown variable \"time\""}}) {
-    const auto told = message_of<base::BadInput>([&, text = text] { Case(text).find(); });
+    const auto told = message_of<base::BadInput>([&, text = text] { BestCase(text).find(); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
 }

@@ -9,7 +9,7 @@ namespace laboratory {
 namespace {
 
 // Three points whose results are as given here, whatever the program would say.
-struct Case {
+struct ChecksCase {
   TemporaryFolder folder;
   ExperimentFile file;
   Table table{.columns = {"topology", "bytes", "latency_s", "note"},
@@ -18,7 +18,7 @@ struct Case {
                        {"mesh:2x2", std::int64_t{2}, 2.2, "b"},
                        {"line", std::int64_t{4}, 4.0, {}}}};
 
-  explicit Case(const std::string& checks, const std::vector<std::string>& overrides = {}) {
+  explicit ChecksCase(const std::string& checks, const std::vector<std::string>& overrides = {}) {
     std::ofstream(folder.path / "ref.csv")
         << "# published\nbytes,latency_s,other\n1,1.0,5\n2,2.0,\n4,,5\n8,8.0,5\n";
     std::ofstream(folder.path / "words.csv") << "bytes,latency_s\n1,fast\n";
@@ -42,7 +42,7 @@ TEST(ExperimentsChecks, ColumnsThatWereRenamedAreToldByTheirNewName) {
   EXPECT_EQ(suggest_column("messages", {"message", "messages_sent"}),
             ", the nearest is \"messages_sent\"");
   EXPECT_EQ(suggest_column("hit_local", {"hit_total", "time_s"}), ", the nearest is \"hit_total\"");
-  EXPECT_NE(Case("[[check]]\nname = \"c\"\nof = \"latenzy_s\"\nat_least = 0\n")
+  EXPECT_NE(ChecksCase("[[check]]\nname = \"c\"\nof = \"latenzy_s\"\nat_least = 0\n")
                 .message()
                 .find("latency_s"),
             std::string::npos);
@@ -60,13 +60,13 @@ TEST(ExperimentsChecks, RelativeErrorsDecide) {
            {"within = 0.01\nwhere = \"topology_is_line\"\n", Verdict::holds},
            {"within = 0.01\nwhere = \"topology_is_mesh_2x2\"\n", Verdict::fails},
            {"within = 1\nwhere = \"topology_is_ring\"\n", Verdict::unmatched}}) {
-    const Case test(check(formula + limit));
+    const ChecksCase test(check(formula + limit));
     EXPECT_EQ(test.eval().at(0).verdict, verdict) << limit;
   }
 }
 
 TEST(ExperimentsChecks, EveryPointIsCompared) {
-  const auto result = Case(check("formula = \"bytes\"\nwithin = 0.01\n")).eval().at(0);
+  const auto result = ChecksCase(check("formula = \"bytes\"\nwithin = 0.01\n")).eval().at(0);
   ASSERT_EQ(result.points.size(), 3u);
   EXPECT_EQ(result.worst, 1u);
   EXPECT_NEAR(result.points[1].error, 0.1, 1e-12);
@@ -92,16 +92,16 @@ TEST(ExperimentsChecks, BoundsDecide) {
            {"between = [\"0 / 0\", 9]", Verdict::fails},
            {"between = [0, \"0 / 0\"]", Verdict::fails},
            {"at_least = \"{latency_s @ bytes = 3}\"", Verdict::unmatched}}) {
-    const Case test(check(bounds + "\n"));
+    const ChecksCase test(check(bounds + "\n"));
     EXPECT_EQ(test.eval().at(0).verdict, verdict) << bounds;
   }
-  Case infinite(check("at_least = 1\n"));
+  ChecksCase infinite(check("at_least = 1\n"));
   infinite.table.rows[1][2] = INFINITY;
   EXPECT_EQ(infinite.eval().at(0).verdict, Verdict::fails);
 }
 
 TEST(ExperimentsChecks, OfBoundsTheNearestIsShownAndHowFarAValueIsBeyondIt) {
-  const Case test(check("between = [1.5, \"bytes + 0.5\"]\n"));
+  const ChecksCase test(check("between = [1.5, \"bytes + 0.5\"]\n"));
   const auto result = test.eval().at(0);
   ASSERT_EQ(result.points.size(), 3u);
   const auto expect = [&](std::size_t i, double bound, double error, Kind kind) {
@@ -125,7 +125,7 @@ TEST(ExperimentsChecks, OfBoundsTheNearestIsShownAndHowFarAValueIsBeyondIt) {
 }
 
 TEST(ExperimentsChecks, WithinABoundThePointThatIsNearestToItIsTheWorst) {
-  const Case test(check("at_least = 0.5\n"));
+  const ChecksCase test(check("at_least = 0.5\n"));
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.worst, 0u);
   EXPECT_EQ(summarize(result, test.table),
@@ -140,7 +140,7 @@ TEST(ExperimentsChecks, WithinABoundThePointThatIsNearestToItIsTheWorst) {
 
 TEST(ExperimentsChecks, WhatIsNoNumberFails) {
   for (const char* formula : {"0 / 0", "1 / 0", "note_missing"}) {
-    Case test(check("formula = \"" + std::string(formula) + "\"\nwithin = 1e9\n"));
+    ChecksCase test(check("formula = \"" + std::string(formula) + "\"\nwithin = 1e9\n"));
     test.table.columns[3] = "note_missing";
     for (auto& row : test.table.rows) row[3] = {};
     const auto result = test.eval().at(0);
@@ -152,22 +152,23 @@ TEST(ExperimentsChecks, WhatIsNoNumberFails) {
 }
 
 TEST(ExperimentsChecks, DefinitionsMayNeedOthersInAnyOrder) {
-  const Case test(check("formula = \"a\"\nwithin_abs = 1e9\n") +
-                  "[let]\na = \"b + c\"\nb = \"c * bytes\"\nc = 2\n");
+  const ChecksCase test(check("formula = \"a\"\nwithin_abs = 1e9\n") +
+                        "[let]\na = \"b + c\"\nb = \"c * bytes\"\nc = 2\n");
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.points.at(0).expected, 4);
   EXPECT_EQ(result.points.at(2).expected, 10);
 }
 
 TEST(ExperimentsChecks, FormulasNameColumnsKeysAndTheModel) {
-  const Case test("[model.link]\none_way_rate = 1000\n" +
-                  check("formula = \"bytes + 0 * sweepless\"\nwithin_abs = 1e9\n") +
-                  "[let]\nsweepless = \"program.bytes + link.one_way_rate / 1000 + cpu.clock\"\n");
+  const ChecksCase test(
+      "[model.link]\none_way_rate = 1000\n" +
+      check("formula = \"bytes + 0 * sweepless\"\nwithin_abs = 1e9\n") +
+      "[let]\nsweepless = \"program.bytes + link.one_way_rate / 1000 + cpu.clock\"\n");
   EXPECT_EQ(test.eval().at(0).points.at(2).expected, 4);
 }
 
 TEST(ExperimentsChecks, ReferencesAreMatchedByTheirKeys) {
-  const Case test(check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwithin = 0.2\n"));
+  const ChecksCase test(check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwithin = 0.2\n"));
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.verdict, Verdict::holds);
   ASSERT_EQ(result.points.size(), 2u);  // the empty cell is none
@@ -175,18 +176,18 @@ TEST(ExperimentsChecks, ReferencesAreMatchedByTheirKeys) {
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("1 row(s)"), std::string::npos);
   EXPECT_NE(result.notes[0].find("bytes = 8"), std::string::npos);
-  const Case other(
+  const ChecksCase other(
       check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\ncolumn = \"other\"\n"
             "within = 0.2\n"));
   EXPECT_EQ(other.eval().at(0).verdict, Verdict::fails);
-  const Case none(
+  const ChecksCase none(
       check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwhere = \"bytes > 4\"\n"
             "within = 0.2\n"));
   EXPECT_EQ(none.eval().at(0).verdict, Verdict::unmatched);
 }
 
 TEST(ExperimentsChecks, TablesShowPointsAndOfManyTheWorst) {
-  const Case test(check("formula = \"bytes\"\nwithin = 0.01\n"));
+  const ChecksCase test(check("formula = \"bytes\"\nwithin = 0.01\n"));
   const auto result = test.eval().at(0);
   const auto all = make_check_table(result, test.table, 3);
   EXPECT_EQ(all.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "formula",
@@ -204,8 +205,9 @@ TEST(ExperimentsChecks, TablesShowPointsAndOfManyTheWorst) {
 }
 
 TEST(ExperimentsChecks, ADefinitionCanBeChecked) {
-  const Case test("[let]\ntwice = \"2 * latency_s\"\n[[check]]\nname = \"c\"\nof = \"twice\"\n" +
-                  std::string("formula = \"2 * bytes\"\nwithin = 0.11\n"));
+  const ChecksCase test(
+      "[let]\ntwice = \"2 * latency_s\"\n[[check]]\nname = \"c\"\nof = \"twice\"\n" +
+      std::string("formula = \"2 * bytes\"\nwithin = 0.11\n"));
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.verdict, Verdict::holds);
   EXPECT_EQ(result.points.at(1).simulated, 4.4);
@@ -213,7 +215,7 @@ TEST(ExperimentsChecks, ADefinitionCanBeChecked) {
 
 TEST(ExperimentsChecks, WhatTheModelWasFittedToIsToldApart) {
   const std::string text = check("formula = \"bytes\"\nwithin = 0.2\nwithin_mean = 0.2\n");
-  const Case test(text + "calibrated = \"bytes != 4\"\n");
+  const ChecksCase test(text + "calibrated = \"bytes != 4\"\n");
   const auto result = test.eval().at(0);
   ASSERT_TRUE(result.predicted);
   EXPECT_EQ(result.predicted->points, 1u);
@@ -227,12 +229,13 @@ TEST(ExperimentsChecks, WhatTheModelWasFittedToIsToldApart) {
   ASSERT_TRUE(kind);
   EXPECT_EQ(shown.rows[1][*kind], Value("calibrated"));
   EXPECT_EQ(shown.rows[2][*kind], Value("predicted"));
-  const Case all(text + "calibrated = \"1\"\n");
+  const ChecksCase all(text + "calibrated = \"1\"\n");
   EXPECT_FALSE(all.eval().at(0).predicted);
 }
 
 TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
-  const Case test(check("formula = \"bytes + 0 * {latency_s @ bytes = bytes / 2}\"\nwithin = 1\n"));
+  const ChecksCase test(
+      check("formula = \"bytes + 0 * {latency_s @ bytes = bytes / 2}\"\nwithin = 1\n"));
   const auto result = test.eval().at(0);
   EXPECT_TRUE(result.points.empty()) << "the topologies differ";
   EXPECT_EQ(result.verdict, Verdict::unmatched);
@@ -243,7 +246,7 @@ TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
 
 TEST(ExperimentsChecks, TextsThatNoPointHasAreNoted) {
   const auto notes = [](const std::string& reference) {
-    const Case test(check("formula = \"" + reference + "\"\nwithin = 1\n"));
+    const ChecksCase test(check("formula = \"" + reference + "\"\nwithin = 1\n"));
     return note_unknown_texts(plan_checks(test.file), test.table);
   };
   EXPECT_EQ(notes("{latency_s @ topology = mesh:2x2} + {latency_s @ topology = 'line'}"),
@@ -257,7 +260,7 @@ TEST(ExperimentsChecks, TextsThatNoPointHasAreNoted) {
 }
 
 TEST(ExperimentsChecks, EmptyCellsAreLeftOut) {
-  Case test(check("formula = \"bytes\"\nwithin = 0.01\n"));
+  ChecksCase test(check("formula = \"bytes\"\nwithin = 0.01\n"));
   test.table.rows[1][2] = {};
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.verdict, Verdict::holds);
@@ -315,12 +318,12 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
             "column: unknown column \"x\""},
            {check("reference = \"words.csv\"\nkeys = [\"bytes\"]\n" + in),
             "found \"fast\", expected a number"}}) {
-    const auto told = message_of<base::BadInput>([&, text = text] { Case(text).eval(); });
+    const auto told = message_of<base::BadInput>([&, text = text] { ChecksCase(text).eval(); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
   for (const char* override : {"check=3", "check=[3]", "let=3"})
-    EXPECT_NE(message_of<base::BadInput>([&] { Case("", {override}); }), "") << override;
-  EXPECT_TRUE(Case(check(good + in), {"check=[]"}).eval().empty());
+    EXPECT_NE(message_of<base::BadInput>([&] { ChecksCase("", {override}); }), "") << override;
+  EXPECT_TRUE(ChecksCase(check(good + in), {"check=[]"}).eval().empty());
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace laboratory {
 namespace {
 
 // Twelve points: topology, then workers and height together, then objects.
-struct Case {
+struct RowsCase {
   ExperimentFile file = load(
       "[sweep]\ntopology = [\"tree\", \"mesh\"]\n\"workers, height\" = [[1, 16], [2, 16], [4, "
       "32]]\n"
@@ -17,7 +17,7 @@ struct Case {
               .axes = 4,
               .rows = {}};
 
-  Case() {
+  RowsCase() {
     for (const auto& point : file.points) {
       const auto& e = point.experiment;
       const auto height = std::get<std::int64_t>(get_value(e, "image.height"));
@@ -35,7 +35,7 @@ struct Case {
 };
 
 TEST(ExperimentsRows, BracesNameARowWithTheSameOtherAxes) {
-  const Case test;
+  const RowsCase test;
   for (std::size_t row = 0; row < test.table.rows.size(); ++row) {
     const double workers = *as_number(test.table.rows[row][1]);
     // Workers are coupled with height, which follows them.
@@ -48,7 +48,7 @@ TEST(ExperimentsRows, BracesNameARowWithTheSameOtherAxes) {
 }
 
 TEST(ExperimentsRows, ARowThatIsNotThereOrDidNotEndLeavesOut) {
-  Case test;
+  RowsCase test;
   EXPECT_FALSE(test.eval("{time_s @ objects = 400}", 0));
   EXPECT_FALSE(test.eval("{time_s @ workers = 2, height = 32}", 0)) << "both are asked for";
   EXPECT_TRUE(test.eval("{time_s @ objects = 800}", 0));
@@ -57,7 +57,7 @@ TEST(ExperimentsRows, ARowThatIsNotThereOrDidNotEndLeavesOut) {
 }
 
 TEST(ExperimentsRows, OfCoupledAxesTheOwnValuesComeFirst) {
-  const Case test;
+  const RowsCase test;
   EXPECT_EQ(test.eval("{workers @ height = 16}", 0), 1);
   EXPECT_EQ(test.eval("{workers @ height = 16}", 2), 2) << "its own workers";
   const auto message = message_of<base::BadInput>([&] { test.eval("{workers @ height = 16}", 4); });
@@ -69,14 +69,14 @@ TEST(ExperimentsRows, OfCoupledAxesTheOwnValuesComeFirst) {
 }
 
 TEST(ExperimentsRows, NoOtherRowStandsInForOneThatDidNotEnd) {
-  Case test;
+  RowsCase test;
   test.table.rows[0].back() = "limit";
   EXPECT_FALSE(test.eval("{workers @ height = 16}", 0));
   EXPECT_EQ(test.eval("{workers @ height = 16}", 2), 2);
 }
 
 TEST(ExperimentsRows, DefinitionsMayUseAndBeUsedInBraces) {
-  const Case test;
+  const RowsCase test;
   Rows rows(test.file, test.table);
   rows.define("speedup", Expression("{time_s @ workers = 1} / time_s", "a"), "a");
   rows.define("gain", Expression("speedup / {speedup @ workers = workers / 2} - 1", "b"), "b");
@@ -86,7 +86,7 @@ TEST(ExperimentsRows, DefinitionsMayUseAndBeUsedInBraces) {
 }
 
 TEST(ExperimentsRows, MistakesInBracesAreNamed) {
-  const Case test;
+  const RowsCase test;
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"{time_s}", "e.toml:1: x: found {time_s}, expected {COLUMN @ AXIS = VALUE, ...}"},
            {"{time_s @ workers}", "found \"workers\", expected AXIS = VALUE"},

@@ -13,13 +13,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const std::string CENSUS = "[program]\nname = \"census\"\n";
+const std::string MINIMAL = "[program]\nname = \"census\"\n";
 
 TEST(ExperimentsChoices, AreTextsInTheFile) {
-  EXPECT_EQ(show_value(load(CENSUS).points[0].experiment, "pairs"), "all");
-  EXPECT_EQ(show_value(load(CENSUS + "pairs = \"root\"\n").points[0].experiment, "pairs"), "root");
-  EXPECT_EQ(show_value(load(CENSUS, {"program.pairs=root"}).points[0].experiment, "pairs"), "root");
-  const auto file = load(CENSUS + "[sweep]\npairs = [\"root\", \"all\"]\n");
+  EXPECT_EQ(show_value(load(MINIMAL).points[0].experiment, "pairs"), "all");
+  EXPECT_EQ(show_value(load(MINIMAL + "pairs = \"root\"\n").points[0].experiment, "pairs"), "root");
+  EXPECT_EQ(show_value(load(MINIMAL, {"program.pairs=root"}).points[0].experiment, "pairs"),
+            "root");
+  const auto file = load(MINIMAL + "[sweep]\npairs = [\"root\", \"all\"]\n");
   ASSERT_EQ(file.points.size(), 2u);
   EXPECT_EQ(show_value(file.points[0].experiment, "pairs"), "root");
   EXPECT_EQ(show_value(file.points[1].experiment, "pairs"), "all");
@@ -28,7 +29,7 @@ TEST(ExperimentsChoices, AreTextsInTheFile) {
         {"1", "found 1, expected one of all, root"},
         {"\"\"", "found '', expected one of all, root"}}) {
     const auto told = message_of<base::BadInput>(
-        [&, value = value] { load(CENSUS + "pairs = " + value + "\n"); });
+        [&, value = value] { load(MINIMAL + "pairs = " + value + "\n"); });
     EXPECT_NE(told.find(std::string("e.toml:3: program.pairs: ") + found), std::string::npos)
         << told;
   }
@@ -41,7 +42,7 @@ struct Parts : Sweep {
         << "pairs,topology,processor,routes_through\nall,line:3,1,2\nroot,line:3,1,2\n"
            "all,ring:3,1,0\nall,line:3,2,0\n";
     std::ofstream(folder.path / "e.toml")
-        << CENSUS << "[sweep]\npairs = [\"all\", \"root\"]\ntopology = [\"line:3\", \"ring:3\"]\n"
+        << MINIMAL << "[sweep]\npairs = [\"all\", \"root\"]\ntopology = [\"line:3\", \"ring:3\"]\n"
         << "[let]\nmiddle = \"{routes_through @ processor = 1}\"\n"
         << "[[check]]\nname = \"line\"\nof = \"routes_through\"\nwithin_abs = 0\n"
         << "formula = \"processor == 1 ? 2 : 0\"\nwhere = \"topology_is_line_3\"\n"
@@ -115,9 +116,10 @@ TEST_F(Parts, NotesNameTheirPoint) {
 
 // The second of three points failed, the third was cut short.
 TEST(ExperimentsParts, APointWithoutRowsKeepsOneWithoutParts) {
-  const auto file = load(CENSUS + "[sweep]\nworkers = [2, 3, 4]\n[network]\ntopology = \"line\"\n" +
-                         "[[check]]\nname = \"c\"\nof = \"routes_through\"\nwithin_abs = 0\n"
-                         "formula = \"{routes_through @ processor = 0, processors = 2}\"\n");
+  const auto file =
+      load(MINIMAL + "[sweep]\nworkers = [2, 3, 4]\n[network]\ntopology = \"line\"\n" +
+           "[[check]]\nname = \"c\"\nof = \"routes_through\"\nwithin_abs = 0\n"
+           "formula = \"{routes_through @ processor = 0, processors = 2}\"\n");
   const auto make = [](int processors, const std::string& ended) {
     PointResult result;
     result.topology = fmt::format("line:{}", processors);

@@ -13,13 +13,13 @@ namespace {
 
 // Speed-ups as Amdahl's law has them with a twentieth, or a fifth, of serial work; with 32 workers
 // those of the second fall.
-struct Case {
+struct LawsCase {
   TemporaryFolder folder;
   ExperimentFile file;
   Table table{
       .columns = {"topology", "workers", "objects", "speedup", "link"}, .axes = 3, .rows = {}};
 
-  explicit Case(const std::string& text) {
+  explicit LawsCase(const std::string& text) {
     std::ofstream(folder.path / "ref.csv") << "objects,workers,s\n200,2,2.0\n200,4,\n800,64,1\n";
     std::ofstream(folder.path / "e.toml")
         << "[sweep]\nobjects = [800, 200]\nworkers = [1, 2, 4, 8, 16, 32]\n"
@@ -57,7 +57,7 @@ std::vector<std::string> names(const Plot& plot) {
 }
 
 TEST(ExperimentsExhibits, ACurveForEachValueOfTheOtherAxes) {
-  const auto exhibits = Case(plot("")).make();
+  const auto exhibits = LawsCase(plot("")).make();
   ASSERT_EQ(exhibits.size(), 1u);
   const Plot& p = exhibits[0].plot;
   EXPECT_EQ(p.name, "p");
@@ -67,16 +67,17 @@ TEST(ExperimentsExhibits, ACurveForEachValueOfTheOtherAxes) {
   EXPECT_EQ(p.series[1].x, (std::vector<double>{1, 2, 4, 8, 16, 32}));
   EXPECT_TRUE(p.log_x);
   EXPECT_FALSE(p.log_y);
-  EXPECT_TRUE(Case(plot("ideal = true\n")).make()[0].plot.log_y) << "or the ideal is no line";
-  EXPECT_FALSE(Case(plot("log_x = false\n")).make()[0].plot.log_x);
+  EXPECT_TRUE(LawsCase(plot("ideal = true\n")).make()[0].plot.log_y) << "or the ideal is no line";
+  EXPECT_FALSE(LawsCase(plot("log_x = false\n")).make()[0].plot.log_x);
 }
 
 TEST(ExperimentsExhibits, ExpressionsConditionsAndLabels) {
-  const auto exhibits = Case(plot("where = \"objects == 200 * workers\"\ny_label = \"S [1]\"\n") +
-                             "[[plot]]\nname = \"q\"\nx = \"objects\"\ny = \"gain - 1\"\n"
-                             "series = []\nwhere = \"workers == 4\"\n"
-                             "[let]\ngain = \"speedup / {speedup @ workers = workers / 2}\"\n")
-                            .make();
+  const auto exhibits =
+      LawsCase(plot("where = \"objects == 200 * workers\"\ny_label = \"S [1]\"\n") +
+               "[[plot]]\nname = \"q\"\nx = \"objects\"\ny = \"gain - 1\"\n"
+               "series = []\nwhere = \"workers == 4\"\n"
+               "[let]\ngain = \"speedup / {speedup @ workers = workers / 2}\"\n")
+          .make();
   ASSERT_EQ(exhibits.size(), 2u);
   EXPECT_EQ(exhibits[0].plot.series.size(), 1u) << "a diagonal of the sweep";
   EXPECT_EQ(exhibits[0].plot.series[0].x, (std::vector<double>{1, 4}));
@@ -88,7 +89,7 @@ TEST(ExperimentsExhibits, ExpressionsConditionsAndLabels) {
 }
 
 TEST(ExperimentsExhibits, SeveralYHaveTheirCurvesEach) {
-  const auto p = Case(
+  const auto p = LawsCase(
                      "[[plot]]\nname = \"p\"\nx = \"workers\"\ny = [\"speedup\", \"half_of\"]\n"
                      "[let]\nhalf_of = \"speedup / 2\"\n")
                      .make()
@@ -100,8 +101,8 @@ TEST(ExperimentsExhibits, SeveralYHaveTheirCurvesEach) {
 }
 
 TEST(ExperimentsExhibits, PointsAndPlotsThatCannotBeAreNamed) {
-  Case test(plot("where = \"objects == 200 && workers <= 2\"\n") +
-            "[[plot]]\nname = \"none\"\nx = \"workers\"\ny = \"{speedup @ workers = 64}\"\n");
+  LawsCase test(plot("where = \"objects == 200 && workers <= 2\"\n") +
+                "[[plot]]\nname = \"none\"\nx = \"workers\"\ny = \"{speedup @ workers = 64}\"\n");
   const auto exhibits = test.make();
   EXPECT_EQ(exhibits.size(), 1u);
   ASSERT_EQ(test.nothing.size(), 1u);
@@ -109,8 +110,8 @@ TEST(ExperimentsExhibits, PointsAndPlotsThatCannotBeAreNamed) {
 }
 
 TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
-  const auto exhibit = Case(plot("reference = \"ref.csv\"\nkeys = [\"objects\", \"workers\"]\n"
-                                 "column = \"s\"\nreference_name = \"thesis\"\n"))
+  const auto exhibit = LawsCase(plot("reference = \"ref.csv\"\nkeys = [\"objects\", \"workers\"]\n"
+                                     "column = \"s\"\nreference_name = \"thesis\"\n"))
                            .make()
                            .at(0);
   EXPECT_EQ(names(exhibit.plot).back(), "200 objects, thesis");
@@ -134,7 +135,7 @@ TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
            {"1", ": the points do not determine it."},
            {"1.5", ": no share of the work, the law does not hold."}}) {
     const auto exhibit =
-        Case(
+        LawsCase(
             "[[plot]]\nname = \"p\"\nx = \"workers\"\nwhere = \"objects == 200\"\nfit = "
             "\"gustafson\"\ny = \"workers * (" +
             mean + " + 0.02 * cos(workers))\"\n")
@@ -146,9 +147,9 @@ TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
 }
 
 TEST(ExperimentsExhibits, LawsAreFittedToEachCurve) {
-  const auto exhibits = Case(plot("fit = \"amdahl\"\n") +
-                             "[[plot]]\nname = \"q\"\nx = \"workers\"\ny = \"speedup\"\n"
-                             "fit = \"sun-ni\"\ngrowth = \"1\"\nwhere = \"objects == 200\"\n")
+  const auto exhibits = LawsCase(plot("fit = \"amdahl\"\n") +
+                                 "[[plot]]\nname = \"q\"\nx = \"workers\"\ny = \"speedup\"\n"
+                                 "fit = \"sun-ni\"\ngrowth = \"1\"\nwhere = \"objects == 200\"\n")
                             .make();
   for (const auto& exhibit : exhibits) {
     const auto& row = exhibit.fits.rows.back();
@@ -163,12 +164,12 @@ TEST(ExperimentsExhibits, LawsAreFittedToEachCurve) {
   EXPECT_EQ(csv.columns.front(), "plot");
   EXPECT_EQ(csv.rows.size(), 3u);
   EXPECT_EQ(csv.rows.back().front(), Value("q"));
-  const auto few = Case(plot("fit = \"amdahl\"\nwhere = \"workers <= 2\"\n")).make().at(0);
+  const auto few = LawsCase(plot("fit = \"amdahl\"\nwhere = \"workers <= 2\"\n")).make().at(0);
   EXPECT_EQ(few.notes.size(), 2u) << "one point says nothing of its own error";
 }
 
 TEST(ExperimentsExhibits, OnlyACurveThatFallsTurns) {
-  auto test = Case(plot("optimum = true\n"));
+  auto test = LawsCase(plot("optimum = true\n"));
   const auto exhibit = test.make().at(0);
   EXPECT_EQ(exhibit.optima.rows.at(0).back(), Value("turns down after 16"));
   EXPECT_EQ(exhibit.optima.rows.at(1).back(), Value("still rising at 32"));
@@ -209,7 +210,7 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
            {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = \"link\"\n", "link is a text"},
            {"[report]\nnetworks = \"some\"\n", "expected one of all, largest, none"},
            {"[report]\nnetwork = \"all\"\n", "the nearest valid key is \"networks\""}}) {
-    const auto told = message_of<base::BadInput>([&, text = text] { Case(text).make(); });
+    const auto told = message_of<base::BadInput>([&, text = text] { LawsCase(text).make(); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
 }

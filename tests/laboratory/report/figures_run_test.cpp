@@ -9,13 +9,9 @@ namespace laboratory {
 namespace {
 
 // The problem grows with the machine.
-const std::string SWEEP =
+const std::string FIGURES =
     "[program]\nname = \"law\"\nscaled = 1\n[sweep]\nserial_fraction = [0.05, 0.2]\n"
     "\"workers, work_cycles\" = [[1, 10000000], [2, 20000000], [4, 40000000]]\n";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 struct Trial {
   TemporaryFolder folder;
@@ -29,7 +25,7 @@ struct Trial {
 
 TEST(ExperimentsFigures, ARunWritesWhatItFound) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
-  const Trial run(SWEEP +
+  const Trial run(FIGURES +
                   "[[plot]]\nname = \"gustafson\"\nx = \"processors\"\ny = \"speedup\"\n"
                   "fit = \"gustafson\"\noptimum = true\n"
                   "[[best]]\nname = \"most\"\nof = \"speedup\"\nleast = false\n"
@@ -99,13 +95,13 @@ TEST(ExperimentsFigures, ARunJsonOfOtherPointsIsRefused) {
 }
 
 TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {
-  const Trial plot(SWEEP + "[[plot]]\nname = \"p\"\nx = \"processors\"\ny = \"spedup\"\n");
+  const Trial plot(FIGURES + "[[plot]]\nname = \"p\"\nx = \"processors\"\ny = \"spedup\"\n");
   EXPECT_EQ(plot.outcome.exit_code, 2);
   EXPECT_TRUE(contains(plot.outcome.err,
                        "plot \"p\": y: unknown variable \"spedup\", the nearest is \"speedup\""))
       << plot.outcome.err;
   EXPECT_FALSE(std::filesystem::exists(plot.folder.path / "out/results.csv"));
-  const Trial best(SWEEP + "[[best]]\nname = \"b\"\nof = \"speedup\"\nover = [\"workers\"]\n");
+  const Trial best(FIGURES + "[[best]]\nname = \"b\"\nof = \"speedup\"\nover = [\"workers\"]\n");
   EXPECT_EQ(best.outcome.exit_code, 2);
   EXPECT_TRUE(contains(best.outcome.err, "best \"b\": over: \"workers\" is no axis of the results"))
       << best.outcome.err;

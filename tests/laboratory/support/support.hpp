@@ -17,6 +17,10 @@ inline void write_file(const std::filesystem::path& path, std::string_view bytes
   base::save_whole(path, bytes);
 }
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 inline bool is_gnuplot_installed() {
   return std::system("gnuplot --version > /dev/null 2>&1") == 0;
 }

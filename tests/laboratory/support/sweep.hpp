@@ -49,8 +49,4 @@ struct Sweep : testing::Test {
   TemporaryFolder folder;
 };
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace laboratory

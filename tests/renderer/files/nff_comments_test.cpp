@@ -10,8 +10,9 @@
 namespace renderer::test {
 namespace {
 
-const std::string VIEW = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 4 3\n";
-const std::string SURFACE = "f 1 0.5 0.25 0.6 0.3 20 0.1 1.5\n";
+const std::string COMMENTED_VIEW =
+    "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 4 3\n";
+const std::string COMMENTED_SURFACE = "f 1 0.5 0.25 0.6 0.3 20 0.1 1.5\n";
 
 // A folder with an NFF file and files beside it.
 class Folder {
@@ -43,14 +44,15 @@ std::string get_error(const Action& action) {
 }
 
 TEST(NffComments, EveryStatement) {
-  const Scene scene = parse_nff("# lens 0.25 7\n#shutter 0.5 2 # frames\n" + VIEW + SURFACE +
-                                    "s 0 0 0 1\n  # gloss 0.1\ns 1 0 0 1\n# translucent 0.2\n"
-                                    "# move 1 0 -2\ns 2 0 0 1\n# move 0 0 0\n" +
-                                    SURFACE +
-                                    "# translucent 1\n# gloss 0\ns 3 0 0 1\n"
-                                    "# light rect 1 2 3 4 0 0 0 5 0\n"
-                                    "# light sphere 6 7 8 0.5 0.25 0.5 1\nl 0 9 0\n",
-                                "test.nff", 10);
+  const Scene scene =
+      parse_nff("# lens 0.25 7\n#shutter 0.5 2 # frames\n" + COMMENTED_VIEW + COMMENTED_SURFACE +
+                    "s 0 0 0 1\n  # gloss 0.1\ns 1 0 0 1\n# translucent 0.2\n"
+                    "# move 1 0 -2\ns 2 0 0 1\n# move 0 0 0\n" +
+                    COMMENTED_SURFACE +
+                    "# translucent 1\n# gloss 0\ns 3 0 0 1\n"
+                    "# light rect 1 2 3 4 0 0 0 5 0\n"
+                    "# light sphere 6 7 8 0.5 0.25 0.5 1\nl 0 9 0\n",
+                "test.nff", 10);
   EXPECT_EQ(scene.view.lens.aperture, 0.25);
   EXPECT_EQ(scene.view.lens.focus, 7);
   ASSERT_EQ(scene.surfaces.size(), 4u);
@@ -86,8 +88,9 @@ TEST(NffComments, EveryKindOfObjectMoves) {
   const std::string objects =
       "s 0 0 0 1\np 3 0 0 0 1 0 0.2 0 1 0.1\npp 3 0 0 1 0 0 1 1 0 1 0 0 1 0 1 1 0 1 1\n"
       "c 0 0 0 1 0 0 1 0.5\n";
-  const Scene still = parse(VIEW + SURFACE + objects);
-  const Scene moved = parse_nff(VIEW + SURFACE + "# move 1 2 3\n" + objects, "test.nff", 2);
+  const Scene still = parse(COMMENTED_VIEW + COMMENTED_SURFACE + objects);
+  const Scene moved =
+      parse_nff(COMMENTED_VIEW + COMMENTED_SURFACE + "# move 1 2 3\n" + objects, "test.nff", 2);
   EXPECT_TRUE(moved.moves.empty()) << "without a shutter nothing moves within a frame";
   Random random{1};
   int hits = 0;
@@ -109,12 +112,13 @@ TEST(NffComments, EveryKindOfObjectMoves) {
 
 // Files as they were before there were statements in comments.
 TEST(NffComments, ProseIsNoStatement) {
-  const Scene plain = parse(VIEW + SURFACE + "s 0 0 0 1\nl 1 1 1\n");
+  const Scene plain = parse(COMMENTED_VIEW + COMMENTED_SURFACE + "s 0 0 0 1\nl 1 1 1\n");
   const Scene scene =
-      parse("# lens\n# lens of glass\n# lenses 1 2\n# light comes from the left\n# light\n" + VIEW +
+      parse("# lens\n# lens of glass\n# lenses 1 2\n# light comes from the left\n# light\n" +
+            COMMENTED_VIEW +
             "# light sphere in the corner\n# light rectangle 1 2 3\n# camera 1, seen from above\n"
             "# camera\n# path to the door\n# path door.nff\n# path here.txt is not used\n" +
-            SURFACE +
+            COMMENTED_SURFACE +
             "# gloss, none\n# translucent\n# shutter closed\n# move it later\n"
             "## move 1 0 0\ns 0 0 0 1 # move 1 0 0\n# a # move 1 0 0\nl 1 1 1 # lens 1 2\n"
             "# emit 1 1 1\n# MOVE 1 1 1\n");
@@ -126,15 +130,15 @@ TEST(NffComments, ProseIsNoStatement) {
             render(plain, make_params(9, 9, 3)).samples);
 }
 
-struct Wrong {
+struct WrongComment {
   std::string text;   // after the view (7 lines) and the surface (line 8)
   std::string error;  // after "test.nff:"
 };
-class NffCommentsWrong : public testing::TestWithParam<Wrong> {};
+class NffCommentsWrong : public testing::TestWithParam<WrongComment> {};
 
 TEST_P(NffCommentsWrong, IsRejectedWithItsLine) {
   const std::string found = get_error([] {
-                              parse(VIEW + SURFACE + GetParam().text);
+                              parse(COMMENTED_VIEW + COMMENTED_SURFACE + GetParam().text);
                             }).substr(0, 9 + GetParam().error.size());
   EXPECT_EQ(found, "test.nff:" + GetParam().error);
 }
@@ -142,41 +146,45 @@ TEST_P(NffCommentsWrong, IsRejectedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(
     Table, NffCommentsWrong,
     testing::Values(
-        Wrong{"# lens 1", "9: found the end of the line, expected the distance in focus"},
-        Wrong{"# lens 1\n2", "9: found the end of the line, expected the distance in focus"},
-        Wrong{"# lens -1 2", "9: found '-1', expected the lens's aperture"},
-        Wrong{"# lens 1 0", "9: found '0', expected the distance in focus"},
-        Wrong{"# lens 1 1e-300", "9: found '1e-300', expected the distance in focus"},
-        Wrong{"# lens 1 2 3", "9: found '3', expected the end of the line"},
-        Wrong{"# lens 1 2\n\n# lens 1 2",
-              "11: found a second '# lens', expected one, that of line 9"},
-        Wrong{"# shutter 1 0.5",
-              "9: found '0.5', expected the time in frames when it closes (a "
-              "number from 1 to 1e+06)"},
-        Wrong{"# shutter -1 0.5", "9: found '-1', expected the time in frames when it opens"},
-        Wrong{"# shutter 0 1\n# shutter 0 1", "10: found a second '# shutter'"},
-        Wrong{"# move 1 2", "9: found the end of the line, expected a velocity"},
-        Wrong{"# move 3 objects", "9: found 'objects', expected a velocity"},
-        Wrong{"# shutter 0 1e6\n# move 1e12 0 0\ns 0 0 0 1",
-              "10: found a displacement of 1e+18, expected at most 1e+15"},
-        Wrong{"# gloss 1.5",
-              "9: found '1.5', expected the radius of a disc at distance 1 (a "
-              "number from 0 to 1)"},
-        Wrong{"# translucent -1", "9: found '-1', expected the radius of a disc"},
-        Wrong{"# light sphere 1 2 3", "9: found the end of the line, expected the light's radius"},
-        Wrong{"# light sphere 1 2 3 0", "9: found a light of radius 0, expected a radius > 0"},
-        Wrong{"# light sphere 1 2 3 1 0.5 0.5",
-              "9: found the end of the line, expected the light's colour"},
-        Wrong{"# light rect 1 2 3 1 0 0",
-              "9: found the end of the line, expected the light's "
-              "second half edge"},
-        Wrong{"# light rect 1 2 3 1 0 0 -2 0 0", "9: found a light without area, expected half"},
-        Wrong{"# light rect 1 2 3 1 0 0 0 0 0", "9: found a light without area"},
-        Wrong{"# path no-such.csv", "9: no-such.csv: cannot be read"},
-        Wrong{"# camera no-such.txt", "9: no-such.txt: cannot be read"}));
+        WrongComment{"# lens 1", "9: found the end of the line, expected the distance in focus"},
+        WrongComment{"# lens 1\n2", "9: found the end of the line, expected the distance in focus"},
+        WrongComment{"# lens -1 2", "9: found '-1', expected the lens's aperture"},
+        WrongComment{"# lens 1 0", "9: found '0', expected the distance in focus"},
+        WrongComment{"# lens 1 1e-300", "9: found '1e-300', expected the distance in focus"},
+        WrongComment{"# lens 1 2 3", "9: found '3', expected the end of the line"},
+        WrongComment{"# lens 1 2\n\n# lens 1 2",
+                     "11: found a second '# lens', expected one, that of line 9"},
+        WrongComment{"# shutter 1 0.5",
+                     "9: found '0.5', expected the time in frames when it closes (a "
+                     "number from 1 to 1e+06)"},
+        WrongComment{"# shutter -1 0.5",
+                     "9: found '-1', expected the time in frames when it opens"},
+        WrongComment{"# shutter 0 1\n# shutter 0 1", "10: found a second '# shutter'"},
+        WrongComment{"# move 1 2", "9: found the end of the line, expected a velocity"},
+        WrongComment{"# move 3 objects", "9: found 'objects', expected a velocity"},
+        WrongComment{"# shutter 0 1e6\n# move 1e12 0 0\ns 0 0 0 1",
+                     "10: found a displacement of 1e+18, expected at most 1e+15"},
+        WrongComment{"# gloss 1.5",
+                     "9: found '1.5', expected the radius of a disc at distance 1 (a "
+                     "number from 0 to 1)"},
+        WrongComment{"# translucent -1", "9: found '-1', expected the radius of a disc"},
+        WrongComment{"# light sphere 1 2 3",
+                     "9: found the end of the line, expected the light's radius"},
+        WrongComment{"# light sphere 1 2 3 0",
+                     "9: found a light of radius 0, expected a radius > 0"},
+        WrongComment{"# light sphere 1 2 3 1 0.5 0.5",
+                     "9: found the end of the line, expected the light's colour"},
+        WrongComment{"# light rect 1 2 3 1 0 0",
+                     "9: found the end of the line, expected the light's "
+                     "second half edge"},
+        WrongComment{"# light rect 1 2 3 1 0 0 -2 0 0",
+                     "9: found a light without area, expected half"},
+        WrongComment{"# light rect 1 2 3 1 0 0 0 0 0", "9: found a light without area"},
+        WrongComment{"# path no-such.csv", "9: no-such.csv: cannot be read"},
+        WrongComment{"# camera no-such.txt", "9: no-such.txt: cannot be read"}));
 
 TEST(NffComments, GlossNeedsASurface) {
-  EXPECT_EQ(get_error([] { parse("# gloss 0.5\n" + VIEW); }),
+  EXPECT_EQ(get_error([] { parse("# gloss 0.5\n" + COMMENTED_VIEW); }),
             "test.nff:1: found '# gloss', expected a surface ('f') before it");
 }
 
@@ -208,9 +216,9 @@ TEST(NffComments, FilesAreLookedForBesideTheScene) {
   const Folder folder;
   folder.write("walk.csv", "T,X,Y,Z\n0,0,0,0\n10,20,0,0\n");
   folder.write("eye.path", "0 0 0 5 0 0 0\n4 0 0 9 0 4 0\n");
-  const std::string nff =
-      folder.write("scene.nff", "# shutter 0 0.5\n# camera eye.path\n" + VIEW + SURFACE +
-                                    "# path walk.csv\ns 1 0 0 1\n# move 0 0 0\ns 2 0 0 1\n");
+  const std::string nff = folder.write(
+      "scene.nff", "# shutter 0 0.5\n# camera eye.path\n" + COMMENTED_VIEW + COMMENTED_SURFACE +
+                       "# path walk.csv\ns 1 0 0 1\n# move 0 0 0\ns 2 0 0 1\n");
   const Scene scene = load_scene(nff, 3);
   EXPECT_EQ(scene.moves, (std::vector<Vec>{{1, 0, 0}, {}}));
   for (const Sphere& s : scene.spheres)
@@ -238,7 +246,7 @@ TEST(NffComments, FilesAreLookedForBesideTheScene) {
 }
 
 TEST(NffComments, RandomStatementsAreRejectedNotFatal) {
-  const std::string whole = "# lens 0.1 5\n# shutter 0 1\n" + VIEW + SURFACE +
+  const std::string whole = "# lens 0.1 5\n# shutter 0 1\n" + COMMENTED_VIEW + COMMENTED_SURFACE +
                             "# gloss 0.5\n# translucent 0.5\n# move 1 0 0\ns 0 0 0 1\n"
                             "# light rect 1 1 1 1 0 0 0 1 0\n# light sphere 1 1 1 1\n";
   int accepted = 0;

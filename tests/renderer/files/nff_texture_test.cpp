@@ -9,8 +9,8 @@
 namespace renderer::test {
 namespace {
 
-const std::string VIEW = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";  // line 1
-const std::string SURFACE = "f 1 1 1 1 0 0 0 0\n";
+const std::string CAMERA = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";  // line 1
+const std::string WHITE = "f 1 1 1 1 0 0 0 0\n";
 const std::string SQUARE = "p 4 0 0 0 1 0 0 1 1 0 0 1 0\n";
 
 // A folder with the picture a.png, 2 x 1 pixels, red and green.
@@ -19,7 +19,7 @@ class NffTexture : public testing::Test {
   NffTexture() { save_png(path("a.png"), 2, 1, {255, 0, 0, 0, 255, 0}); }
 
   std::string path(const std::string& name) const { return (folder_.path / name).string(); }
-  Scene parse(const std::string& text) const { return parse_nff(VIEW + text, path("s.nff")); }
+  Scene parse(const std::string& text) const { return parse_nff(CAMERA + text, path("s.nff")); }
   // What is wrong, without the folder.
   std::string error_of(const std::string& text) const {
     const auto message = ::test::message_of<base::BadInput>([&] { parse(text); });
@@ -36,8 +36,8 @@ class NffTexture : public testing::Test {
 
 TEST_F(NffTexture, IsOfTheSurfaceSetLast) {
   const Scene scene =
-      parse(SURFACE + SQUARE + SURFACE + "# texture a.png planar 1 2 3  2 0 0  0 4 0\n" + SQUARE +
-            "# texture a.png spherical 0 0 0 axis 0 1 0\n" + SQUARE + SURFACE + SQUARE);
+      parse(WHITE + SQUARE + WHITE + "# texture a.png planar 1 2 3  2 0 0  0 4 0\n" + SQUARE +
+            "# texture a.png spherical 0 0 0 axis 0 1 0\n" + SQUARE + WHITE + SQUARE);
   // A surface that has objects stays what it is for them.
   ASSERT_EQ(scene.surfaces.size(), 4u);
   EXPECT_EQ(scene.surfaces[0].texture, NO_TEXTURE);
@@ -55,7 +55,7 @@ TEST_F(NffTexture, IsOfTheSurfaceSetLast) {
 
 TEST_F(NffTexture, KeepsWhatElseTheSurfaceHas) {
   const Scene scene =
-      parse(SURFACE + "# gloss 0.2\n# texture a.png spherical 0 0 0\n# translucent 0.1\n" + SQUARE);
+      parse(WHITE + "# gloss 0.2\n# texture a.png spherical 0 0 0\n# translucent 0.1\n" + SQUARE);
   ASSERT_EQ(scene.surfaces.size(), 1u);
   EXPECT_EQ(scene.surfaces[0].texture, 0u);
   EXPECT_EQ(scene.surfaces[0].gloss, 0.2);
@@ -79,7 +79,7 @@ TEST_F(NffTexture, CoordinatesAreThoseOfThePolygonThatFollows) {
 }
 
 TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
-  const std::string text = VIEW + SURFACE + "# texture a.png planar 0 0 0 1 0 0 0 1 0\n" +
+  const std::string text = CAMERA + WHITE + "# texture a.png planar 0 0 0 1 0 0 0 1 0\n" +
                            "# shutter 0 0.5\n# move 4 0 0\n" + SQUARE;
   for (const int frame : {0, 3}) {
     const Scene scene = parse_nff(text, path("s.nff"), frame);
@@ -100,39 +100,39 @@ TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
 
 TEST_F(NffTexture, ProseIsProse) {
   const Scene scene = parse(
-      SURFACE +
+      WHITE +
       "# texture of wood\n# texture of mesh\n# texture\n# uv-mapped\n# uv coordinates\n# uv\n" +
       SQUARE);
   EXPECT_TRUE(scene.textures.empty());
 }
 
 TEST_F(NffTexture, CoordinatesWithoutATextureThatNeedsThemDoNoHarm) {
-  const Scene scene = parse(SURFACE + "# uv 0 0 1 0 1 1 0 1\n" + SQUARE);
+  const Scene scene = parse(WHITE + "# uv 0 0 1 0 1 1 0 1\n" + SQUARE);
   EXPECT_TRUE(scene.coordinates.empty());
 }
 
 TEST_F(NffTexture, NamesItsFiles) {
-  std::ofstream(path("s.nff")) << VIEW << SURFACE << "# texture a.png spherical 0 0 0\n" << SQUARE;
+  std::ofstream(path("s.nff")) << CAMERA << WHITE << "# texture a.png spherical 0 0 0\n" << SQUARE;
   EXPECT_EQ(find_files(path("s.nff")), std::vector{path("a.png")});
 }
 
 TEST_F(NffTexture, ErrorsNameTheLine) {
-  const std::string mesh = SURFACE + "# texture a.png mesh\n";
+  const std::string mesh = WHITE + "# texture a.png mesh\n";
   const std::pair<std::string, std::string> WRONG[] = {
       {"# texture a.png mesh\n", "s.nff:2: found '# texture', expected a surface ('f') before it"},
-      {SURFACE + "# texture b.png mesh\n", "s.nff:3: b.png: cannot be read"},
-      {SURFACE + "# texture b.jpg mesh\n", "s.nff:3: b.jpg: cannot be read"},
-      {SURFACE + "# texture b.PNG\n", "s.nff:3: found the end of the line, expected a mapping"},
-      {SURFACE + "# texture a.png\n", "s.nff:3: found the end of the line, expected a mapping"},
-      {SURFACE + "# texture a.png cubic\n",
+      {WHITE + "# texture b.png mesh\n", "s.nff:3: b.png: cannot be read"},
+      {WHITE + "# texture b.jpg mesh\n", "s.nff:3: b.jpg: cannot be read"},
+      {WHITE + "# texture b.PNG\n", "s.nff:3: found the end of the line, expected a mapping"},
+      {WHITE + "# texture a.png\n", "s.nff:3: found the end of the line, expected a mapping"},
+      {WHITE + "# texture a.png cubic\n",
        "s.nff:3: found 'cubic', expected a mapping: planar, spherical or mesh"},
-      {SURFACE + "# texture a.png planar 0 0 0 1 0 0 0 1\n",
+      {WHITE + "# texture a.png planar 0 0 0 1 0 0 0 1\n",
        "s.nff:3: found the end of the line, expected the texture's left edge"},
-      {SURFACE + "# texture a.png planar 0 0 0 1 0 0 2 0 0\n",
+      {WHITE + "# texture a.png planar 0 0 0 1 0 0 2 0 0\n",
        "s.nff:3: found a planar texture whose edges span no plane"},
-      {SURFACE + "# texture a.png spherical 0 0 0 axis 0 0 0\n",
+      {WHITE + "# texture a.png spherical 0 0 0 axis 0 0 0\n",
        "s.nff:3: found an axis of length 0"},
-      {SURFACE + "# texture a.png mesh 1\n", "s.nff:3: found '1', expected the end of the line"},
+      {WHITE + "# texture a.png mesh 1\n", "s.nff:3: found '1', expected the end of the line"},
       {mesh + SQUARE, "s.nff:4: found a polygon without coordinates"},
       {mesh + "s 0 0 0 1\n", "s.nff:4: found a sphere without coordinates"},
       {mesh + "c 0 0 0 1 0 0 1 1\n", "s.nff:4: found a cone without coordinates"},

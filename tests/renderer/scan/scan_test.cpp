@@ -8,13 +8,13 @@
 namespace renderer::test {
 namespace {
 
-constexpr int SIDE = 24;
-constexpr Area ALL{0, 0, SIDE, SIDE};
+constexpr int SCREEN_SIDE = 24;
+constexpr Area ALL{0, 0, SCREEN_SIDE, SCREEN_SIDE};
 
-// A view from the origin, on the lattice of SIDE x SIDE samples.
+// A view from the origin, on the lattice of SCREEN_SIDE x SCREEN_SIDE samples.
 struct Eye {
   View view;
-  Params params = make_params(SIDE, SIDE, 1);
+  Params params = make_params(SCREEN_SIDE, SCREEN_SIDE, 1);
   Raster raster;
   explicit Eye(SamplePosition sample = SamplePosition::center) {
     view.from = {0, 0, 0};
@@ -52,20 +52,20 @@ TEST(Scan, CoversWhatRaysMeet) {
     finish(scene);
     behind += std::ranges::any_of(star, [](const Vec& p) { return p.z > 0; });
     // The plane's own distance along the axis is linear in space too.
-    std::vector<double> found(SIDE * SIDE), nearness(SIDE * SIDE);
+    std::vector<double> found(SCREEN_SIDE * SCREEN_SIDE), nearness(SCREEN_SIDE * SCREEN_SIDE);
     Scanner<1> scanner(eye.raster, ALL);
     std::vector<Vec> flat;  // corners are moved into the plane by rounding
     for (const Corner& c : scene.corners) flat.push_back(eval_corner(scene.polygons[0], c));
     scanner.scan(make_corners(eye.view, flat, [](const Vec& p) { return p.x; }),
                  [&](int x, int y, double near, const auto& values) {
-                   EXPECT_EQ(nearness[std::size_t(y * SIDE + x)], 0) << "covered twice";
-                   nearness[std::size_t(y * SIDE + x)] = near;
-                   found[std::size_t(y * SIDE + x)] = values[0];
+                   EXPECT_EQ(nearness[std::size_t(y * SCREEN_SIDE + x)], 0) << "covered twice";
+                   nearness[std::size_t(y * SCREEN_SIDE + x)] = near;
+                   found[std::size_t(y * SCREEN_SIDE + x)] = values[0];
                  });
     Work work;
-    for (int y = 0; y < SIDE; ++y)
-      for (int x = 0; x < SIDE; ++x) {
-        const auto at = std::size_t(y * SIDE + x);
+    for (int y = 0; y < SCREEN_SIDE; ++y)
+      for (int x = 0; x < SCREEN_SIDE; ++x) {
+        const auto at = std::size_t(y * SCREEN_SIDE + x);
         const auto hit =
             intersect(scene, make_primary(eye.view, eye.params, x, y), Traversal::linear, work);
         ASSERT_EQ(nearness[at] > 0, hit.has_value()) << x << ", " << y;
@@ -92,12 +92,13 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
       const double angle = start + 2 * std::numbers::pi * i / 7;
       ring.push_back({50 * std::cos(angle), 50 * std::sin(angle), random.range(-2, -0.5)});
     }
-    std::vector<int> times(SIDE * SIDE);
+    std::vector<int> times(SCREEN_SIDE * SCREEN_SIDE);
     Scanner<1> scanner(eye.raster, ALL);
     for (std::size_t i = 0; i < ring.size(); ++i)
-      scanner.scan(make_corners(eye.view, {middle, ring[i], ring[(i + 1) % 7]}, no_value),
-                   [&](int x, int y, double, const auto&) { ++times[std::size_t(y * SIDE + x)]; });
-    EXPECT_EQ(std::ranges::count(times, 1), SIDE * SIDE);
+      scanner.scan(
+          make_corners(eye.view, {middle, ring[i], ring[(i + 1) % 7]}, no_value),
+          [&](int x, int y, double, const auto&) { ++times[std::size_t(y * SCREEN_SIDE + x)]; });
+    EXPECT_EQ(std::ranges::count(times, 1), SCREEN_SIDE * SCREEN_SIDE);
   }
 }
 

@@ -45,11 +45,11 @@ Params make_ambient(int width, int height) {
   return params;
 }
 
-struct Spread {
+struct Moments {
   double mean = 0, variance = 0;
 };
-Spread find_spread(const std::vector<double>& values) {
-  Spread spread;
+Moments find_spread(const std::vector<double>& values) {
+  Moments spread;
   const auto n = static_cast<double>(values.size());
   for (const double value : values) spread.mean += value / n;
   for (const double value : values)

@@ -8,7 +8,7 @@
 namespace renderer::test {
 namespace {
 
-constexpr Traversal ALL[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
+constexpr Traversal TRACED_WAYS[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
 
 // Most objects of a random scene move, some far.
 Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
@@ -43,7 +43,7 @@ TEST(Motion, HitsAreThoseOfTheSceneStoppedAtTheirTime) {
         ray.time = time;
         Work work;
         const auto expected = intersect(still, ray, Traversal::linear, work);
-        for (const Traversal t : ALL) {
+        for (const Traversal t : TRACED_WAYS) {
           const auto hit = intersect(moving, ray, t, work);
           ASSERT_EQ(hit.has_value(), expected.has_value());
           if (!hit) continue;
@@ -70,7 +70,7 @@ TEST(Motion, AllTraversalsFindTheSameImage) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Scene scene = make_moving_scene(seed, 30, 1.5);
     std::vector<Rendering> found;
-    for (const Traversal t : ALL) {
+    for (const Traversal t : TRACED_WAYS) {
       Params params = make_params(24, 18, 4, t);
       params.sampling.pixel_samples = 3;
       found.push_back(render(scene, params));

@@ -7,7 +7,7 @@
 namespace renderer::test {
 namespace {
 
-constexpr int SIDE = 20;
+constexpr int WIDTH = 20;
 
 double eval_rmse(const Samples& a, const Samples& b) {
   double sum = 0;
@@ -20,7 +20,7 @@ double eval_rmse(const Samples& a, const Samples& b) {
 }
 
 Samples render_with(const Scene& scene, int samples, std::uint64_t seed) {
-  Params params = make_params(SIDE, SIDE, 4);
+  Params params = make_params(WIDTH, WIDTH, 4);
   params.sample = SamplePosition::center;
   params.sampling.pixel_samples = samples;
   params.sampling.seed = seed;

@@ -12,8 +12,8 @@ namespace renderer::test {
 namespace {
 
 constexpr int MOST = 70;
-constexpr Dimension ALL[] = {Dimension::pixel, Dimension::lens,  Dimension::time,
-                             Dimension::light, Dimension::gloss, Dimension::translucency};
+constexpr Dimension DIMENSIONS[] = {Dimension::pixel, Dimension::lens,  Dimension::time,
+                                    Dimension::light, Dimension::gloss, Dimension::translucency};
 
 bool holds(const Region& r, const SquarePoint& p) {
   return p.u >= r.u && p.u < r.u + r.width && p.v >= r.v && p.v < r.v + r.height;
@@ -69,7 +69,7 @@ TEST(Sampling, RegionsAreEqualAndTileTheSquare) {
 
 // All samples of a pixel: one in each region of a square and of a line.
 void expect_one_in_each(const Sampling& sampling, SampleKey key, int count) {
-  for (const Dimension dimension : ALL) {
+  for (const Dimension dimension : DIMENSIONS) {
     std::vector<int> in_square(static_cast<std::size_t>(count)), in_line(in_square);
     for (key.pass = 0; key.pass < count; ++key.pass) {
       const SquarePoint p = sample_square(sampling, key, dimension);

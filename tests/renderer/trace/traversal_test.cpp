@@ -9,14 +9,14 @@
 namespace renderer::test {
 namespace {
 
-constexpr Traversal ALL[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
+constexpr Traversal TRAVERSALS[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
 
 TEST(Traversal, ImagesAndCountsAreEqual) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Scene scene = make_random_scene(seed, static_cast<int>(seed * 7), 3);
     std::vector<Rendering> found;
-    for (const Traversal t : ALL) found.push_back(render(scene, make_params(32, 32, 5, t)));
+    for (const Traversal t : TRAVERSALS) found.push_back(render(scene, make_params(32, 32, 5, t)));
     for (const Rendering& other : found) {
       EXPECT_EQ(other.samples, found[0].samples);
       EXPECT_EQ(other.rays, found[0].rays);
@@ -38,7 +38,7 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
     if (i % 4 == 0) ray.direction = axes[i / 4 % 3];
     Work work;
     std::optional<Hit> first = intersect(scene, ray, Traversal::linear, work);
-    for (const Traversal t : ALL) {
+    for (const Traversal t : TRAVERSALS) {
       const std::optional<Hit> hit = intersect(scene, ray, t, work);
       ASSERT_EQ(hit.has_value(), first.has_value());
       if (!hit) continue;
@@ -77,7 +77,7 @@ TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
           y < all[k].y + all[k].height)
         there.push_back(k);
     ties += there.size() > 1;
-    for (const Traversal t : ALL) {
+    for (const Traversal t : TRAVERSALS) {
       Work work;
       const Ray ray{.origin = {x, y, 5}, .direction = {0, 0, -1}, .influence = {}};
       const std::optional<Hit> hit = intersect(scene, ray, t, work);
@@ -93,7 +93,7 @@ TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
 TEST(Traversal, AFeelerReachesItsLightAndNoFurther) {
   const Scene scene =
       parse("v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n");
-  for (const Traversal t : ALL) {
+  for (const Traversal t : TRAVERSALS) {
     Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}, .influence = {}, .reach = 4};
     ray.kind = RayKind::shadow;
     Work work;

@@ -18,7 +18,7 @@ namespace {
 using farm::isolated;
 using farm::run_isolated;
 
-farm::Params block_params(int width, int height) {
+farm::Params small_block_params(int width, int height) {
   farm::Params params = farm::small_params();
   params.image.width = 16;
   params.image.height = 12;
@@ -85,7 +85,7 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
         data.server_cache_percent = 50 + double(random() % 50);
         data.in_path = random() % 2;
         data.waiting_queue = random() % 2;
-        auto params = block_params(1 + int(random() % 8), 1 + int(random() % 8));
+        auto params = small_block_params(1 + int(random() % 8), 1 + int(random() % 8));
         if (random() % 3 == 0) params.image.area = {3, 2, 1 + int(random() % 13), 7};
         params.image.traversal = renderer::Traversal(random() % 2);
         SCOPED_TRACE(fmt::format("seed {}, {}, {}", seed, topology, describe(data)));
@@ -98,7 +98,7 @@ TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
   run_isolated([&] {
     const auto size = tracing::size_of(scene);
-    const auto use = run(block_params(4, 4), "tree:4", scene, shared_params(100)).shared.data;
+    const auto use = run(small_block_params(4, 4), "tree:4", scene, shared_params(100)).shared.data;
     EXPECT_LE(use.requests, 4 * (size.boxes + size.objects));
     EXPECT_LE(use.found_at(shared_memory::Level::disk), size.boxes + size.objects);
   });
@@ -110,7 +110,7 @@ TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   SharedParams data = shared_params(20);
   const auto expect_answers = [&](bool on_the_way, bool by_a_queue) {
     run_isolated([&] {
-      const auto use = run(block_params(4, 4), "line:4", scene, data).shared.data;
+      const auto use = run(small_block_params(4, 4), "line:4", scene, data).shared.data;
       EXPECT_EQ(use.found_at(shared_memory::Level::path) > 0, on_the_way);
       EXPECT_EQ(use.found_at(shared_memory::Level::queue) > 0, by_a_queue);
     });
@@ -126,7 +126,7 @@ TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
 TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {
-    const auto params = block_params(8, 6);
+    const auto params = small_block_params(8, 6);
     const auto model = machine::load_model("t805-25");
     const auto shared = run(params, "line:1", scene, shared_params(100));
     const auto work = renderer::render(scene, params.image).work;
@@ -144,7 +144,7 @@ TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
 // holds it.
 TEST(SharedFarm, RendersWhatWorkersCannotHold) {
   const auto scene = renderer::make_spheres(800);
-  auto params = block_params(8, 6);
+  auto params = small_block_params(8, 6);
   params.worker_memory = 150'000;
   expect_equal(params, "tree:4", scene, shared_params(10));
   const auto plain = isolated([&] {
@@ -168,7 +168,7 @@ std::string error_of(const farm::Params& params, const SharedParams& data) {
 }
 
 TEST(SharedFarm, NamesBadInput) {
-  const auto good = block_params(4, 4);
+  const auto good = small_block_params(4, 4);
   const auto expect = [&](const char* key, const farm::Params& params, const SharedParams& data) {
     const auto error = error_of(params, data);
     EXPECT_TRUE(error.starts_with(key)) << error;
@@ -192,7 +192,7 @@ TEST(SharedFarm, NamesBadInput) {
 
 TEST(SharedFarm, MemoryThatIsTooSmallIsSaid) {
   const auto scene = renderer::make_spheres(60);
-  auto params = block_params(4, 4);
+  auto params = small_block_params(4, 4);
   params.worker_memory = 134'000;
   const auto found = isolated([&] {
     try {
@@ -208,7 +208,7 @@ TEST(SharedFarm, MemoryThatIsTooSmallIsSaid) {
 TEST(SharedFarm, ARunThatIsCutShortTellsWhatWasDone) {
   const auto scene = renderer::make_spheres(60);
   const auto found = isolated([&] {
-    auto params = block_params(2, 2);
+    auto params = small_block_params(2, 2);
     observe::Watch watch;
     watch.until = machine::Seconds{2};
     params.watch = &watch;

@@ -352,18 +352,20 @@ TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
     }
 }
 
-// SimGrid's actors in place of fibers: the same to the last bit.
-TEST(IirraRun, ActorsDoWhatFibersDo) {
+// SimGrid's actors in place of fibers, and links without SimGrid: the same to the last bit.
+TEST(IirraRun, EveryEngineDoesTheSame) {
   if (test::IS_SANITIZED) GTEST_SKIP() << "the sanitizer does not know the stacks of actors";
   Case c{"torus:2x4", "own glass", small_params(), {}};
   c.params.balance = BalanceMethod::mixed;
   c.data = tracing::SharedParams{};
   c.data->cache_percent = 60;
-  const auto told = [&](machine::Processes processes) {
-    c.params.processes = processes;
+  const auto told = [&](machine::EngineParams engine) {
+    c.params.engine = engine;
     return isolated([&] { return tell(run_case(c)); });
   };
-  EXPECT_TRUE(told(machine::Processes::fibers) == told(machine::Processes::actors));
+  const auto on_fibers = told({});
+  EXPECT_TRUE(on_fibers == told({.processes = machine::Processes::actors}));
+  EXPECT_TRUE(on_fibers == told({.links = machine::Links::direct}));
 }
 
 // Host time in place of counted work: other times, the same image.

@@ -6,7 +6,7 @@
 namespace occam {
 namespace {
 
-constexpr double HAIR = 1e-3;  // cycles; SimGrid resolves a picosecond
+constexpr double HAIR_CYCLES = 1e-3;  // SimGrid resolves a picosecond
 
 // All start at once. Returns how many cycles after that each has arrived.
 struct Flow {
@@ -83,7 +83,7 @@ TEST(Link, StoreAndForwardOverALine) {
       const double hop =
           static_cast<double>(model.channel.blocked.value) +
           static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
-      EXPECT_NEAR(found.at(0), hops * hop, HAIR) << hops << " hops, " << bytes << " bytes";
+      EXPECT_NEAR(found.at(0), hops * hop, HAIR_CYCLES) << hops << " hops, " << bytes << " bytes";
     }
 }
 

@@ -11,7 +11,7 @@ using machine::LinkDirection;
 using machine::Observer;
 using machine::Seconds;
 
-constexpr double HAIR = 1e-12;  // s
+constexpr double HAIR_S = 1e-12;  // s
 
 struct Span {
   double from, to;
@@ -57,10 +57,10 @@ struct Recorder : Observer {
 std::string check_apart(std::vector<Span> spans, const std::string& who, double end) {
   std::ranges::sort(spans, {}, &Span::from);
   for (std::size_t i = 1; i < spans.size(); ++i)
-    if (spans[i].from < spans[i - 1].to - HAIR)
+    if (spans[i].from < spans[i - 1].to - HAIR_S)
       return fmt::format("{}: {} to {} overlaps {}\n", who, spans[i - 1].from, spans[i - 1].to,
                          spans[i].from);
-  if (!spans.empty() && spans.back().to > end + HAIR) return who + ": a span after the end\n";
+  if (!spans.empty() && spans.back().to > end + HAIR_S) return who + ": a span after the end\n";
   return "";
 }
 

@@ -71,7 +71,7 @@ void check_use(const Model& model, const Plan& plan, const machine::Machine& mac
   }
 }
 
-Result run_plan(const Plan& plan, const Model& model) {
+Result deliver_all(const Plan& plan, const Model& model) {
   const auto text = isolated([&] {
     Lab lab(model);
     build_machine(lab, plan);
@@ -97,7 +97,7 @@ TEST(Machine, DeliversEveryMessageOnceInOrderAndAccountsForAllTime) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Plan plan = make_plan(seed);
-    EXPECT_EQ(run_plan(plan, make_exact_model()).wrong, "");
+    EXPECT_EQ(deliver_all(plan, make_exact_model()).wrong, "");
   }
 }
 
@@ -106,7 +106,7 @@ TEST(Machine, RepeatsItselfToTheLastBit) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Plan plan = make_plan(seed);
     const Model model = machine::load_model("t805-25");
-    EXPECT_EQ(run_plan(plan, model).log, run_plan(plan, model).log);
+    EXPECT_EQ(deliver_all(plan, model).log, deliver_all(plan, model).log);
   }
 }
 
@@ -123,7 +123,7 @@ TEST(Machine, FasterClockOrLinkNeverMakesAnUnloadedLatencyLonger) {
       model.cpu.clock.value *= clock;
       model.link.one_way_rate *= rate;
       model.link.both_ways_rate *= rate;
-      return std::strtod(run_plan(plan, model).log.c_str(), nullptr) / model.cpu.clock.value;
+      return std::strtod(deliver_all(plan, model).log.c_str(), nullptr) / model.cpu.clock.value;
     };
     const double factors[] = {1, 1.1, 2, 10};
     for (std::size_t i = 1; i < std::size(factors); ++i) {

@@ -6,7 +6,7 @@
 namespace occam {
 namespace {
 
-constexpr std::uint64_t LENGTHS[] = {0, 1, 4, 5, 8, 100, 4001};
+constexpr std::uint64_t SOFT_LENGTHS[] = {0, 1, 4, 5, 8, 100, 4001};
 
 struct SoftCase {
   bool writer_first;
@@ -19,7 +19,7 @@ std::vector<SoftCase> make_soft_cases() {
   for (bool writer_first : {true, false})
     for (auto first : BOTH_PRIORITIES)
       for (auto second : BOTH_PRIORITIES)
-        for (auto bytes : LENGTHS) cases.push_back({writer_first, first, second, bytes});
+        for (auto bytes : SOFT_LENGTHS) cases.push_back({writer_first, first, second, bytes});
   return cases;
 }
 
@@ -90,7 +90,7 @@ TEST(SoftRendezvous, TakesTheOperandsSetupAndCopyOfTheSecondToCome) {
 // operands 4.
 TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   const Model model = make_on_chip_model();
-  for (auto bytes : LENGTHS) {
+  for (auto bytes : SOFT_LENGTHS) {
     const std::int64_t w = words_in(bytes), one_word = bytes == 4 ? 2 : 0;
     EXPECT_EQ(cost_first(model, Side::reader, bytes), 4 + 20);
     EXPECT_EQ(cost_first(model, Side::writer, bytes), 4 + 20 + one_word);

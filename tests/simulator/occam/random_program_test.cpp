@@ -11,16 +11,16 @@ namespace {
 
 // A pair of processes on one channel: the writer computes and outputs, the reader takes each
 // message by an input or by an ALT with a timeout, which it takes again if it came too late.
-struct Pair {
+struct Rendezvous {
   bool hard, by_alt, in_par;
   Priority writer, reader;
   int messages;
   std::int64_t writer_computes, reader_computes, patience;  // cycles, cycles, ticks
 };
 
-std::vector<Pair> make_pairs(std::uint64_t seed) {
+std::vector<Rendezvous> make_pairs(std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  std::vector<Pair> pairs;
+  std::vector<Rendezvous> pairs;
   int hard = 0;
   for (auto n = 1 + random() % 8; n > 0; --n) {
     const bool is_hard = random() % 3 == 0 && hard < 2;
@@ -39,14 +39,14 @@ struct Tally {
   std::string wrong;
 };
 
-void write_all(const Pair& pair, Channel<Words>& channel) {
+void write_all(const Rendezvous& pair, Channel<Words>& channel) {
   for (int m = 0; m < pair.messages; ++m) {
     compute(pair.writer_computes);
     out(channel, {4 + static_cast<std::uint64_t>(m % 40), static_cast<std::uint64_t>(m)});
   }
 }
 
-void read_all(const Pair& pair, Channel<Words>& channel, Tally& tally) {
+void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
   std::int64_t patience = pair.patience;
   for (int m = 0; m < pair.messages; ++m) {
     Words got;
@@ -69,7 +69,7 @@ void read_all(const Pair& pair, Channel<Words>& channel, Tally& tally) {
 }
 
 // Optionally as a branch of a PAR, whose parent does nothing else.
-void start(Processor& cpu, const Pair& pair, Priority priority, std::function<void()> body) {
+void start(Processor& cpu, const Rendezvous& pair, Priority priority, std::function<void()> body) {
   if (!pair.in_par) {
     cpu.start("process", priority, std::move(body));
     return;
@@ -88,7 +88,7 @@ std::string run(std::uint64_t seed, const Model& model) {
     Processor& there = lab.neighbour(here);
     std::deque<Tally> tallies;
     int hard = 0;
-    for (const Pair& pair : pairs) {
+    for (const Rendezvous& pair : pairs) {
       const bool forward = pair.hard && hard++ == 0;  // the second the other way
       Processor& from = pair.hard ? (forward ? here : there) : here;
       Processor& to = pair.hard ? (forward ? there : here) : here;

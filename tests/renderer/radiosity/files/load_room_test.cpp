@@ -68,13 +68,13 @@ TEST(RoomFile, BoxesAreClosedAndFaceTheirSide) {
   }
 }
 
-struct Wrong {
+struct WrongText {
   const char* text;   // from line 4
   const char* error;  // its beginning, after "test.room:"
 };
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.text; }
+void PrintTo(const WrongText& wrong, std::ostream* out) { *out << wrong.text; }
 
-class RoomFileWrong : public testing::TestWithParam<Wrong> {};
+class RoomFileWrong : public testing::TestWithParam<WrongText> {};
 
 TEST_P(RoomFileWrong, IsRejectedWithItsLine) {
   const std::string head =
@@ -89,54 +89,62 @@ TEST_P(RoomFileWrong, IsRejectedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(
     Table, RoomFileWrong,
     testing::Values(
-        Wrong{"sphere 0 0 0 1",
-              "4: found 'sphere', expected a statement: material, mirror, quad, polygon, box, "
-              "crease or view"},
-        Wrong{"\n\nquad wal 0 0 0 1 0 0 1 1 0 0 1 0",
-              "6: found 'wal', expected a material of the lines above: wall, lamp"},
-        Wrong{"quad", "4: found the end of the line, expected a material of the lines above"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0 0 1", "4: found the end of the line, expected corner 4"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 0",
-              "4: found '0', expected 'divide', then 'two-sided', or the end of the line"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 nan 0 1 0", "4: found 'nan', expected corner 3 (a number"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 inf 0 1 0", "4: found 'inf', expected corner 3"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0.1 0 1 0",
-              "4: found corner 1 off the plane of the face by 0.0249, expected a flat face"},
-        Wrong{"\nquad wall 0 0 0 1 0 0 2 0 0 3 0 0", "5: found 4 corners around no area"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2",
-              "4: found the end of the line, expected patches across it"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2 0", "4: found '0', expected patches"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2.5 1", "4: found '2.5', expected patches"},
-        Wrong{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 two-sided divide 2 2", "4: found 'divide'"},
-        Wrong{"polygon wall 0 0 0 1 0 0", "4: found the end of the line, expected corner 3"},
-        Wrong{"polygon wall 0 0 0 1 0 0 1 1 0 tow-sided",
-              "4: found 'tow-sided', expected corner 4 (a number"},
-        Wrong{"polygon wall 0 0 0 4 0 0 1 1 0 0 4 0",
-              "4: found a face that is not convex at corner 3, expected a convex face"},
-        Wrong{"box wall 0 0 0 1 1", "4: found the end of the line, expected the greatest corner"},
-        Wrong{"box wall 0 0 0 1 -1 1",
-              "4: found a box from 0 to -1 along y, expected the least corner first"},
-        Wrong{"box wall 0 0 0 1 1 1 inward", "4: found 'inward', expected 'divide', then 'inside'"},
-        Wrong{"material red reflect 1 0 0",
-              "4: found a diffuse reflectance 1 0 0, expected 0 or more and less than 1"},
-        Wrong{"material red reflect 0.5 0 0 emit 0 0 -1", "4: found an emission 0 0 -1"},
-        Wrong{"material red emit 1 1 1", "4: found 'emit', expected 'reflect'"},
-        Wrong{"material red reflect 0.5 0", "4: found the end of the line, expected a reflectance"},
-        Wrong{"material wall reflect 0 0 0",
-              "4: found a second material 'wall', expected another name"},
-        Wrong{"mirror m reflect 1 1 1 emit 1 1 1", "4: found 'emit', expected the end of the line"},
-        Wrong{"mirror m reflect 1 1 2", "4: found a mirror's reflectance 1 1 2, expected 0 to 1"},
-        Wrong{"crease 0 0 0 0 0 0", "4: found both ends of a crease at (0, 0, 0)"},
-        Wrong{"crease 0 0 0 1 1 1 1", "4: found '1', expected the end of the line"},
-        Wrong{"view from 0 0 1 at 0 0 0 up 0 0 1 angle 45 size 4 3",
-              "4: found an up direction along the view"},
-        Wrong{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 180 size 4 3",
-              "4: found a view angle of 180, expected degrees between 0 and 180"},
-        Wrong{"view from 0 0 1 at 0 0 0 angle 180", "4: found 'angle', expected 'up'"},
-        Wrong{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 40 size 4",
-              "4: found the end of the line, expected the picture's height"},
-        Wrong{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 40 size 4 4",
-              "6: found a second view, expected one, that of line 4"}));
+        WrongText{"sphere 0 0 0 1",
+                  "4: found 'sphere', expected a statement: material, mirror, quad, polygon, box, "
+                  "crease or view"},
+        WrongText{"\n\nquad wal 0 0 0 1 0 0 1 1 0 0 1 0",
+                  "6: found 'wal', expected a material of the lines above: wall, lamp"},
+        WrongText{"quad", "4: found the end of the line, expected a material of the lines above"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1",
+                  "4: found the end of the line, expected corner 4"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 0",
+                  "4: found '0', expected 'divide', then 'two-sided', or the end of the line"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 nan 0 1 0",
+                  "4: found 'nan', expected corner 3 (a number"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 inf 0 1 0", "4: found 'inf', expected corner 3"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0.1 0 1 0",
+                  "4: found corner 1 off the plane of the face by 0.0249, expected a flat face"},
+        WrongText{"\nquad wall 0 0 0 1 0 0 2 0 0 3 0 0", "5: found 4 corners around no area"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2",
+                  "4: found the end of the line, expected patches across it"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2 0", "4: found '0', expected patches"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2.5 1",
+                  "4: found '2.5', expected patches"},
+        WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 two-sided divide 2 2", "4: found 'divide'"},
+        WrongText{"polygon wall 0 0 0 1 0 0", "4: found the end of the line, expected corner 3"},
+        WrongText{"polygon wall 0 0 0 1 0 0 1 1 0 tow-sided",
+                  "4: found 'tow-sided', expected corner 4 (a number"},
+        WrongText{"polygon wall 0 0 0 4 0 0 1 1 0 0 4 0",
+                  "4: found a face that is not convex at corner 3, expected a convex face"},
+        WrongText{"box wall 0 0 0 1 1",
+                  "4: found the end of the line, expected the greatest corner"},
+        WrongText{"box wall 0 0 0 1 -1 1",
+                  "4: found a box from 0 to -1 along y, expected the least corner first"},
+        WrongText{"box wall 0 0 0 1 1 1 inward",
+                  "4: found 'inward', expected 'divide', then 'inside'"},
+        WrongText{"material red reflect 1 0 0",
+                  "4: found a diffuse reflectance 1 0 0, expected 0 or more and less than 1"},
+        WrongText{"material red reflect 0.5 0 0 emit 0 0 -1", "4: found an emission 0 0 -1"},
+        WrongText{"material red emit 1 1 1", "4: found 'emit', expected 'reflect'"},
+        WrongText{"material red reflect 0.5 0",
+                  "4: found the end of the line, expected a reflectance"},
+        WrongText{"material wall reflect 0 0 0",
+                  "4: found a second material 'wall', expected another name"},
+        WrongText{"mirror m reflect 1 1 1 emit 1 1 1",
+                  "4: found 'emit', expected the end of the line"},
+        WrongText{"mirror m reflect 1 1 2",
+                  "4: found a mirror's reflectance 1 1 2, expected 0 to 1"},
+        WrongText{"crease 0 0 0 0 0 0", "4: found both ends of a crease at (0, 0, 0)"},
+        WrongText{"crease 0 0 0 1 1 1 1", "4: found '1', expected the end of the line"},
+        WrongText{"view from 0 0 1 at 0 0 0 up 0 0 1 angle 45 size 4 3",
+                  "4: found an up direction along the view"},
+        WrongText{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 180 size 4 3",
+                  "4: found a view angle of 180, expected degrees between 0 and 180"},
+        WrongText{"view from 0 0 1 at 0 0 0 angle 180", "4: found 'angle', expected 'up'"},
+        WrongText{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 40 size 4",
+                  "4: found the end of the line, expected the picture's height"},
+        WrongText{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 40 size 4 4",
+                  "6: found a second view, expected one, that of line 4"}));
 
 TEST(RoomFile, WhatIsMissingIsNamed) {
   EXPECT_EQ(get_error([] { read(""); }), "test.room:1: found the end of the file, expected a view");

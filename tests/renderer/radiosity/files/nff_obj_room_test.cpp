@@ -12,14 +12,14 @@
 namespace radiosity::test {
 namespace {
 
-const std::string VIEW = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\n";
+const std::string CAMERA = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\n";
 const std::string SQUARE = "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 Room read_nff(const std::string& text) { return read_room(text, "test.nff"); }
 
 TEST(NffRoom, EmissionLastsUntilTheNextSurface) {
   const Room room =
-      read_nff("# emitted by a program\n" + VIEW +
+      read_nff("# emitted by a program\n" + CAMERA +
                "b 1 1 1\nl 1 2 3\nf 1 0.5 0.25 0.6 0.3 20 0 0\n" + SQUARE + "# emit 1 2 3\n" +
                SQUARE + SQUARE + "  #emit 4 4 4\n" + SQUARE + "f 1 1 1 0.5 0 0 0 0\n" + SQUARE +
                "f 0.1 0.1 0.1 0 1 0 0 0\npp 3 0 0 0 0 0 2 1 0 0 1 0 2 0 1 0 0 1 1\n");
@@ -42,12 +42,12 @@ TEST(NffRoom, EmissionLastsUntilTheNextSurface) {
 }
 
 TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
-  const std::string head = VIEW + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // 6 lines
+  const std::string head = CAMERA + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // 6 lines
   const std::pair<std::string, std::string> wrong[] = {
       {head + "s 0 0 0 1", "test.nff:7: found a sphere ('s'), expected flat faces: p or pp"},
       {head + "c 0 0 0 1 0 0 1 0", "test.nff:7: found a cone ('c'), expected flat faces: p or pp"},
       {head + "q", "test.nff:7: found 'q', expected a statement: v, b, l, f, # emit, p or pp"},
-      {head + VIEW, "test.nff:7: found a second 'v', expected one, that of line 1"},
+      {head + CAMERA, "test.nff:7: found a second 'v', expected one, that of line 1"},
       {head + SQUARE, "test.nff: found no face that emits, expected one or more"},
       {head + "# emit 1 1", "test.nff:7: found the end of the line, expected an emission"},
       {head + "# emit 1 1 -1", "test.nff:7: found an emission 1 1 -1, expected 0"},
@@ -57,8 +57,8 @@ TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
       {head + "f 1 1 1 0.5 0 0 0.5 1", "test.nff:7: found T 0.5, expected 0: opaque surfaces"},
       {head + "f 1 1 1 1 0 0 0 0", "test.nff:7: found a diffuse reflectance 1 1 1, expected 0 or"},
       {head + "f 1 1 1 0 1 0 0 0\n#emit 1 1 1", "test.nff:8: found a mirror's emission 1 1 1"},
-      {VIEW + SQUARE, "test.nff:6: found 'p', expected a surface ('f') before it"},
-      {VIEW + "# emit 1 1 1", "test.nff:6: found '# emit', expected a surface ('f') before it"},
+      {CAMERA + SQUARE, "test.nff:6: found 'p', expected a surface ('f') before it"},
+      {CAMERA + "# emit 1 1 1", "test.nff:6: found '# emit', expected a surface ('f') before it"},
       {"f 1 1 1 0.5 0 0 0 0\n# emit 1 1 1\n" + SQUARE,
        "test.nff:7: found the end of the file, expected a view ('v')"},
       {"v from 0 0 1 at 0 0 1 up 0 1 0 angle 9\n" + SQUARE,

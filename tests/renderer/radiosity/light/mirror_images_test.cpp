@@ -10,7 +10,7 @@
 namespace radiosity::test {
 namespace {
 
-using Chains = std::vector<std::vector<Plane>>;
+using Chains = std::vector<std::vector<MirrorPlane>>;
 
 void expect_images(const Room& room, const Chains& chains, FactorParams params,
                    double most = 0.02) {
@@ -70,7 +70,7 @@ TEST(MirrorImages, OfTwoFaceToFace) {
     add_walls(room, "xX", 1, 2);
     Chains chains;
     for (int depth = 1; depth <= reflections; ++depth) {
-      std::vector<Plane> one, other;
+      std::vector<MirrorPlane> one, other;
       for (int k = 0; k < depth; ++k) {
         one.push_back(k % 2 == 0 ? HIGH_X : LOW_X);
         other.push_back(k % 2 == 0 ? LOW_X : HIGH_X);

@@ -7,13 +7,13 @@
 namespace radiosity::test {
 
 /// A plane through a point; what lies in front of it has an image behind it.
-struct Plane {
+struct MirrorPlane {
   Vec at, normal;
   Vec reflect(const Vec& p) const { return p - 2 * dot(normal, p - at) * normal; }
 };
 
 /// The mirror image of a face; in a mirror, clockwise is counter-clockwise.
-inline Face reflect(Face face, const Plane& plane) {
+inline Face reflect(Face face, const MirrorPlane& plane) {
   for (Vec& corner : face.corners) corner = plane.reflect(corner);
   std::reverse(face.corners.begin() + 1, face.corners.end());
   if (face.corners.size() == 4) std::swap(face.along, face.across);
@@ -23,7 +23,7 @@ inline Face reflect(Face face, const Plane& plane) {
 /// The room's faces, and after them for each chain of planes their images: reflected by the last
 /// plane first. Mirrors must be the last faces of the room; they are left out. Face f has its
 /// images at f + k * (number of faces without mirrors).
-inline Room unfold(const Room& room, const std::vector<std::vector<Plane>>& chains) {
+inline Room unfold(const Room& room, const std::vector<std::vector<MirrorPlane>>& chains) {
   Room unfolded = room;
   std::erase_if(unfolded.faces, [&](const Face& f) { return room.materials[f.material].mirror; });
   const std::vector<Face> faces = unfolded.faces;
@@ -82,7 +82,7 @@ inline Room make_cube(const std::string& walls, bool things, int n) {
   return room;
 }
 
-inline constexpr Plane HIGH_X{{2, 0, 0}, {-1, 0, 0}}, HIGH_Y{{0, 2, 0}, {0, -1, 0}},
+inline constexpr MirrorPlane HIGH_X{{2, 0, 0}, {-1, 0, 0}}, HIGH_Y{{0, 2, 0}, {0, -1, 0}},
     LOW_X{{0, 0, 0}, {1, 0, 0}};
 
 }  // namespace radiosity::test

@@ -11,14 +11,14 @@ namespace {
 constexpr double NAN_ = std::numeric_limits<double>::quiet_NaN();
 constexpr double INF = std::numeric_limits<double>::infinity();
 
-struct Wrong {
+struct WrongRoom {
   const char* name;
   void (*spoil)(Room&);
   const char* error;  // its beginning
 };
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+void PrintTo(const WrongRoom& wrong, std::ostream* out) { *out << wrong.name; }
 
-class RoomWrong : public testing::TestWithParam<Wrong> {};
+class RoomWrong : public testing::TestWithParam<WrongRoom> {};
 
 TEST_P(RoomWrong, IsRejectedWithItsReason) {
   Room room = make_small_room();
@@ -33,129 +33,131 @@ std::vector<Vec>& corners(Room& room) { return room.faces[0].corners; }
 INSTANTIATE_TEST_SUITE_P(
     Table, RoomWrong,
     testing::Values(
-        Wrong{"Nan", [](Room& r) { corners(r)[1].y = NAN_; },
-              "a.room:7: found corner 2 at (1, nan, 0), expected finite numbers"},
-        Wrong{"Infinite", [](Room& r) { corners(r)[3].z = -INF; },
-              "a.room:7: found corner 4 at (0, 1, -inf), expected finite numbers"},
-        Wrong{"Huge", [](Room& r) { corners(r)[3].z = 1e16; },
-              "a.room:7: found corner 4 at (0, 1, 1e+16), expected finite numbers up to 1e+15"},
-        Wrong{"NotFlat", [](Room& r) { corners(r)[2].z = 8e-6; },
-              "a.room:7: found corner 1 off the plane of the face by 2e-06, expected a flat face"},
-        Wrong{"TwoCorners", [](Room& r) { corners(r).resize(2); },
-              "a.room:7: found 2 corners, expected 3 or more"},
-        Wrong{"NoCorners", [](Room& r) { corners(r).clear(); }, "a.room:7: found 0 corners"},
-        Wrong{"RepeatedCorner", [](Room& r) { corners(r)[3] = corners(r)[0]; },
-              "a.room:7: found corners 4 and 1 both at (0, 0, 0), expected corners apart"},
-        Wrong{"OnePoint",
-              [](Room& r) {
-                corners(r) = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
-              },
-              "a.room:7: found corners 1 and 2 both at (1, 1, 1)"},
-        Wrong{"Needle",
-              [](Room& r) {
-                corners(r) = {{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};
-              },
-              "a.room:7: found 3 corners around no area, expected a face with an area"},
-        Wrong{"Crossed", [](Room& r) { std::swap(corners(r)[1], corners(r)[2]); },
-              "a.room:7: found 4 corners around no area"},
-        Wrong{"ThreeOnALine",
-              [](Room& r) {
-                corners(r)[2] = {0.5, 0.5, 0};
-              },
-              "a.room:7: found corner 3 on the line between its neighbours, expected a turn"},
-        Wrong{"Dart",
-              [](Room& r) {
-                corners(r)[2] = {0.2, 0.2, 0};
-              },
-              "a.room:7: found a face that is not convex at corner 3, expected a convex face"},
-        Wrong{"Pentagram",
-              [](Room& r) {
-                corners(r).clear();
-                for (const int i : {0, 2, 4, 1, 3})
-                  corners(r).push_back({std::cos(1.25664 * i), std::sin(1.25664 * i), 0});
-              },
-              "a.room:7: found a face that goes around more than once before corner"},
-        Wrong{"Spiral",
-              [](Room& r) {  // around the first corner by more than once, always to the left
-                corners(r) = {{0, 0, 0}};
-                for (int i = 0; i < 11; ++i)
-                  corners(r).push_back({std::cos(0.7 * i), std::sin(0.7 * i), 0});
-              },
-              "a.room:7: found a face that goes around more than once before corner 7"},
-        Wrong{"Normals",
-              [](Room& r) {
-                r.faces[0].normals.resize(3, Vec{0, 0, 1});
-              },
-              "a.room:7: found 3 normals, expected one for each of the 4 corners, or none"},
-        Wrong{"NormalBehind",
-              [](Room& r) {
-                r.faces[0].normals.resize(4, Vec{0, 0, 1});
-                r.faces[0].normals[2] = {1, 0, -0.1};
-              },
-              "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on the side"},
-        Wrong{"NormalNan",
-              [](Room& r) {
-                r.faces[0].normals.resize(4, Vec{0, 0, NAN_});
-              },
-              "a.room:7: found the normal of corner 1 at (0, 0, nan)"},
-        Wrong{"NoPatches", [](Room& r) { r.faces[0].along = 0; },
-              "a.room:7: found 0 x 1 patches, expected 1 to 10000 each way"},
-        Wrong{"TooManyPatches", [](Room& r) { r.faces[0].across = 10001; },
-              "a.room:7: found 1 x 10001 patches"},
-        Wrong{"NoSuchMaterial", [](Room& r) { r.faces[0].material = 2; },
-              "a.room:7: found material 2, expected an index below 2"},
-        Wrong{"NoName", [](Room& r) { r.faces[1].along = 0; }, "face 2: found 0 x 1 patches"},
-        Wrong{"ReflectsAll", [](Room& r) { r.materials[0].reflectance.g = 1; },
-              "material 'wall': found a diffuse reflectance 0.5 1 0.5, expected 0 or more and less "
-              "than 1"},
-        Wrong{"ReflectsLessThanNothing", [](Room& r) { r.materials[0].reflectance.b = -0.1; },
-              "material 'wall': found a diffuse reflectance 0.5 0.5 -0.1"},
-        Wrong{"ReflectsNan", [](Room& r) { r.materials[0].reflectance.r = NAN_; },
-              "material 'wall': found a diffuse reflectance nan 0.5 0.5"},
-        Wrong{"DarkLight", [](Room& r) { r.materials[1].emission.b = -1; },
-              "material 'lamp': found an emission 1 1 -1, expected 0 to 1e+15"},
-        Wrong{"BrightestLight", [](Room& r) { r.materials[1].emission.b = INF; },
-              "material 'lamp': found an emission 1 1 inf"},
-        Wrong{"EmittingMirror", [](Room& r) { r.materials[1].mirror = true; },
-              "material 'lamp': found a mirror's emission 1 1 1, expected none"},
-        Wrong{"MirrorAboveOne",
-              [](Room& r) {
-                r.materials[0] = {"glass", {1, 1, 1.01}, {}, true};
-              },
-              "material 'glass': found a mirror's reflectance 1 1 1.01, expected 0 to 1"},
-        Wrong{"NoEmitter", [](Room& r) { r.faces.pop_back(); },
-              "found no face that emits, expected one or more"},
-        Wrong{"OnlyMirrors",
-              [](Room& r) {
-                r.materials = {{"a", {1, 1, 1}, {}, true}, {"b", {1, 1, 1}, {}, true}};
-              },
-              "found nothing but mirrors, expected a face that is none"},
-        Wrong{"Empty", [](Room& r) { r.faces.clear(); }, "found no face, expected one or more"},
-        Wrong{"CreaseOfNoLength",
-              [](Room& r) {
-                r.creases = {{{0, 0, 0}, {1, 0, 0}}, {{1, 2, 3}, {1, 2, 3}}};
-              },
-              "crease 2: found both ends of a crease at (1, 2, 3), expected ends apart"},
-        Wrong{"CreaseNan",
-              [](Room& r) {
-                r.creases = {{{0, 0, 0}, {1, NAN_, 0}}};
-              },
-              "crease 1: found a crease's second end at (1, nan, 0), expected finite numbers"},
-        Wrong{"ViewFromWhatItSees", [](Room& r) { r.view.from = r.view.at; },
-              "view: found a view from the point it looks at, expected 'from' and 'at' apart"},
-        Wrong{"ViewUpAlong",
-              [](Room& r) {
-                r.view.up = {0, 0, 2};
-              },
-              "view: found an up direction along the view"},
-        Wrong{"ViewNan", [](Room& r) { r.view.up.x = NAN_; },
-              "view: found the view's 'up' at (nan"},
-        Wrong{"ViewAngle", [](Room& r) { r.view.angle = 180; },
-              "view: found a view angle of 180, expected degrees between 0 and 180"},
-        Wrong{"ViewAngleNan", [](Room& r) { r.view.angle = NAN_; },
-              "view: found a view angle of nan"},
-        Wrong{"ViewSize", [](Room& r) { r.view.height = 0; },
-              "view: found a picture of 512 x 0 pixels, expected 1 to 65536 each way"}),
+        WrongRoom{"Nan", [](Room& r) { corners(r)[1].y = NAN_; },
+                  "a.room:7: found corner 2 at (1, nan, 0), expected finite numbers"},
+        WrongRoom{"Infinite", [](Room& r) { corners(r)[3].z = -INF; },
+                  "a.room:7: found corner 4 at (0, 1, -inf), expected finite numbers"},
+        WrongRoom{"Huge", [](Room& r) { corners(r)[3].z = 1e16; },
+                  "a.room:7: found corner 4 at (0, 1, 1e+16), expected finite numbers up to 1e+15"},
+        WrongRoom{
+            "NotFlat", [](Room& r) { corners(r)[2].z = 8e-6; },
+            "a.room:7: found corner 1 off the plane of the face by 2e-06, expected a flat face"},
+        WrongRoom{"TwoCorners", [](Room& r) { corners(r).resize(2); },
+                  "a.room:7: found 2 corners, expected 3 or more"},
+        WrongRoom{"NoCorners", [](Room& r) { corners(r).clear(); }, "a.room:7: found 0 corners"},
+        WrongRoom{"RepeatedCorner", [](Room& r) { corners(r)[3] = corners(r)[0]; },
+                  "a.room:7: found corners 4 and 1 both at (0, 0, 0), expected corners apart"},
+        WrongRoom{"OnePoint",
+                  [](Room& r) {
+                    corners(r) = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+                  },
+                  "a.room:7: found corners 1 and 2 both at (1, 1, 1)"},
+        WrongRoom{"Needle",
+                  [](Room& r) {
+                    corners(r) = {{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};
+                  },
+                  "a.room:7: found 3 corners around no area, expected a face with an area"},
+        WrongRoom{"Crossed", [](Room& r) { std::swap(corners(r)[1], corners(r)[2]); },
+                  "a.room:7: found 4 corners around no area"},
+        WrongRoom{"ThreeOnALine",
+                  [](Room& r) {
+                    corners(r)[2] = {0.5, 0.5, 0};
+                  },
+                  "a.room:7: found corner 3 on the line between its neighbours, expected a turn"},
+        WrongRoom{"Dart",
+                  [](Room& r) {
+                    corners(r)[2] = {0.2, 0.2, 0};
+                  },
+                  "a.room:7: found a face that is not convex at corner 3, expected a convex face"},
+        WrongRoom{"Pentagram",
+                  [](Room& r) {
+                    corners(r).clear();
+                    for (const int i : {0, 2, 4, 1, 3})
+                      corners(r).push_back({std::cos(1.25664 * i), std::sin(1.25664 * i), 0});
+                  },
+                  "a.room:7: found a face that goes around more than once before corner"},
+        WrongRoom{"Spiral",
+                  [](Room& r) {  // around the first corner by more than once, always to the left
+                    corners(r) = {{0, 0, 0}};
+                    for (int i = 0; i < 11; ++i)
+                      corners(r).push_back({std::cos(0.7 * i), std::sin(0.7 * i), 0});
+                  },
+                  "a.room:7: found a face that goes around more than once before corner 7"},
+        WrongRoom{"Normals",
+                  [](Room& r) {
+                    r.faces[0].normals.resize(3, Vec{0, 0, 1});
+                  },
+                  "a.room:7: found 3 normals, expected one for each of the 4 corners, or none"},
+        WrongRoom{"NormalBehind",
+                  [](Room& r) {
+                    r.faces[0].normals.resize(4, Vec{0, 0, 1});
+                    r.faces[0].normals[2] = {1, 0, -0.1};
+                  },
+                  "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on the side"},
+        WrongRoom{"NormalNan",
+                  [](Room& r) {
+                    r.faces[0].normals.resize(4, Vec{0, 0, NAN_});
+                  },
+                  "a.room:7: found the normal of corner 1 at (0, 0, nan)"},
+        WrongRoom{"NoPatches", [](Room& r) { r.faces[0].along = 0; },
+                  "a.room:7: found 0 x 1 patches, expected 1 to 10000 each way"},
+        WrongRoom{"TooManyPatches", [](Room& r) { r.faces[0].across = 10001; },
+                  "a.room:7: found 1 x 10001 patches"},
+        WrongRoom{"NoSuchMaterial", [](Room& r) { r.faces[0].material = 2; },
+                  "a.room:7: found material 2, expected an index below 2"},
+        WrongRoom{"NoName", [](Room& r) { r.faces[1].along = 0; }, "face 2: found 0 x 1 patches"},
+        WrongRoom{
+            "ReflectsAll", [](Room& r) { r.materials[0].reflectance.g = 1; },
+            "material 'wall': found a diffuse reflectance 0.5 1 0.5, expected 0 or more and less "
+            "than 1"},
+        WrongRoom{"ReflectsLessThanNothing", [](Room& r) { r.materials[0].reflectance.b = -0.1; },
+                  "material 'wall': found a diffuse reflectance 0.5 0.5 -0.1"},
+        WrongRoom{"ReflectsNan", [](Room& r) { r.materials[0].reflectance.r = NAN_; },
+                  "material 'wall': found a diffuse reflectance nan 0.5 0.5"},
+        WrongRoom{"DarkLight", [](Room& r) { r.materials[1].emission.b = -1; },
+                  "material 'lamp': found an emission 1 1 -1, expected 0 to 1e+15"},
+        WrongRoom{"BrightestLight", [](Room& r) { r.materials[1].emission.b = INF; },
+                  "material 'lamp': found an emission 1 1 inf"},
+        WrongRoom{"EmittingMirror", [](Room& r) { r.materials[1].mirror = true; },
+                  "material 'lamp': found a mirror's emission 1 1 1, expected none"},
+        WrongRoom{"MirrorAboveOne",
+                  [](Room& r) {
+                    r.materials[0] = {"glass", {1, 1, 1.01}, {}, true};
+                  },
+                  "material 'glass': found a mirror's reflectance 1 1 1.01, expected 0 to 1"},
+        WrongRoom{"NoEmitter", [](Room& r) { r.faces.pop_back(); },
+                  "found no face that emits, expected one or more"},
+        WrongRoom{"OnlyMirrors",
+                  [](Room& r) {
+                    r.materials = {{"a", {1, 1, 1}, {}, true}, {"b", {1, 1, 1}, {}, true}};
+                  },
+                  "found nothing but mirrors, expected a face that is none"},
+        WrongRoom{"Empty", [](Room& r) { r.faces.clear(); }, "found no face, expected one or more"},
+        WrongRoom{"CreaseOfNoLength",
+                  [](Room& r) {
+                    r.creases = {{{0, 0, 0}, {1, 0, 0}}, {{1, 2, 3}, {1, 2, 3}}};
+                  },
+                  "crease 2: found both ends of a crease at (1, 2, 3), expected ends apart"},
+        WrongRoom{"CreaseNan",
+                  [](Room& r) {
+                    r.creases = {{{0, 0, 0}, {1, NAN_, 0}}};
+                  },
+                  "crease 1: found a crease's second end at (1, nan, 0), expected finite numbers"},
+        WrongRoom{"ViewFromWhatItSees", [](Room& r) { r.view.from = r.view.at; },
+                  "view: found a view from the point it looks at, expected 'from' and 'at' apart"},
+        WrongRoom{"ViewUpAlong",
+                  [](Room& r) {
+                    r.view.up = {0, 0, 2};
+                  },
+                  "view: found an up direction along the view"},
+        WrongRoom{"ViewNan", [](Room& r) { r.view.up.x = NAN_; },
+                  "view: found the view's 'up' at (nan"},
+        WrongRoom{"ViewAngle", [](Room& r) { r.view.angle = 180; },
+                  "view: found a view angle of 180, expected degrees between 0 and 180"},
+        WrongRoom{"ViewAngleNan", [](Room& r) { r.view.angle = NAN_; },
+                  "view: found a view angle of nan"},
+        WrongRoom{"ViewSize", [](Room& r) { r.view.height = 0; },
+                  "view: found a picture of 512 x 0 pixels, expected 1 to 65536 each way"}),
     [](const auto& info) { return info.param.name; });
 
 TEST(RoomCheck, SmallestRoomsPass) {

@@ -39,7 +39,7 @@ struct TemporaryFolder {
   std::filesystem::path path;
 };
 
-constexpr double INF = std::numeric_limits<double>::infinity();
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 Picture make_random_picture(std::uint64_t seed = 3) {
   renderer::test::Random random{seed};
@@ -50,7 +50,7 @@ Picture make_random_picture(std::uint64_t seed = 3) {
 }
 
 TEST(Display, BytesAreThePowerOfTheExposedLight) {
-  const Picture picture{2, 1, {{0.5, 2, -1}, {0.1, std::nan(""), INF}}};
+  const Picture picture{2, 1, {{0.5, 2, -1}, {0.1, std::nan(""), INFINITE}}};
   EXPECT_EQ(make_rgb8(picture, {1, 1}), (std::vector<std::uint8_t>{128, 255, 0, 26, 0, 255}));
   EXPECT_EQ(make_rgb8(picture, {0.5, 1}), (std::vector<std::uint8_t>{64, 255, 0, 13, 0, 255}));
   // 255 * sqrt(0.5) = 180.3, 255 * sqrt(0.1) = 80.6
@@ -182,8 +182,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, PictureFiles,
 TEST(RadiosityPng, TakesPositiveNumbersOnly) {
   const TemporaryFolder folder;
   const auto path = (folder.path / "a.png").string();
-  for (const Display& bad :
-       {Display{0, 1}, Display{-1, 1}, Display{INF, 1}, Display{1, 0}, Display{1, std::nan("")}})
+  for (const Display& bad : {Display{0, 1}, Display{-1, 1}, Display{INFINITE, 1}, Display{1, 0},
+                             Display{1, std::nan("")}})
     EXPECT_THROW(save_png(path, make_random_picture(), bad), base::BadInput);
   EXPECT_TRUE(folder.names().empty());
 }

@@ -71,8 +71,8 @@ TEST(Locate, EveryPointOfEverySideIsOnItsPatch) {
       for (const bool back : {false, true}) {
         const auto& face = room.faces[object];
         const auto& side = get_side(sides, object, back);
-        ASSERT_EQ(side.kind == Side::Kind::nothing, back && !face.two_sided);
-        for (int i = 0; i < 200 && side.kind == Side::Kind::patches; ++i) {
+        ASSERT_EQ(side.kind == radiosity::Side::Kind::nothing, back && !face.two_sided);
+        for (int i = 0; i < 200 && side.kind == radiosity::Side::Kind::patches; ++i) {
           // Some of them on the corners and edges.
           Vec point;
           double sum = 0;

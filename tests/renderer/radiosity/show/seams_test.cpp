@@ -12,7 +12,7 @@ namespace {
 
 using namespace grids;
 
-constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated};
+constexpr ReconstructionParams BOUNDED{Reconstruction::bicubic, Twist::estimated};
 
 // A square of 2 x 2 in some plane, cut along u = 1; its halves have so many patches along the cut.
 struct Halves {
@@ -82,7 +82,7 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
         for_twins(twins, v, [&](std::uint32_t twin) { values[twin] = values[v]; });
       const Vec way = random.point(1);
       const auto linear = [&](const Vec& at) { return Rgb{dot(at, way) + 20, 7, 20 - at.x}; };
-      for (const auto& params : {BICUBIC, LIMITED, BILINEAR}) {
+      for (const auto& params : {BICUBIC, BOUNDED, BILINEAR}) {
         EXPECT_LT(find_gap(halves, mesh, reconstruct(mesh, values, params), random), 1e-9);
         EXPECT_LT(find_error(mesh, reconstruct(mesh, take(mesh, linear), params), linear), 1e-9);
       }
@@ -110,7 +110,7 @@ TEST(Seams, ThatMeetInATHaveNoGaps) {
     add(0, -0.5, 2, 0, 4);
     const Mesh mesh = make_mesh(room, {});
     const auto values = make_colours(random, mesh.vertices.size());
-    for (const auto& params : {BICUBIC, LIMITED, BILINEAR}) {
+    for (const auto& params : {BICUBIC, BOUNDED, BILINEAR}) {
       const auto lit = reconstruct(mesh, values, params);
       const auto eval = [&](std::uint32_t p, const Vec& point) {
         const Patch& patch = mesh.patches[p];

@@ -1,7 +1,10 @@
+#include <sys/mman.h>
+
 #include <boost/context/fiber.hpp>
+#include <new>
 #include <vector>
 
-#include "simulator/machine/coroutine.hpp"
+#include "simulator/machine/carriers/coroutine.hpp"
 
 // The address sanitizer must be told when the stack changes; no effect on any result.
 #ifdef __SANITIZE_ADDRESS__
@@ -29,22 +32,43 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 #endif
 }
 
-// Stacks are used again, since the branches of a PAR come and go.
+// Stacks are used again, since the branches of a PAR come and go. They lie side by side in blocks
+// of the host's address space, of which memory is taken page by page when it is touched: most
+// bodies stay on one page. The tops of neighbours lie at different places of their pages, or the
+// frames of all processes that wait would compete for the same few places of the host's caches.
 class StackPool {
  public:
   boost::context::stack_context allocate() {
-    if (free_.empty()) return boost::context::fixedsize_stack(Coroutine::STACK_BYTES).allocate();
+    if (free_.empty()) add_block();
     const auto stack = free_.back();
     free_.pop_back();
     return stack;
   }
   void deallocate(boost::context::stack_context& stack) noexcept { free_.push_back(stack); }
   ~StackPool() {
-    for (auto& stack : free_)
-      boost::context::fixedsize_stack(Coroutine::STACK_BYTES).deallocate(stack);
+    for (void* block : blocks_) munmap(block, STACKS * Coroutine::STACK_BYTES);
   }
 
  private:
+  static constexpr std::size_t STACKS = 64;               // of a block
+  static constexpr std::size_t PLACES = 16, APART = 128;  // bytes
+
+  void add_block() {
+    void* block = mmap(nullptr, STACKS * Coroutine::STACK_BYTES, PROT_READ | PROT_WRITE,
+                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (block == MAP_FAILED) throw std::bad_alloc();
+    blocks_.push_back(block);
+    free_.reserve(blocks_.size() * STACKS);  // deallocate() must not throw
+    for (std::size_t i = STACKS; i-- > 0;) {
+      const std::size_t size = Coroutine::STACK_BYTES - i % PLACES * APART;
+      boost::context::stack_context stack;
+      stack.size = size;
+      stack.sp = static_cast<char*>(block) + i * Coroutine::STACK_BYTES + size;
+      free_.push_back(stack);
+    }
+  }
+
+  std::vector<void*> blocks_;
   std::vector<boost::context::stack_context> free_;
 };
 StackPool stacks;
@@ -68,6 +92,7 @@ class Fiber final : public Coroutine {
     PooledStack allocator;
     const auto stack = allocator.allocate();
     stack_ = static_cast<const char*>(stack.sp) - stack.size;  // it grows downwards
+    stack_size_ = stack.size;
     fiber_ = boost::context::fiber(std::allocator_arg,
                                    boost::context::preallocated(stack.sp, stack.size, stack),
                                    allocator, std::move(entry));
@@ -75,7 +100,7 @@ class Fiber final : public Coroutine {
 
   void resume() override {
     void* kept = nullptr;
-    leaving(&kept, stack_, STACK_BYTES);
+    leaving(&kept, stack_, stack_size_);
     fiber_ = std::move(fiber_).resume();
     arrived(kept, nullptr, nullptr);
   }
@@ -90,6 +115,7 @@ class Fiber final : public Coroutine {
  private:
   boost::context::fiber fiber_, scheduler_;
   const void* stack_ = nullptr;  // lowest address, for the address sanitizer
+  std::size_t stack_size_ = 0;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Processes on SimGrid's actors: all is as on fibers.
+// Links by SimGrid or by rules of our own, processes on fibers or on SimGrid's actors: all the
+// same.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -7,21 +8,25 @@
 namespace occam {
 namespace {
 
+using machine::EngineParams;
+using machine::Links;
 using machine::Processes;
 
-constexpr Processes BOTH_KINDS[] = {Processes::fibers, Processes::actors};
+constexpr EngineParams FIBERS, ACTORS{.processes = Processes::actors},
+    DIRECT{.links = Links::direct};
+constexpr EngineParams ALL_KINDS[] = {FIBERS, ACTORS, DIRECT};
 
-struct Actors : testing::Test {
+struct Engines : testing::Test {
   void SetUp() override {
     if (test::IS_SANITIZED) GTEST_SKIP();
   }
 };
 
 // A random machine, some of whose links are cut: when messages came, how it ended, what was busy.
-std::string run_random(std::uint64_t seed, Processes processes) {
+std::string run_random(std::uint64_t seed, EngineParams engine) {
   return isolated([&] {
     const Plan plan = make_plan(seed);
-    Lab lab(make_stealing_model(), 1, processes);
+    Lab lab(make_stealing_model(), 1, engine);
     std::string log, wrong;
     build_machine(lab, plan);
     for (const Stream& stream : plan.streams) start_stream(lab, stream, log, wrong);
@@ -42,11 +47,12 @@ std::string run_random(std::uint64_t seed, Processes processes) {
   });
 }
 
-TEST_F(Actors, RunRandomMachinesAsFibersDoToTheLastBit) {
+TEST_F(Engines, RunRandomMachinesTheSame) {
   int deadlocks = 0;
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
-    const auto on_fibers = run_random(seed, Processes::fibers);
-    EXPECT_EQ(on_fibers, run_random(seed, Processes::actors)) << "seed " << seed;
+    const auto on_fibers = run_random(seed, FIBERS);
+    EXPECT_EQ(on_fibers, run_random(seed, ACTORS)) << "seed " << seed;
+    EXPECT_EQ(on_fibers, run_random(seed, DIRECT)) << "seed " << seed;
     deadlocks += on_fibers.find("(link cut)") != std::string::npos ? 1 : 0;
   }
   EXPECT_GE(deadlocks, 3);
@@ -54,8 +60,8 @@ TEST_F(Actors, RunRandomMachinesAsFibersDoToTheLastBit) {
 
 // One waits for ever, one computes for ever, one waits in a PAR, one has not begun: at the limit
 // all are left, inside out, and of the last nothing but what its body holds.
-TEST_F(Actors, BodiesThatHaveNotEndedAreUnwound) {
-  for (const auto processes : BOTH_KINDS) {
+TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
+  for (const auto engine : ALL_KINDS) {
     const auto log = isolated([&] {
       std::string left;
       struct Leaver {
@@ -64,7 +70,7 @@ TEST_F(Actors, BodiesThatHaveNotEndedAreUnwound) {
         ~Leaver() { log += name + " "; }
       };
       {
-        Lab lab(make_exact_model(), 1, processes);
+        Lab lab(make_exact_model(), 1, engine);
         auto& cpu = lab.cpu();
         auto& channel = lab.soft();
         cpu.start("waits", Priority::high, [&] {
@@ -93,10 +99,10 @@ TEST_F(Actors, BodiesThatHaveNotEndedAreUnwound) {
   }
 }
 
-TEST_F(Actors, WhatABodyThrowsEndsTheRun) {
-  for (const auto processes : BOTH_KINDS)
+TEST_F(Engines, WhatABodyThrowsEndsTheRun) {
+  for (const auto engine : ALL_KINDS)
     EXPECT_THROW(isolated([&]() -> std::string {
-                   Lab lab(make_exact_model(), 1, processes);
+                   Lab lab(make_exact_model(), 1, engine);
                    auto& cpu = lab.cpu();
                    cpu.start("waits", Priority::low, [&] { lab.soft().in(); });
                    cpu.start("throws", Priority::high, [] { throw std::runtime_error("so"); });
@@ -106,11 +112,11 @@ TEST_F(Actors, WhatABodyThrowsEndsTheRun) {
                  test::ChildThrew);
 }
 
-TEST_F(Actors, HaveTheStackOfAFiber) {
-  for (const auto processes : BOTH_KINDS) {
+TEST_F(Engines, HaveTheSameStacks) {
+  for (const auto engine : ALL_KINDS) {
     const auto sum = isolated([&] {
       int sum = 0;
-      Lab lab(make_exact_model(), 1, processes);
+      Lab lab(make_exact_model(), 1, engine);
       lab.cpu().start("deep", Priority::low, [&] {
         volatile char room[100 * 1024];
         for (std::size_t i = 0; i < sizeof room; i += 1024) room[i] = 1;

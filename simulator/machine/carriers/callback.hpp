@@ -1,0 +1,26 @@
+#pragma once
+// What to do at an event.
+#include <new>
+#include <type_traits>
+
+namespace machine {
+
+/// A small function object, copied as plain bytes (std::function costs an allocation or a call to
+/// move, millions of times).
+class Callback {
+ public:
+  Callback() = default;
+  template <class Body>
+  requires(!std::is_same_v<Body, Callback>) Callback(Body body)
+      : call_([](void* at) { (*static_cast<Body*>(at))(); }) {
+    static_assert(sizeof(Body) <= sizeof body_ && std::is_trivially_copyable_v<Body>);
+    new (body_) Body(body);
+  }
+  void operator()() { call_(body_); }
+
+ private:
+  void (*call_)(void*) = nullptr;
+  alignas(8) unsigned char body_[24];
+};
+
+}  // namespace machine

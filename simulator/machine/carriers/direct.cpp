@@ -1,0 +1,67 @@
+#include <vector>
+
+#include "simulator/machine/carriers/carrier.hpp"
+#include "simulator/machine/carriers/forecast.hpp"
+
+namespace machine {
+
+namespace {
+
+// Messages whose ends are this close end together, as on SimGrid: what should be simultaneous does
+// not come apart by rounding.
+constexpr double PICOSECOND = 1e-12;
+
+class Direct final : public Carrier {
+ public:
+  explicit Direct(Events& events) : events_(events) {}
+
+  void add_processor(const std::string& /*name*/) override {}
+  std::size_t add_link(int /*a*/, int /*b*/, LinkRates rates) override {
+    arrived_.resize(arrived_.size() + 2);
+    return forecast_.add_link(rates.one_way, rates.both_ways);
+  }
+  std::unique_ptr<Coroutine> make_coroutine(int /*processor*/, const std::string& /*name*/,
+                                            Coroutine::Body body) override {
+    return make_fiber(std::move(body));
+  }
+
+  void start(std::size_t direction, std::uint64_t bytes, Callback arrived) override {
+    arrived_[direction] = arrived;
+    forecast_.start(direction, static_cast<double>(bytes), events_.now());
+  }
+  void cut(std::size_t direction) override { forecast_.end(direction, events_.now()); }
+
+  void run() override {
+    double last_end = 0;
+    while (!events_.stopped()) {
+      if (events_.next() <= events_.now()) {
+        events_.handle_next();
+        continue;
+      }
+      // Links that have changed are looked at again only when the clock is about to go on.
+      const bool together = forecast_.next_date() < last_end + PICOSECOND;
+      if (!together) forecast_.settle();
+      if (events_.next() <= forecast_.next_date()) {
+        if (events_.next() == Events::NEVER) return;
+        events_.handle_next();
+        continue;
+      }
+      if (!together) last_end = forecast_.next_date();
+      const std::size_t direction = forecast_.next().direction;
+      events_.advance(last_end);
+      forecast_.end(direction, events_.now());
+      events_.handle(arrived_[direction]);
+    }
+  }
+
+ private:
+  Events& events_;
+  Forecast forecast_;
+  std::vector<Callback> arrived_;  // by direction
+};
+
+}  // namespace
+
+std::unique_ptr<Carrier> make_direct(Events& events) { return std::make_unique<Direct>(events); }
+
+}  // namespace machine

@@ -1,0 +1,78 @@
+#pragma once
+// The simulated clock and the events that are asked for, without the messages on links.
+#include <boost/heap/d_ary_heap.hpp>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "simulator/machine/carriers/callback.hpp"
+
+namespace machine {
+
+/// Ends the simulation of this host process at its next event. May be called by a signal handler.
+void request_stop();
+
+class Events {
+ public:
+  static constexpr double NEVER = std::numeric_limits<double>::infinity();
+  enum class End { no_event_left, until, stopped, requested };
+
+  double now() const { return now_; }      ///< seconds
+  double until() const { return until_; }  ///< the end of simulated time
+  void set_until(double date) { until_ = date; }
+
+  /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
+  /// asked for; those asked for as first before all others.
+  void at(double date, Callback callback) { ask(date, asked_++, callback); }
+  void first_at(double date, Callback callback) { ask(date, asked_first_++, callback); }
+  /// Asks for a callback when the event being handled is over, at the same instant.
+  void soon(Callback callback) { soon_.push_back(callback); }
+
+  /// The date of the next event; NEVER if there is none.
+  double next() const { return heap_.empty() ? NEVER : heap_.top().date; }
+  /// Takes the next event, which there must be: the clock comes to its date.
+  void handle_next();
+  /// The clock goes on to `date`, unless it is there already.
+  void advance(double date) { now_ = date > now_ ? date : now_; }
+  /// An event now: calls it, and what it asks for soon. If the time is up, or a signal handler has
+  /// asked for the end, it stops instead.
+  void handle(Callback callback);
+
+  /// The event being handled is of no use: the clock does not stay at it when the run ends.
+  void ignore() { ignored_ = true; }
+  /// The clock goes back to the last event that was of use.
+  void rewind() { now_ = last_useful_; }
+  /// Nothing is called any more. The first reason counts.
+  void stop(End why);
+  bool stopped() const { return stopped_; }
+  End end() const { return end_; }
+
+  std::uint64_t handled() const { return handled_; }
+  /// Grows with every event that is asked for, while one is handled.
+  std::uint64_t asked() const { return asked_ + soon_.size(); }
+
+ private:
+  static constexpr std::uint64_t FIRST = 1u
+                                         << 31;  // orders from here on are not asked for as first
+
+  struct Event {
+    double date;
+    std::uint64_t order;
+    std::uint32_t callback;                 // its place
+    bool operator<(const Event& o) const {  // for a heap whose top is the next event
+      return date != o.date ? date > o.date : order > o.order;
+    }
+  };
+  void ask(double date, std::uint64_t order, Callback callback);
+
+  double now_ = 0, until_ = NEVER, last_useful_ = 0;
+  boost::heap::d_ary_heap<Event, boost::heap::arity<4>> heap_;
+  std::vector<Callback> callbacks_;  // of the events in the heap, which moves them often
+  std::vector<std::uint32_t> free_;  // places
+  std::vector<Callback> soon_, soon_now_;
+  std::uint64_t asked_first_ = 0, asked_ = FIRST, handled_ = 0;
+  bool stopped_ = false, ignored_ = false;
+  End end_ = End::no_event_left;
+};
+
+}  // namespace machine

@@ -1,0 +1,67 @@
+#include "simulator/machine/carriers/forecast.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace machine {
+
+std::size_t Forecast::add_link(double one_way, double both_ways) {
+  links_.push_back({std::min(one_way, both_ways), std::min(one_way, both_ways / 2)});
+  return 2 * (links_.size() - 1);
+}
+
+// What has moved until the date has moved at the rates until then.
+Forecast::Link& Forecast::change(std::size_t direction, double date) {
+  Link& link = links_[direction / 2];
+  const bool both = link.ways[0].busy && link.ways[1].busy;
+  for (Way& way : link.ways)
+    way.left = std::max(0.0, way.left - (both ? link.shared : link.alone) * (date - link.since));
+  link.since = date;
+  if (!std::exchange(link.changed, true)) changed_.push_back(direction / 2);
+  return link;
+}
+
+void Forecast::start(std::size_t direction, double bytes, double date) {
+  Link& link = change(direction, date);
+  link.newest = direction % 2;
+  link.ways[link.newest].left = bytes;
+  link.ways[link.newest].busy = true;
+}
+
+void Forecast::end(std::size_t direction, double date) {
+  change(direction, date).ways[direction % 2] = {};
+}
+
+// SimGrid solves a link's newest message first; this decides which of two ends that fall on the
+// same date comes first.
+void Forecast::settle() {
+  for (const std::size_t number : changed_) {
+    Link& link = links_[number];
+    link.changed = false;
+    foresee(link, 2 * number + link.newest);
+    foresee(link, 2 * number + 1 - link.newest);
+  }
+  changed_.clear();
+}
+
+// Both share the link until the shorter ends. SimGrid rounds dates, the later the more.
+void Forecast::foresee(Link& link, std::size_t direction) {
+  Way& own = link.ways[direction % 2];
+  const Way& other = link.ways[1 - direction % 2];
+  if (!own.busy) return;
+  const double together = other.busy ? std::min(own.left, other.left) : 0;
+  const double duration = together / link.shared + (own.left - together) / link.alone;
+  const double date = link.since + duration;
+  own.valid = ++numbers_;
+  own.end = {date, 1e-9 * duration + 1e-11 + 1e-14 * date, direction};
+  heap_.push_back({date, own.valid, direction});
+  std::ranges::push_heap(heap_, std::less<>());
+}
+
+void Forecast::drop_top() {
+  std::ranges::pop_heap(heap_, std::less<>());
+  heap_.pop_back();
+}
+
+}  // namespace machine

@@ -1,0 +1,78 @@
+#pragma once
+// The dates when messages on links end, by the fluid model of each link by itself.
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace machine {
+
+class Forecast {
+ public:
+  /// Rates in bytes/s: of one direction while the other is idle, and of both together. Returns the
+  /// number of the link's direction there; that of its direction back is one higher.
+  std::size_t add_link(double one_way, double both_ways);
+
+  /// A message of `bytes` starts on an idle direction; it ends there, or is lost. Dates are
+  /// seconds, ascending.
+  void start(std::size_t direction, double bytes, double date);
+  void end(std::size_t direction, double date);
+  /// Foresees the ends on the links where messages have started or ended.
+  void settle();
+
+  /// When a message ends, if no other starts on its link before, which can only make it later.
+  struct End {
+    double date = std::numeric_limits<double>::infinity();  ///< infinite without a message
+    double hair = 0;  ///< seconds that SimGrid, which rounds, may be early or late
+    std::size_t direction = 0;
+    double earliest() const { return date - hair; }
+    double latest() const { return date + hair; }
+    bool contains(double other) const { return earliest() <= other && other <= latest(); }
+  };
+  /// The first end of all that were foreseen, and the end of one message under way. Of those that
+  /// end together, the one that was foreseen first comes first.
+  const End& next() {
+    static constexpr End NONE = {};
+    return next_date() < NONE.date ? end_of(heap_.front().direction) : NONE;
+  }
+  double next_date() {
+    while (!heap_.empty() && way(heap_.front().direction).valid != heap_.front().number) drop_top();
+    return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().date;
+  }
+  const End& end_of(std::size_t direction) const { return way(direction).end; }
+
+ private:
+  struct Way {
+    double left = 0;  // bytes, at the link's `since`
+    bool busy = false;
+    std::uint64_t valid = 0;  // the number of its end in the heap
+    End end = {};
+  };
+  struct Link {
+    double alone, shared;  // bytes/s of a direction
+    double since = 0;
+    std::array<Way, 2> ways = {};
+    std::size_t newest = 0;  // the way whose message has started last
+    bool changed = false;
+  };
+  // Entries whose number is not valid any more are dropped when they come to the top.
+  struct Entry {
+    double date;
+    std::uint64_t number;
+    std::size_t direction;
+    bool operator<(const Entry& o) const {  // for a heap whose top is the next end
+      return date != o.date ? date > o.date : number > o.number;
+    }
+  };
+  const Way& way(std::size_t direction) const { return links_[direction / 2].ways[direction % 2]; }
+  void drop_top();
+  Link& change(std::size_t direction, double date);
+  void foresee(Link& link, std::size_t direction);
+
+  std::vector<Link> links_;
+  std::vector<std::size_t> changed_;  // links
+  std::vector<Entry> heap_;
+  std::uint64_t numbers_ = 0;
+};
+
+}  // namespace machine

@@ -1,0 +1,356 @@
+#include <xbt/base.h>  // before version.h, which needs it
+
+#include <fmt/format.h>
+#include <simgrid/version.h>
+#include <simgrid/kernel/Timer.hpp>
+#include <simgrid/s4u.hpp>
+#include <simgrid/simix.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <deque>
+#include <exception>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "simulator/machine/carriers/carrier.hpp"
+#include "simulator/machine/carriers/forecast.hpp"
+
+namespace machine {
+
+namespace s4u = simgrid::s4u;
+using simgrid::kernel::timer::Timer;
+
+std::string simgrid_version() {
+  int major = 0, minor = 0, patch = 0;
+  sg_version_get(&major, &minor, &patch);
+  return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
+namespace {
+
+// SimGrid takes some signals, and what is done with an uncaught exception, for itself when it
+// starts: here they stay the program's.
+class KeptSignals {
+ public:
+  KeptSignals() {
+    for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], nullptr, &kept_[i]);
+  }
+  ~KeptSignals() {
+    for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], &kept_[i], nullptr);
+    std::set_terminate(terminate_);
+  }
+
+ private:
+  static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
+  struct sigaction kept_[3];
+  std::terminate_handler terminate_ = std::get_terminate();
+};
+
+// What the callback of a deadlock throws, see Engine::run.
+struct AllWait {};
+
+class ActorCoroutine;
+
+// An actor of SimGrid that runs bodies, one after the other: the branches of a PAR come and go, and
+// SimGrid frees actors that have ended only when its clock advances.
+struct Hand {
+  s4u::SemaphorePtr own_turn = s4u::Semaphore::create(0), others_turn = s4u::Semaphore::create(0);
+  ActorCoroutine* works_for = nullptr;
+};
+using Hands = std::vector<std::shared_ptr<Hand>>;
+
+// A body on an actor. Actors go on when SimGrid's maestro lets them, one after the other; a
+// semaphore for each side makes the two run by turns.
+class ActorCoroutine final : public Coroutine {
+ public:
+  // `idle` are the host's. The actor has the name of the first body that it runs.
+  ActorCoroutine(s4u::Engine& engine, s4u::Host* host, Hands& idle, std::string name, Body body)
+      : engine_(engine), host_(host), idle_(idle), name_(std::move(name)), body_(std::move(body)) {}
+
+  void resume() override {
+    if (hand_) {
+      hand_->own_turn->release();
+    } else if (idle_.empty()) {
+      hand_ = std::make_shared<Hand>();
+      hand_->works_for = this;
+      s4u::Actor::create(name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
+    } else {
+      hand_ = std::move(idle_.back());
+      idle_.pop_back();
+      hand_->works_for = this;
+      hand_->own_turn->release();
+    }
+    if (s4u::Actor::is_maestro())  // after the run
+      engine_.run_until(s4u::Engine::get_clock());
+    else
+      hand_->others_turn->acquire();
+  }
+
+  void suspend() override {
+    hand_->others_turn->release();
+    hand_->own_turn->acquire();
+  }
+
+ private:
+  static void work(const std::shared_ptr<Hand>& hand, Hands& idle) {
+    while (auto* coroutine = std::exchange(hand->works_for, nullptr)) {
+      std::exchange(coroutine->body_, {})();
+      coroutine->has_ended_ = true;
+      idle.push_back(hand);
+      hand->others_turn->release();  // from here on the coroutine may be gone
+      hand->own_turn->acquire();
+    }
+  }
+
+  s4u::Engine& engine_;
+  s4u::Host* host_;
+  Hands& idle_;
+  std::string name_;
+  Body body_;
+  std::shared_ptr<Hand> hand_;
+};
+
+// There are two sorts of events: ours, and the ends of SimGrid's communications. A round of SimGrid
+// costs more than most of our events, so we run ahead of its clock as far as no communication can
+// end (conservative look-ahead), and ask it to wake us where we must stop, unless a communication
+// surely ends before. The forecast never decides when a message ends.
+class OnSimGrid final : public Carrier {
+ public:
+  OnSimGrid(Events& events, Processes processes);
+  ~OnSimGrid() override {
+    if (!called_) return;
+    called_->release();
+    for (const auto& hands : idle_)
+      for (const auto& hand : hands) hand->own_turn->release();
+    engine_->run_until(s4u::Engine::get_clock());
+  }
+
+  void add_processor(const std::string& name) override {
+    hosts_.push_back(zone_->create_host(name, "1f")->seal());
+    idle_.emplace_back();
+  }
+  std::size_t add_link(int a, int b, LinkRates rates) override;
+  std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
+                                            Coroutine::Body body) override {
+    if (!has_actors_) return make_fiber(std::move(body));
+    return std::make_unique<ActorCoroutine>(*engine_, hosts_.at(processor), idle_.at(processor),
+                                            name, std::move(body));
+  }
+  void start(std::size_t number, std::uint64_t bytes, Callback arrived) override;
+  void cut(std::size_t number) override {
+    directions_[number].cut = true;
+    forecast_.end(number, events_.now());
+    forecast_.settle();
+  }
+  void run() override;
+
+ private:
+  // By the numbers of the forecast and of SimGrid's communications.
+  struct Direction {
+    int from, to;
+    s4u::CommPtr comm = {};  // under way
+    std::uint64_t bytes = 0;
+    double since = 0;
+    Callback arrived = {};
+    bool cut = false;  // what SimGrid still tells of it is ignored
+  };
+
+  template <class Call>
+  void call(Call call) {
+    if (!called_) return call();
+    calls_.emplace_back(call);
+    called_->release();
+  }
+  void start_scheduler();
+  void run_ahead();
+  void start_now(std::size_t number);
+  void start_all(double date);
+  void start_later(std::size_t number);
+  void end(std::size_t number);
+  void check_end(const Direction& direction, double date, const Forecast::End& expected) const;
+
+  Events& events_;  // their clock may be ahead of SimGrid's
+  std::unique_ptr<s4u::Engine> engine_;
+  s4u::NetZone* zone_ = nullptr;
+  std::vector<s4u::Host*> hosts_;
+  double wake_up_ = Events::NEVER;  // a SimGrid timer is set for then
+  std::vector<Direction> directions_;
+  Forecast forecast_;
+  std::deque<std::pair<double, std::size_t>> starts_;  // to come: date, direction
+  s4u::CommPtr last_ended_;
+
+  // With actors our scheduler is an actor, too, since it has to wait for their turns to end: it
+  // does what SimGrid calls back for.
+  bool has_actors_;
+  std::deque<Hands> idle_;    // by processor
+  s4u::SemaphorePtr called_;  // as often as there are calls; once more to end it
+  std::deque<Callback> calls_;
+  std::exception_ptr failure_;  // of a call
+};
+
+OnSimGrid::OnSimGrid(Events& events, Processes processes)
+    : events_(events), has_actors_(processes == Processes::actors) {
+  static int argc = 3;
+  static char name[] = "tlab", to[] = "--log=root.app:file:/dev/null",
+              only[] = "--log=root.thres:critical";
+  static char* argv[] = {name, to, only, nullptr};
+  {
+    const KeptSignals kept;
+    engine_ = std::make_unique<s4u::Engine>(&argc, argv);
+  }
+  // Plain fluid links: no TCP corrections, no cross traffic. Time is resolved to a picosecond.
+  for (const char* setting :
+       {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
+        "network/crosstraffic:0", "network/TCP-gamma:0", "surf/precision:1e-12"})
+    s4u::Engine::set_config(setting);
+  zone_ = s4u::create_full_zone("machine");
+  s4u::Activity::on_completion_cb([this](const s4u::Activity& activity) {
+    call(
+        [this, number = reinterpret_cast<std::size_t>(activity.get_data<void>())] { end(number); });
+  });
+  if (!has_actors_) return;
+  const auto stack = fmt::format("contexts/stack-size:{}", Coroutine::STACK_BYTES / 1024);
+  for (const std::string& setting : {stack, std::string("contexts/guard-size:0")})
+    s4u::Engine::set_config(setting);
+  s4u::Engine::on_deadlock_cb([] { throw AllWait(); });
+}
+
+std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates) {
+  const auto rate = [rates](double, int messages) {
+    return messages > 1 ? rates.both_ways : rates.one_way;
+  };
+  auto* link = zone_->create_link(fmt::format("{}-{}", a, b), rates.both_ways)
+                   ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
+                   ->seal();
+  zone_->add_route(hosts_[a]->get_netpoint(), hosts_[b]->get_netpoint(), nullptr, nullptr,
+                   {s4u::LinkInRoute(link)}, true);
+  directions_.push_back({a, b});
+  directions_.push_back({b, a});
+  return forecast_.add_link(rates.one_way, rates.both_ways);
+}
+
+void OnSimGrid::start(std::size_t number, std::uint64_t bytes, Callback arrived) {
+  Direction& direction = directions_[number];
+  direction.bytes = bytes;
+  direction.since = events_.now();
+  direction.arrived = arrived;
+  forecast_.start(number, static_cast<double>(bytes), events_.now());
+  forecast_.settle();
+  if (events_.now() > s4u::Engine::get_clock())
+    start_later(number);
+  else
+    start_now(number);
+}
+
+void OnSimGrid::run() {
+  {
+    const KeptSignals kept;
+    zone_->seal();
+  }
+  if (has_actors_ && !hosts_.empty()) start_scheduler();
+  call([this] { run_ahead(); });
+  try {
+    engine_->run();
+  } catch (const AllWait&) {  // actors that wait when nothing can happen: SimGrid would end them
+  }
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void OnSimGrid::start_scheduler() {
+  called_ = s4u::Semaphore::create(0);
+  s4u::Actor::create("scheduler", hosts_.front(), [this] {
+    for (called_->acquire(); !calls_.empty(); called_->acquire()) {
+      Callback next = calls_.front();
+      calls_.pop_front();
+      try {
+        next();
+      } catch (...) {
+        failure_ = std::current_exception();
+        events_.stop(Events::End::no_event_left);
+      }
+    }
+  });
+}
+
+// Handles our events up to where a communication might end first. What SimGrid's clock has reached
+// is certain: communications that end there have ended.
+void OnSimGrid::run_ahead() {
+  const double clock = s4u::Engine::get_clock();
+  while (!events_.stopped() && events_.next() < Events::NEVER &&
+         (events_.next() < forecast_.next().earliest() || events_.next() <= clock))
+    events_.handle_next();
+  // A communication that surely ends before our next event brings us back here in time.
+  if (events_.stopped() || events_.next() == Events::NEVER ||
+      forecast_.next().latest() < events_.next())
+    return;
+  if (events_.next() < wake_up_) {
+    wake_up_ = events_.next();
+    Timer::set(wake_up_, [this, date = wake_up_] {
+      call([this, date] {
+        if (date == wake_up_) wake_up_ = Events::NEVER;
+        start_all(date);
+        events_.advance(date);
+        run_ahead();
+      });
+    });
+  }
+}
+
+// SimGrid tells the end of a communication if its maestro has started it.
+void OnSimGrid::start_now(std::size_t number) {
+  if (directions_[number].cut) return;
+  simgrid::kernel::actor::simcall_answered([&, &direction = directions_[number]] {
+    direction.comm = s4u::Comm::sendto_init(hosts_[direction.from], hosts_[direction.to]);
+    direction.comm->set_payload_size(direction.bytes);
+    direction.comm->set_data(reinterpret_cast<void*>(number));
+    direction.comm->start();
+  });
+}
+
+// Starts what was to start at that date, once.
+void OnSimGrid::start_all(double date) {
+  for (; !starts_.empty() && starts_.front().first == date; starts_.pop_front())
+    start_now(starts_.front().second);
+}
+
+// Starts it when SimGrid's clock has come so far; those of one date in the order they were asked
+// for.
+void OnSimGrid::start_later(std::size_t number) {
+  const double date = events_.now();
+  const bool timer_set = !starts_.empty() && starts_.back().first == date;
+  starts_.emplace_back(date, number);
+  if (timer_set) return;
+  Timer::set(date, [this, date] { call([this, date] { start_all(date); }); });
+}
+
+void OnSimGrid::end(std::size_t number) {
+  Direction& direction = directions_[number];
+  last_ended_ = std::move(direction.comm);  // SimGrid still uses it when we return
+  if (events_.stopped() || direction.cut) return;
+  const double clock = s4u::Engine::get_clock();
+  check_end(direction, clock, forecast_.end_of(number));
+  events_.advance(clock);
+  forecast_.end(number, events_.now());
+  forecast_.settle();
+  events_.handle(direction.arrived);
+  run_ahead();
+}
+
+void OnSimGrid::check_end(const Direction& direction, double date,
+                          const Forecast::End& expected) const {
+  if (expected.contains(date)) return;
+  throw base::InvariantBroken(fmt::format(
+      "link {} > {}: SimGrid ends the message of {} bytes that started at {:.12f} s "
+      "at {:.12f} s, expected {:.12f} to {:.12f} s",
+      hosts_[direction.from]->get_name().c_str(), hosts_[direction.to]->get_name().c_str(),
+      direction.bytes, direction.since, date, expected.earliest(), expected.latest()));
+}
+
+}  // namespace
+
+std::unique_ptr<Carrier> make_simgrid(Events& events, Processes processes) {
+  return std::make_unique<OnSimGrid>(events, processes);
+}
+
+}  // namespace machine
