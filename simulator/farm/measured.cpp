@@ -1,6 +1,6 @@
 #include "simulator/farm/measured.hpp"
 
-#include "topologies/graph/metrics.hpp"
+#include "topologies/graph/all_pairs.hpp"
 
 namespace farm {
 
@@ -31,9 +31,7 @@ Columns<Result> task_columns() {
 
 Columns<Result> message_columns() {
   using R = Result;
-  const auto distance = [](const R& r) {
-    return topologies::eval_metrics(r.topology).mean_distance;
-  };
+  const auto distance = [](const R& r) { return topologies::eval_mean_distance(r.topology); };
   return base::join(
       Columns<R>{column<R>("mean_distance", distance, "links between two workers, on average"),
                  column("mean_depth", &R::mean_depth,

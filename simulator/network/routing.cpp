@@ -1,6 +1,8 @@
 #include "simulator/network/routing.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "topologies/graph/search.hpp"
 
@@ -8,66 +10,60 @@ namespace network {
 
 namespace {
 
-bool joins(const std::pair<int, int>& link, int a, int b) {
-  return std::minmax(link.first, link.second) == std::minmax(a, b);
+// For each set of ports, a bit each, the ports.
+auto make_port_lists() {
+  std::array<std::vector<int>, 1U << topologies::PORTS> lists;
+  for (unsigned set = 0; set < lists.size(); ++set)
+    for (int port = 0; port < topologies::PORTS; ++port)
+      if (set >> port & 1U) lists[set].push_back(port);
+  return lists;
 }
 
 }  // namespace
 
 Routing::Routing(const topologies::Topology& topology, topologies::RoutingTable routes,
                  std::optional<TreeLinks> tree, Kind kind)
-    : epochs_{{topology, std::move(tree)}},
-      routes_(std::move(routes)),
-      kind_(kind),
-      neighbour_(static_cast<std::size_t>(topology.processors),
-                 std::vector(topologies::PORTS, -1)) {
-  for (const auto& link : topology.links) {
-    neighbour_[link.a.processor][link.a.port] = link.b.processor;
-    neighbour_[link.b.processor][link.b.port] = link.a.processor;
-  }
+    : routes_(std::move(routes)), kind_(kind), peers_(make_peers(topology)) {
+  add_epoch(topology, std::move(tree));
 }
 
-double Routing::mean_distance() const {
-  double sum = 0, pairs = 0;
-  for (int from = 0; from < processors(); ++from)
-    for (int to = 0; to < processors(); ++to)
-      if (const int links = distance(from, to); links > 0) sum += links, ++pairs;
-  return pairs > 0 ? sum / pairs : 0;
+void Routing::add_epoch(topologies::Topology topology, std::optional<TreeLinks> tree) {
+  auto allowed = topology;
+  if (tree) {
+    const std::set<std::pair<int, int>> branches(tree->begin(), tree->end());
+    std::erase_if(allowed.links, [&](const topologies::Link& link) {
+      return !branches.contains({link.a.processor, link.b.processor});
+    });
+  }
+  epochs_.push_back({std::move(topology), std::move(tree), std::move(allowed)});
 }
 
 void Routing::cut(int a, int b) {
-  Epoch next{topology(), {}};
-  std::erase_if(next.topology.links, [&](const topologies::Link& link) {
-    return joins({link.a.processor, link.b.processor}, a, b);
+  auto left = topology();
+  std::erase_if(left.links, [&](const topologies::Link& link) {
+    return std::minmax(a, b) == std::minmax(link.a.processor, link.b.processor);
   });
-  routes_ =
-      kind_ == Kind::up_down ? make_up_down_routes(next.topology) : make_routes(next.topology);
-  if (epochs_.back().tree) next.tree = make_tree_links(next.topology);
-  epochs_.push_back(std::move(next));
+  routes_ = kind_ == Kind::up_down ? make_up_down_routes(left) : make_routes(left);
+  auto tree = epochs_.back().tree ? std::optional(make_tree_links(left)) : std::nullopt;
+  add_epoch(std::move(left), std::move(tree));
 }
 
 Routing::Ports Routing::make_tree(const Epoch& epoch, int sender) const {
-  topologies::Topology allowed = epoch.topology;
-  if (epoch.tree)
-    std::erase_if(allowed.links, [&](const topologies::Link& link) {
-      return std::ranges::none_of(*epoch.tree, [&](const auto& branch) {
-        return joins(branch, link.a.processor, link.b.processor);
-      });
-    });
-  const auto search = topologies::make_search(allowed, sender);
+  const auto search = topologies::make_search(epoch.allowed, sender);
   Ports ports(static_cast<std::size_t>(processors()));
   for (int at = 0; at < processors(); ++at)
     for (int port = 0; port < topologies::PORTS; ++port)
       if (const int child = neighbour(at, port); child >= 0 && search.parent[child] == at)
-        ports[at].push_back(port);
+        ports[at] |= static_cast<std::uint8_t>(1U << port);
   return ports;
 }
 
 const std::vector<int>& Routing::tree_ports(std::size_t epoch, int sender, int at) const {
+  static const auto PORTS_OF = make_port_lists();
   const Epoch& then = epochs_.at(epoch);
   auto tree = then.trees.find(sender);
   if (tree == then.trees.end()) tree = then.trees.emplace(sender, make_tree(then, sender)).first;
-  return tree->second[at];
+  return PORTS_OF[tree->second[at]];
 }
 
 std::vector<int> Routing::below(std::size_t epoch, int sender, int at) const {

@@ -27,7 +27,8 @@ class Routing {
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
   int distance(int from, int to) const { return routes_.distance(from, to); }
   Kind kind() const { return kind_; }
-  double mean_distance() const;  ///< links, over all pairs that have a way
+  /// Links, over all pairs that have a way.
+  double mean_distance() const { return routes_.mean_distance(); }
   /// Number of links cut so far. A GLOBAL message keeps to the tree of its epoch, so that no
   /// processor gets it twice.
   std::size_t epoch() const { return epochs_.size() - 1; }
@@ -36,24 +37,26 @@ class Routing {
   /// The processors that get such a message through `at`, itself first.
   std::vector<int> below(std::size_t epoch, int sender, int at) const;
   /// The processor across the link on a port, cut or not; -1 if there was no link.
-  int neighbour(int at, int port) const { return neighbour_[at][port]; }
+  int neighbour(int at, int port) const { return peers_[at][port] == at ? -1 : peers_[at][port]; }
 
   /// From now on routes and trees are those of the links that are left.
   void cut(int a, int b);
 
  private:
-  using Ports = std::vector<std::vector<int>>;  // by processor
+  using Ports = std::vector<std::uint8_t>;  // by processor, a bit for each port
   struct Epoch {
     topologies::Topology topology;  // with the links that are left
     std::optional<TreeLinks> tree;
+    topologies::Topology allowed = {};        // with the tree's links, or all if there is none
     mutable std::map<int, Ports> trees = {};  // by sender, as they are asked for
   };
+  void add_epoch(topologies::Topology topology, std::optional<TreeLinks> tree);
   Ports make_tree(const Epoch& epoch, int sender) const;
 
   std::vector<Epoch> epochs_;
   topologies::RoutingTable routes_;
   Kind kind_;
-  std::vector<std::vector<int>> neighbour_;  // by processor and port
+  topologies::Peers peers_;
 };
 
 /// Routes that close no cycle of waiting links, and the tree for GLOBAL messages that goes with

@@ -78,6 +78,28 @@ inline Topology random_topology(unsigned seed, int largest = 31) {
   return t;
 }
 
+// Gives each processor's links other ports of its four.
+inline void shuffle_ports(Topology& t, std::mt19937& random) {
+  std::vector<std::vector<int>> ports(t.processors, {0, 1, 2, 3});
+  for (auto& p : ports) std::ranges::shuffle(p, random);
+  for (auto& link : t.links)
+    for (End* end : {&link.a, &link.b}) end->port = ports[end->processor][end->port];
+}
+
+// Links another network to the last processor that has a free port, if it has one itself.
+inline void append(Topology& t, const Topology& other) {
+  const int first = t.processors;
+  int at = first - 1, there = 0;
+  while (free_port(t, at) < 0) --at;
+  while (there < other.processors && free_port(other, there) < 0) ++there;
+  if (there == other.processors) return;
+  t.links.push_back({{at, free_port(t, at)}, {first + there, free_port(other, there)}});
+  for (const auto& [a, b] : other.links)
+    t.links.push_back({{first + a.processor, a.port}, {first + b.processor, b.port}});
+  t.processors += other.processors;
+  std::ranges::sort(t.links, {}, [](auto& l) { return std::pair(l.a.processor, l.b.processor); });
+}
+
 // Runs `act`; the message of the BadInput it throws, or "" if it throws none.
 template <typename Act>
 std::string rejection(Act act) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/errors.hpp"
 #include "topologies/draw/graphviz.hpp"
 #include "topologies/files/dot.hpp"
 #include "topologies/route/routes.hpp"
@@ -194,7 +195,12 @@ std::string format_points(const Place& place) {
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
+  constexpr int MAX_FOUND = 1024;  // Graphviz looks for places of so many in a second or two
   const int n = topology.processors;
+  base::require(n <= MAX_DRAWN, "topology " + topology.name,
+                "found {} processors, expected at most {} in a drawing (formats dot, graphml and "
+                "csv have no limit)",
+                n, MAX_DRAWN);
   const auto [form, rows, columns] = topology.shape;
   using Form = Shape::Form;
   Layout layout{{}, std::vector<Place>(topology.links.size())};
@@ -211,7 +217,7 @@ Layout make_layout(const Topology& topology) {
     layout.processors = make_line_places(n);
   } else if (form == Form::ring) {
     layout.processors = make_ring_places(n);
-  } else if (form == Form::around_root || is_tree(topology)) {
+  } else if (form == Form::around_root || is_tree(topology) || n > MAX_FOUND) {
     layout.processors = make_tree_places(topology);
   } else {
     layout.processors = make_found_places(topology);

@@ -9,6 +9,8 @@
 
 namespace topologies {
 
+constexpr int MAX_DRAWN = 16384;  ///< processors of a drawing: it has some 15 MB then
+
 struct Place {
   double x = 0, y = 0;
 };
@@ -32,7 +34,8 @@ std::string format_points(const Place& place);
 /// tori they are, minimum-path networks in rings around the root, with the way upwards from it left
 /// open. Small trees grow from the root downwards, large ones around it. Others are placed by
 /// Graphviz's neato, from a fixed start, and turned so that the root is above the middle; throws
-/// std::runtime_error when that is not installed.
+/// std::runtime_error when that is not installed. More than 1024 of these are in rings too. Throws
+/// BadInput for more than MAX_DRAWN processors.
 Layout make_layout(const Topology& topology);
 
 }  // namespace topologies

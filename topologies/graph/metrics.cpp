@@ -1,15 +1,12 @@
 #include "topologies/graph/metrics.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "topologies/graph/all_pairs.hpp"
 #include "topologies/graph/search.hpp"
 
 namespace topologies {
 namespace {
-
-// Messages on each link: [0] from a to b, [1] from b to a.
-using Load = std::vector<std::array<std::int64_t, 2>>;
 
 BusiestLink find_busiest(const Topology& topology, const Load& load) {
   BusiestLink busiest;
@@ -22,26 +19,16 @@ BusiestLink find_busiest(const Topology& topology, const Load& load) {
   return busiest;
 }
 
-// Adds one message from every processor to the start of `search`; `choose` picks the neighbour
-// that a processor forwards to. Farthest first, so that what a processor forwards is complete.
-template <typename Choose>
-void add_gathering(const Topology& topology, const Search& search, Choose choose, Load& load) {
-  std::vector<std::int64_t> forwarded(topology.processors, 1);
-  for (auto p = search.order.rbegin(); *p != search.order.front(); ++p) {
-    const Neighbour& next = choose(*p);
-    forwarded[next.processor] += forwarded[*p];
-    load[next.link][*p > next.processor] += forwarded[*p];
-  }
-}
-
 BusiestLink eval_farm(const Topology& topology, const std::vector<std::vector<Neighbour>>& around) {
-  Load load(topology.links.size());
   const auto search = make_search(topology, topology.root);
-  const auto parent = [&](int p) -> const Neighbour& {
-    return *std::ranges::find(around[p], search.parent[p], &Neighbour::processor);
-  };
-  add_gathering(topology, search, parent, load);
-  for (auto& [forward, backward] : load) forward = backward = forward + backward;  // the replies
+  std::vector<std::int64_t> below(topology.processors, 1);
+  Load load(topology.links.size());
+  for (auto p = search.order.rbegin(); *p != topology.root; ++p) {
+    const int parent = search.parent[*p];
+    const auto way = std::ranges::find(around[*p], parent, &Neighbour::processor);
+    below[parent] += below[*p];
+    load[way->link] = {below[*p], below[*p]};  // the replies too
+  }
   return find_busiest(topology, load);
 }
 
@@ -63,11 +50,23 @@ Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   return result;
 }
 
+// Whether a single link parts a tree into halves.
+bool is_halved_by_a_link(const Search& search) {
+  const int n = static_cast<int>(search.order.size());
+  std::vector<int> below(n, 1);
+  for (auto p = search.order.rbegin(); *p != search.order.front(); ++p) {
+    if (below[*p] == n / 2 || below[*p] == n - n / 2) return true;
+    below[search.parent[*p]] += below[*p];
+  }
+  return false;
+}
+
 // The bisection width of a wiring without cycles, by dynamic programming over subtrees.
 int eval_tree_bisection(const Topology& topology) {
   const int n = topology.processors;
   if (n == 1) return 0;
   const auto search = make_search(topology, topology.root);
+  if (is_halved_by_a_link(search)) return 1;
   std::vector<Cuts> cuts(n, Cuts{NEVER, 0});
   for (auto p = search.order.rbegin(); *p != topology.root; ++p) {
     Cuts& parent = cuts[search.parent[*p]];
@@ -90,21 +89,12 @@ Metrics eval_metrics(const Topology& topology) {
   metrics.degree_min = static_cast<int>(fewest.size());
   metrics.degree_max = static_cast<int>(most.size());
 
-  Load load(topology.links.size());
-  std::int64_t total = 0;
-  for_each_search(topology, [&](int, const Search& search) {
-    for (const int distance : search.distance) total += distance;
-    metrics.diameter = std::max(metrics.diameter, search.distance[search.order.back()]);
-    const auto nearer = [&](int p) -> const Neighbour& {  // the routing table's rule
-      return *std::ranges::find_if(around[p], [&](const Neighbour& neighbour) {
-        return search.distance[neighbour.processor] == search.distance[p] - 1;
-      });
-    };
-    add_gathering(topology, search, nearer, load);
-  });
+  const auto [distances, load] = eval_all_pairs(topology);
+  metrics.diameter = distances.longest;
+  if (n > 1)
+    metrics.mean_distance = static_cast<double>(distances.sum) / static_cast<double>(n * (n - 1));
   metrics.all_to_all = find_busiest(topology, load);
   metrics.farm = eval_farm(topology, around);
-  if (n > 1) metrics.mean_distance = static_cast<double>(total) / static_cast<double>(n * (n - 1));
 
   metrics.bisection_width = topology.bisection_width;
   if (!metrics.bisection_width && is_tree(topology))

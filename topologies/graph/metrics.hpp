@@ -28,7 +28,7 @@ struct Metrics {
   BusiestLink all_to_all;  ///< one message per ordered pair, by the routing table
 };
 
-/// Measures a topology that passes `check`, in O(processors^2) time and O(processors) memory.
+/// Measures a topology that passes `check`, in O(processors) memory and the time of eval_all_pairs.
 /// The bisection is the generator's, or exact for any wiring without cycles, or absent.
 Metrics eval_metrics(const Topology& topology);
 

@@ -44,14 +44,8 @@ Search make_search(const Topology& topology, int start) {
   return search;
 }
 
-void for_each_search(const Topology& topology,
-                     const std::function<void(int, const Search&)>& visit) {
-  const Graph graph = make_graph(topology);
-  Search search;
-  for (int start = 0; start < topology.processors; ++start) {
-    run_search(graph, start, search);
-    visit(start, search);
-  }
+bool is_connected(const Topology& topology) {
+  return static_cast<int>(make_search(topology, topology.root).order.size()) == topology.processors;
 }
 
 void for_each_piece(const Topology& topology,

@@ -17,9 +17,8 @@ struct Search {
 /// Searches a topology with links that end at valid processors; it need not be connected.
 Search make_search(const Topology& topology, int start);
 
-/// Searches from each processor in turn, in O(processors) memory.
-void for_each_search(const Topology& topology,
-                     const std::function<void(int start, const Search&)>& visit);
+/// Whether each processor can be reached from each.
+bool is_connected(const Topology& topology);
 
 /// Calls `visit` with a search for each connected piece: first from the root, then from the lowest
 /// processor that no search has reached.

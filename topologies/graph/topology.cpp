@@ -21,6 +21,16 @@ std::vector<std::vector<Neighbour>> neighbours(const Topology& topology) {
   return result;
 }
 
+Peers make_peers(const Topology& topology) {
+  Peers peers(topology.processors);
+  for (int p = 0; p < topology.processors; ++p) peers[p].fill(p);
+  for (const auto& [a, b] : topology.links) {
+    peers[a.processor][a.port] = b.processor;
+    peers[b.processor][b.port] = a.processor;
+  }
+  return peers;
+}
+
 int switches_between(const Topology& topology, int a, int b) {
   const auto found = topology.switches.find(std::minmax(a, b));
   return found == topology.switches.end() ? 0 : found->second;

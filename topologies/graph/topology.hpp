@@ -1,6 +1,7 @@
 #pragma once
 // A machine's wiring: processors, their four link ports, and which port is wired to which.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace topologies {
 
-constexpr int PORTS = 4;               ///< links of a transputer
-constexpr int MAX_PROCESSORS = 16384;  ///< a route fits 16 bits (see routes.hpp): 512 MB of table
+constexpr int PORTS = 4;                          ///< links of a transputer
+constexpr int MAX_PROCESSORS = 65536;             ///< of a machine
 constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< of a file of a network or of routes
 
 struct End {
@@ -63,6 +64,10 @@ struct Neighbour {
 
 /// For each processor its neighbours, by ascending port.
 std::vector<std::vector<Neighbour>> neighbours(const Topology& topology);
+
+/// For each processor and port the neighbour; where no link is, the processor itself.
+using Peers = std::vector<std::array<int, PORTS>>;
+Peers make_peers(const Topology& topology);
 
 /// The number of C004 link switches between two neighbours, in any order.
 int switches_between(const Topology& topology, int a, int b);

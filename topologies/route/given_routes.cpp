@@ -11,6 +11,7 @@
 #include "base/csv.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
+#include "topologies/route/packed_ports.hpp"
 
 namespace topologies {
 namespace {
@@ -99,42 +100,54 @@ class Reader {
   std::map<int, std::string> paths_;  // by line
 };
 
-// Puts the given steps towards one end into the table, and the distances to it that follow.
-void apply(RoutingTable& table, const std::vector<std::vector<Neighbour>>& around, int to,
-           const Reader::Steps& steps) {
-  const int n = table.processors;
-  std::vector<int> port(n, 0), next(n, to), distance(n, -1);
-  for (int at = 0; at < n; ++at) {
-    if (at == to) continue;
-    const auto given = steps.find(at);
-    const auto hop = std::ranges::find_if(around[at], [&](const Neighbour& neighbour) {
-      return given != steps.end() ? neighbour.processor == given->second.next
-                                  : neighbour.port == table.next_port(at, to);
-    });
-    port[at] = hop->port;
-    next[at] = hop->processor;
+// Steps along the given paths to their ends; all others are those of other routes.
+class GivenRule : public Rule {
+ public:
+  GivenRule(const Topology& topology, RoutingTable others,
+            const std::map<int, Reader::Steps>& steps_to)
+      : Rule(topology), others_(std::move(others)) {
+    for (const auto& [to, steps] : steps_to) given_.emplace(to, find_ports(to, steps));
   }
-  distance[to] = 0;
-  std::vector<int> way;
-  for (int from = 0; from < n; ++from) {
-    for (int at = from; distance[at] < 0; at = next[at]) way.push_back(at);
-    for (; !way.empty(); way.pop_back()) distance[way.back()] = distance[next[way.back()]] + 1;
+
+  int next_port(int from, int to) const override {
+    const auto given = given_.find(to);
+    return given == given_.end() ? others_.next_port(from, to) : given->second.get(from);
   }
-  for (int from = 0; from < n; ++from)
-    if (from != to)
-      table.hops[static_cast<size_t>(to) * n + from] =
-          static_cast<std::uint16_t>(distance[from] * PORTS + port[from]);
-}
+
+  RouteSum sum() const override {
+    auto sum = others_.rule->sum();
+    for (const auto& [to, ports] : given_) {
+      const auto other = others_.rule->sum_to(to);
+      sum += sum_to(to);
+      sum += {-other.links, -other.pairs};
+    }
+    return sum;
+  }
+
+ private:
+  PackedPorts find_ports(int to, const Reader::Steps& steps) const {
+    PackedPorts ports(processors());
+    for (int at = 0; at < processors(); ++at) {
+      if (at == to) continue;
+      const auto given = steps.find(at);
+      ports.set(at, given == steps.end()
+                        ? others_.next_port(at, to)
+                        : static_cast<int>(std::ranges::find(peers()[at], given->second.next) -
+                                           peers()[at].begin()));
+    }
+    return ports;
+  }
+
+  RoutingTable others_;
+  std::map<int, PackedPorts> given_;  // by the end that they lead to
+};
 
 }  // namespace
 
 RoutingTable read_routes(const Topology& topology, const std::string& text,
                          const std::string& name) {
   const Reader reader(topology, text, name);
-  auto table = make_routes(topology);
-  const auto around = neighbours(topology);
-  for (const auto& [to, steps] : reader.steps()) apply(table, around, to, steps);
-  return table;
+  return make_table(std::make_shared<GivenRule>(topology, make_routes(topology), reader.steps()));
 }
 
 RoutingTable load_routes(const Topology& topology, const std::string& path) {

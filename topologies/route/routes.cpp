@@ -5,32 +5,30 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "topologies/graph/grid.hpp"
 #include "topologies/graph/search.hpp"
+#include "topologies/route/grid_rule.hpp"
+#include "topologies/route/searched_rule.hpp"
+#include "topologies/route/tree_rule.hpp"
 
 namespace topologies {
 
-static_assert(MAX_PROCESSORS * PORTS <= 65536, "a hop must fit 16 bits");
+RoutingTable make_table(std::shared_ptr<const Rule> rule) {
+  const int processors = rule->processors();
+  return {processors, std::move(rule)};
+}
+
+double RoutingTable::mean_distance() const {
+  const auto [links, pairs] = rule->sum();
+  return pairs > 0 ? static_cast<double>(links) / static_cast<double>(pairs) : 0;
+}
 
 RoutingTable make_routes(const Topology& topology) {
-  const int n = topology.processors;
-  const auto around = neighbours(topology);
-  RoutingTable table{n, std::vector<std::uint16_t>(static_cast<size_t>(n) * n)};
-  for_each_search(topology, [&](int to, const Search& search) {
-    for (int from = 0; from < n; ++from) {
-      if (from == to) continue;
-      auto& hop = table.hops[static_cast<size_t>(to) * n + from];
-      const int distance = search.distance[from];
-      if (distance < 0) {
-        hop = RoutingTable::NONE;
-        continue;
-      }
-      const auto next = std::ranges::find_if(around[from], [&](const Neighbour& neighbour) {
-        return search.distance[neighbour.processor] == distance - 1;
-      });
-      hop = static_cast<std::uint16_t>(distance * PORTS + next->port);
-    }
-  });
-  return table;
+  if (is_tree(topology) && is_connected(topology))
+    return make_table(std::make_shared<TreeRule>(topology));
+  if (const auto grid = find_grid(topology))
+    return make_table(std::make_shared<GridRule>(topology, *grid));
+  return make_table(std::make_shared<SearchedRule>(topology));
 }
 
 SpanningTree make_spanning_tree(const Topology& topology, int root) {
@@ -60,24 +58,30 @@ TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links) {
   };
   std::set<std::pair<int, int>> known;
   for (const auto& link : topology.links) known.emplace(link.a.processor, link.b.processor);
-  // The part that each processor is in; the links so far join the processors of a part.
-  std::vector<int> part(topology.processors);
-  std::iota(part.begin(), part.end(), 0);
+  // Each processor is in the part of the one that it leads to in the end; the links so far join the
+  // processors of a part.
+  std::vector<int> leads(topology.processors);
+  std::iota(leads.begin(), leads.end(), 0);
+  const auto part_of = [&](int p) {
+    while (leads[p] != p) p = leads[p] = leads[leads[p]];
+    return p;
+  };
+  std::set<std::pair<int, int>> found;
   TreeLinks sorted;
   for (const auto& [a, b] : links) {
     const std::pair<int, int> link = std::minmax(a, b);
     if (!known.contains(link)) refuse(a, b, "but no link joins the two");
-    if (std::ranges::find(sorted, link) != sorted.end()) refuse(a, b, "twice");
-    if (part[a] == part[b]) refuse(a, b, "which closes a cycle");
-    std::ranges::replace(part, int{part[a]}, int{part[b]});
+    if (!found.insert(link).second) refuse(a, b, "twice");
+    if (part_of(a) == part_of(b)) refuse(a, b, "which closes a cycle");
+    leads[part_of(a)] = part_of(b);
     sorted.push_back(link);
   }
-  const auto apart = std::ranges::find_if(part, [&](int p) { return p != part[topology.root]; });
-  if (apart != part.end())
-    throw base::BadInput(
-        fmt::format("no link reaches processor {} from the root {}; expected the links of a "
-                    "spanning tree of {}",
-                    apart - part.begin(), topology.root, topology.name));
+  for (int p = 0; p < topology.processors; ++p)
+    if (part_of(p) != part_of(topology.root))
+      throw base::BadInput(
+          fmt::format("no link reaches processor {} from the root {}; expected the links of a "
+                      "spanning tree of {}",
+                      p, topology.root, topology.name));
   std::ranges::sort(sorted);
   return sorted;
 }

@@ -1,39 +1,38 @@
 #pragma once
 // Shortest routes between all pairs of processors, and spanning trees.
 
-#include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "topologies/graph/topology.hpp"
+#include "topologies/route/rule.hpp"
 
 namespace topologies {
 
-/// A message takes, among the neighbours of `from` that are one link nearer to `to`, the one on the
-/// lowest port. On a hypercube that corrects the dimensions in a fixed order; on a mesh it goes
-/// north first, then along the row, then south. Neither closes a cycle of waiting links.
-/// Two bytes per ordered pair: 2 MB for 1024 processors, 32 MB for 4096, 512 MB for 16384.
+/// The routes between all pairs of processors, which copies share. Memory and time are those of the
+/// rule: one thread at a time may ask.
 struct RoutingTable {
   int processors = 0;
-  std::vector<std::uint16_t> hops;  ///< distance * PORTS + port, at [to * processors + from]
-
-  static constexpr std::uint16_t NONE = 65535;  ///< no way there, if links have been lost
+  std::shared_ptr<const Rule> rule;
 
   /// The port of `from` that leads to `to`; -1 when from == to, or if there is no way.
-  int next_port(int from, int to) const {
-    return from == to || hop(from, to) == NONE ? -1 : hop(from, to) % PORTS;
-  }
+  int next_port(int from, int to) const { return from == to ? -1 : rule->next_port(from, to); }
   /// The distance in links; -1 if there is no way.
-  int distance(int from, int to) const {
-    return hop(from, to) == NONE ? -1 : hop(from, to) / PORTS;
-  }
-  int hop(int from, int to) const {
-    return hops[static_cast<size_t>(to) * static_cast<size_t>(processors) + from];
-  }
+  int distance(int from, int to) const { return rule->distance(from, to); }
+  /// Links, over all ordered pairs that have a way; 0 if none has.
+  double mean_distance() const;
 };
 
-/// Makes the routes of a topology that passes `check`, or has lost some of its links.
+/// Makes the shortest routes of a topology that passes `check`, or has lost some of its links. A
+/// message takes, among the neighbours of `from` that are one link nearer to `to`, the one on the
+/// lowest port. On a hypercube that corrects the dimensions in a fixed order; on a mesh it goes
+/// north first, then along the row, then south. Neither closes a cycle of waiting links. Where
+/// routes follow from places in a tree or a grid, there is no table: O(processors) memory. Others
+/// are found when they are asked for, two bits a pair: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
+
+/// The routes of a rule.
+RoutingTable make_table(std::shared_ptr<const Rule> rule);
 
 struct SpanningTree {
   int root = 0;

@@ -1,110 +1,137 @@
 #include "topologies/route/up_down.hpp"
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/topological_sort.hpp>
 #include <limits>
+#include <set>
 #include <tuple>
 
 #include "topologies/graph/search.hpp"
+#include "topologies/route/packed_ports.hpp"
 
 namespace topologies {
 
 namespace {
 
-// The distance of each processor from the root of its tree.
-std::vector<int> find_depths(const Topology& topology) {
-  std::vector<int> depth(topology.processors);
-  for_each_piece(topology, [&](int, const Search& search) {
-    for (const int p : search.order) depth[p] = search.distance[p];
-  });
-  return depth;
-}
-
-constexpr int FAR = std::numeric_limits<int>::max() / 2;
-
 // A processor's route to one destination: its length in links, and its first port.
 struct Way {
-  int length = FAR, port = -1;
+  static constexpr int FAR = std::numeric_limits<int>::max() / 2;
+  int length = FAR, port = 0;
 };
 
-class UpDown {
+// Routes to a destination are found when one is asked for, and kept.
+class UpDown : public Rule {
  public:
   explicit UpDown(const Topology& topology)
-      : around_(neighbours(topology)), depth_(find_depths(topology)) {
+      : Rule(topology),
+        piece_(topology.processors),
+        depth_(topology.processors),
+        found_(topology.processors) {
+    for_each_piece(topology, [&](int start, const Search& search) {
+      for (const int p : search.order) piece_[p] = start, depth_[p] = search.distance[p];
+    });
     for (int p = 0; p < topology.processors; ++p) downwards_.push_back(p);
     std::ranges::sort(downwards_, [&](int a, int b) { return is_above(a, b); });
   }
 
-  std::vector<Way> find_ways(int to) const {
-    std::vector<Way> ways(around_.size());
-    ways[to].length = 0;
-    // Links down, taken from the bottom, lead to processors below.
-    for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
-      for (const auto& n : around_[*p])
-        if (is_above(*p, n.processor)) improve(ways[*p], ways[n.processor], n.port);
-    // A processor that cannot send down sends up; these are taken from the top.
-    for (const int p : downwards_)
-      if (ways[p].length >= FAR)
-        for (const auto& n : around_[p])
-          if (is_above(n.processor, p)) improve(ways[p], ways[n.processor], n.port);
-    return ways;
+  int next_port(int from, int to) const override {
+    if (piece_[from] != piece_[to]) return -1;
+    auto& ports = found_[to];
+    if (ports.empty()) {
+      const auto ways = find_ways(to);
+      ports = PackedPorts(processors());
+      for (int p = 0; p < processors(); ++p) ports.set(p, ways[p].port);
+    }
+    return ports.get(from);
+  }
+
+  RouteSum sum_to(int to) const override {
+    RouteSum sum;
+    for (const auto& way : find_ways(to))
+      if (way.length > 0 && way.length < Way::FAR) sum += {way.length, 1};
+    return sum;
   }
 
  private:
+  std::vector<Way> find_ways(int to) const {
+    std::vector<Way> ways(peers().size());
+    ways[to].length = 0;
+    // Links down, taken from the bottom, lead to processors below.
+    for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
+      for (int port = 0; port < PORTS; ++port)
+        if (const int peer = peers()[*p][port]; is_above(*p, peer))
+          improve(ways[*p], ways[peer], port);
+    // A processor that cannot send down sends up; these are taken from the top.
+    for (const int p : downwards_)
+      if (ways[p].length >= Way::FAR)
+        for (int port = 0; port < PORTS; ++port)
+          if (const int peer = peers()[p][port]; is_above(peer, p))
+            improve(ways[p], ways[peer], port);
+    return ways;
+  }
   bool is_above(int a, int b) const { return std::tie(depth_[a], a) < std::tie(depth_[b], b); }
   static void improve(Way& way, const Way& next, int port) {
     if (next.length + 1 < way.length) way = {next.length + 1, port};
   }
 
-  std::vector<std::vector<Neighbour>> around_;
-  std::vector<int> depth_, downwards_;
+  std::vector<int> piece_, depth_, downwards_;
+  mutable std::vector<PackedPorts> found_;  // by destination; empty until one asks
 };
+
+// Whether a walk along turns can come back to where it began. Vertices are the directions of
+// links: PORTS * processor + the port that it leaves by. What no other leads to is taken away, and
+// so on; what is left is a cycle, or behind one.
+bool has_cycle(const Turns& turns, const Peers& peers) {
+  const auto for_each_next = [&](std::size_t way, auto visit) {
+    const int peer = peers[way / PORTS][way % PORTS];
+    for (int port = 0; port < PORTS; ++port)
+      if (turns[way] >> port & 1U) visit(static_cast<std::size_t>(peer) * PORTS + port);
+  };
+  std::vector<std::uint8_t> leading(turns.size());
+  for (std::size_t way = 0; way < turns.size(); ++way)
+    for_each_next(way, [&](std::size_t next) { ++leading[next]; });
+  std::vector<std::size_t> free;
+  for (std::size_t way = 0; way < turns.size(); ++way)
+    if (leading[way] == 0) free.push_back(way);
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for_each_next(free[i], [&](std::size_t next) {
+      if (--leading[next] == 0) free.push_back(next);
+    });
+  return free.size() < turns.size();
+}
+
+// The turns of messages to all, which take `tree` from any of its processors.
+Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
+  const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
+  std::vector<std::uint8_t> branches(peers.size());  // a bit for each port
+  for (const auto& [a, b] : topology.links)
+    if (links.contains({a.processor, b.processor}))
+      for (const End& end : {a, b})
+        branches[end.processor] |= static_cast<std::uint8_t>(1U << end.port);
+  Turns turns(peers.size() * PORTS);
+  for (const auto& [a, b] : topology.links)
+    for (const auto& [here, there] : {std::pair{a, b}, std::pair{b, a}})
+      if (branches[here.processor] >> here.port & 1U)
+        turns[here.processor * PORTS + here.port] =
+            branches[there.processor] & static_cast<std::uint8_t>(~(1U << there.port));
+  return turns;
+}
 
 }  // namespace
 
 RoutingTable make_up_down_routes(const Topology& topology) {
-  const int n = topology.processors;
-  RoutingTable table{n, std::vector<std::uint16_t>(static_cast<size_t>(n) * n)};
-  const UpDown up_down(topology);
-  for (int to = 0; to < n; ++to) {
-    const auto ways = up_down.find_ways(to);
-    for (int from = 0; from < n; ++from) {
-      const Way& way = ways[from];
-      table.hops[static_cast<size_t>(to) * n + from] =
-          from == to     ? std::uint16_t{0}
-          : way.port < 0 ? RoutingTable::NONE
-                         : static_cast<std::uint16_t>(way.length * PORTS + way.port);
-    }
-  }
-  return table;
+  return make_table(std::make_shared<UpDown>(topology));
 }
 
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree) {
-  // A vertex for each direction of a link: 4 * processor + port it leaves by.
-  boost::adjacency_list<boost::setS> waits(static_cast<size_t>(topology.processors) * PORTS);
-  const auto around = neighbours(topology);
-  const auto leaves = [](int p, int port) { return static_cast<size_t>(p) * PORTS + port; };
-  for (int p = 0; p < topology.processors; ++p)
-    for (const auto& n : around[p])
-      for (int to = 0; to < topology.processors; ++to)
-        if (n.processor != to && routes.next_port(p, to) == n.port &&
-            routes.next_port(n.processor, to) >= 0)
-          add_edge(leaves(p, n.port), leaves(n.processor, routes.next_port(n.processor, to)),
-                   waits);
-  std::vector<std::vector<Neighbour>> branches(around.size());
-  for (const auto& [a, b] : tree)
-    for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, a}})
-      branches[p].push_back(*std::ranges::find(around[p], q, &Neighbour::processor));
-  for (int p = 0; p < topology.processors; ++p)
-    for (const auto& n : branches[p])
-      for (const auto& next : branches[n.processor])
-        if (next.processor != p) add_edge(leaves(p, n.port), leaves(n.processor, next.port), waits);
-  try {
-    std::vector<size_t> order;
-    topological_sort(waits, std::back_inserter(order));
-  } catch (const boost::not_a_dag&) {
-    return true;
+  constexpr int FIRST_LOOK = 64;  // destinations: where there are cycles they show early
+  const auto peers = make_peers(topology);
+  auto turns = make_tree_turns(topology, peers, tree);
+  int last = 0;
+  while (last < topology.processors) {
+    const int first = last;
+    last = std::min(topology.processors, std::max(FIRST_LOOK, 2 * first));
+    routes.rule->add_turns(turns, first, last);
+    if (has_cycle(turns, peers)) return true;
   }
   return false;
 }

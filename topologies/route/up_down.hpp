@@ -9,7 +9,8 @@ namespace topologies {
 /// Every link has an upper end: the one nearer to the root of make_tree_links, the lower number of
 /// two at the same distance. A route goes up some links, or none, and then down: since no link down
 /// is ever followed by one up, no chain of links that wait for each other closes. A route that can
-/// go down does; it may be longer than the shortest.
+/// go down does; it may be longer than the shortest. Routes to a destination are found when they
+/// are first asked for, in O(processors) time, and kept in two bits a pair.
 RoutingTable make_up_down_routes(const Topology& topology);
 
 /// Whether messages that hold a link while they wait for the next on their route can wait for each

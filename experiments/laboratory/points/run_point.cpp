@@ -87,15 +87,20 @@ void check_rows(const programs::Program& program, const std::vector<base::Row>& 
 ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   if (!outcome.use) return {};
   const auto& use = *outcome.use;
-  ordered_json cpus, links, loads = ordered_json::array();
+  // Lists, since an object looks through its members before it adds one: machines are large.
+  auto cpus = ordered_json::array(), links = cpus, loads = cpus;
   for (const auto& cpu : use.cpus)
-    cpus[cpu.name] = {{"busy", cpu.busy_s / use.time_s},
-                      {"busy_high", cpu.busy_high_s / use.time_s},
-                      {"preemptions", cpu.preemptions},
-                      {"memory_peak_bytes", cpu.memory_peak_bytes}};
+    cpus.push_back({{"name", cpu.name},
+                    {"busy", cpu.busy_s / use.time_s},
+                    {"busy_high", cpu.busy_high_s / use.time_s},
+                    {"preemptions", cpu.preemptions},
+                    {"memory_peak_bytes", cpu.memory_peak_bytes}});
   for (const auto& link : use.links)
-    links[link.from + ">" + link.to] = {
-        {"busy", link.busy_s / use.time_s}, {"messages", link.messages}, {"bytes", link.bytes}};
+    links.push_back({{"from", link.from},
+                     {"to", link.to},
+                     {"busy", link.busy_s / use.time_s},
+                     {"messages", link.messages},
+                     {"bytes", link.bytes}});
   for (const auto& load : outcome.loads)
     loads.push_back({{"resource", load.resource}, {"busy", load.busy}, {"doing", load.doing}});
   return {{"loads", loads}, {"cpus", cpus}, {"links", links}};

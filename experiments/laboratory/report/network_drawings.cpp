@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "topologies/draw/layout.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
 namespace laboratory {
@@ -18,21 +20,37 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// Reads the busy share of the time, from 0 to 1; rounding may have led a hair beyond.
-double busy(const ordered_json& of, const std::string& name) {
-  return std::clamp(of.at(name).at("busy").get<double>(), 0.0, 1.0);
+constexpr int MAX_SHOWN = 1024;  // workers of a drawing within the report: 2 MB of it
+
+// Shares of the time, from 0 to 1; rounding may have led a hair beyond.
+using Busy = std::unordered_map<std::string, double>;  // by name
+
+double busy(const ordered_json& of) { return std::clamp(of.at("busy").get<double>(), 0.0, 1.0); }
+
+Busy read_cpus(const ordered_json& use) {
+  Busy cpus;
+  for (const auto& cpu : use.at("cpus")) cpus[cpu.at("name")] = busy(cpu);
+  return cpus;
 }
 
-std::array<double, 2> both_ways(const ordered_json& links, const std::string& a,
-                                const std::string& b) {
-  return {busy(links, a + ">" + b), busy(links, b + ">" + a)};
+// By "FROM>TO".
+Busy read_links(const ordered_json& use) {
+  Busy links;
+  for (const auto& link : use.at("links"))
+    links[fmt::format("{}>{}", link.at("from").get_ref<const std::string&>(),
+                      link.at("to").get_ref<const std::string&>())] = busy(link);
+  return links;
+}
+
+std::array<double, 2> both_ways(const Busy& links, const std::string& a, const std::string& b) {
+  return {links.at(a + ">" + b), links.at(b + ">" + a)};
 }
 
 // Names the worker of a processor as records do.
 std::string worker(int id) { return fmt::format("worker{}", id + 1); }
 
 // Removes the link that the farm opens where the root has no free one: the record lacks it.
-void keep_links_of(topologies::Topology& topology, const ordered_json& links) {
+void keep_links_of(topologies::Topology& topology, const Busy& links) {
   std::erase_if(topology.links, [&](const topologies::Link& link) {
     return !links.contains(worker(link.a.processor) + ">" + worker(link.b.processor));
   });
@@ -47,22 +65,22 @@ std::string make_caption(const Simulation& s, std::size_t point) {
   return join_texts(parts, ", ");
 }
 
-std::string draw(const Point& point, const std::string& caption, const ordered_json& use) {
-  auto topology = make_workers(point.experiment);
-  const auto &cpus = use.at("cpus"), &links = use.at("links");
+std::string draw(topologies::Topology topology, const std::string& caption,
+                 const ordered_json& use) {
+  const auto cpus = read_cpus(use), links = read_links(use);
   keep_links_of(topology, links);
   topologies::Loads loads;
   loads.title = caption;
   for (int id = 0; id < topology.processors; ++id) {
-    loads.processors.push_back(busy(cpus, worker(id)));
+    loads.processors.push_back(cpus.at(worker(id)));
     loads.labels.push_back(std::to_string(id + 1));
   }
   for (const auto& link : topology.links)
     loads.links.push_back(both_ways(links, worker(link.a.processor), worker(link.b.processor)));
   const auto root = worker(topology.root);
-  loads.extras = {{"coordinator", busy(cpus, "coordinator"), "", {}},
-                  {"database", busy(cpus, "database"), "coordinator", {}},
-                  {"display", busy(cpus, "display"), "coordinator", {}}};
+  loads.extras = {{"coordinator", cpus.at("coordinator"), "", {}},
+                  {"database", cpus.at("database"), "coordinator", {}},
+                  {"display", cpus.at("display"), "coordinator", {}}};
   for (std::size_t i = 0; i < loads.extras.size(); ++i) {
     auto& extra = loads.extras[i];
     extra.link = both_ways(links, extra.name, i == 0 ? root : "coordinator");
@@ -112,10 +130,25 @@ NetworkDrawings draw_networks(const fs::path& folder, const Simulation& s) {
     const Point& point = s.file.points[i];
     try {
       const auto caption = make_caption(s, i);
+      const auto topology = make_workers(point.experiment);
+      const int workers = topology.processors;
+      if (workers > topologies::MAX_DRAWN) {
+        networks.notes.push_back(
+            fmt::format("not drawn: network at {}: {} workers, a drawing has at most {}",
+                        name_of(point), workers, topologies::MAX_DRAWN));
+        continue;
+      }
       const auto use = load_record(folder / s.records[i]).use;
-      const auto svg = draw(point, caption, use);
-      base::save_whole(folder / "networks" / (file_name(point) + ".svg"), svg);
-      if (is_largest[i]) networks.drawings.push_back({caption, svg});
+      const auto svg = draw(topology, caption, use);
+      const auto file = fs::path("networks") / (file_name(point) + ".svg");
+      base::save_whole(folder / file, svg);
+      if (!is_largest[i]) continue;
+      if (workers <= MAX_SHOWN)
+        networks.drawings.push_back({caption, svg});
+      else
+        networks.notes.push_back(
+            fmt::format("the network at {} is in {}: {} workers, this page shows at most {}",
+                        name_of(point), file.string(), workers, MAX_SHOWN));
     } catch (const std::exception& error) {
       networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), error.what()));
     }

@@ -76,12 +76,23 @@ data make_table(const Table& table, const std::vector<std::string>& columns) {
   return made;
 }
 
+// Leaves as many rows as a page can have, and says so.
+void shorten(Table& table, std::vector<std::string>& notes) {
+  constexpr std::size_t MOST = 1000;
+  if (table.rows.size() <= MOST) return;
+  notes.push_back(fmt::format("The table has the first {} of {} rows; all are in the CSV files.",
+                              MOST, table.rows.size()));
+  table.rows.resize(MOST);
+}
+
 data make_part(const Report::Part& part) {
   auto tables = part.tables;
+  auto notes = part.notes;
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
+  for (auto& table : tables) shorten(table, notes);
   data made;
   made["heading"] = part.heading;
-  made["notes"] = make_texts(part.notes);
+  made["notes"] = make_texts(notes);
   made["tables"] = make_list(tables, [](const Table& t) { return make_table(t, {}); });
   return made;
 }
@@ -108,10 +119,13 @@ data make_drawings(const std::vector<Report::Drawing>& drawings, const std::stri
 }
 
 data make_results(const Report& report) {
+  auto table = report.table;
+  std::vector<std::string> notes;
+  shorten(table, notes);
   const auto make_columns = [&](const std::vector<std::string>& columns) {
     data part, tables = make_list();
-    tables << make_table(report.table, columns);
-    part["notes"] = make_list();
+    tables << make_table(table, columns);
+    part["notes"] = make_texts(notes);
     part["tables"] = std::move(tables);
     return part;
   };

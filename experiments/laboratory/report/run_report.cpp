@@ -315,6 +315,7 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   auto networks = draw_networks(folder, s);
   report.networks = std::move(networks.drawings);
   append(undrawn, networks.failures);
+  append(report.notes, networks.notes);
   for (const auto& failure : undrawn) append(report.notes, {"not drawn: " + failure});
   add_checks(report, s);
   report.settings = make_settings(s.file);

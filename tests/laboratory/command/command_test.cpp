@@ -163,7 +163,7 @@ TEST(ExperimentsCommand, MistakesHaveTheirExitCodesAndLeaveNothing) {
             "--depth excludes --preview"},
            {{"topology", "five.dot"}, 2, "five.dot"},
            {{"topology", "tre:7"}, 2, "tree"},
-           {{"topology", "line:99999999999"}, 2, "16384"},
+           {{"topology", "line:99999999999"}, 2, "65536"},
            {{"model", "t9000"}, 2, "t805-25"},
            {{"run", "missing.toml"}, 2, "missing.toml"},
            {small({"--set", "image.width=0"}), 2, "image.width: found 0"},

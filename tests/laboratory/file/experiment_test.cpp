@@ -174,7 +174,7 @@ TEST(ExperimentsFile, MistakesAreNamed) {
             "key is \"scene.objects\""},
            {"titel = 1\n", "unknown key \"titel\", the nearest valid key is \"title\""},
            {"[network]\nworkers = 0\n",
-            "e.toml:2: network.workers: found 0, expected a whole number from 1 to 16384"},
+            "e.toml:2: network.workers: found 0, expected a whole number from 1 to 65536"},
            {"[network]\nworkers = 2.5\n", "found 2.5, expected a whole number"},
            {"[network]\nworkers = \"two\"\n", "expected a whole number"},
            {"[image]\nfeelers = \"some\"\n", "expected one of all, front"},

@@ -82,6 +82,20 @@ TEST(ExperimentsReport, LoadsAreATableOfTheirOwn) {
   EXPECT_LT(html.find("</details>", results), html.find("All ", results));
 }
 
+TEST(ExperimentsReport, LongTablesAreCutAndSaySo) {
+  Report report;
+  report.table = {.columns = {"processor", "value"}, .axes = 1, .rows = {}};
+  for (int row = 0; row < 1000; ++row) report.table.rows.push_back({double(row), 1.5});
+  report.shown_columns = report.table.columns;
+  const auto whole = make_report(report);
+  EXPECT_EQ(whole.find("The table has the first"), std::string::npos);
+  for (int row = 0; row < 64536; ++row) report.table.rows.push_back({double(row), 1.5});
+  const auto cut = make_report(report);
+  EXPECT_NE(cut.find("The table has the first 1000 of 65536 rows; all are in the CSV files."),
+            std::string::npos);
+  EXPECT_EQ(count(cut, "<tr"), count(whole, "<tr"));
+}
+
 TEST(ExperimentsReport, NeedsNothingFromOutside) {
   const TemporaryFolder folder;
   const auto html = make_report(make_example(folder));

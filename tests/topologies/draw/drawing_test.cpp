@@ -102,6 +102,23 @@ TEST(Layout, PlacesEveryProcessorAndLink) {
   }
 }
 
+// Graphviz would look for places of a thousand processors for seconds, of ten thousand for minutes.
+TEST(Layout, OfALargeNetworkIsInRingsAroundItsRoot) {
+  auto t = make_mesh(64, 128);
+  t.shape = {};
+  const auto places = make_layout(t).processors;
+  t.shape = {Shape::Form::around_root};
+  const auto rings = make_layout(t).processors;
+  for (int p = 0; p < t.processors; ++p) EXPECT_EQ(distance(places[p], rings[p]), 0) << p;
+}
+
+TEST(Layout, HasALimit) {
+  EXPECT_EQ(make_layout(make_topology("mesh:128x128")).processors.size(), 16384U);
+  EXPECT_EQ(rejection([] { to_svg(make_topology("mesh:256x256")); }),
+            "topology mesh:256x256: found 65536 processors, expected at most 16384 in a drawing "
+            "(formats dot, graphml and csv have no limit)");
+}
+
 // However large it is, and however its rows come out.
 TEST(Layout, NeighboursInARingStandTogether) {
   for (int n = 3; n <= 300; ++n) {

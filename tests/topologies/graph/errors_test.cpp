@@ -23,7 +23,7 @@ void expect_rejected(const std::vector<Case>& cases, Act act) {
 }
 
 TEST(TopologyErrors, Specs) {
-  const std::string limit = "the limit is 16384";
+  const std::string limit = "the limit is 65536";
   expect_rejected(
       {{"line:8x", {"\"line:8x\"", "found \"8x\"", "line:N", "N >= 1"}},
        {"line:", {"found \"\"", "line:N"}},
@@ -48,17 +48,17 @@ TEST(TopologyErrors, Specs) {
        {"torus:4x0", {"at least 1 row"}},
        {"binary:0", {"at least 1 processor"}},
        {"binary:7:2", {"found 2 size(s)", "binary:N"}},
-       {"amp:0", {"amp:0", "found 0 processors, expected 1 to 16384"}},
+       {"amp:0", {"amp:0", "found 0 processors, expected 1 to 65536"}},
        {"amp", {"found \"\"", "amp:N"}},
        {"hypercube:5", {"processor 0 has 5 links", "4 ports"}},
        {"star:6", {"processor 0 has 5 links", "4 ports"}},
        {"star:0", {"at least 1"}},
-       {"line:16385", {"16385", limit}},
+       {"line:65537", {"65537", limit}},
        {"line:99999999999", {"99999999999", limit}},
        {"line:99999999999x", {"where a size was expected"}},
        {"mesh:100000x100000", {"100000", limit}},
-       {"mesh:16384x16384", {"268435456 processors", limit}},
-       {"torus:129x128", {"16512 processors", limit}},
+       {"mesh:65536x65536", {"4294967296 processors", limit}},
+       {"torus:257x256", {"65792 processors", limit}},
        {"rnig:4", {"unknown generator \"rnig\"", "did you mean \"ring\"", "torus:RxC", ".graphml"}},
        {"hypercub:4", {"did you mean \"hypercube\""}},
        {"Mesh:4x4", {"did you mean \"mesh\""}},
@@ -185,7 +185,7 @@ TEST(TopologyErrors, HandMadeTopologies) {
   EXPECT_NE(made(2, 0, {{{0, 4}, {1, 0}}}).find("on port 4, expected 0 to 3"), std::string::npos);
   EXPECT_NE(made(3, 0, {{{0, 0}, {2, 0}}, {{0, 1}, {1, 0}}}).find("out of order"),
             std::string::npos);
-  EXPECT_NE(made(99999, 0, {}).find("the limit is 16384"), std::string::npos);
+  EXPECT_NE(made(99999, 0, {}).find("the limit is 65536"), std::string::npos);
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ TEST(TopologyGenerators, ShapesAreKept) {
 }
 
 TEST(TopologyGenerators, LargestIsMade) {
-  EXPECT_EQ(make_topology("mesh:128x128").processors, MAX_PROCESSORS);
-  EXPECT_EQ(make_topology("tree:16384").links.size(), 16383u);
+  EXPECT_EQ(make_topology("mesh:256x256").processors, MAX_PROCESSORS);
+  EXPECT_EQ(make_topology("tree:65536").links.size(), 65535u);
 }
 
 }  // namespace

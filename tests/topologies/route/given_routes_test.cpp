@@ -40,9 +40,16 @@ TEST(TopologyGivenRoutes, AreForBothWaysAndForThoseOnTheWay) {
 
 TEST(TopologyGivenRoutes, WithoutAnyAreTheShortest) {
   const auto t = make_topology("mesh:3x4");
-  EXPECT_EQ(read_routes(t, COLUMNS, "r.csv").hops, make_routes(t).hops);
-  EXPECT_EQ(read_routes(t, "\xEF\xBB\xBF" + COLUMNS + "0,1,0-1\n", "r.csv").hops,
-            make_routes(t).hops);
+  const auto shortest = make_routes(t);
+  for (const auto& text : {COLUMNS, "\xEF\xBB\xBF" + COLUMNS + "0,1,0-1\n"}) {
+    const auto routes = read_routes(t, text, "r.csv");
+    for (int from = 0; from < t.processors; ++from)
+      for (int to = 0; to < t.processors; ++to) {
+        EXPECT_EQ(routes.next_port(from, to), shortest.next_port(from, to));
+        EXPECT_EQ(routes.distance(from, to), shortest.distance(from, to));
+      }
+    EXPECT_EQ(routes.mean_distance(), shortest.mean_distance());
+  }
 }
 
 // Some paths along one random spanning tree, which cannot contradict each other.

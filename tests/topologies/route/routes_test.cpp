@@ -1,7 +1,9 @@
 #include "topologies/route/routes.hpp"
 
 #include "tests/topologies/support.hpp"
+#include "topologies/graph/search.hpp"
 #include "topologies/make/generators.hpp"
+#include "topologies/route/up_down.hpp"
 
 namespace topologies {
 namespace {
@@ -26,6 +28,24 @@ void expect_valid_routes(const Topology& t) {
       for (auto lower = around[from].begin(); lower != hop; ++lower)
         ASSERT_GE(distance[lower->processor], distance[from]) << "a lower port leads nearer";
     }
+  }
+}
+
+// The same from all processors to a few, with distances by a search.
+void expect_valid_routes_to(const Topology& t, const std::vector<int>& ends) {
+  const auto routes = make_routes(t);
+  const auto peers = make_peers(t);
+  for (const int to : ends) {
+    const auto distance = make_search(t, to).distance;
+    int mistakes = 0;
+    for (int from = 0; from < t.processors; ++from) {
+      if (from == to) continue;
+      const auto nearer = [&](int peer) { return distance[peer] == distance[from] - 1; };
+      const auto lowest = std::ranges::find_if(peers[from], nearer) - peers[from].begin();
+      if (routes.next_port(from, to) != lowest) ++mistakes;
+      if (from % 997 == 0 && routes.distance(from, to) != distance[from]) ++mistakes;
+    }
+    EXPECT_EQ(mistakes, 0) << t.name << " to " << to;
   }
 }
 
@@ -68,6 +88,57 @@ TEST(TopologyRandomRoutes, AreShortestHopByHop) {
     ASSERT_NO_THROW(check(t));
     expect_valid_routes(t);
     expect_valid_tree(t, t.root);
+  }
+}
+
+TEST(TopologyRandomRoutes, OfGridsOnAnyPortsAndWithALinkLost) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    auto t = make_topology(
+        std::vector{"mesh:4x5", "torus:4x5", "torus:3x6", "torus:2x6", "ring:9"}[seed % 5]);
+    shuffle_ports(t, random);
+    expect_valid_routes(t);
+    t.links.erase(t.links.begin() + static_cast<int>(random() % t.links.size()));
+    expect_valid_routes(t);
+  }
+}
+
+// More ends than bits of a word.
+TEST(TopologyRandomRoutes, OfSomeHundredProcessors) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_valid_routes(random_topology(seed, 300));
+  }
+}
+
+TEST(TopologyRandomRoutes, MeanDistanceIsThatOfAllThatHaveAWay) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto t = random_topology(seed, 90);
+    std::mt19937 random(seed);
+    std::erase_if(t.links, [&](const Link&) { return random() % 6 == 0; });
+    std::int64_t links = 0, pairs = 0, up_down = 0;
+    const auto routes = make_routes(t), upwards = make_up_down_routes(t);
+    for (int from = 0; from < t.processors; ++from)
+      for (const int distance : plain_distances(t, from))
+        if (distance > 0) links += distance, ++pairs;
+    for (int from = 0; from < t.processors; ++from)
+      for (int to = 0; to < t.processors; ++to) up_down += std::max(0, upwards.distance(from, to));
+    const auto count = static_cast<double>(pairs);
+    EXPECT_EQ(routes.mean_distance(), pairs ? static_cast<double>(links) / count : 0);
+    EXPECT_EQ(upwards.mean_distance(), pairs ? static_cast<double>(up_down) / count : 0);
+  }
+}
+
+TEST(TopologyLargeRoutes, TakeTheLowestPortThatLeadsNearer) {
+  std::mt19937 random(1);
+  for (const auto* spec :
+       {"line:65536", "ring:65535", "tree:65536", "binary:65536", "mesh:256x256", "mesh:1024x64",
+        "torus:256x256", "torus:257x255", "torus:2x32768", "amp:65536"}) {
+    const auto t = make_topology(spec);
+    const auto any = static_cast<int>(random() % static_cast<unsigned>(t.processors));
+    expect_valid_routes_to(t, {0, any, t.processors - 1});
   }
 }
 

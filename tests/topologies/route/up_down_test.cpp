@@ -1,5 +1,8 @@
 #include "topologies/route/up_down.hpp"
 
+#include <map>
+#include <set>
+
 #include "tests/topologies/support.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
@@ -27,8 +30,7 @@ void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   for (int to = 0; to < t.processors; ++to) {
     const auto distance = plain_distances(t, to);
     for (int from = 0; from < t.processors; ++from) {
-      ASSERT_EQ(routes.hop(from, to) == RoutingTable::NONE, distance[from] < 0)
-          << from << " to " << to;
+      ASSERT_EQ(routes.distance(from, to) < 0, distance[from] < 0) << from << " to " << to;
       if (distance[from] < 0) {
         EXPECT_EQ(routes.next_port(from, to), -1);
         continue;
@@ -127,6 +129,72 @@ TEST(TopologyClosesCycle, OfShortestRoutesOnRingsAndTori) {
   for (const auto* spec :
        {"line:1", "line:9", "ring:3", "tree:20", "star:5", "mesh:4x4", "mesh:5x3", "hypercube:4"})
     EXPECT_FALSE(closes(spec)) << spec;
+}
+
+// Waiting links of all routes and of the tree, each walked; then links that wait for none are taken
+// away as long as there are any.
+bool closes_cycle_plainly(const Topology& t, const RoutingTable& routes, const TreeLinks& tree) {
+  const int n = t.processors;
+  const auto peers = make_peers(t);
+  std::map<std::pair<int, int>, std::set<std::pair<int, int>>> waits;
+  for (int to = 0; to < n; ++to)
+    for (int at = 0; at < n; ++at)
+      if (const int port = routes.next_port(at, to); port >= 0 && peers[at][port] != to) {
+        const int next = peers[at][port];
+        waits[{at, next}].emplace(next, peers[next][routes.next_port(next, to)]);
+      }
+  TreeLinks ways = tree;
+  for (const auto& [a, b] : tree) ways.emplace_back(b, a);
+  for (const auto& [a, b] : ways)
+    for (const auto& [c, d] : ways)
+      if (b == c && d != a) waits[{a, b}].emplace(c, d);
+  for (bool gone = true; gone;) {
+    gone = false;
+    for (auto& [way, nexts] : waits) {
+      std::erase_if(nexts, [&](const auto& next) {
+        const auto found = waits.find(next);
+        return found == waits.end() || found->second.empty();
+      });
+    }
+    gone = std::erase_if(waits, [](const auto& of) { return of.second.empty(); }) > 0;
+  }
+  return !waits.empty();
+}
+
+void expect_cycle_as_walked(const Topology& t) {
+  const auto tree = make_tree_links(t);
+  for (const auto& routes : {make_routes(t), make_up_down_routes(t)})
+    EXPECT_EQ(closes_cycle(t, routes, tree), closes_cycle_plainly(t, routes, tree)) << t.name;
+}
+
+TEST(TopologyClosesCycle, AsAllRoutesWalkedTell) {
+  for (int rows = 1; rows <= 9; ++rows)
+    for (int columns = rows; columns <= 9; columns += 2)
+      for (auto t : {make_mesh(rows, columns), make_torus(rows, columns)}) {
+        std::mt19937 random(static_cast<unsigned>(10 * rows + columns));
+        expect_cycle_as_walked(t);
+        shuffle_ports(t, random);
+        expect_cycle_as_walked(t);
+      }
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto t = random_topology(seed, 90);
+    expect_cycle_as_walked(t);
+    std::mt19937 random(seed);
+    std::erase_if(t.links, [&](const Link&) { return random() % 6 == 0; });
+    expect_cycle_as_walked(t);
+  }
+}
+
+TEST(TopologyClosesCycle, OfTheLargest) {
+  for (const auto* spec : {"torus:256x256", "ring:65536", "amp:65536"}) {
+    const auto t = make_topology(spec);
+    EXPECT_TRUE(closes_cycle(t, make_routes(t), make_tree_links(t))) << spec;
+  }
+  for (const auto* spec : {"mesh:256x256", "tree:65536", "line:65536"}) {
+    const auto t = make_topology(spec);
+    EXPECT_FALSE(closes_cycle(t, make_routes(t), make_tree_links(t))) << spec;
+  }
 }
 
 // Messages to all count too: 0, 2, 3, 1 turns from south into the row, as no route does.
