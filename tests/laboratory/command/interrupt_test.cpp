@@ -21,15 +21,16 @@ bool comes_true(const Holds& holds) {
   return holds();
 }
 
-// Programs in a folder that is first on PATH: each writes its number into the file "started" and
-// then sleeps.
+// Programs in a folder that is first on PATH: each writes its number into the file "started" there
+// and then sleeps.
 struct Interrupt : Sweep {
   Interrupt() {
     fs::create_directory(bin);
     for (const char* name : {"gnuplot", "neato", "dot"}) {
-      write_file(bin / name,
-                 "#!/bin/sh\necho $$ > started.new\nmv started.new started\n"
-                 "exec sleep 600\n");
+      write_file(
+          bin / name,
+          "#!/bin/sh\ncd \"$(dirname \"$0\")\"\necho $$ > started.$$\nmv started.$$ started\n"
+          "exec sleep 600\n");
       fs::permissions(bin / name, fs::perms::owner_all);
     }
     setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
@@ -50,7 +51,7 @@ struct Interrupt : Sweep {
   }
 
   const std::string path = std::getenv("PATH");
-  const fs::path bin = folder.path / "bin", started = folder.path / "started";
+  const fs::path bin = folder.path / "bin", started = bin / "started";
 };
 
 TEST_F(Interrupt, PlotsAreNotWaitedFor) {
