@@ -79,9 +79,10 @@ void check_normals(const Face& face) {
   const Vec front = eval_area_normal(face.corners);
   for (std::size_t i = 0; i < face.normals.size(); ++i) {
     require_finite(face.normals[i], fmt::format("the normal of corner {}", i + 1));
-    require(dot(face.normals[i], front) > 0,
+    require(dot(face.normals[i], front) > 0 && length(face.normals[i]) > 0,
             fmt::format("the normal {} of corner {}", show(face.normals[i]), i + 1),
-            "one on the side of the face's front, from which corners run counter-clockwise");
+            "one with a length, on the side of the face's front, from which corners run "
+            "counter-clockwise");
   }
 }
 
