@@ -81,8 +81,8 @@ void check_normals(const Face& face) {
     require_finite(face.normals[i], fmt::format("the normal of corner {}", i + 1));
     require(dot(face.normals[i], front) > 0 && length(face.normals[i]) > 0,
             fmt::format("the normal {} of corner {}", show(face.normals[i]), i + 1),
-            "one with a length, on the side of the face's front, from which corners run "
-            "counter-clockwise");
+            "one on the side of the face's front, from which corners run "
+            "counter-clockwise, and not of length 0");
   }
 }
 

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
               r.faces[0].normals.resize(4, Vec{0, 0, 1});
               r.faces[0].normals[2] = {1, 0, -0.1};
             },
-            "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one with a length, on "
+            "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on the side, on "
             "the side"},
         WrongRoom{
             "NormalWithoutLength",  // the square of which is 0
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
               r.faces[0].normals.resize(4, Vec{0, 0, 1});
               r.faces[0].normals[1] = {0, 0, 1e-320};
             },
-            "a.room:7: found the normal (0, 0, 1e-320) of corner 2, expected one with a length"},
+            "a.room:7: found the normal (0, 0, 1e-320) of corner 2, expected one on the side"},
         WrongRoom{"NormalNan",
                   [](Room& r) {
                     r.faces[0].normals.resize(4, Vec{0, 0, NAN_});
