@@ -88,14 +88,13 @@ INSTANTIATE_TEST_SUITE_P(
                     r.faces[0].normals.resize(3, Vec{0, 0, 1});
                   },
                   "a.room:7: found 3 normals, expected one for each of the 4 corners, or none"},
-        WrongRoom{
-            "NormalBehind",
-            [](Room& r) {
-              r.faces[0].normals.resize(4, Vec{0, 0, 1});
-              r.faces[0].normals[2] = {1, 0, -0.1};
-            },
-            "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on the side, on "
-            "the side"},
+        WrongRoom{"NormalBehind",
+                  [](Room& r) {
+                    r.faces[0].normals.resize(4, Vec{0, 0, 1});
+                    r.faces[0].normals[2] = {1, 0, -0.1};
+                  },
+                  "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on "
+                  "the side"},
         WrongRoom{
             "NormalWithoutLength",  // the square of which is 0
             [](Room& r) {
