@@ -128,12 +128,30 @@ double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& 
   return std::pow(1 + share_gained(spec.least, to.second, from.second), 1 / doublings) - 1;
 }
 
+// Sentences, each with the groups of which it is true.
+using Told = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+void add_told(Told& told, const std::string& sentence, const std::string& group) {
+  auto same = std::ranges::find(told, sentence, &Told::value_type::first);
+  if (same == told.end()) same = told.insert(told.end(), {sentence, {}});
+  same->second.push_back(group);
+}
+
+// Adds "mesh; torus: doubling workers pays up to 8."
+void tell_groups(BestAnswer& answer, const Told& told) {
+  for (const auto& [sentence, groups] : told) {
+    const auto names = join_texts(groups, "; ");
+    answer.findings.push_back(names.empty() ? sentence : fmt::format("{}: {}", names, sentence));
+  }
+}
+
 void find_end(BestAnswer& answer, const BestSpec& spec, const Table& table,
               const std::vector<Measured>& points, std::size_t axis, const Axes& groups) {
   answer.pays.columns = names_of(table, groups);
   answer.pays.axes = groups.size();
   answer.pays.columns.push_back("pays_up_to_" + spec.pays);
   answer.pays.columns.emplace_back("next doubling gains %");
+  Told told;
   for (const auto& group : group_by(table, points, groups)) {
     std::map<double, double> curve;
     for (const auto& p : group.points)
@@ -149,12 +167,13 @@ void find_end(BestAnswer& answer, const BestSpec& spec, const Table& table,
       break;
     }
     row.insert(row.end(), {to_cell(end->first), next});
-    answer.findings.push_back(fmt::format(
-        "{}doubling {} pays up to {:g}{}.",
-        group.at.empty() ? "" : name_values(table, group.points[0].row, groups) + ": ",
-        make_label(spec.pays), end->first,
-        std::holds_alternative<std::monostate>(next) ? ", the most that was tried" : ""));
+    add_told(told,
+             fmt::format(
+                 "doubling {} pays up to {:g}{}.", make_label(spec.pays), end->first,
+                 std::holds_alternative<std::monostate>(next) ? ", the most that was tried" : ""),
+             group.at.empty() ? "" : name_values(table, group.points[0].row, groups));
   }
+  tell_groups(answer, told);
 }
 
 BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows) {

@@ -39,8 +39,6 @@ std::string label_of(const std::string& text, const std::string& given) {
   return base::Formula::is_name(text) ? make_label(text) : text;
 }
 
-std::string without_unit(const std::string& label) { return label.substr(0, label.rfind(" [")); }
-
 // Names a curve by the values of the series' axes, behind the label of y where there are several.
 std::string name_curve(const Figure& figure, std::size_t y, const std::string& values) {
   if (figure.y.size() == 1) return values;
@@ -238,7 +236,7 @@ void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
     line.of = i;
     if (exhibit.fits.rows.empty()) line.name = law.name;
     exhibit.plot.series.push_back(std::move(line));
-    exhibit.plot.series[i].name += fmt::format(" ({})", label_fit(*fit));
+    exhibit.plot.series[i].fitted = label_fit(*fit);
     tell_fit(exhibit, curves[i].name, *fit);
   }
 }
@@ -295,14 +293,15 @@ std::string title_of(const std::string& label, bool is_column) {
   return title;
 }
 
+bool over_processors(const PlotSpec& spec) { return spec.x == "workers" || spec.x == "processors"; }
+
 void choose_scales(Plot& plot, const PlotSpec& spec) {
   std::vector<double> x, y;
   for (const auto& series : plot.series) {
     std::ranges::copy(series.x, std::back_inserter(x));
     std::ranges::copy(series.y, std::back_inserter(y));
   }
-  const bool over_workers = spec.x == "workers" || spec.x == "processors";
-  plot.log_x = spec.log_x.value_or(wants_log_x(over_workers ? "workers" : spec.x, x));
+  plot.log_x = spec.log_x.value_or(wants_log_x(over_processors(spec) ? "workers" : spec.x, x));
   plot.log_y = spec.log_y.value_or(plot.log_x && (plot.ideal_line || is_geometric(y)));
   if (!plot.log_y && std::ranges::min(y) >= 0) plot.y_min = 0;
 }
@@ -315,6 +314,9 @@ Plot make_plot(const Figure& figure, const std::vector<Series>& curves) {
   plot.y_label = label_of(spec.y[0], spec.y_label);
   plot.title = spec.title.empty() ? title_of(plot.y_label, spec.y_label.empty()) : spec.title;
   plot.ideal_line = spec.ideal;
+  plot.is_speedup = over_processors(spec) &&
+                    (spec.ideal || spec.fit == Law::amdahl || spec.fit == Law::gustafson ||
+                     without_unit(plot.y_label) == make_label("speedup"));
   const bool is_alone = !spec.ideal && !figure.reference && spec.fit == Law::none;
   plot.series = curves;
   for (auto& curve : plot.series)

@@ -1,5 +1,7 @@
 #include "experiments/laboratory/report/plot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -60,6 +62,10 @@ double choose_efficiency_end(const Plot& plot) {
 
 }  // namespace
 
+std::string Series::key() const {
+  return fitted.empty() ? name : fmt::format("{} ({})", name, fitted);
+}
+
 std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& rows,
                                             const std::vector<std::size_t>& x) {
   std::vector<std::size_t> axes;
@@ -119,7 +125,7 @@ std::vector<Plot> make_plots(const Table& table) {
     plot.y_min = 0;
     plot.log_x = log_x;
     plot.log_y = log_x && over_workers && plot.name != "efficiency";
-    plot.ideal_line = plot.name == "speedup" && over_workers;
+    plot.ideal_line = plot.is_speedup = plot.name == "speedup" && over_workers;
     if (plot.name == "efficiency") plot.y_max = choose_efficiency_end(plot);
     plots.push_back(std::move(plot));
   }
@@ -135,7 +141,7 @@ std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>&
     if (!x || !y) continue;
     Plot plot = make_plot(table, *x, *y);
     if (plot.series.empty()) continue;
-    plot.title = plot.y_label.substr(0, plot.y_label.rfind(" ["));
+    plot.title = without_unit(plot.y_label);
     plot.log_x = is_geometric(numbers_of(table, rows, *x));
     plot.log_y = plot.log_x && is_geometric(numbers_of(table, rows, *y));
     if (!plot.log_y) plot.y_min = 0;

@@ -24,7 +24,10 @@ struct Series {
   /// Index, among the plot's curves, of the one that this series belongs to: it has that curve's
   /// colour and symbol. It means nothing for a curve.
   std::size_t of = 0;
-  RowList rows = {};  ///< of the table, where the points of a curve come from one
+  RowList rows = {};        ///< of the table, where the points of a curve come from one
+  std::string fitted = {};  ///< result of a fit, behind the name in the key: "s = 0.01 ± 0.02"
+
+  std::string key() const;  ///< name and fit
 };
 
 struct Plot {
@@ -34,6 +37,7 @@ struct Plot {
   std::vector<Series> differences = {};  ///< a panel below over the same x; each names its curve
   std::string difference_label = {};     ///< the y axis of that panel
   bool ideal_line = false;               ///< y = x, dashed, named "ideal"
+  bool is_speedup = false;               ///< y over the number of processors x
   bool log_x = false, log_y = false;
   std::optional<double> y_min, y_max;  ///< not given: as the points ask for
 };

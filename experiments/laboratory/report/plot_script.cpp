@@ -15,16 +15,16 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-struct Point {
+struct Dot {
   double x, y;
 };
 
 // Finds the points of a series that can be drawn where y is logarithmic or linear.
-std::vector<Point> drawn_points(const Plot& plot, const Series& s, bool log_y) {
+std::vector<Dot> drawn_points(const Plot& plot, const Series& s, bool log_y) {
   if (s.x.size() != s.y.size())
     throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
                                             plot.name, s.name, s.x.size(), s.y.size()));
-  std::vector<Point> points;
+  std::vector<Dot> points;
   for (std::size_t i = 0; i < s.x.size(); ++i)
     if (std::isfinite(s.x[i]) && std::isfinite(s.y[i]) && (!plot.log_x || s.x[i] > 0) &&
         (!log_y || s.y[i] > 0))
@@ -32,17 +32,17 @@ std::vector<Point> drawn_points(const Plot& plot, const Series& s, bool log_y) {
   return points;
 }
 
-std::vector<Point> upper_points(const Plot& plot, const Series& series) {
+std::vector<Dot> upper_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, plot.log_y);
 }
 
 // The scale of differences is always linear.
-std::vector<Point> lower_points(const Plot& plot, const Series& series) {
+std::vector<Dot> lower_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, false);
 }
 
 // Makes a data block such as $data0.
-std::string make_data_block(const std::string& name, const std::vector<Point>& points) {
+std::string make_data_block(const std::string& name, const std::vector<Dot>& points) {
   auto text = fmt::format("${} << END\n", name);
   for (const auto& point : points) text += fmt::format("{} {}\n", point.x, point.y);
   return text + "END\n";
@@ -167,22 +167,22 @@ std::string make_difference_range(const Extent& difference) {
 }
 
 // Okabe and Ito's colours, which colour-blind readers tell apart, darkest first and without the
-// yellow, which vanishes on white paper. 9 symbols and 5 dashes make 45 different lines without any
-// colour.
+// yellow, which vanishes on white paper.
 constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#000000"};
-// disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star
+// gnuplot's numbers of the symbols of Look
 constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
 constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
-constexpr const char* DASHES[] = {"solid", "(12,6)", "(3,5)", "(12,5,3,5)", "(12,4,3,4,3,4)"};
+constexpr const char* DASHES[] = {"", "12,6", "3,5", "12,5,3,5", "12,4,3,4,3,4"};
 
 std::string make_style(SeriesKind kind, std::size_t look) {
-  const auto colour = fmt::format("linecolor rgb '{}'", COLOURS[look % std::size(COLOURS)]);
-  const auto shape = look % std::size(FILLED);
+  const auto [code, gaps, shape] = look_of(look);
+  const auto colour = fmt::format("linecolor rgb '{}'", code);
+  const std::string dashes = *gaps ? fmt::format("({})", gaps) : "solid";
   switch (kind) {
     case SeriesKind::curve:
       return fmt::format("with linespoints {} linewidth 2 dashtype {} pointtype {} pointsize 1",
-                         colour, DASHES[look % std::size(DASHES)], FILLED[shape]);
+                         colour, dashes, FILLED[shape]);
     case SeriesKind::reference:
       return fmt::format("with points {} linewidth 2 pointtype {} pointsize 1.5", colour,
                          OPEN[shape]);
@@ -199,7 +199,7 @@ struct Panel {
   std::vector<std::string> curves;
   std::string data;
 
-  void add(const std::string& name, const std::vector<Point>& points, const std::string& style,
+  void add(const std::string& name, const std::vector<Dot>& points, const std::string& style,
            const std::string& title) {
     if (points.empty()) return;
     data += make_data_block(name, points);
@@ -218,7 +218,7 @@ Panel make_upper(const Plot& plot) {
     const Series& s = plot.series[i];
     const auto look = s.kind == SeriesKind::curve ? curve++ : s.of;
     panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look),
-              s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.name));
+              s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.key()));
   }
   return panel;
 }
@@ -248,7 +248,7 @@ Key arrange_key(const Plot& plot) {
   std::size_t entries = plot.ideal_line ? 1 : 0, longest = 5;
   for (const auto& series : plot.series) {
     entries += !series.name.empty();
-    longest = std::max(longest, width_of(series.name));
+    longest = std::max(longest, width_of(series.key()));
   }
   const auto columns = std::max<std::size_t>(1, 700 / (90 + 10 * longest));
   const auto lines = (entries + columns - 1) / columns;
@@ -263,6 +263,11 @@ std::string choose_title_size(const std::string& title) {
 }
 
 }  // namespace
+
+Look look_of(std::size_t curve) {
+  return {COLOURS[curve % std::size(COLOURS)], DASHES[curve % std::size(DASHES)],
+          curve % std::size(FILLED)};
+}
 
 // Uses double quotes, since gnuplot misreads single quotes at the beginning of a text in single
 // ones.

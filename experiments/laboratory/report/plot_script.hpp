@@ -8,6 +8,16 @@
 
 namespace laboratory {
 
+/// How a curve looks, so that 45 of them differ without any colour.
+struct Look {
+  const char* colour;  ///< "#0072B2"
+  const char* dashes;  ///< lengths of dashes and gaps, "12,6"; "" for a line without gaps
+  std::size_t symbol;  ///< disc, square, triangle, diamond, triangle down, pentagon, cross, plus,
+                       ///< star
+};
+/// `curve` is its index among the plot's curves; looks come again from 0 when they are used up.
+Look look_of(std::size_t curve);
+
 /// A text as a literal of gnuplot's language in which nothing is expanded: no variable, no escape,
 /// no command. Control characters become blanks.
 std::string quote_for_gnuplot(std::string_view text);

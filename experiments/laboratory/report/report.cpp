@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <functional>
 #include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/report/embed.hpp"
 #include "experiments/laboratory/report/report_files.hpp"
 
@@ -44,9 +47,11 @@ std::vector<bool> find_groups(const Table& table) {
   return begins;
 }
 
-// The axes come first, whatever the order of these columns. Large data are moved into place, since
+// Rows name their points where these have something to tell, `points` of them. The axes come first,
+// whatever the order of these columns. Large data are moved into place, since
 // an initializer list copies them.
-data make_table(const Table& table, const std::vector<std::string>& columns) {
+data make_table(const Table& table, const std::vector<std::string>& columns,
+                std::size_t points = 0) {
   auto shown = find_all(table, columns);
   std::ranges::stable_partition(shown, [&](std::size_t column) { return column < table.axes; });
   struct Row {
@@ -67,6 +72,8 @@ data make_table(const Table& table, const std::vector<std::string>& columns) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     data row;
     row["group"] = bool(begins[i]);
+    const auto point = table.point_of(i);
+    row["point"] = point < points ? data(std::to_string(point)) : data(false);
     row["axes"] = std::move(cells[i].axes);
     row["values"] = std::move(cells[i].values);
     rows << row;
@@ -111,7 +118,7 @@ data make_answers(std::vector<Report::Part> answers) {
 data make_drawings(const std::vector<Report::Drawing>& drawings, const std::string& kind) {
   data list = make_list();
   int number = 0;
-  for (const auto& [caption, svg, numbers] : drawings)
+  for (const auto& [caption, svg, numbers, _] : drawings)
     list << object{{"caption", caption},
                    {"svg", inline_svg(svg, fmt::format("{}{}-", kind, ++number), caption)},
                    {"numbers", is_empty(numbers) ? data(false) : make_part(numbers)}};
@@ -124,7 +131,7 @@ data make_results(const Report& report) {
   shorten(table, notes);
   const auto make_columns = [&](const std::vector<std::string>& columns) {
     data part, tables = make_list();
-    tables << make_table(table, columns);
+    tables << make_table(table, columns, report.points.size());
     part["notes"] = make_texts(notes);
     part["tables"] = std::move(tables);
     return part;
@@ -167,6 +174,28 @@ data make_entry(const Report::ModelRow& row) {
                 {"source", row.source}};
 }
 
+nlohmann::ordered_json make_point(const PointLoads& point) {
+  nlohmann::ordered_json made = {{"name", point.name}, {"ended", point.ended}};
+  made["why"] = explain(point);
+  made["loads"] = nlohmann::ordered_json::array();
+  for (const auto& load : point.loads)
+    made["loads"].push_back({load.resource, load.busy, load.doing});
+  return made;
+}
+
+// What the page's script knows, as JSON that cannot end the element that it is in.
+std::string make_data(const Report& report) {
+  std::vector<std::string> plots;
+  for (const auto& plot : report.plots) plots.push_back(plot.data.empty() ? "null" : plot.data);
+  auto points = nlohmann::ordered_json::array();
+  for (const auto& point : report.points) points.push_back(make_point(point));
+  auto text =
+      fmt::format(R"({{"plots":[{}],"points":{}}})", join_texts(plots, ","),
+                  points.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  boost::replace_all(text, "<", "\\u003c");
+  return text;
+}
+
 // The template leaves out a section that the page does not have.
 void add_section(data& page, const char* name, data items) {
   if (!items.is_empty_list()) page[name]["items"] = std::move(items);
@@ -182,6 +211,10 @@ std::string make_report(const Report& report) {
   data page;
   page["part"] = PART_TEMPLATE;
   page["style"] = REPORT_STYLE;
+  page["script"] = REPORT_SCRIPT;
+  page["data"] = make_data(report);
+  // Lets these scripts run and no others; a text that is in the page cannot name it.
+  page["nonce"] = hash_of(report.title + to_csv(report.table) + make_data(report));
   page["title"] = report.title;
   add_text(page, "question", report.question);
   add_section(page, "findings", make_texts(report.findings));

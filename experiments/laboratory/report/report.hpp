@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/laboratory/report/point_loads.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
 namespace laboratory {
@@ -21,8 +22,9 @@ struct Report {
 
   struct Drawing {
     std::string caption;
-    std::string svg;    ///< the whole file
-    Part numbers = {};  ///< without a heading, below the drawing
+    std::string svg;        ///< the whole file
+    Part numbers = {};      ///< without a heading, below the drawing
+    std::string data = {};  ///< of make_plot_data(): the page's script draws with it; "" for none
   };
 
   struct Image {
@@ -42,6 +44,7 @@ struct Report {
   std::vector<Part> answers;                               ///< an answer is left out if it is empty
   Table table;                                             ///< whole, as a download in the page
   std::vector<std::string> shown_columns;                  ///< of the table in the page; none: all
+  std::vector<PointLoads> points;         ///< those of the table, told on a click; none: not told
   std::vector<std::string> load_columns;  ///< of a second, folded table; none: no such table
   std::vector<Part> checks;               ///< the heading says whether the check holds, how well
   std::vector<Drawing> networks;          ///< with their load
@@ -54,7 +57,8 @@ struct Report {
 
 /// Makes the page, without a date: the same report gives the same bytes. Throws std::system_error
 /// for an image that cannot be read, std::invalid_argument for one that is no PNG (or WebP), for a
-/// drawing that is no SVG and for shown columns that do not exist.
+/// drawing that is no SVG and for shown columns that do not exist. A browser that runs no scripts
+/// shows all of it, but for PointLoads and what is in Drawing::data alone.
 std::string make_report(const Report& report);
 
 }  // namespace laboratory

@@ -17,9 +17,11 @@
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/report/exhibit.hpp"
+#include "experiments/laboratory/report/findings.hpp"
 #include "experiments/laboratory/report/gnuplot.hpp"
 #include "experiments/laboratory/report/network_drawings.hpp"
 #include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/report/plot_data.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
@@ -232,7 +234,6 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   const Rows rows = make_rows(plan, s.file, s.table);
   append(report.notes, note_unknown_texts(plan, s.table));
   auto exhibits = make_exhibits(plan, rows, report.notes);
-  for (const auto& exhibit : exhibits) append(report.findings, exhibit.findings);
   const auto answers = find_best(plan, rows);
   for (const auto& answer : answers) {
     report.answers.push_back({answer.name, answer.notes, {answer.best, answer.pays}});
@@ -244,9 +245,24 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   return exhibits;
 }
 
-// Draws the plots of these exhibits into `folder`, as far as they have points. Adds those that fail
-// to `undrawn`.
-void add_plots(Report& report, Texts& undrawn, const fs::path& folder,
+// Adds what the figures show and what was fitted to them. Of the usual plots the speed-up tells as
+// much as all of them.
+void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are_declared) {
+  std::vector<Plot> plots;
+  for (const auto& exhibit : exhibits) plots.push_back(exhibit.plot);
+  if (!are_declared && !plots.empty()) {
+    const auto speedup = std::ranges::find(plots, "speedup", &Plot::name);
+    plots = {speedup == plots.end() ? plots[0] : *speedup};
+  }
+  append(report.findings, plots.empty()
+                              ? tell_points(report.points)
+                              : tell_plots(plots, are_declared, report.table, report.points));
+  for (const auto& exhibit : exhibits) append(report.findings, exhibit.findings);
+}
+
+// Draws the plots of these exhibits, whose rows are those of `table`, into `folder`, as far as they
+// have points. Adds those that fail to `undrawn`.
+void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Table& table,
                std::vector<Exhibit> exhibits) {
   std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
   std::vector<Plot> plots;
@@ -260,7 +276,8 @@ void add_plots(Report& report, Texts& undrawn, const fs::path& folder,
       report.plots.push_back(
           {fmt::format("{}: {} over {}", e.plot.title, e.plot.y_label, e.plot.x_label),
            base::read_text(folder / (e.plot.name + ".svg")),
-           {"", e.notes, {e.differences, e.fits, e.optima}}});
+           {"", e.notes, {e.differences, e.fits, e.optima}},
+           make_plot_data(e.plot, table)});
     else
       undrawn.push_back(failures[i]);
   }
@@ -300,16 +317,18 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   report.table = s.table;
   report.shown_columns = shown_columns(s.file, s.table);
   report.load_columns = load_columns(s.file, s.table);
+  report.points = load_loads(folder, s);
   report.facts = make_facts(s);
   report.facts.push_back({"Points", fmt::format("{}", s.file.points.size())});
   report.facts.push_back({"Ended", s.ended});
   auto exhibits = add_figures(report, folder, s);
   if (s.file.plots.empty())
     for (const auto& plot : usual_plots(s.file, s.table)) exhibits.push_back({.plot = plot});
+  add_findings(report, exhibits, !s.file.plots.empty());
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
-  for (auto& exhibit : plot_growth(s.file, growth)) exhibits.push_back(std::move(exhibit));
-  add_plots(report, undrawn, folder / "plots", std::move(exhibits));
+  add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));
+  add_plots(report, undrawn, folder / "plots", growth, plot_growth(s.file, growth));
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
   auto networks = draw_networks(folder, s);

@@ -128,6 +128,8 @@ std::string make_label(std::string_view column) {
   return unit.empty() ? label : fmt::format("{} [{}]", label, unit);
 }
 
+std::string without_unit(const std::string& label) { return label.substr(0, label.rfind(" [")); }
+
 std::vector<std::string> format_column(const Table& table, std::size_t column) {
   const std::string format = choose_format(table, column);
   std::vector<std::string> cells;

@@ -74,6 +74,9 @@ TEST(ExperimentsBest, DoublingPaysUntilItDoesNot) {
   EXPECT_EQ(some.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, {}}))
       << "to the end";
   EXPECT_EQ(some.findings.back(), "mesh: doubling workers pays up to 8, the most that was tried.");
+  const auto both = BestCase(QUESTION + "pays = \"workers\"\nwhere = \"workers < 4\"\n").find();
+  EXPECT_EQ(both.findings.back(),
+            "line; mesh: doubling workers pays up to 2, the most that was tried.");
   const auto least =
       BestCase(QUESTION + "pays = \"workers\"\ngain = 0.5\nwhere = \"workers != 2\"\n").find();
   EXPECT_EQ(least.pays.rows.at(0)[1], Value(std::int64_t{1}));

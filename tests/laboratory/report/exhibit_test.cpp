@@ -159,7 +159,7 @@ TEST(ExperimentsExhibits, LawsAreFittedToEachCurve) {
     EXPECT_EQ(line.kind, SeriesKind::law);
     EXPECT_NEAR(line.y.back(), amdahl_speedup(0.05, 32), 1e-4);
   }
-  EXPECT_EQ(names(exhibits[1].plot).at(0), "speed-up (s = 0.05)");
+  EXPECT_EQ(exhibits[1].plot.series.at(0).key(), "speed-up (s = 0.05)");
   const auto csv = make_fits_csv(exhibits);
   EXPECT_EQ(csv.columns.front(), "plot");
   EXPECT_EQ(csv.rows.size(), 3u);

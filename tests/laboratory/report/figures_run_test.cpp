@@ -1,4 +1,6 @@
 // Declared figures and answers in a whole run: which files, and what is said about mistakes.
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -44,6 +46,42 @@ TEST(ExperimentsFigures, ARunWritesWhatItFound) {
     EXPECT_TRUE(contains(html, part)) << part;
   // Results of their own kind, which the next run may replace.
   EXPECT_EQ(tlab(run.folder.path, {"run", "e.toml", "-o", "out"}).exit_code, 0);
+}
+
+// A click on a point tells the loads that its record has: the first of them are in the table too.
+TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
+  const Trial run(
+      "[image]\nwidth = 6\nheight = 4\n[scene]\nobjects = 9\n[sweep]\nworkers = [1, 2, 4]\n");
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const auto html = run.read("report.html");
+  const auto begin = html.find('{', html.find("<script type=\"application/json\""));
+  const auto data = nlohmann::json::parse(html.substr(begin, html.find("</", begin) - begin));
+  const auto table = parse_csv(run.read("results.csv"), "results.csv");
+  ASSERT_EQ(data["points"].size(), table.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& loads = data["points"][i]["loads"];
+    ASSERT_GT(loads.size(), 3u);
+    EXPECT_EQ(loads[0][0], to_string(table.rows[i][*table.find("busiest")]));
+    EXPECT_EQ(loads[1][1], *as_number(table.rows[i][*table.find("next_busy")]));
+    EXPECT_TRUE(contains(html, fmt::format("data-point=\"{}\"", i)));
+  }
+  ASSERT_EQ(data["plots"].size(), 4u);
+  const auto& speedup = data["plots"][2];
+  EXPECT_EQ(speedup["laws"].size(), 2u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(speedup["series"][0]["points"][i][1],
+              *as_number(table.rows[i][*table.find("speedup")]));
+  EXPECT_TRUE(contains(html, "<li>Limited by ") || contains(html, "<li>Nothing is saturated"));
+}
+
+// A point that is cut short before its first task has no time to be busy in.
+TEST(ExperimentsFigures, PointsWithoutTimeHaveAReport) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 6\nheight = 4\n";
+  const auto outcome = tlab(folder.path, {"run", "e.toml", "-o", "out", "--until", "1e-4"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(read_file(folder.path / "out/report.html"), "\"ended\":\"limit\""));
 }
 
 // What a network with a size of its own and a scene with a number of its own leave void is not

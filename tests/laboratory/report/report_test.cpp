@@ -1,6 +1,7 @@
 #include "experiments/laboratory/report/report.hpp"
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "base/errors.hpp"
@@ -47,6 +48,14 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
+// The page without what its script is and knows.
+std::string without_scripts(const std::string& html) {
+  auto text = html;
+  for (auto at = text.find("<script"); at != std::string::npos; at = text.find("<script"))
+    text.erase(at, text.find("</script>", at) + 9 - at);
+  return text;
+}
+
 TEST(ExperimentsReport, FiguresCarryTheirTablesAndDrawingsTheirCaptions) {
   const TemporaryFolder folder;
   auto report = make_example(folder);
@@ -67,7 +76,7 @@ TEST(ExperimentsReport, FiguresCarryTheirTablesAndDrawingsTheirCaptions) {
     ASSERT_NE(found, std::string::npos) << part;
     at = found;
   }
-  EXPECT_EQ(html.find("Nothing"), std::string::npos);
+  EXPECT_EQ(html.find("<h3>Nothing"), std::string::npos);
   EXPECT_EQ(count(html, "<details open>"), 1u);
 }
 
@@ -114,8 +123,10 @@ TEST(ExperimentsReport, NeedsNothingFromOutside) {
 TEST(ExperimentsReport, EscapesEveryText) {
   const TemporaryFolder folder;
   const auto html = make_report(make_example(folder));
-  for (const auto* tag : {"<script", "<b>", "<25>", "<image>", "<p. 1>"})
+  for (const auto* tag : {"<b>", "<25>", "<image>", "<p. 1>"})
     EXPECT_EQ(count(html, tag), 0u) << tag;
+  EXPECT_EQ(count(html, "<script"), 2u);
+  EXPECT_EQ(count(html, "</script"), 2u);
   EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);  // title, heading, experiment
   Report report;
   report.title = "{{<&>}}\"'\x01";
@@ -153,7 +164,7 @@ TEST(ExperimentsReport, IdentifiersAreUnique) {
 
 TEST(ExperimentsReport, TagsAreBalanced) {
   const TemporaryFolder folder;
-  auto html = make_report(make_example(folder));
+  const auto html = without_scripts(make_report(make_example(folder)));
   std::vector<std::string> open;
   int closed = 0;
   const std::regex tag(R"(<(/?)([a-z0-9]+)[^>]*?(/?)>)");
@@ -171,6 +182,48 @@ TEST(ExperimentsReport, TagsAreBalanced) {
   }
   EXPECT_TRUE(open.empty());
   EXPECT_GT(closed, 50);
+}
+
+// Of the element that the page's script reads.
+nlohmann::json read_data(const std::string& html) {
+  const std::string begin = "<script type=\"application/json\"";
+  const auto from = html.find('>', html.find(begin)) + 1;
+  return nlohmann::json::parse(html.substr(from, html.find("</script>", from) - from));
+}
+
+TEST(ExperimentsReport, ThePageKnowsItsPlotsAndPoints) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  report.plots[1].data = R"({"title":"</script><!--"})";
+  report.points = {{"workers = 1", "done", {{"coordination", 0.98, "</script>\"\xff"}}},
+                   {"workers = 2", "done", {}}};
+  const auto html = make_report(report);
+  const auto data = read_data(html);
+  EXPECT_TRUE(data["plots"][0].is_null());
+  EXPECT_EQ(data["plots"][1]["title"], "</script><!--");
+  ASSERT_EQ(data["points"].size(), 2u);
+  EXPECT_EQ(data["points"][0]["why"], "Limited by coordination 0.98: </script>\"\xef\xbf\xbd.");
+  EXPECT_EQ(data["points"][0]["loads"][0][1], 0.98);
+  EXPECT_EQ(data["points"][1]["why"], "");
+  EXPECT_EQ(count(html, "</script"), 2u);
+  EXPECT_EQ(count(html, "<!--"), 0u);
+  EXPECT_EQ(count(html, "<tr data-point="), 2u) << "rows of points that are not told";
+}
+
+// Only these scripts run: the policy names them by a number that nobody can know who writes texts
+// into the page.
+TEST(ExperimentsReport, NoOtherScriptRuns) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  const std::regex policy("script-src 'nonce-([0-9a-f]{32})'");
+  std::smatch first, second;
+  const auto html = make_report(report);
+  ASSERT_TRUE(std::regex_search(html, first, policy));
+  EXPECT_EQ(count(html, "nonce=\"" + first[1].str() + "\""), 2u);
+  report.title += " ";
+  const auto other = make_report(report);
+  ASSERT_TRUE(std::regex_search(other, second, policy));
+  EXPECT_NE(first[1], second[1]);
 }
 
 TEST(ExperimentsReport, LeavesOutWhatIsEmpty) {

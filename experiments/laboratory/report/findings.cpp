@@ -1,0 +1,286 @@
+#include "experiments/laboratory/report/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "experiments/laboratory/table/growth.hpp"
+
+namespace laboratory {
+namespace {
+
+using Texts = std::vector<std::string>;
+using Curves = std::vector<const Series*>;
+
+Curves curves_of(const Plot& plot) {
+  Curves curves;
+  for (const auto& s : plot.series)
+    if (s.kind == SeriesKind::curve && !s.x.empty()) curves.push_back(&s);
+  return curves;
+}
+
+// Names the unit of x only where it has one: "7 workers", "1000 s", "width 32".
+std::string name_x(const Plot& plot, double x) {
+  const auto name = without_unit(plot.x_label);
+  if (name.size() < plot.x_label.size())
+    return fmt::format("{:g} {}", x,
+                       plot.x_label.substr(name.size() + 2, plot.x_label.size() - name.size() - 3));
+  return name.ends_with('s') ? fmt::format("{:g} {}", x, name) : fmt::format("{} {:g}", name, x);
+}
+
+// "200, 800 and 3200"
+std::string join_and(const Texts& texts) {
+  if (texts.size() < 2) return texts.empty() ? "" : texts[0];
+  return join_texts({texts.begin(), texts.end() - 1}, ", ") + " and " + texts.back();
+}
+
+// " for line and ring", " for all 8 curves"; "" for the only curve.
+std::string name_curves(const Curves& some, std::size_t all) {
+  constexpr std::size_t MOST_NAMES = 8;
+  if (all < 2) return "";
+  if (some.size() == all && all > 2) return fmt::format(" for all {} curves", all);
+  if (some.size() > MOST_NAMES) return fmt::format(" for {} of {} curves", some.size(), all);
+  Texts names;
+  for (const auto* s : some) names.push_back(s->name);
+  return " for " + join_and(names);
+}
+
+// The first word in a capital.
+std::string begin(std::string sentence) {
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
+// ---- Bends ----
+
+struct Grown {
+  const Series* curve;
+  Growth growth;
+};
+
+// "workers^0.95", or "workers^0.90…0.95" of several.
+std::string name_power(const std::string& x, const std::vector<Grown>& all,
+                       double Growth::*exponent) {
+  const auto [low, high] =
+      std::ranges::minmax(all, {}, [&](const Grown& grown) { return grown.growth.*exponent; });
+  // 0 is added, so that no power is -0.00.
+  const auto round = [](double value) {
+    return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0);
+  };
+  const auto from = round(low.growth.*exponent), to = round(high.growth.*exponent);
+  return from == to ? fmt::format("{}^{}", x, from) : fmt::format("{}^{}…{}", x, from, to);
+}
+
+std::string tell_bends(const Plot& plot) {
+  const auto curves = curves_of(plot);
+  std::map<std::optional<double>, std::vector<Grown>> groups;
+  for (const auto* s : curves)
+    if (const auto growth = fit_growth(s->x, s->y)) groups[growth->bend].push_back({s, *growth});
+  if (groups.empty()) return "";
+  const auto x = without_unit(plot.x_label);
+  Texts bends;
+  std::string straight;
+  for (const auto& [bend, group] : groups) {
+    Curves some;
+    for (const auto& grown : group) some.push_back(grown.curve);
+    const auto names = name_curves(some, curves.size());
+    const auto before = name_power(x, group, &Growth::before);
+    if (bend)
+      bends.push_back(fmt::format("at {}{} ({}, then {})", name_x(plot, *bend), names, before,
+                                  name_power(x, group, &Growth::after)));
+    else
+      straight = fmt::format("has no bend{} (goes as {})", names, before);
+  }
+  const auto y = without_unit(plot.y_label);
+  if (bends.empty()) return fmt::format("{} {}.", y, straight);
+  return fmt::format("{} bends {}{}{}.", y, join_texts(bends, ", "),
+                     straight.empty() ? "" : "; it ", straight);
+}
+
+// ---- Limits ----
+
+// What limits a curve at its end.
+struct Limit {
+  const Series* curve;
+  const programs::Load* load;  // the busiest resource of the last point
+  double from;                 // x since when it limits
+};
+
+// Groups resources that play one part: the busiest link may be another one at each point.
+std::string part_of(const programs::Load* limit) {
+  if (!limit) return "";
+  const auto& name = limit->resource;
+  if (name.starts_with("link ")) return "a link";
+  return name.ends_with(" (routing)") ? "routing" : name;
+}
+
+// Finds nothing where the loads of a point are unknown.
+std::optional<Limit> find_limit_of(const Series& s, const Table& table,
+                                   const std::vector<PointLoads>& points) {
+  Texts parts;
+  const PointLoads* last = nullptr;
+  for (const auto row : s.rows) {
+    last = &points.at(table.point_of(row));
+    if (last->loads.empty()) return std::nullopt;
+    parts.push_back(part_of(find_limit(*last)));
+  }
+  if (!last) return std::nullopt;
+  auto from = parts.size() - 1;
+  while (from > 0 && parts[from - 1] == parts.back()) --from;
+  return Limit{&s, &last->loads[0], s.x[from]};
+}
+
+// "from 4 workers on for line, throughout for ring", of curves with one limit.
+std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
+  std::map<std::pair<bool, double>, Curves> since;  // throughout comes first
+  for (const auto& limit : limits) {
+    const bool is_later = limit.from > limit.curve->x.front();
+    since[{is_later, is_later ? limit.from : 0}].push_back(limit.curve);
+  }
+  Texts parts;
+  for (const auto& [from, some] : since)
+    parts.push_back((from.first ? fmt::format("from {} on", name_x(plot, from.second))
+                                : std::string("throughout")) +
+                    name_curves(some, all));
+  return join_texts(parts, ", ");
+}
+
+// Tells the busiest of the curves' last points: "200 objects at 7 workers 0.98: its CPU 42 %".
+std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
+                         const std::string& part) {
+  const auto& limit =
+      *std::ranges::max_element(limits, {}, [](const Limit& l) { return l.load->busy; });
+  auto load = tell_load(*limit.load);
+  if (part == limit.load->resource)
+    load.erase(0, part.size());
+  else
+    load.insert(0, part.empty() ? ", busiest " : ", ");
+  return fmt::format("{}at {}{}", limits.size() > 1 ? limit.curve->name + " " : "",
+                     name_x(plot, limit.curve->x.back()), load);
+}
+
+std::string tell_limits(const Plot& plot, const Table& table,
+                        const std::vector<PointLoads>& points) {
+  const auto curves = curves_of(plot);
+  std::map<std::string, std::vector<Limit>> groups;  // none saturated first
+  for (const auto* s : curves)
+    if (const auto limit = find_limit_of(*s, table, points))
+      groups[limit->load->busy < SATURATED ? "" : part_of(limit->load)].push_back(*limit);
+  Texts parts;
+  for (const auto& [part, limits] : groups) {
+    const auto example = tell_example(plot, limits, part);
+    if (!part.empty())
+      parts.push_back(
+          fmt::format("by {} {} ({})", part, tell_since(plot, limits, curves.size()), example));
+  }
+  std::string sentence = parts.empty() ? "" : "limited " + join_texts(parts, "; ");
+  if (const auto none = groups.find(""); none != groups.end()) {
+    Curves some;
+    for (const auto& limit : none->second) some.push_back(limit.curve);
+    sentence +=
+        fmt::format("{}nothing is saturated at the end{} ({})", sentence.empty() ? "" : "; ",
+                    name_curves(some, curves.size()), tell_example(plot, none->second, ""));
+  }
+  return sentence.empty() ? "" : sentence + ".";
+}
+
+// ---- The largest ----
+
+struct End {
+  double y;
+  const Series* curve;
+};
+
+// What the curves come to that have this x.
+std::vector<End> values_at(const Curves& curves, double x) {
+  std::vector<End> values;
+  for (const auto* s : curves)
+    if (const auto at = std::ranges::find(s->x, x); at != s->x.end())
+      values.push_back({s->y[static_cast<std::size_t>(at - s->x.begin())], s});
+  return values;
+}
+
+// Compares the curves at the largest x that at least half of them have.
+std::string tell_extremes(const Plot& plot) {
+  constexpr double ALIKE = 0.01;
+  const auto curves = curves_of(plot);
+  std::set<double, std::greater<>> xs;
+  for (const auto* s : curves) xs.insert(s->x.begin(), s->x.end());
+  const auto x = std::ranges::find_if(xs, [&](double at) {
+    const auto there = values_at(curves, at).size();
+    return there > 1 && 2 * there >= curves.size();
+  });
+  if (x == xs.end()) return "";
+  const auto values = values_at(curves, *x);
+  const auto [low, high] = std::ranges::minmax(values, {}, &End::y);
+  const auto y = without_unit(plot.y_label), at = name_x(plot, *x);
+  if (high.y - low.y <= ALIKE * std::abs(high.y))
+    return fmt::format("at {} the {} curves have one {} within 1 %: {:.3g}.", at, values.size(), y,
+                       high.y);
+  return fmt::format("at {} {} is largest for {} ({:.3g}) and smallest for {} ({:.3g}).", at, y,
+                     high.curve->name, high.y, low.curve->name, low.y);
+}
+
+// The last point of each curve.
+RowList ends_of(const Plot& plot) {
+  RowList rows;
+  for (const auto* s : curves_of(plot))
+    if (!s->rows.empty()) rows.push_back(s->rows.back());
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
+                                    const std::vector<PointLoads>& points) {
+  Texts findings;
+  std::set<std::size_t> told;  // the limits of these rows
+  for (const auto& plot : plots) {
+    Texts sentences = {tell_bends(plot), tell_extremes(plot)};
+    const auto ends = ends_of(plot);
+    if (std::ranges::any_of(ends, [&](auto row) { return !told.contains(row); }))
+      sentences.insert(sentences.begin() + 1, tell_limits(plot, table, points));
+    told.insert(ends.begin(), ends.end());
+    std::erase(sentences, "");
+    for (auto& sentence : sentences) sentence = begin(sentence);
+    const auto all = join_texts(sentences, " ");
+    const bool says_y = plot.title == begin(without_unit(plot.y_label));
+    if (!titled)
+      findings.insert(findings.end(), sentences.begin(), sentences.end());
+    else if (!all.empty())
+      findings.push_back(says_y ? all : fmt::format("{}: {}", plot.title, all));
+  }
+  return findings;
+}
+
+std::vector<std::string> tell_points(const std::vector<PointLoads>& points) {
+  std::map<std::string, int> numbers;  // by what limits them
+  const PointLoads* known = nullptr;
+  int all = 0;
+  for (const auto& point : points) {
+    if (point.loads.empty()) continue;
+    ++numbers[part_of(find_limit(point))];
+    ++all;
+    known = &point;
+  }
+  if (!known) return {};
+  if (all == 1) return {explain(*known)};
+  std::vector<std::pair<std::string, int>> parts(numbers.begin(), numbers.end());
+  std::ranges::stable_sort(parts, std::ranges::greater{}, &std::pair<std::string, int>::second);
+  Texts limited;
+  for (const auto& [part, number] : parts)
+    if (!part.empty())
+      limited.push_back(limited.empty() ? fmt::format("{} of {} points by {}", number, all, part)
+                                        : fmt::format("{} by {}", number, part));
+  if (limited.empty()) return {fmt::format("Nothing is saturated in any of {} points.", all)};
+  return {fmt::format(
+      "Limited: {}{}.", join_texts(limited, ", "),
+      numbers.contains("") ? fmt::format("; in {} nothing is saturated", numbers.at("")) : "")};
+}
+
+}  // namespace laboratory

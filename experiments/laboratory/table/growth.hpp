@@ -1,0 +1,22 @@
+#pragma once
+// How curves grow, and where they bend.
+
+#include <optional>
+#include <vector>
+
+namespace laboratory {
+
+/// A curve as powers of x: y grows as x^before up to `bend` and as x^after from there on; without a
+/// bend the two exponents are equal.
+struct Growth {
+  double before = 0, after = 0;
+  std::optional<double> bend = {};
+};
+
+/// Fits a straight line to log y over log x, and broken lines that bend at one of the inner points,
+/// by least squares. The best of the broken lines is taken where it leaves at most a quarter of the
+/// straight line's squares and its exponents differ by at least 0.2. None for fewer than five
+/// points, for points that are not finite and positive, and for x that do not ascend.
+std::optional<Growth> fit_growth(const std::vector<double>& x, const std::vector<double>& y);
+
+}  // namespace laboratory
