@@ -22,17 +22,18 @@ std::string key_of(const Parameter& parameter) {
   return has_section ? parameter.name : "program." + parameter.name;
 }
 
-void run_machine(const Setup& setup, machine::Machine& machine) {
+void run_machine(const Setup& setup, machine::Machine& machine, const observe::View& view) {
   observe::Watch none;
-  const machine::End end = observe::run(machine, setup.watch ? *setup.watch : none);
+  const machine::End end = observe::run(machine, setup.watch ? *setup.watch : none, view);
   if (end != machine::End::done) throw_unfinished(machine, end);
 }
 
-void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date) {
+void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,
+                       const observe::View& view) {
   observe::Watch none, &watch = setup.watch ? *setup.watch : none;
   const auto asked = watch.until;
   watch.until = std::min(asked, date);
-  const machine::End end = observe::run(machine, watch);
+  const machine::End end = observe::run(machine, watch, view);
   watch.until = asked;
   const bool reached = end == machine::End::limit && machine.now() >= date;
   if (end != machine::End::done && !reached) throw_unfinished(machine, end);

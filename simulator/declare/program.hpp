@@ -187,9 +187,11 @@ struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-/// Runs a program's machine to its end. Throws Unfinished, and what the simulation throws.
-void run_machine(const Setup& setup, machine::Machine& machine);
+/// Runs a program's machine to its end. Throws Unfinished, and what the simulation throws. `view`
+/// is for who watches it.
+void run_machine(const Setup& setup, machine::Machine& machine, const observe::View& view = {});
 /// The same for a program without an end, up to a date.
-void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date);
+void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,
+                       const observe::View& view = {});
 
 }  // namespace programs

@@ -51,6 +51,17 @@ base::Column<R> most_held_column(std::size_t R::*most_held) {
   return base::column("most_held", most_held, "most messages that one router held at once");
 }
 
+/// What routers hold, for who watches a run.
+inline std::vector<observe::View::Gauge> make_gauges(const network::Network& network) {
+  return {{"messages in routers", "taken from processes and not yet delivered",
+           [&network] {
+             const auto use = network.use();
+             return static_cast<double>(use.taken - use.delivered - use.returned - use.lost);
+           }},
+          {"messages delivered", "by routers to processes",
+           [&network] { return static_cast<double>(network.use().delivered); }}};
+}
+
 inline void check_two_processors(const Setup& setup) {
   base::require(setup.topology.processors >= 2, "network.topology",
                 "found one processor, expected at least two");
@@ -97,6 +108,12 @@ struct RouterMachine : CompiledMachine {
     for (int id = 0; id < static_cast<int>(processors().size()); ++id)
       (*this)[id].start(fmt::format("p{}.application", id), Priority::low,
                         [this, id, application] { application(network->client(id)); });
+  }
+
+  observe::View view() const {
+    observe::View view;
+    view.gauges = make_gauges(*network);
+    return view;
   }
 
   std::optional<network::Network> network;

@@ -12,16 +12,16 @@ namespace farm {
 
 using namespace occam;
 
-void interaction(const std::vector<Order>& script, const Progress& progress,
+void interaction(tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
   // The second is taken when the first task is at hand.
-  if (!script.empty()) out(into_coordination, Command{Begin{}});
-  for (const Order& order : script) {
-    if (order.at.value > 0) wait_until(ticks(progress.begun + order.at));
-    std::visit([&](const auto& what) { out(into_coordination, Command{what}); }, order.what);
+  if (orders.has_any()) out(into_coordination, Command{Begin{}});
+  for (bool has_left = false; !has_left;) {
+    const auto what = orders[orders.next(progress.begun)].what;
+    std::visit([&](const auto& of) { out(into_coordination, Command{of}); }, what);
+    has_left = std::holds_alternative<Leave>(what);
   }
-  out(into_coordination, Command{Quit{}});
 }
 
 // Figure 4.16.
@@ -178,7 +178,9 @@ class Coordinator {
     Answer intersection;
     if (mode == Mode::null) {
       if (!quitting_) {
+        progress_.is_null = true;
         in(to_.from_interaction, user_message);
+        progress_.is_null = false;
         obey(user_message);
       }
       if (quitting_ && mode_ == Mode::null) leave_interactive();
@@ -238,7 +240,7 @@ class Coordinator {
             if (mode_ == Mode::null) mode_ = Mode::interactive;
           });
         },
-        [&](Quit) { quitting_ = true; });
+        [&](Leave) { quitting_ = true; });
   }
 
   // Rays know orders up to 255; what later ones change is not told apart.
@@ -461,7 +463,7 @@ void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages
               out(to.into_visualisation, found);
             }));
   progress.end();
-  wait_for<Quit>(to.from_interaction);
+  wait_for<Leave>(to.from_interaction);
   stop_all(to, sender_is_ready);
 }
 

@@ -3,6 +3,7 @@
 // visualisation, and the coordination, which hands tasks out, in two kinds.
 #include "simulator/farm/messages.hpp"
 #include "simulator/observe/use.hpp"
+#include "simulator/tracing/orders.hpp"
 #include "simulator/tracing/rendering.hpp"
 
 namespace farm {
@@ -52,6 +53,7 @@ struct Progress {
 
   const machine::Machine& observed;
   Phase phase = Phase::setup;
+  bool is_null = false;  ///< no ray is left within the limits, and the user may have more to say
   renderer::RayCounts rays;
   machine::Seconds begun, interactive_since, ended;
   double interactive_s = 0;    ///< in the interactive phase, until `interactive_since`
@@ -84,8 +86,8 @@ struct Progress {
   void cut();
 };
 
-/// The user, scripted: begins, orders and quits when the image is complete.
-void interaction(const std::vector<Order>& script, const Progress& progress,
+/// The user: begins, orders and leaves; then the farm ends when the image is complete.
+void interaction(tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination);
 
 /// How the scene goes to the workers before the first task.

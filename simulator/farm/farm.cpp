@@ -116,6 +116,22 @@ void check_initial_rays(Processor& database, const Params& params, std::uint64_t
   database.memory().release(bytes);
 }
 
+std::string describe_phase(const Progress& progress) {
+  if (progress.is_null) return "null mode: nothing is left within the limits";
+  if (progress.is_aborted) return "aborted";
+  switch (progress.phase) {
+    case Progress::Phase::setup:
+      return "setting up";
+    case Progress::Phase::interactive:
+      return "interactive";
+    case Progress::Phase::non_interactive:
+      return "non-interactive";
+    case Progress::Phase::ended:
+      return "complete";
+  }
+  return "";
+}
+
 // The processes of the three central processors, what they keep, and the channels between them
 // (figures 4.9 to 4.11).
 class Centre {
@@ -134,7 +150,7 @@ class Centre {
         into_database_,    from_database_, into_visualisation_};
     const std::size_t n = workers.processors.size();
     kernels::start(on_.coordinator, "interaction", Priority::low,
-                   [this] { interaction(params_.script, progress_, from_interaction_); });
+                   [this] { interaction(orders_, progress_, from_interaction_); });
     kernels::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
       if (params_.block)
         block_coordination(make_blocks(params_.image, *params_.block), scene_messages(n), channels,
@@ -150,6 +166,9 @@ class Centre {
       visualisation_.run(into_visualisation_);
     });
   }
+
+  // What is shown of the run, and what the user may do.
+  observe::View make_view();
 
   // What is computed here beside the workers.
   std::pair<const kernels::KernelCost*, const kernels::KernelCost*> kernels() const {
@@ -216,6 +235,7 @@ class Centre {
   CentralProcessors on_;
   kernels::KernelCost shading_;
   RayDatabase rays_;
+  tracing::Orders<Limits> orders_;
   Progress progress_;
   Visualisation visualisation_;
 
@@ -237,6 +257,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       rays_{RayStores(make_cells(params), params.stages[0], params.weights),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
             message_},
+      orders_(params.script, !params.block && observe::is_watched(params.watch)),
       progress_(machine),
       visualisation_{scene,
                      params.image,
@@ -258,6 +279,55 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
   allocate_image(on_.display, params.image);
   on_.display.memory().allocate(display_bytes(machine.model(), scene, params),
                                 "surfaces and lights", on_.display.now());
+}
+
+observe::View Centre::make_view() {
+  observe::View view;
+  view.picture = {params_.image.width, params_.image.height,
+                  [this] { return &visualisation_.picture.rgb8(); }};
+  view.sequential = [this](const auto& goes_on) {
+    return tracing::render_sequentially(scene_, params_.image, goes_on);
+  };
+  const auto& stores = rays_.stores;
+  view.gauges = {{"rays", "rays that the picture shows",
+                  [this] { return static_cast<double>(visualisation_.rays); }},
+                 {"rays in the database", "waiting, of all its stores",
+                  [&stores] { return static_cast<double>(stores.size()); }},
+                 {"tasks", "handed out to the workers",
+                  [this] { return static_cast<double>(progress_.tasks); }}};
+  view.phase = [this] { return describe_phase(progress_); };
+  view.is_complete = [this] {
+    const bool has_no_ray = progress_.is_null && rays_.stores.size() == 0;
+    return has_no_ray || progress_.phase == Progress::Phase::ended;
+  };
+  if (params_.block) return view;
+  view.waits_for_user = [this] { return progress_.is_null && orders_.waits_for_hand(); };
+  view.take_order = [this](const std::any& record, machine::Seconds after) {
+    const auto check_script = [this](const std::vector<Order>& script) {
+      Params params = params_;
+      params.script = script;
+      check(params);
+    };
+    return orders_.take(std::any_cast<const tracing::OrderRecord<Limits>&>(record), after,
+                        check_script);
+  };
+  return view;
+}
+
+void plan_faults(machine::Machine& machine, const Workers& workers,
+                 const std::vector<programs::PlannedFault>& faults) {
+  const auto at = [&](int id) -> Processor& { return *workers.processors.at(std::size_t(id)); };
+  for (const auto& fault : faults)
+    if (fault.b < 0)
+      machine.stop_processor(at(fault.a), {fault.at_s});
+    else
+      machine.cut_link(at(fault.a), at(fault.b), {fault.at_s});
+}
+
+observe::View make_view(Centre& centre, const Workers& workers) {
+  auto view = centre.make_view();
+  for (const auto* worker : workers.processors) view.network.push_back(worker->id());
+  return view;
 }
 
 // Takes the memory of the worker's copy of the scene; one that shades has textures too.
@@ -314,8 +384,10 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
     start_worker(wires, workers, id, kernel);
   }
   centre.start(wires, workers);
+  plan_faults(machine, workers, params.faults);
 
-  Result result = centre.take_result(observe::run(machine, params.watch));
+  Result result =
+      centre.take_result(observe::run(machine, params.watch, make_view(centre, workers)));
   result.topology = workers.topology;
   result.mean_depth = workers.mean_depth;
   result.events = machine.events();

@@ -99,12 +99,12 @@ struct DatabaseReply {
   std::uint64_t bytes() const { return size; }
 };
 
-struct Begin {};  ///< deposit the initial rays, start the interactive phase
-struct Quit {};   ///< end when the image is complete
+struct Begin {};       ///< deposit the initial rays, start the interactive phase
+using tracing::Leave;  ///< end when the image is complete
 
 /// Interaction -> coordination: the user's orders.
 struct Command {
-  std::variant<Begin, NonInteractive, Interactive, Abort, Save, Quit, Limits> content;
+  std::variant<Begin, NonInteractive, Interactive, Abort, Leave, Save, Limits> content;
   std::uint64_t bytes() const {
     const auto* limits = std::get_if<Limits>(&content);
     return limits ? bytes_of(*limits) : TAG_BYTES;

@@ -154,6 +154,7 @@ Params make_params(const Setup& setup, const ProgramParams& params) {
   Params farm = params.farm;
   farm.cycles_per_host_s = setup.cycles_per_host_s;
   farm.profile = setup.profile;
+  farm.faults = setup.faults;
   farm.engine = setup.engine;
   farm.watch = setup.watch;
   return farm;
@@ -170,6 +171,10 @@ void check_program(const Setup& setup, const ProgramParams& params) {
     base::refuse("farm.preview",
                  "found a preview, expected none: with data.cache_percent the "
                  "display does not hold the scene");
+  if (shares_data(params) && !setup.faults.empty())
+    base::refuse("[[fault]]",
+                 "found one, expected none with data.cache_percent: data managers "
+                 "do not go on when something breaks");
   const auto size = size_of(params.scene);
   if (shares_data(params)) check(setup.model, size, make_params(setup, params), *params.data);
 }
@@ -203,7 +208,7 @@ programs::Program make_farm() {
   auto program = programs::make_program<ProgramParams, Measured>(
       {.name = "farm",
        .help = "the farm of chapter 4: a ray tracer with increasing realism",
-       .uses = {.network = true, .timed = true},
+       .uses = {.network = true, .faults = true, .timed = true},
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run,

@@ -1,5 +1,6 @@
 #include "simulator/farm/shared_farm.hpp"
 
+#include "simulator/declare/routers.hpp"
 #include "simulator/farm/wiring.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
@@ -121,7 +122,7 @@ class SharedFarm {
   SharedResult run() {
     start();
     SharedResult result;
-    result.farm = take_result(observe::run(machine_, params_.watch));
+    result.farm = take_result(observe::run(machine_, params_.watch, make_view()));
     result.shared = {memory_->use(), network_->use(), data_params_.cache_bytes,
                      workers_.processors * result.farm.time_s};
     return result;
@@ -198,6 +199,18 @@ class SharedFarm {
       charged_ += reader.charged();
       return block;
     });
+  }
+
+  observe::View make_view() {
+    observe::View view;
+    for (int id = 1; id <= workers_.processors; ++id) view.network.push_back(id);
+    view.picture = {params_.image.width, params_.image.height, [this] { return &picture_.rgb8(); }};
+    view.gauges = base::join(
+        std::vector<observe::View::Gauge>{
+            {"rays", "rays that the picture shows",
+             [this] { return static_cast<double>(progress_.rays.total()); }}},
+        {shared_memory::make_gauges(*memory_), programs::make_gauges(*network_)});
+    return view;
   }
 
   growth::Shown look() const {

@@ -13,12 +13,11 @@ using network::Message;
 using occam::case_of;
 
 void interact(Shared& shared, network::Client& client) {
-  const auto& script = shared.params.script;
   const int coordinator = shared.places.coordinator;
-  for (std::size_t i = 0; i <= script.size(); ++i) {
-    if (i < script.size())
-      occam::wait_until(occam::ticks(Seconds{shared.record.begun_s} + script[i].at));
-    const IirraMessage::Content order = UserOrder{i};
+  for (bool has_left = false; !has_left;) {
+    const std::size_t number = shared.orders.next(Seconds{shared.record.begun_s});
+    has_left = std::holds_alternative<tracing::Leave>(shared.orders[number].what);
+    const IirraMessage::Content order = UserOrder{number};
     client.send({.to = {coordinator, TASK_PROCESS},
                  .from = {.process = TASK_PROCESS},
                  .length = shared.sizes.of(order),
@@ -209,6 +208,12 @@ void Coordinator::keep_picture(const std::string& name) {
   tell({shared_.places.display, DISPLAY_PROCESS}, KeepPicture{name});
 }
 
+std::string Coordinator::phase() const {
+  if (is_finished_) return shared_.record.is_aborted ? "aborted" : "complete";
+  if (is_null_) return "null mode: nothing is left within the limits";
+  return is_last_ ? "non-interactive" : "interactive";
+}
+
 // --- the user -----------------------------------------------------------------------------------
 
 void Coordinator::note(std::size_t order, const std::string& why) {
@@ -216,13 +221,12 @@ void Coordinator::note(std::size_t order, const std::string& why) {
 }
 
 void Coordinator::obey_user(std::size_t place) {
-  const auto& script = shared_.params.script;
-  if (place == script.size()) {
+  const auto what = shared_.orders[place].what;
+  if (std::holds_alternative<tracing::Leave>(what)) {
     is_quitting_ = true;
     if (is_null_ && !is_finishing_) end_interactive();
     return;
   }
-  const auto& what = script[place].what;
   const std::size_t number = place + 1;
   shared_.record.orders_s.emplace_back(shared_.now_s(), std::nullopt);
   if (is_finishing_)
@@ -252,7 +256,7 @@ void Coordinator::obey_user(std::size_t place) {
         shared_.record.is_aborted = true;
         finish();
       },
-      [&](const tracing::Save& save) { keep_picture(save.name); });
+      [](tracing::Leave) {}, [&](const tracing::Save& save) { keep_picture(save.name); });
 }
 
 void Coordinator::tell(network::Address to, IirraMessage::Content content) {

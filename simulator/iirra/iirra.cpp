@@ -4,6 +4,7 @@
 #include <bit>
 #include <deque>
 
+#include "simulator/declare/routers.hpp"
 #include "simulator/iirra/services.hpp"
 #include "simulator/iirra/worker.hpp"
 #include "simulator/tracing/looks.hpp"
@@ -85,6 +86,7 @@ class Run {
                              params.cycles_per_host_s},
             .quadrants = make_quadrants(params),
             .items = items_ ? &*items_ : nullptr,
+            .orders = {params.script, observe::is_watched(params.watch)},
             .record = Record(params.image)} {
     add_processors(model, scene);
     connect(model, routes, tree);
@@ -93,7 +95,7 @@ class Run {
   }
 
   Result run() {
-    const auto end = observe::run(machine_, params_.watch);
+    const auto end = observe::run(machine_, params_.watch, make_view());
     auto& record = shared_.record;
     coordinator_->end(machine_.now().value);
     record.end = end;
@@ -126,6 +128,39 @@ class Run {
   }
 
  private:
+  observe::View make_view() {
+    observe::View view;
+    view.picture = {params_.image.width, params_.image.height,
+                    [this] { return &display_->rgb8(); }};
+    view.sequential = [this](const auto& goes_on) {
+      return tracing::render_sequentially(shared_.scene, params_.image, goes_on);
+    };
+    const auto& record = shared_.record;
+    view.gauges = {
+        {"rays", "rays traced", [&] { return static_cast<double>(record.rays.total()); }},
+        {"samples", "samples computed", [&] { return static_cast<double>(record.counts.samples); }},
+        {"tasks moved", "cells that have gone to another worker",
+         [&] { return static_cast<double>(record.counts.tasks_moved); }}};
+    view.gauges = base::join(std::move(view.gauges), {programs::make_gauges(*network_)});
+    if (memory_)
+      view.gauges = base::join(std::move(view.gauges), {shared_memory::make_gauges(*memory_)});
+    view.phase = [this] { return coordinator_->phase(); };
+    view.is_complete = [&] { return record.ended_s > 0; };
+    view.waits_for_user = [this] {
+      return coordinator_->is_null() && shared_.orders.waits_for_hand();
+    };
+    view.take_order = [this](const std::any& order, machine::Seconds after) {
+      const auto check_script = [this](const std::vector<Order>& script) {
+        Params params = params_;
+        params.script = script;
+        check(params, topology_);
+      };
+      return shared_.orders.take(std::any_cast<const tracing::OrderRecord<Limits>&>(order), after,
+                                 check_script);
+    };
+    return view;
+  }
+
   const char* role_of(int id) const {
     if (id == shared_.places.coordinator) return Role::coordinator;
     return id == shared_.places.display ? Role::display : Role::worker;

@@ -49,7 +49,7 @@ struct Report {
   std::uint64_t parked = 0, finished = 0;
 };
 struct Stop {};
-/// The user's order of this place in the script has come; of the place behind: there are no more.
+/// The user's order of this number in Shared::orders has come.
 struct UserOrder {
   std::size_t place = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace iirra {
 
-/// The user, scripted. Sends each order when its time has come, to the coordinator, by a router's
+/// The user. Sends each order when its time has come, to the coordinator, by a router's
 /// client of its own.
 void interact(Shared& shared, network::Client& client);
 
@@ -17,6 +17,8 @@ class Coordinator {
   void run();
   /// The run has ended, or has been cut short.
   void end(double at_s);
+  bool is_null() const { return is_null_; }
+  std::string phase() const;  ///< in a few words
 
  private:
   void hand_out();
@@ -56,6 +58,7 @@ class Display {
   void run();  ///< until it is stopped
   /// The run has ended, or has been cut short: the last picture.
   void end(double at_s);
+  const std::vector<std::uint8_t>& rgb8() const { return screen_.rgb8; }  ///< as it is shown
 
  private:
   void poll_all();

@@ -2,6 +2,7 @@
 // What all processes of a run share: what they know before it begins, and the record of it.
 #include "simulator/iirra/iirra.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
+#include "simulator/tracing/orders.hpp"
 
 namespace iirra {
 
@@ -26,6 +27,7 @@ struct Shared {
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< where cells have that order
   const shared_memory::SceneItems* items = nullptr;          ///< where the scene is shared
   machine::Cycles charged_with_data{};                       ///< for rays that read it so
+  tracing::Orders<Limits> orders;                            ///< of the user
   Record record;
   Traced scratch = {};  ///< for replays of rays, where costs are timed
 

@@ -44,7 +44,11 @@ class CpuDiary {
  public:
   explicit CpuDiary(const Processor& processor) : processor_(processor) {}
 
-  void set_observer(Observer* observer) { observer_ = observer; }
+  /// What is not told yet is not told any more.
+  void set_observer(Observer* observer) {
+    observer_ = observer;
+    spans_.clear();
+  }
   bool has_observer() const { return observer_; }
   /// The number of a process's name, see Observer; 0 without an observer.
   std::uint32_t number_of(const std::string& name);
@@ -95,7 +99,8 @@ class Cpu {
   /// already: see Process::sync_if_long.)
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
-  CpuUse use() const;  ///< up to now
+  CpuUse use() const;                                                           ///< up to now
+  std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< processes
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
   void name_for_observer(Process& process);

@@ -8,12 +8,18 @@ Engine::Engine(EngineParams params) {
   const bool is_direct = params.links == Links::direct;
   if (is_direct && params.processes == Processes::actors)
     throw base::InvariantBroken("the direct engine has no actors: they are SimGrid's");
+  can_wait_ = is_direct;
   carrier_ = is_direct ? make_direct(events_) : make_simgrid(events_, params.processes);
 }
 
 int Engine::add_processor(const std::string& name) {
   carrier_->add_processor(name);
   return processors_++;
+}
+
+void Engine::set_pace(Pace& pace) {
+  if (!can_wait_) throw base::InvariantBroken("only the direct engine's clock waits");
+  events_.set_pace(&pace);
 }
 
 Engine::End Engine::run(Seconds until) {

@@ -55,6 +55,10 @@ class Engine {
     carrier_->cut(direction ^ 1);
   }
 
+  /// Asks before the clock goes on, see Pace. Throws InvariantBroken for SimGrid's engine, whose
+  /// clock does not wait.
+  void set_pace(Pace& pace);
+
   /// Runs until no event is left, until the clock would pass `until`, or until stop() or
   /// request_stop(). The clock stays at the last event, or at `until`.
   End run(Seconds until);
@@ -71,6 +75,7 @@ class Engine {
 
  private:
   Events events_;
+  bool can_wait_;
   int processors_ = 0;
   std::unique_ptr<Carrier> carrier_;
 };

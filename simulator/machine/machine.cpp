@@ -70,16 +70,27 @@ std::string describe_wait(const Process& process, const std::vector<ProcessId>& 
   return names.empty() ? text : fmt::format("{} (from {})", text, names);
 }
 
-std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
+std::vector<ProcessId> find_cycle(const Waits& waits) {
   std::set<ProcessId> seen;
   for (const auto& [process, ignored] : waits) {
     std::vector<ProcessId> path;
-    if (!find_cycle(process, waits, seen, path)) continue;
-    std::string text;
-    for (ProcessId p : path) text += (text.empty() ? " " : " -> ") + blocked.at(p)->name();
-    return "\n  the cycle:" + text;
+    if (find_cycle(process, waits, seen, path)) return path;
   }
-  return "";
+  return {};
+}
+
+Waits find_waits(const Blocked& blocked) {
+  Waits waits;
+  for (const auto& [id, process] : blocked)
+    waits[id] = process->wait() ? process->wait()->waits_for() : std::vector<ProcessId>{};
+  return waits;
+}
+
+std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
+  std::string text;
+  for (ProcessId p : find_cycle(waits))
+    text += (text.empty() ? " " : " -> ") + blocked.at(p)->name();
+  return text.empty() ? "" : "\n  the cycle:" + text;
 }
 
 // Whether a process of the processor has not ended, and is no server that waits for input.
@@ -98,9 +109,7 @@ bool all_have_ended(const Machine& machine) {
 void throw_if_deadlocked(const Machine& machine) {
   const Blocked blocked = find_blocked(machine);
   if (blocked.empty()) return;
-  Waits waits;
-  for (const auto& [id, process] : blocked)
-    waits[id] = process->wait() ? process->wait()->waits_for() : std::vector<ProcessId>{};
+  const Waits waits = find_waits(blocked);
   std::string text =
       fmt::format("deadlock at {:.6f} s, nothing can happen any more:", machine.now().value);
   for (const auto& processor : machine.processors())
@@ -111,6 +120,16 @@ void throw_if_deadlocked(const Machine& machine) {
 }
 
 }  // namespace
+
+std::vector<const Process*> find_wait_cycle(const Machine& machine) {
+  Blocked blocked = find_blocked(machine);
+  std::erase_if(blocked, [](const auto& of) {
+    return of.second->state() != Process::State::blocked;  // in a run that was cut short
+  });
+  std::vector<const Process*> cycle;
+  for (ProcessId p : find_cycle(find_waits(blocked))) cycle.push_back(blocked.at(p));
+  return cycle;
+}
 
 std::string_view to_string(End end) {
   constexpr std::string_view names[] = {"done", "limit", "interrupt"};
@@ -168,9 +187,9 @@ LinkDirection& Machine::link(const Processor& from, const Processor& to) {
   throw Misuse(from.name(), now(), "no link joins " + from.name() + " and " + to.name());
 }
 
-void Machine::set_observer(Observer& observer) {
+void Machine::set_observer(Observer* observer) {
   for (auto& processor : processors_) processor->set_observer(observer);
-  for (auto& link : links_) link->set_observer(&observer);
+  for (auto& link : links_) link->set_observer(observer);
 }
 
 End Machine::run(Seconds until) {

@@ -53,8 +53,14 @@ class Machine {
   /// that instant. (The links of a processor that stops are not told one by one.)
   void on_failure(std::function<void(const Failure&)> observer);
 
-  /// The observer is told what processors and links do. To be called before run().
-  void set_observer(Observer& observer);
+  /// From now on the observer is told what processors and links do; null: nobody is. During a run
+  /// it is told of nothing that has begun before.
+  void set_observer(Observer* observer);
+
+  /// Asks before the clock goes on, see Pace; only with Links::direct. To be called before run().
+  void set_pace(Pace& pace) { engine_.set_pace(pace); }
+  /// Ends the run at its next event, as if the user had interrupted it.
+  void stop() { engine_.stop(); }
 
   /// Runs until no process can do anything, or up to a time limit. Throws what a process threw;
   /// Deadlock, with the channels that processes wait on, if some have not ended and there was no
@@ -88,5 +94,9 @@ class Machine {
   std::optional<Seconds> runs_until_;                 // once the run has begun
   std::vector<std::function<void(const Failure&)>> failure_observers_;
 };
+
+/// Blocked processes that wait for each other in a cycle, the first again at the end; empty if none
+/// do.
+std::vector<const Process*> find_wait_cycle(const Machine& machine);
 
 }  // namespace machine

@@ -38,15 +38,21 @@ void Processor::remove(const Process& process) {
 
 void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait, const bool* unless) {
   ++process.wake_ups_;
-  engine_.at(date, [&process, wait, unless] {
-    --process.wake_ups_;
-    Processor& self = process.processor();
-    const bool waits = process.state() == Process::State::blocked && process.waits() == wait;
-    if (waits && !self.stopped() && !(unless && *unless))
-      self.make_ready(process, self.now());
-    else
-      self.engine_.ignore_event();
-  });
+  engine_.at(date, [&process, wait, unless] { process.processor().wake(process, wait, unless); });
+}
+
+void Processor::wake_first_at(Seconds date, Process& process, std::uint64_t wait) {
+  ++process.wake_ups_;
+  engine_.first_at(date, [&process, wait] { process.processor().wake(process, wait, nullptr); });
+}
+
+void Processor::wake(Process& process, std::uint64_t wait, const bool* unless) {
+  --process.wake_ups_;
+  const bool waits = process.state() == Process::State::blocked && process.waits() == wait;
+  if (waits && !stopped() && !(unless && *unless))
+    make_ready(process, now());
+  else
+    engine_.ignore_event();
 }
 
 void Processor::join(Processor& companion) {
@@ -59,8 +65,9 @@ void Processor::set_stolen(std::size_t port, double share) {
   if (companion_) companion_->cpu_.set_stolen(Cpu::BY_COMPANION + 1 + port, share);
 }
 
-void Processor::set_observer(Observer& observer) {
-  cpu_.set_observer(&observer);
+void Processor::set_observer(Observer* observer) {
+  cpu_.set_observer(observer);
+  if (!observer) return;
   for (auto& process : processes_) cpu_.name_for_observer(*process);
 }
 

@@ -55,6 +55,8 @@ class Processor {
   /// The same at a date to come, if the process is in its wait number `wait` then; not if `unless`
   /// has become true.
   void wake_at(Seconds date, Process& process, std::uint64_t wait, const bool* unless = nullptr);
+  /// The same before all else that happens at that date.
+  void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
   int id() const { return id_; }
   const std::string& name() const { return name_; }
@@ -70,6 +72,7 @@ class Processor {
   CpuUse use() const { return cpu_.use(); }  ///< up to now
   bool stopped() const { return cpu_.stopped(); }
   Memory& memory() { return *memory_; }
+  const Memory& memory() const { return *memory_; }
   std::shared_ptr<Memory> share_memory() const { return memory_; }
   /// The other processor on its memory; null if there is none.
   Processor* companion() const { return companion_; }
@@ -82,12 +85,14 @@ class Processor {
   void set_stolen(std::size_t port, double share);
 
   /// From now on the observer is told what the processes do.
-  void set_observer(Observer& observer);
+  void set_observer(Observer* observer);
   /// Ends the simulation with this exception (thrown again by Machine::run).
   void fail(std::exception_ptr failure);
   const std::exception_ptr& failure() const { return failure_; }
 
  private:
+  void wake(Process& process, std::uint64_t wait, const bool* unless);
+
   Engine& engine_;
   const Model& model_;
   int id_;

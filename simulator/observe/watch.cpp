@@ -68,27 +68,32 @@ class Recorder : public machine::Observer {
 
 }  // namespace
 
-machine::End run(machine::Machine& machine, Watch& watch) {
+machine::End run(machine::Machine& machine, Watch& watch, const View& view) {
   std::optional<Recorder> recorder;
-  if (watch.trace) machine.set_observer(recorder.emplace(machine, *watch.trace, watch.from));
-  auto close = [&] {
+  if (watch.trace) machine.set_observer(&recorder.emplace(machine, *watch.trace, watch.from));
+  if (watch.spectator) {
+    machine.set_pace(*watch.spectator);
+    watch.spectator->begin(machine, view);
+  }
+  auto close = [&](const std::string& fault) {
+    if (watch.spectator) watch.spectator->end(fault);
     watch.ended = machine.now();
     watch.events = machine.events();
     if (recorder) recorder->close(machine.now());
   };
   try {
     watch.end = machine.run(watch.until);
-  } catch (...) {
-    close();
+  } catch (const std::exception& fault) {
+    close(fault.what());
     throw;
   }
-  close();
+  close("");
   return watch.end;
 }
 
-machine::End run(machine::Machine& machine, Watch* watch) {
+machine::End run(machine::Machine& machine, Watch* watch, const View& view) {
   Watch none;
-  return run(machine, watch ? *watch : none);
+  return run(machine, watch ? *watch : none, view);
 }
 
 }  // namespace observe

@@ -1,6 +1,7 @@
 #pragma once
 // Runs of a machine with a limit, and with a trace of what it did.
 #include "simulator/machine/machine.hpp"
+#include "simulator/observe/spectator.hpp"
 #include "simulator/observe/trace.hpp"
 
 namespace observe {
@@ -10,16 +11,20 @@ struct Watch {
   machine::Seconds until{std::numeric_limits<double>::infinity()};  ///< simulated
   machine::Seconds from{};                                          ///< simulated; of the trace
   Trace* trace = nullptr;                                           ///< filled, if there is one
+  Spectator* spectator = nullptr;                                   ///< watches, if there is one
 
   machine::End end = machine::End::done;  ///< why the run ended, and when
   machine::Seconds ended{};
   std::uint64_t events = 0;  ///< simulated
 };
 
+/// Whether somebody watches the run.
+inline bool is_watched(const Watch* watch) { return watch && watch->spectator; }
+
 /// Runs the machine, all of whose processors and links are there, and notes its end in `watch`.
 /// Throws what Machine::run throws; the trace is filled all the same.
-machine::End run(machine::Machine& machine, Watch& watch);
+machine::End run(machine::Machine& machine, Watch& watch, const View& view = {});
 /// The same without limit and notes if `watch` is null.
-machine::End run(machine::Machine& machine, Watch* watch);
+machine::End run(machine::Machine& machine, Watch* watch, const View& view = {});
 
 }  // namespace observe

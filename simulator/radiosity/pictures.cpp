@@ -51,6 +51,19 @@ Picture draw(const ProgramParams& params, const renderer::View& view, const radi
   return preview_picture(mesh, light, view, params.room.picture);
 }
 
+renderer::Bitmap look(const ProgramParams& params, const renderer::View& view,
+                      const radiosity::Mesh& mesh, const Frame* frame) {
+  const auto size = radiosity::fit(params.room.picture, view);
+  if (!frame)
+    return {size.width, size.height,
+            std::vector<std::uint8_t>(3 * static_cast<std::size_t>(size.width) *
+                                      static_cast<std::size_t>(size.height))};
+  const auto picture = draw(params, view, mesh, *frame);
+  const auto display =
+      fit(params.room.display, picture, find_emitters(params.room, view, mesh, mesh));
+  return {picture.width, picture.height, make_rgb8(picture, display)};
+}
+
 Pictures show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
               const std::vector<Frame>& frames) {
   const auto& room = params.room;

@@ -18,6 +18,10 @@ struct PictureSummary {
 radiosity::Picture draw(const ProgramParams& params, const renderer::View& view,
                         const radiosity::Mesh& mesh, const Frame& frame);
 
+/// The same as it is displayed, exposed for itself; black without a frame.
+renderer::Bitmap look(const ProgramParams& params, const renderer::View& view,
+                      const radiosity::Mesh& mesh, const Frame* frame);
+
 /// What a run shows.
 struct Pictures {
   PictureSummary summary;

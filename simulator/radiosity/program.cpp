@@ -199,6 +199,8 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
   if (setup.cycles_per_host_s)
     machine.draw = [&](const Frame& frame) { draw(params, view, mesh, frame); };
   machine.watch = setup.watch;
+  if (observe::is_watched(setup.watch))
+    machine.look = [&](const Frame* frame) { return look(params, view, mesh, frame); };
   return machine;
 }
 

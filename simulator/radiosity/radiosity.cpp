@@ -128,10 +128,34 @@ class Amp {
 
   Result run() {
     start();
-    return take_result(observe::run(machine_, params_.watch));
+    return take_result(observe::run(machine_, params_.watch, make_view()));
   }
 
  private:
+  observe::View make_view() {
+    observe::View view;
+    view.gauges = {
+        {"shots", "done", [this] { return static_cast<double>(root_->shots()); }},
+        {"unshot", "share of the light that has not been sent, in the last picture",
+         [this] { return root_->frames().empty() ? 1 : root_->frames().back().unshot; }}};
+    view.gauges = base::join(std::move(view.gauges), {programs::make_gauges(*network_)});
+    if (memory_)
+      view.gauges = base::join(std::move(view.gauges), {shared_memory::make_gauges(*memory_)});
+    if (!params_.look) return view;
+    bitmap_ = params_.look(nullptr);
+    view.picture = {bitmap_.width, bitmap_.height, [this] { return &look(); }};
+    return view;
+  }
+
+  // The picture of the last frame, drawn when it is looked at for the first time.
+  const std::vector<std::uint8_t>& look() {
+    if (root_->frames().size() > frames_looked_at_) {
+      frames_looked_at_ = root_->frames().size();
+      bitmap_ = params_.look(&root_->frames().back());
+    }
+    return bitmap_.rgb8;
+  }
+
   void make_nodes(std::vector<Share> shares) {
     const auto& routing = network_->routing();
     for (int id = 0; id < routing.processors(); ++id) {
@@ -218,6 +242,8 @@ class Amp {
   std::vector<Node> nodes_;
   std::vector<std::unique_ptr<Application>> applications_;
   Root* root_ = nullptr;
+  renderer::Bitmap bitmap_;  // of the last frame, for who watches
+  std::size_t frames_looked_at_ = 0;
   observe::Use before_;
   std::optional<observe::Use> after_;
 };

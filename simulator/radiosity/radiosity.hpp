@@ -42,6 +42,8 @@ struct Params {
   /// Draws the picture of a frame, if it is to be charged the host time that it takes: it counts no
   /// operations.
   std::function<void(const Frame&)> draw;
+  /// The picture of a frame, for who watches the run; null: before the first.
+  std::function<renderer::Bitmap(const Frame*)> look;
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
 

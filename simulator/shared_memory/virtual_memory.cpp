@@ -261,4 +261,17 @@ DataUse VirtualMemory::use() const {
   return sum;
 }
 
+std::vector<observe::View::Gauge> make_gauges(const VirtualMemory& memory) {
+  const auto share_found = [&memory] {
+    const auto use = memory.use();
+    const auto accesses = use.accesses();
+    return accesses == 0 ? 0
+                         : 1 - static_cast<double>(use.requests) / static_cast<double>(accesses);
+  };
+  return {
+      {"accesses", "to records of the scene",
+       [&memory] { return static_cast<double>(memory.use().accesses()); }},
+      {"share found at home", "of the accesses, those that asked no other processor", share_found}};
+}
+
 }  // namespace shared_memory

@@ -7,6 +7,7 @@
 //   one address space, and fetched from the processor that holds them (Badouel, 5.1.2.1).
 #include <memory>
 
+#include "simulator/observe/spectator.hpp"
 #include "simulator/shared_memory/cache_manager.hpp"
 
 namespace shared_memory {
@@ -55,5 +56,8 @@ class VirtualMemory {
  private:
   std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // none, or by processor
 };
+
+/// What it does, for who watches a run.
+std::vector<observe::View::Gauge> make_gauges(const VirtualMemory& memory);
 
 }  // namespace shared_memory

@@ -62,6 +62,17 @@ std::vector<programs::Image> make_images(const std::string& name, const renderer
 
 }  // namespace
 
+std::vector<std::uint8_t> render_sequentially(const renderer::Scene& scene,
+                                              const renderer::Params& params,
+                                              const std::function<bool()>& goes_on) {
+  bool is_whole = true;
+  const auto rendering = renderer::render(scene, params, 1, [&](int done, int rows) {
+    is_whole = done == rows || goes_on();
+    return is_whole;
+  });
+  return is_whole ? renderer::make_rgb8(rendering.samples) : std::vector<std::uint8_t>();
+}
+
 Columns<Rendering> speed_columns() {
   using R = Rendering;
   using base::empty_column;

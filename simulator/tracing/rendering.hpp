@@ -30,6 +30,11 @@ struct Rendering {
   std::vector<std::string> notes;           ///< on the user's orders without an effect
 };
 
+/// What every run shows in the end, by the sequential renderer; empty if `goes_on` returns false.
+std::vector<std::uint8_t> render_sequentially(const renderer::Scene& scene,
+                                              const renderer::Params& params,
+                                              const std::function<bool()>& goes_on);
+
 // The columns that every program has, in groups.
 
 /// time_s, time_per_ray_ms, and those of the speed-up, which are empty, since it needs other runs.

@@ -10,6 +10,7 @@ namespace tracing {
 struct NonInteractive {};  ///< leave the interactive phase now
 struct Interactive {};     ///< come back to it from the non-interactive phase
 struct Abort {};           ///< no more tasks: end with the picture as it is
+struct Leave {};           ///< go away: what is under way is finished without the user
 struct Save {              ///< keep the picture as it is now
   std::string name;        ///< for a file
 };
@@ -18,14 +19,14 @@ struct Save {              ///< keep the picture as it is now
 template <class Limits>
 struct Order {
   machine::Seconds at;
-  std::variant<NonInteractive, Interactive, Abort, Save, Limits> what;
+  std::variant<NonInteractive, Interactive, Abort, Leave, Save, Limits> what;
 };
 
 /// An [[order]] as it is given.
 template <class Limits>
 struct OrderRecord {
   double at_s = 0;
-  bool non_interactive = false, interactive = false, abort = false;
+  bool non_interactive = false, interactive = false, abort = false, leave = false;
   std::string save;
   std::optional<Limits> limits;  ///< where any is given
 };
@@ -48,9 +49,13 @@ void check_script(const std::vector<Order<Limits>>& script) {
     if (script[i].at < script[i - 1].at)
       throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
                                        script[i].at.value));
+  for (std::size_t i = 1; i < script.size(); ++i)
+    if (std::holds_alternative<Leave>(script[i - 1].what))
+      throw base::BadInput(
+          fmt::format("order {}: found one after the user has left, expected none", i + 1));
 }
 
-/// at_s, non_interactive, interactive, abort, save, and those of the limits.
+/// at_s, non_interactive, interactive, abort, leave, save, and those of the limits.
 template <class Limits>
 base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
   using Record = OrderRecord<Limits>;
@@ -72,6 +77,9 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
                   "true: the user comes back from the non-interactive phase"),
           D::flag("abort", &Record::abort,
                   "true: the user has had enough; rays that are under way end"),
+          D::flag("leave", &Record::leave,
+                  "true: the user leaves, which is else with the last order; what is left to do is "
+                  "done without limits"),
           {"save",
            "",
            "the picture as it is then is saved, with this in its name",
@@ -90,11 +98,12 @@ Order<Limits> make_order(const OrderRecord<Limits>& record) {
   if (record.non_interactive) add(NonInteractive{});
   if (record.interactive) add(Interactive{});
   if (record.abort) add(Abort{});
+  if (record.leave) add(Leave{});
   if (!record.save.empty()) add(Save{record.save});
   if (orders.size() != 1)
     throw base::BadInput(
         fmt::format("[[order]] at {} s: found {}, expected one of: limits, non_interactive = true, "
-                    "interactive = true, abort = true, save = \"name\"",
+                    "interactive = true, abort = true, leave = true, save = \"name\"",
                     record.at_s, orders.empty() ? "nothing to do" : "several things to do"));
   return orders[0];
 }

@@ -149,6 +149,7 @@ void add_commands(CLI::App& app) {
   add_render_command(app);
   add_radiosity_command(app);
   add_run_command(app);
+  add_live_command(app);
   add_folder_command(app, "merge", "write the results of points that `run --point` has recorded",
                      &merge_results);
   add_folder_command(app, "report", "make plots and report.html of results again", &report_results);

@@ -181,7 +181,9 @@ void check_point(const Experiment& experiment) {
   if (!experiment.program->check) return;
   auto setup = make_setup_without_network(experiment, model);
   // Some cannot run on every network; the others are spared the making of one, which may take long.
-  if (experiment.program->services > 0) setup.topology = make_workers(experiment);
+  if (experiment.program->services > 0 || !experiment.faults.empty())
+    setup.topology = make_workers(experiment);
+  if (!experiment.faults.empty()) setup.faults = find_faults(experiment, setup.topology);
   experiment.program->check(setup, experiment.params);
 }
 
@@ -208,12 +210,14 @@ PointResult describe_point(const Experiment& experiment) {
   return describe(experiment, has_network ? make_workers(experiment) : topologies::make_line(1));
 }
 
-PointResult run_point(const Point& point, const RunOptions& options, const fs::path& images) {
+PointResult run_point(const Point& point, const RunOptions& options, const fs::path& images,
+                      observe::Spectator* spectator) {
   observe::Trace trace;
   observe::Watch watch;
   watch.until = {options.until_s};
   watch.from = {options.from_s};
   if (options.wants_trace()) watch.trace = &trace;
+  watch.spectator = spectator;
   try {
     auto result = run(point.experiment, images, options.profile, watch);
     save_traces(point, options, trace);

@@ -4,6 +4,7 @@
 
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
+#include "simulator/observe/spectator.hpp"
 
 namespace laboratory {
 
@@ -21,8 +22,8 @@ PointResult describe_point(const Experiment& experiment);
 
 /// Runs the program of a point as the options say and puts its images into the folder `images`,
 /// each in a file named by its content. Writes the traces, even if a fault ends the simulation.
-/// Throws what the program throws, but Unfinished.
+/// Throws what the program throws, but Unfinished. `spectator`: who watches the run; null: nobody.
 PointResult run_point(const Point& point, const RunOptions& options,
-                      const std::filesystem::path& images);
+                      const std::filesystem::path& images, observe::Spectator* spectator = nullptr);
 
 }  // namespace laboratory

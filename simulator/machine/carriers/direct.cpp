@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <vector>
 
 #include "simulator/machine/carriers/carrier.hpp"
@@ -41,6 +42,7 @@ class Direct final : public Carrier {
       // Links that have changed are looked at again only when the clock is about to go on.
       const bool together = forecast_.next_date() < last_end + PICOSECOND;
       if (!together) forecast_.settle();
+      if (events_.pace() && !together && !may_go_on()) continue;
       if (events_.next() <= forecast_.next_date()) {
         if (events_.next() == Events::NEVER) return;
         events_.handle_next();
@@ -55,6 +57,11 @@ class Direct final : public Carrier {
   }
 
  private:
+  bool may_go_on() {
+    return events_.pace()->before(std::min(events_.next(), forecast_.next_date())) &&
+           !events_.stopped();
+  }
+
   Events& events_;
   Forecast forecast_;
   std::vector<Callback> arrived_;  // by direction

@@ -9,6 +9,15 @@
 
 namespace machine {
 
+/// Is asked each time before the clock goes on, and may take its time.
+struct Pace {
+  virtual ~Pace() = default;
+  /// The next thing happens at `date`; NEVER: nothing does. Returns whether the clock may go on;
+  /// false if something else has been asked for meanwhile, for a date after now, and it is to be
+  /// asked again.
+  virtual bool before(double date) = 0;
+};
+
 /// Ends the simulation of this host process at its next event. May be called by a signal handler.
 void request_stop();
 
@@ -20,6 +29,10 @@ class Events {
   double now() const { return now_; }      ///< seconds
   double until() const { return until_; }  ///< the end of simulated time
   void set_until(double date) { until_ = date; }
+
+  /// Null: nobody is asked.
+  void set_pace(Pace* pace) { pace_ = pace; }
+  Pace* pace() const { return pace_; }
 
   /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
   /// asked for; those asked for as first before all others.
@@ -71,6 +84,7 @@ class Events {
   std::vector<std::uint32_t> free_;  // places
   std::vector<Callback> soon_, soon_now_;
   std::uint64_t asked_first_ = 0, asked_ = FIRST, handled_ = 0;
+  Pace* pace_ = nullptr;
   bool stopped_ = false, ignored_ = false;
   End end_ = End::no_event_left;
 };

@@ -72,7 +72,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     else
       global.answer(client);
   });
-  run_machine(setup, on);
+  run_machine(setup, on, on.view());
   const Seconds time = on.now();
   return Measured{time.value / static_cast<double>(params.messages) * 1e4, time,
                   on.network->use().most_held, on[root].use().busy() / time};

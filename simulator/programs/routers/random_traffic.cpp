@@ -48,7 +48,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   RouterMachine on(setup, network_params(params.routers, params.bytes));
   const Talk talk{params, n};
   on.start_all([&](Client& client) { talk.run(client); });
-  run_machine_until(setup, on, {params.window_s});
+  run_machine_until(setup, on, {params.window_s}, on.view());
   const double time_s = on.now().value;
   std::vector<Measured> rows;
   for (int id = 0; id < n; ++id) {

@@ -137,7 +137,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   Outcome<Measured> outcome;
   bool has_overflowed = false;
   try {
-    run_machine(setup, on);
+    run_machine(setup, on, on.view());
   } catch (const network::Overflow& overflow) {
     has_overflowed = true;
     outcome.notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));

@@ -193,7 +193,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const network::Routing before = routing_of(setup, params.routers.method);
   Account account(before, plan, !setup.faults.empty());
   on.start_all([&](Client& client) { live(client, plan, account); });
-  run_machine(setup, on);
+  run_machine(setup, on, on.view());
   account.finish();
   account.result.time = on.now();
   account.result.most_held = on.network->use().most_held;

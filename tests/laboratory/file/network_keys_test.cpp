@@ -87,8 +87,6 @@ TEST(ExperimentsNetworkKeys, OnlyProgramsThatUseThemHaveRoutesAndFaults) {
     }
   }
   const std::string fault = "[[fault]]\nprocessor = 1\nat_s = 1\n";
-  EXPECT_NE(told_by_load(fault).find("fault: the program farm has no use for faults"),
-            std::string::npos);
   EXPECT_NE(told_by_load(CENSUS + fault).find("the program census has no use for faults"),
             std::string::npos);
 }

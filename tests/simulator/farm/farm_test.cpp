@@ -224,6 +224,29 @@ TEST(Farm, FaultsSayWhoAndWhat) {
 }
 
 // The initial rays fit, their descendants do not.
+// Nothing is sent another way: the farm waits for what is cut off.
+TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
+  const auto run_cut = [](double at_s) {
+    return isolated([&] {
+      Params params = small_params();
+      params.faults = {{.at_s = at_s, .a = 0, .b = 1}};
+      const auto result =
+          run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:2"),
+                   renderer::make_spheres(4), params);
+      return fmt::format("{}", result.time_s);
+    });
+  };
+  const auto whole = run_cut(1e6);
+  EXPECT_EQ(run_cut(1e5), whole);
+  try {
+    run_cut(std::stod(whole) / 2);
+    ADD_FAILURE() << "it ran";
+  } catch (const test::ChildThrew& threw) {
+    EXPECT_EQ(threw.type, "machine::Deadlock");
+    EXPECT_NE(std::string(threw.what()).find("worker2"), std::string::npos) << threw.what();
+  }
+}
+
 TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {

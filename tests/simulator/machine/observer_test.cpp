@@ -95,7 +95,7 @@ std::string run(const Plan& plan, const Model& model, bool observed, std::string
   build_machine(lab, plan);
   std::deque<std::string> logs;
   for (const Stream& stream : plan.streams) start_stream(lab, stream, logs.emplace_back(), wrong);
-  if (observed) lab.machine.set_observer(recorder);
+  if (observed) lab.machine.set_observer(&recorder);
   lab.machine.run();
   if (observed) wrong += check(recorder, lab.machine);
   std::string text = fmt::format("{:a}\n", lab.machine.now().value);
@@ -147,7 +147,7 @@ TEST(Observer, SwitchesAndSlicesAddUpToo) {
                 start_load(lab, cpu, load, recorded);
                 for (auto i = seed % 3; i > 0; --i)
                   cpu.start("other", Priority::low, [&] { compute(load.low); });
-                lab.machine.set_observer(recorder);
+                lab.machine.set_observer(&recorder);
                 lab.machine.run();
                 return check(recorder, lab.machine);
               }),
@@ -167,7 +167,7 @@ TEST(Observer, IsToldUpToTheLimit) {
                   Recorded recorded;
                   Processor& cpu = lab.cpu();
                   start_load(lab, cpu, load, recorded);
-                  lab.machine.set_observer(recorder);
+                  lab.machine.set_observer(&recorder);
                   lab.machine.run(Cycles{limit} / cpu.clock());
                   std::string wrong = recorder.wrong;
                   const auto& told = recorder.cpus[&cpu];

@@ -176,7 +176,7 @@ TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
     Processor& cpu = lab.cpu();
     for (int i = 0; i < 2; ++i)
       cpu.start("busy", Priority::low, [] { compute(25'600'000), this_process().sync(); });
-    lab.machine.set_observer(turns);
+    lab.machine.set_observer(&turns);
     lab.machine.run();
     return turns.begins;
   });

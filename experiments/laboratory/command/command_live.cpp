@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/host/interrupt.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/live/recording.hpp"
+#include "experiments/laboratory/live/server.hpp"
+#include "experiments/laboratory/points/point_store.hpp"
+#include "experiments/laboratory/points/points.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct LiveOptions {
+  std::string source;  ///< an experiment file, or a folder of results
+  std::string output, record, speed = "1";
+  std::vector<std::string> overrides;
+  std::optional<std::uint16_t> port;
+  bool no_browser = false;
+};
+
+// Simulated seconds a second.
+double read_speed(const std::string& text) {
+  if (text == "max") return std::numeric_limits<double>::infinity();
+  const auto speed = base::parse_number<double>(text);
+  base::require(speed && *speed >= 1e-9 && *speed <= 1e9, "--speed",
+                "found {}, expected max or a number of simulated seconds a second, 1e-9 to 1e9",
+                text);
+  return *speed;
+}
+
+// Only our own engine has a clock that waits.
+ExperimentFile load(const LiveOptions& o) {
+  auto overrides = o.overrides;
+  overrides.emplace_back("run.engine=direct");
+  if (!fs::is_directory(o.source)) return load_experiment(o.source, overrides);
+  const auto origin = load_origin(o.source, "run.json");
+  return read_experiment(origin.file.resolved, origin.file.path, origin.file.folder, overrides);
+}
+
+void check_live(const LiveOptions& o, const ExperimentFile& file) {
+  base::require(file.points.size() == 1, o.source,
+                "the experiment has {} points, expected one; choose it with --set, for example "
+                "--set 'sweep.workers=[4]'",
+                file.points.size());
+  base::require(!file.points[0].experiment.is_timed, o.source,
+                "found cost = \"timed\", expected \"counted\": the host's time would be that of "
+                "the page, too");
+}
+
+fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
+  if (!o.record.empty()) {
+    base::require(fs::path(o.record).extension() == ".toml", "--record",
+                  "found {}, expected a name that ends in .toml", o.record);
+    return o.record;
+  }
+  return fs::path("results") / (fs::path(file.path).stem().string() + "-live.toml");
+}
+
+// Whoever has no browser opens the address by hand.
+void open_browser(const std::string& address) {
+  std::string program = "xdg-open", argument = address;
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  for (const int stream : {1, 2})
+    posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", 1 /* to write */, 0);
+  pid_t browser = -1;
+  posix_spawnp(&browser, program.c_str(), &quiet, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&quiet);
+}
+
+// Writes the recording and, in its name, the results of the session. Returns the options of the
+// run that gives the same.
+RunOptions record(const RunOptions& options, const ExperimentFile& file, const Session& session,
+                  PointResult result) {
+  RunOptions rerun = options;
+  if (const auto ended_s = session.ended_by_hand_s()) {
+    rerun.until_s = *ended_s;
+    result.ended = machine::to_string(machine::End::limit);
+  }
+  const auto folder = fs::path(options.file).parent_path();
+  base::save_whole(options.file, record_session(file, session.deeds(), folder.string()));
+  const auto recording = load_experiment(options.file, {});
+  const PointsPlan plan(rerun, recording);
+  save_origin(plan.results, recording, plan.origin);
+  save_record(plan.results / records_folder(), plan.keys.at(0), result, "");
+  return rerun;
+}
+
+void watch_run(const LiveOptions& o) {
+  const double speed = read_speed(o.speed);
+  const auto file = load(o);
+  check_live(o, file);
+  RunOptions options;
+  options.file = find_recording(o, file).string();
+  options.output = o.output;
+  const auto folder = results_folder(options);
+  check_results_folder(folder);
+  check_points(options, file, 1);
+  if (const auto parent = fs::path(options.file).parent_path(); !parent.empty())
+    fs::create_directories(parent);
+  base::check_can_save(options.file);
+
+  const InterruptGuard guard;
+  Session session(file, speed);
+  const Server server(session, o.port);
+  fmt::print("{}\n", server.address());
+  flush_output();
+  if (!o.no_browser) open_browser(server.address());
+
+  const StoreGuard store(folder);
+  std::exception_ptr failure;
+  bool was_cut = false;
+  try {
+    auto result = run_point(file.points[0], options, folder / records_folder(), &session);
+    was_cut = was_interrupted();
+    options = record(options, file, session, std::move(result));
+  } catch (const machine::Fault&) {  // the run of the recording says it
+    const auto parent = fs::path(options.file).parent_path();
+    base::save_whole(options.file, record_session(file, session.deeds(), parent.string()));
+  }
+  try {
+    run_experiment(options);
+  } catch (const Failure&) {
+    failure = std::current_exception();
+  }
+  session.say_results(
+      fmt::format("{}; the same again: {}", folder.string(), command_line(options)));
+  fmt::print("\nThe session: {}\n", command_line(options));
+  flush_output();
+  if (!was_cut) session.wait_for_quit();
+  if (was_cut)
+    throw Failure(fmt::format("interrupted; the session until then is in {}", folder.string()),
+                  EXIT_INTERRUPTED);
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+void add_live_command(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "live", "watch a run on a page in the browser, and steer it: pause, step, orders, faults");
+  auto o = std::make_shared<LiveOptions>();
+  command
+      ->add_option("EXPERIMENT", o->source,
+                   "the experiment file (TOML) with one point, or a folder of results, whose "
+                   "point is run again")
+      ->required();
+  command->add_option("--set", o->overrides, "key.path=value: replaces a key of the experiment")
+      ->allow_extra_args(false);
+  command->add_option("--speed", o->speed, "simulated seconds a second; max: as fast as it goes")
+      ->capture_default_str();
+  command->add_option("--port", o->port, "of this computer, for the page [8080, or a free one]")
+      ->check(CLI::Range(1, 65535));
+  command->add_flag("--no-browser", o->no_browser, "only print the page's address");
+  command->add_option("--record", o->record,
+                      "the session as an experiment file [results/EXPERIMENT's name-live.toml]");
+  command->add_option("-o,--output", o->output, "results folder [results/the recording's name]");
+  command->callback([o] { watch_run(*o); });
+}
+
+}  // namespace laboratory

@@ -1,0 +1,26 @@
+#pragma once
+// Who may talk to the page's server, and how much.
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace laboratory {
+
+/// 32 random hexadecimal digits, from the host's source of them.
+std::string make_token();
+
+/// Whether two texts are equal, in a time that does not tell where they differ.
+bool is_same_secret(std::string_view a, std::string_view b);
+
+/// What a client may say: 50 messages a second, and 200 at once if it was silent before.
+class Allowance {
+ public:
+  bool take();  ///< one message; false if it is too many
+
+ private:
+  static constexpr double PER_S = 50, MOST = 200;
+  double left_ = MOST;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace laboratory

@@ -1,0 +1,146 @@
+// The network: processors and links coloured by their loads, messages that move, what is cut.
+import { fit, loadColour, style } from "/colour.js";
+
+export class Machine {
+  constructor(canvas, outline, onChoose) {
+    Object.assign(this, { canvas, outline, onChoose });
+    const xs = outline.processors.map((p) => p.x), ys = outline.processors.map((p) => p.y);
+    this.box = { left: Math.min(...xs), right: Math.max(...xs), low: Math.min(...ys),
+      high: Math.max(...ys) };
+    this.chosen = null;
+    this.state = null;
+    canvas.addEventListener("pointermove", (event) => this.pointed?.(this.find(event)));
+    canvas.addEventListener("click", (event) => {
+      const found = this.find(event);
+      this.onChoose(found);
+    });
+    canvas.addEventListener("keydown", (event) => {
+      const n = outline.processors.length, now = this.chosen?.processor ?? -1;
+      if (event.key === "ArrowRight" || event.key === "ArrowDown")
+        this.onChoose({ processor: (now + 1) % n });
+      else if (event.key === "ArrowLeft" || event.key === "ArrowUp")
+        this.onChoose({ processor: (now + n - 1) % n });
+      else return;
+      event.preventDefault();
+    });
+    new ResizeObserver(() => this.draw()).observe(canvas);
+  }
+
+  layout() {
+    const { left, right, low, high } = this.box, width = this.canvas.clientWidth;
+    const columns = right - left + 1.2, rows = high - low + 1.2;
+    const unit = Math.min(width / columns, 420 / rows, 90);
+    const height = Math.max(60, rows * unit);
+    const x0 = (width - columns * unit) / 2;
+    return { unit, height, place: (p) => [x0 + (p.x - left + 0.6) * unit,
+      height - (p.y - low + 0.6) * unit] };
+  }
+
+  show(state) {
+    this.state = state;
+    this.draw();
+  }
+
+  draw() {
+    const { unit, height, place } = this.layout();
+    const { context } = fit(this.canvas, height);
+    context.clearRect(0, 0, this.canvas.clientWidth, height);
+    const { processors, links } = this.outline, state = this.state;
+    const moving = new Set(state?.moving), cut = new Set(state?.cut);
+    const stopped = new Set(state?.stopped);
+    const waits = new Set(state?.deadlock?.processors);
+    const thick = Math.max(1, unit / 18);
+    context.setLineDash([]);
+    links.forEach(([a, b], i) => {
+      const [ax, ay] = place(processors[a]), [bx, by] = place(processors[b]);
+      const mid = [(ax + bx) / 2, (ay + by) / 2];
+      [[ax, ay, 2 * i], [bx, by, 2 * i + 1]].forEach(([x, y, direction]) => {
+        const share = (state?.links[direction] ?? 0) / 1000;
+        context.strokeStyle = cut.has(direction) ? style("warn") : loadColour(share);
+        context.lineWidth = thick * (0.6 + 2.4 * share);
+        context.setLineDash(cut.has(direction) ? [3, 4] : []);
+        context.beginPath();
+        context.moveTo(x, y);
+        context.lineTo(...mid);
+        context.stroke();
+      });
+      // A message under way: a dot beside the sender's half.
+      [[ax, ay, 2 * i], [bx, by, 2 * i + 1]].forEach(([x, y, direction]) => {
+        if (!moving.has(direction)) return;
+        context.fillStyle = style("high");
+        context.beginPath();
+        context.arc(x + (mid[0] - x) * 0.7, y + (mid[1] - y) * 0.7, Math.max(1.5, unit / 16), 0, 7);
+        context.fill();
+      });
+      if (this.chosen?.link === i) {
+        context.strokeStyle = style("accent");
+        context.lineWidth = thick * 4;
+        context.globalAlpha = 0.4;
+        context.beginPath();
+        context.moveTo(ax, ay);
+        context.lineTo(bx, by);
+        context.stroke();
+        context.globalAlpha = 1;
+      }
+    });
+    context.setLineDash([]);
+    const radius = Math.min(22, unit * 0.3);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    processors.forEach((processor, i) => {
+      const [x, y] = place(processor), share = (state?.cpus[i] ?? 0) / 1000;
+      context.fillStyle = loadColour(share);
+      context.beginPath();
+      if (processor.role === "worker" || processor.role === "")
+        context.arc(x, y, radius, 0, 7);
+      else
+        context.rect(x - radius, y - radius, 2 * radius, 2 * radius);
+      context.fill();
+      const isChosen = this.chosen?.processor === i;
+      context.lineWidth = isChosen || waits.has(i) ? 3 : 0.75;
+      context.strokeStyle = waits.has(i) || stopped.has(i) ? style("warn")
+        : isChosen ? style("accent") : style("soft");
+      context.stroke();
+      if (stopped.has(i)) this.cross(context, x, y, radius);
+      if (radius < 9) return;
+      context.fillStyle = share > 0.5 ? style("paper") : style("ink");
+      context.font = `${Math.round(radius * 0.75)}px system-ui, sans-serif`;
+      context.fillText(processor.name.match(/\d+$/)?.[0] ?? processor.name.slice(0, 2), x, y);
+      const ready = state?.queues[i] ?? 0;
+      if (ready > 0) {
+        context.fillStyle = style("ink");
+        context.font = `${Math.round(radius * 0.55)}px system-ui, sans-serif`;
+        context.fillText("+" + ready, x + radius * 1.25, y - radius * 0.9);
+      }
+    });
+  }
+
+  cross(context, x, y, r) {
+    context.beginPath();
+    context.moveTo(x - r, y - r);
+    context.lineTo(x + r, y + r);
+    context.moveTo(x + r, y - r);
+    context.lineTo(x - r, y + r);
+    context.stroke();
+  }
+
+  // The processor or link under the pointer.
+  find(event) {
+    const { unit, place } = this.layout(), box = this.canvas.getBoundingClientRect();
+    const x = event.clientX - box.left, y = event.clientY - box.top;
+    const { processors, links } = this.outline;
+    const near = processors.findIndex((p) => {
+      const [px, py] = place(p);
+      return Math.hypot(px - x, py - y) < Math.max(6, Math.min(22, unit * 0.3) + 2);
+    });
+    if (near >= 0) return { processor: near };
+    const link = links.findIndex(([a, b]) => {
+      const [ax, ay] = place(processors[a]), [bx, by] = place(processors[b]);
+      const along = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) /
+        ((bx - ax) ** 2 + (by - ay) ** 2);
+      return along > 0 && along < 1 &&
+        Math.hypot(ax + along * (bx - ax) - x, ay + along * (by - ay) - y) < 5;
+    });
+    return link >= 0 ? { link } : null;
+  }
+}

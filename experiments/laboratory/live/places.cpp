@@ -1,0 +1,78 @@
+#include "experiments/laboratory/live/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace laboratory {
+
+namespace {
+
+using topologies::Place;
+
+constexpr std::size_t MOST_COMPARED = 2048;  // of more places, any one beside will do
+// Directions around a processor, upwards first.
+constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},
+                            {1, 0}, {-0.5, 0.5}, {0.5, 0.5}, {0, -1}};
+
+double nearest(const std::vector<std::optional<Place>>& places, const Place& to) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& place : places)
+    if (place) least = std::min(least, std::hypot(place->x - to.x, place->y - to.y));
+  return least;
+}
+
+Place find_free(const std::vector<std::optional<Place>>& places, const Place& beside) {
+  Place best{beside.x + BESIDE[0].x, beside.y + BESIDE[0].y};
+  if (places.size() > MOST_COMPARED) return best;
+  double best_distance = nearest(places, best);
+  for (const auto& step : BESIDE) {
+    const Place place{beside.x + step.x, beside.y + step.y};
+    const double distance = std::min(1.0, nearest(places, place));
+    if (distance > best_distance + 1e-9) {
+      best = place;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+topologies::Places place_processors(const machine::Machine& machine,
+                                    const topologies::Topology& topology,
+                                    const std::vector<int>& network) {
+  const std::size_t n = machine.processors().size();
+  std::vector<std::optional<Place>> places(n);
+  if (topology.processors > 1 || n == 1) {
+    const auto layout = topologies::make_layout(topology);
+    for (std::size_t i = 0; i < layout.processors.size(); ++i) {
+      const std::size_t id = i < network.size() ? static_cast<std::size_t>(network[i]) : i;
+      if (id < n) places[id] = layout.processors[i];
+    }
+  } else {
+    places[network.empty() ? 0 : static_cast<std::size_t>(network[0])] = Place{};
+  }
+  const auto place_beside = [&](std::size_t id, std::size_t other) {
+    if (places[id] || !places[other]) return false;
+    places[id] = find_free(places, *places[other]);
+    return true;
+  };
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (const auto& link : machine.links())
+      is_new |= place_beside(static_cast<std::size_t>(link->to().id()),
+                             static_cast<std::size_t>(link->from().id()));
+    for (const auto& processor : machine.processors())
+      if (const auto* companion = processor->companion())
+        is_new |= place_beside(static_cast<std::size_t>(processor->id()),
+                               static_cast<std::size_t>(companion->id()));
+  }
+  topologies::Places all;
+  double x = 0;
+  for (const auto& place : places) all.push_back(place ? *place : Place{x++, -1});
+  return all;
+}
+
+}  // namespace laboratory

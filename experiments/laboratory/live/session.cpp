@@ -1,0 +1,311 @@
+#include "experiments/laboratory/live/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/host/interrupt.hpp"
+
+namespace laboratory {
+
+using machine::Seconds;
+using nlohmann::ordered_json;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto LOOK_EVERY = 50ms;              // at the user's interrupts, while nothing goes on
+constexpr std::uint64_t CALLS_BETWEEN = 1024;  // looks at them while the machine runs
+
+}  // namespace
+
+Session::Session(const ExperimentFile& file, double speed)
+    : file_(file),
+      orders_(find_orders(*file.points.at(0).experiment.program)),
+      speed_(speed),
+      pace_since_(HostClock::now()) {}
+
+// --- for pages --------------------------------------------------------------------------------
+
+std::shared_ptr<const ordered_json> Session::outline() const {
+  const std::lock_guard lock(mutex_);
+  return outline_;
+}
+
+std::shared_ptr<const Frame> Session::frame() const {
+  const std::lock_guard lock(mutex_);
+  return frame_;
+}
+
+void Session::ask(Command command, Reply reply) {
+  {
+    const std::lock_guard lock(mutex_);
+    asked_.push_back({std::move(command), std::move(reply)});
+    has_news_ = true;
+  }
+  asked_anything_.notify_one();
+}
+
+void Session::want_frame() {
+  {
+    const std::lock_guard lock(mutex_);
+    wants_frame_ = true;
+    has_news_ = true;
+  }
+  asked_anything_.notify_one();
+}
+
+void Session::on_frame(std::function<void()> told) {
+  const std::lock_guard lock(mutex_);
+  told_ = std::move(told);
+}
+
+// --- the run ----------------------------------------------------------------------------------
+
+void Session::begin(machine::Machine& machine, const observe::View& view) {
+  machine_ = &machine;
+  view_ = view;
+  if (phase_ == Phase::over) phase_ = Phase::running;  // another machine of the same run
+  pace_from_s_ = 0;
+  pace_since_ = HostClock::now();
+  loads_ = {};
+  selected_.clear();
+  observe(true);
+  {
+    auto outline = make_outline(file_, machine, view_);
+    const std::lock_guard lock(mutex_);
+    outline_ = std::make_shared<const ordered_json>(std::move(outline));
+  }
+  set_pace(speed_);
+  make_frame(0);
+}
+
+bool Session::before(double date) {
+  if (spans_.is_cut() && is_observing_) observe(false);  // a page can draw no more
+  // The user leaves when the picture is complete, whoever watches.
+  const bool is_complete = !has_left_ && view_.is_complete && view_.is_complete();
+  const bool is_quiet = !is_complete && !has_news_.load(std::memory_order_relaxed) &&
+                        phase_ == Phase::running && !goal_ && date < go_until_s_ &&
+                        ++calls_ % CALLS_BETWEEN != 0;
+  return is_quiet || attend(date);
+}
+
+// Returns as before() does.
+bool Session::attend(double date) {
+  const std::size_t deeds = deeds_.size();
+  for (;;) {
+    if (was_interrupted() && !ended_by_hand_s_) {
+      ended_by_hand_s_ = machine_->now().value;
+      machine_->stop();
+    }
+    obey_all();
+    if (ended_by_hand_s_) return true;
+    if (view_.is_complete && view_.is_complete()) leave();
+    if (deeds_.size() != deeds) return false;
+    const bool is_idle = date == NEVER;
+    if (phase_ == Phase::running && goal_ && is_reached(date)) {
+      phase_ = Phase::paused;
+      pace_from_s_ = std::max(machine_->now().value, std::min(goal_->date, date));
+      goal_.reset();
+    }
+    const bool waits = waits_for_user(is_idle);
+    if (phase_ == Phase::waiting && !waits) phase_ = Phase::running;
+    if (phase_ == Phase::running && is_idle && !waits) {  // a deadlock, or the end
+      leave();
+      return deeds_.size() == deeds;
+    }
+    if (phase_ == Phase::running && waits) {
+      phase_ = Phase::waiting;
+      goal_.reset();
+      set_pace(speed_);
+    }
+    bool wants_frame = false;
+    {
+      const std::lock_guard lock(mutex_);
+      wants_frame = std::exchange(wants_frame_, false);
+      has_news_ = !asked_.empty();
+    }
+    if (wants_frame) make_frame(date);
+    auto until = HostClock::now() + LOOK_EVERY;
+    if (phase_ == Phase::running) {
+      if (goal_ || std::isinf(speed_)) {
+        go_until_s_ = NEVER;
+        return true;
+      }
+      const double allowed_s = shown_s(NEVER);
+      if (date <= allowed_s) {
+        go_until_s_ = allowed_s;
+        return true;
+      }
+      const std::chrono::duration<double> left((date - allowed_s) / speed_);
+      if (left < LOOK_EVERY)
+        until = HostClock::now() + std::chrono::duration_cast<HostClock::duration>(left);
+    }
+    std::unique_lock lock(mutex_);
+    asked_anything_.wait_until(lock, until, [this] { return has_news_.load(); });
+  }
+}
+
+// Whether simulated time would pass for nothing: the machine can do nothing but wait for the user,
+// and the clock is not held to the host's.
+bool Session::waits_for_user(bool is_idle) const {
+  if (!view_.waits_for_user || !view_.waits_for_user()) return false;
+  const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
+  return is_idle || is_endless;
+}
+
+// All that the user has asked for; what is refused changes nothing.
+void Session::obey_all() {
+  std::deque<Asked> asked;
+  {
+    const std::lock_guard lock(mutex_);
+    asked.swap(asked_);
+  }
+  for (auto& [command, reply] : asked) {
+    std::string refusal;
+    try {
+      obey(command);
+    } catch (const base::BadInput& error) {
+      refusal = error.what();
+    }
+    if (reply) reply(refusal);
+  }
+}
+
+bool Session::is_reached(double date) {
+  if (goal_->is_next_date) {  // this one is to be stepped over
+    goal_->is_next_date = false;
+    goal_->date = date;
+    return false;
+  }
+  if (goal_->is_message && count_messages() > goal_->messages) return true;
+  if (goal_->is_ray && view_.gauges[0].value() > goal_->rays) return true;
+  if (goal_->is_picture && *view_.picture->rgb8() != *goal_->picture) return true;
+  return date > goal_->date;
+}
+
+// --- the clock --------------------------------------------------------------------------------
+
+// From now on simulated time passes at `speed`.
+void Session::set_pace(double speed) {
+  const double now_s = shown_s(NEVER);
+  speed_ = speed;
+  pace_from_s_ = now_s;
+  pace_since_ = HostClock::now();
+  go_until_s_ = 0;
+}
+
+// The simulated time that the user sees, which is before `next`.
+double Session::shown_s(double next) const {
+  const double now_s = machine_->now().value;
+  if (phase_ == Phase::paused) return std::max(now_s, pace_from_s_);
+  if (phase_ == Phase::over) return now_s;
+  if (std::isinf(speed_) || goal_) return std::max(now_s, pace_from_s_);
+  const std::chrono::duration<double> since = HostClock::now() - pace_since_;
+  return std::max(now_s, std::min(next, pace_from_s_ + since.count() * speed_));
+}
+
+// --- what is shown ----------------------------------------------------------------------------
+
+std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
+  if (!view_.picture) return nullptr;
+  const auto& now = *view_.picture->rgb8();
+  const auto last = frame();
+  if (last && last->rgb8 && *last->rgb8 == now) return last->rgb8;
+  return std::make_shared<const std::vector<std::uint8_t>>(now);
+}
+
+void Session::make_frame(double next) {
+  constexpr std::string_view NAMES[] = {"running", "paused", "waiting", "over"};
+  auto made = std::make_shared<Frame>();
+  made->number = ++frames_;
+  const double now_s = shown_s(next);
+  made->state = {{"t_s", now_s},
+                 {"state", NAMES[static_cast<int>(phase_)]},
+                 {"phase", view_.phase ? view_.phase() : ""},
+                 {"speed", std::isinf(speed_) ? ordered_json() : ordered_json(speed_)},
+                 {"events", machine_->events()},
+                 {"deeds", deeds_.size()}};
+  auto gauges = ordered_json::array();
+  for (const auto& gauge : view_.gauges) gauges.push_back(gauge.value());
+  made->state["gauges"] = gauges;
+  made->state.update(loads_.describe(*machine_, now_s));
+  made->state["spans_cut"] = spans_.is_cut();
+  made->state["spans"] = spans_.take();
+  if (!is_observing_) observe(true);
+  auto details = ordered_json::object();
+  for (const int id : selected_)
+    details[std::to_string(id)] =
+        describe_processor(*machine_->processors()[static_cast<std::size_t>(id)]);
+  made->state["details"] = details;
+  if (!fault_.empty()) made->state["fault"] = fault_;
+  if (!fault_.empty()) made->state["deadlock"] = describe_deadlock(*machine_);
+  made->rgb8 = look();
+  std::function<void()> told;
+  {
+    const std::lock_guard lock(mutex_);
+    made->sequential = sequential_;
+    frame_ = std::move(made);
+    told = told_;
+  }
+  if (told) told();
+}
+
+void Session::observe(bool is_told) {
+  is_observing_ = is_told;
+  machine_->set_observer(is_told ? &spans_ : nullptr);
+}
+
+std::uint64_t Session::count_messages() const {
+  std::uint64_t messages = 0;
+  for (const auto& link : machine_->links()) messages += link->use().messages;
+  return messages;
+}
+
+// --- the end ----------------------------------------------------------------------------------
+
+void Session::end(const std::string& fault) {
+  if (renders_.joinable()) {  // what it reads is gone soon
+    renders_.request_stop();
+    renders_.join();
+  }
+  pace_from_s_ = machine_->now().value;
+  phase_ = Phase::over;
+  goal_.reset();
+  fault_ = fault;
+  // The user did not leave before the run was over.
+  if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
+    deeds_.push_back({"order", LATEST_S, {{"leave", "true"}}});
+  make_frame(NEVER);
+  machine_ = nullptr;
+  view_ = {};
+}
+
+void Session::say_results(const std::string& text) {
+  std::function<void()> told;
+  {
+    const std::lock_guard lock(mutex_);
+    auto made = std::make_shared<Frame>(frame_ ? *frame_ : Frame());
+    made->number = ++frames_;
+    made->state["results"] = text;
+    frame_ = std::move(made);
+    told = told_;
+  }
+  if (told) told();
+}
+
+void Session::wait_for_quit() {
+  for (;;) {
+    obey_all();
+    std::unique_lock lock(mutex_);
+    if (is_quitting_ || was_interrupted()) return;
+    wants_frame_ = false;
+    has_news_ = !asked_.empty();
+    asked_anything_.wait_for(lock, LOOK_EVERY, [this] { return has_news_.load(); });
+  }
+}
+
+}  // namespace laboratory

@@ -1,0 +1,142 @@
+#pragma once
+// A run that pages watch and steer: what they are shown, when the clock goes on, and what their
+// hands do.
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "experiments/laboratory/live/hands.hpp"
+#include "experiments/laboratory/live/portrait.hpp"
+#include "experiments/laboratory/live/spans.hpp"
+
+namespace laboratory {
+
+/// The run as it is between two events.
+struct Frame {
+  std::uint64_t number = 0;      ///< from 1
+  nlohmann::ordered_json state;  ///< as docs/manual/live.md lists it
+  /// The picture, rows from the top, 3 bytes a pixel; the same object as long as it is the same.
+  std::shared_ptr<const std::vector<std::uint8_t>> rgb8;
+  /// The same of the sequential renderer, once it is asked for and there.
+  std::shared_ptr<const std::vector<std::uint8_t>> sequential;
+};
+
+/// What the user asks for. Its functions for pages may be called by any thread; they never wait for
+/// the simulation, nor does it wait for them.
+class Session : public observe::Spectator {
+ public:
+  /// Called by the simulation's thread: "" if it was done, else why it was not.
+  using Reply = std::function<void(const std::string& refusal)>;
+  using Command = nlohmann::ordered_json;
+
+  /// `speed`: simulated seconds a second, infinite: as fast as it goes. The file has one point.
+  Session(const ExperimentFile& file, double speed);
+
+  // --- for pages ----------------------------------------------------------------------------
+  /// What does not change: title, program, processors and links with their places, limits.
+  /// Null until the machine is there.
+  std::shared_ptr<const nlohmann::ordered_json> outline() const;
+  /// Asks for something, as docs/manual/live.md lists it.
+  void ask(Command command, Reply reply);
+  /// Asks for a new frame, as soon as there is an event or nothing to do.
+  void want_frame();
+  /// The newest frame; null before the first.
+  std::shared_ptr<const Frame> frame() const;
+  /// Called by the simulation's thread for every new frame.
+  void on_frame(std::function<void()> told);
+
+  // --- for the simulation -------------------------------------------------------------------
+  void begin(machine::Machine& machine, const observe::View& view) override;
+  bool before(double date) override;
+  void end(const std::string& fault) override;
+
+  /// After the run: `text` says where its results are. Pages are still served.
+  void say_results(const std::string& text);
+  /// Waits until a page asks to quit, or the user interrupts.
+  void wait_for_quit();
+
+  const std::vector<Deed>& deeds() const { return deeds_; }
+  /// When the run was ended by hand, and the clock then; none if it came to its end by itself.
+  std::optional<double> ended_by_hand_s() const { return ended_by_hand_s_; }
+
+ private:
+  using HostClock = std::chrono::steady_clock;
+  static constexpr double NEVER = std::numeric_limits<double>::infinity();
+  static constexpr double LATEST_S = 1e9;  ///< of what an experiment file may say
+  enum class Phase { running, paused, waiting, over };
+  struct Asked {
+    Command command;
+    Reply reply;
+  };
+  /// Where a step, or a run to something, ends.
+  struct Goal {
+    double date = std::numeric_limits<double>::infinity();  ///< at the latest
+    bool is_next_date = false, is_message = false, is_ray = false, is_picture = false;
+    std::uint64_t messages = 0;  ///< when it began
+    double rays = 0;
+    std::shared_ptr<const std::vector<std::uint8_t>> picture;
+    /// Whether it may never come when the user is waited for.
+    bool is_endless() const { return std::isinf(date) && !is_next_date && !is_message; }
+  };
+
+  bool attend(double date);
+  bool waits_for_user(bool is_idle) const;
+  void obey_all();
+  void obey(const Command& command);
+  void obey_order(const Command& order);
+  void obey_fault(const Command& fault);
+  void set_goal(const Goal& goal);
+  void step(const std::string& what);
+  void run_to(const Command& goal);
+  void render_sequentially();
+  bool is_reached(double date);
+  void leave();
+  void set_pace(double speed);
+  double shown_s(double next) const;
+  void make_frame(double next);
+  std::shared_ptr<const std::vector<std::uint8_t>> look();
+  void observe(bool is_told);
+  std::uint64_t count_messages() const;
+
+  const ExperimentFile& file_;
+  const programs::RecordList* orders_;
+
+  // Of the simulation's thread.
+  machine::Machine* machine_ = nullptr;
+  observe::View view_;
+  Spans spans_;
+  std::vector<Deed> deeds_;
+  std::optional<double> ended_by_hand_s_;
+  Phase phase_ = Phase::running;
+  std::optional<Goal> goal_;
+  double speed_;
+  HostClock::time_point pace_since_;
+  double pace_from_s_ = 0;    // simulated, at pace_since_
+  double go_until_s_ = 0;     // no need to look at the host's clock before this date
+  double fault_after_s_ = 0;  // of the last fault
+  RecentLoads loads_;
+  std::vector<int> selected_;  // processors
+  bool has_left_ = false, is_observing_ = true;
+  std::string fault_, results_;
+  std::uint64_t calls_ = 0, frames_ = 0;
+
+  // Of all threads.
+  mutable std::mutex mutex_;
+  std::condition_variable asked_anything_;
+  std::deque<Asked> asked_;
+  std::shared_ptr<const Frame> frame_;
+  std::shared_ptr<const nlohmann::ordered_json> outline_;
+  std::shared_ptr<const std::vector<std::uint8_t>> sequential_;
+  std::function<void()> told_;
+  bool wants_frame_ = false, is_quitting_ = false;
+  std::atomic<bool> has_news_{true};  // something is asked, or a frame is wanted
+  std::jthread renders_;              // the sequential picture
+};
+
+}  // namespace laboratory

@@ -1,0 +1,219 @@
+// What pages ask a session for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/live/session.hpp"
+
+namespace laboratory {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t MOST_SELECTED = 8;  // processors
+// Dates of orders are whole ticks; a fault is half a microsecond beside them, lest they coincide.
+constexpr double FAULT_GRID_S = 1e-6;
+
+double number_at(const ordered_json& command, const char* key, double low, double high) {
+  base::require(command.contains(key) && command[key].is_number(), key, "expected a number");
+  const double value = command[key].get<double>();
+  base::require(value >= low && value <= high, key, "found {}, expected {} to {}", value, low,
+                high);
+  return value;
+}
+
+std::string text_at(const ordered_json& command, const char* key) {
+  base::require(command.is_object() && command.contains(key) && command[key].is_string(), key,
+                "expected a text");
+  return command[key].get<std::string>();
+}
+
+bool is_index(const ordered_json& value, std::size_t size) {
+  if (!value.is_number_integer()) return false;
+  return value.get<std::int64_t>() >= 0 && value.get<std::uint64_t>() < size;
+}
+
+}  // namespace
+
+void Session::obey(const Command& command) {
+  const auto what = text_at(command, "do");
+  if (what == "quit") {
+    const std::lock_guard lock(mutex_);
+    is_quitting_ = true;
+    if (machine_ && !ended_by_hand_s_) {
+      ended_by_hand_s_ = machine_->now().value;
+      machine_->stop();
+    }
+    return;
+  }
+  base::require(machine_ && !ended_by_hand_s_, "do", "found {}, but the run is over", what);
+  if (what == "pause") {
+    if (phase_ == Phase::paused) return;
+    pace_from_s_ = shown_s(NEVER);
+    phase_ = Phase::paused;
+    goal_.reset();
+  } else if (what == "go") {
+    goal_.reset();
+    if (phase_ == Phase::paused) phase_ = Phase::running;
+    set_pace(speed_);
+  } else if (what == "speed") {
+    set_pace(command.contains("x") && command["x"].is_null() ? NEVER
+                                                             : number_at(command, "x", 1e-9, 1e9));
+  } else if (what == "step") {
+    step(text_at(command, "what"));
+  } else if (what == "run") {
+    run_to(command);
+  } else if (what == "order") {
+    obey_order(command.contains("order") ? command["order"] : ordered_json());
+  } else if (what == "save") {
+    const auto saved = std::ranges::count_if(deeds_, [](const Deed& deed) {
+      return !deed.keys.empty() && deed.keys[0].first == "save";
+    });
+    obey_order({{"save", fmt::format("live{}", saved + 1)}});
+  } else if (what == "fault") {
+    obey_fault(command);
+  } else if (what == "compare") {
+    render_sequentially();
+  } else if (what == "end") {
+    ended_by_hand_s_ = machine_->now().value;
+    machine_->stop();
+  } else if (what == "interval") {
+    loads_.set_interval(number_at(command, "s", 0, 1e9));
+  } else if (what == "select") {
+    base::require(command.contains("processors") && command["processors"].is_array() &&
+                      command["processors"].size() <= MOST_SELECTED,
+                  "processors", "expected a list of at most {}", MOST_SELECTED);
+    std::vector<int> selected;
+    for (const auto& id : command["processors"]) {
+      base::require(is_index(id, machine_->processors().size()), "processors",
+                    "found {}, expected numbers from 0 to {}", id.dump(),
+                    machine_->processors().size() - 1);
+      selected.push_back(id.get<int>());
+    }
+    selected_ = selected;
+  } else {
+    base::refuse("do",
+                 "found \"{}\", expected pause, go, speed, step, run, order, save, fault, "
+                 "compare, end, interval, select or quit",
+                 what);
+  }
+}
+
+void Session::obey_order(const Command& order) {
+  base::require(orders_ && view_.take_order, "order", "found one, but the program {} has no user",
+                file_.points[0].experiment.program->name);
+  const auto record = read_order(*orders_, order);
+  const double at_s = view_.take_order(record, {shown_s(NEVER)});
+  deeds_.push_back(make_deed(at_s, order));
+  has_left_ |= order.contains("leave");
+}
+
+void Session::obey_fault(const Command& fault) {
+  const auto& program = *file_.points[0].experiment.program;
+  base::require(program.uses.faults, "fault",
+                "found one, but the program {} does not go on when something breaks", program.name);
+  const auto& processors = machine_->processors();
+  // A processor of the machine, and its number in the network.
+  const auto find = [&](const ordered_json& id) {
+    base::require(is_index(id, processors.size()), "fault",
+                  "found {}, expected a processor from 0 to {}", id.dump(), processors.size() - 1);
+    const int number = id.get<int>();
+    const auto& network = view_.network;
+    if (network.empty()) return std::pair(number, number);
+    const auto place = std::ranges::find(network, number);
+    base::require(place != network.end(), "fault", "found {}, expected a processor of the network",
+                  processors[static_cast<std::size_t>(number)]->name());
+    return std::pair(number, static_cast<int>(place - network.begin()));
+  };
+  const double after_s = std::max(shown_s(NEVER), fault_after_s_);
+  const double at_s = (std::floor(after_s / FAULT_GRID_S) + 1.5) * FAULT_GRID_S;
+  const auto at = [&](int id) -> auto& { return *processors[static_cast<std::size_t>(id)]; };
+  Deed deed{"fault", at_s, {}};
+  if (fault.contains("link")) {
+    const auto& link = fault["link"];
+    base::require(link.is_array() && link.size() == 2, "link", "expected two processors");
+    const auto [a, a_number] = find(link[0]);
+    const auto [b, b_number] = find(link[1]);
+    const bool is_there = std::ranges::any_of(machine_->links(), [&, a = a, b = b](const auto& l) {
+      return l->from().id() == a && l->to().id() == b;
+    });
+    base::require(is_there, "link", "found {} and {}, but no link joins them", at(a).name(),
+                  at(b).name());
+    machine_->cut_link(at(a), at(b), {at_s});
+    deed.keys.emplace_back("link", fmt::format("[{}, {}]", a_number, b_number));
+  } else {
+    const auto [id, number] =
+        find(fault.contains("processor") ? fault["processor"] : ordered_json());
+    machine_->stop_processor(at(id), {at_s});
+    deed.keys.emplace_back("processor", fmt::format("{}", number));
+  }
+  fault_after_s_ = at_s;
+  deeds_.push_back(std::move(deed));
+}
+
+// The user goes where there is nothing left to order: else the machine would wait.
+void Session::leave() {
+  if (!orders_ || !view_.take_order || has_left_) return;
+  try {
+    obey_order({{"leave", true}});
+  } catch (const base::BadInput&) {  // there was no user yet
+    has_left_ = true;
+  }
+}
+
+void Session::set_goal(const Goal& goal) {
+  pace_from_s_ = shown_s(NEVER);
+  goal_ = goal;
+  if (phase_ == Phase::paused) phase_ = Phase::running;
+}
+
+void Session::step(const std::string& what) {
+  Goal goal;
+  goal.messages = count_messages();
+  if (what == "event") {
+    goal.is_next_date = true;
+  } else if (what == "message") {
+    goal.is_message = true;
+  } else if (what == "ray") {
+    base::require(!view_.gauges.empty(), "step", "found ray, but the program traces none");
+    goal.is_ray = true;
+    goal.rays = view_.gauges[0].value();
+  } else if (what == "millisecond") {
+    goal.date = shown_s(NEVER) + 1e-3;
+  } else {
+    base::refuse("what", "found \"{}\", expected event, message, ray or millisecond", what);
+  }
+  set_goal(goal);
+}
+
+void Session::run_to(const Command& command) {
+  Goal goal;
+  base::require(command.contains("to"), "to", "expected a date, \"picture\" or \"end\"");
+  const auto& to = command["to"];
+  if (to == "picture") {
+    base::require(view_.picture.has_value(), "to", "found picture, but the program has none");
+    goal.is_picture = true;
+    goal.picture = look();
+  } else if (to != "end") {
+    goal.date = number_at(command, "to", 0, LATEST_S);
+  }
+  set_goal(goal);
+}
+
+// In a thread of its own: the machine goes on.
+void Session::render_sequentially() {
+  base::require(view_.sequential != nullptr, "compare",
+                "found one, but the program has no sequential renderer to compare with");
+  if (renders_.joinable()) return;
+  renders_ = std::jthread([this, render = view_.sequential](const std::stop_token& stop) {
+    auto rgb8 = render([&stop] { return !stop.stop_requested(); });
+    if (rgb8.empty()) return;
+    const std::lock_guard lock(mutex_);
+    sequential_ = std::make_shared<const std::vector<std::uint8_t>>(std::move(rgb8));
+  });
+}
+
+}  // namespace laboratory

@@ -1,0 +1,115 @@
+#pragma once
+// The user's orders in the order in which they come: those of the script and, where somebody
+// watches the run, those of hands. An order of a hand acts as if it had stood in the script.
+#include <algorithm>
+#include <any>
+#include <cmath>
+#include <deque>
+
+#include "simulator/occam/process.hpp"
+#include "simulator/tracing/session.hpp"
+
+namespace tracing {
+
+template <class Limits>
+class Orders {
+ public:
+  using Order = tracing::Order<Limits>;
+
+  /// `has_hands`: more orders may come; else the user leaves after the last of the script. The last
+  /// is a Leave in any case.
+  Orders(const std::vector<Order>& script, bool has_hands)
+      : orders_(script.begin(), script.end()), is_open_(has_hands) {}
+
+  bool has_any() const { return is_open_ || !orders_.empty(); }
+
+  /// Called by the user's process, whose orders count their time from `begun`: waits until the next
+  /// one's time and returns its number, from 0.
+  std::size_t next(machine::Seconds begun) {
+    user_ = &machine::this_process();
+    begun_ = begun;
+    if (next_ < orders_.size())
+      wait_until(orders_[next_].at);
+    else if (is_open_)
+      wait_for_hand();
+    if (next_ == orders_.size()) orders_.push_back({{}, Leave{}});
+    return next_++;
+  }
+  const Order& operator[](std::size_t number) const { return orders_.at(number); }
+
+  /// From outside of the machine, between two events: see observe::View::TakeOrder. `check` throws
+  /// for orders that the program does not allow.
+  double take(const OrderRecord<Limits>& record, machine::Seconds after,
+              const std::function<void(const std::vector<Order>&)>& check) {
+    if (!user_ || !is_open_)
+      throw base::BadInput(user_ ? "[[order]]: found one after the picture was complete"
+                                 : "[[order]]: found one before the first task was at hand");
+    if (has_left()) throw base::BadInput("[[order]]: found one after the user had left");
+    const double tick_s = occam::date_of(*user_, 1).value;
+    const auto tick = static_cast<std::int64_t>(std::floor(after.value / tick_s)) + 1;
+    const machine::Seconds date = occam::date_of(*user_, tick);
+    OrderRecord<Limits> dated = record;
+    dated.at_s = (date - begun_).value;
+    const auto order = make_order(dated);
+    std::vector<Order> script(orders_.begin(), orders_.end());
+    const auto place = std::upper_bound(
+        script.begin() + static_cast<std::ptrdiff_t>(next_), script.end(), order.at,
+        [](machine::Seconds at, const Order& other) { return at < other.at; });
+    script.insert(place, order);
+    check(script);
+    orders_.assign(script.begin(), script.end());
+    wake(date);
+    return dated.at_s;
+  }
+
+  /// Whether the user's process waits, and nothing is ordered any more unless a hand does.
+  bool waits_for_hand() const { return waits_for_hand_ && next_ == orders_.size(); }
+  bool has_left() const {
+    return !orders_.empty() && std::holds_alternative<Leave>(orders_.back().what);
+  }
+  bool is_open() const { return is_open_; }
+  bool has_begun() const { return user_; }
+
+ private:
+  // As occam::wait_until, but first among what happens then, so that it does not matter when the
+  // wait was begun; and ended earlier by a hand.
+  void wait_until(machine::Seconds at) {
+    const auto& timer = user_->processor().model().timer;
+    const auto date = occam::date_of(*user_, occam::ticks(begun_ + at));
+    user_->charge(user_->own_time() >= date ? timer.wait_past : timer.wait_future);
+    if (user_->now() >= date) return;
+    user_->processor().wake_first_at(date, *user_, user_->waits() + 1);
+    block();
+  }
+
+  void wait_for_hand() {
+    user_->charge(user_->processor().model().timer.wait_future);
+    user_->sync();
+    waits_for_hand_ = true;
+    if (next_ == orders_.size()) block();
+    waits_for_hand_ = false;
+  }
+
+  struct UserWait : machine::Wait {
+    std::string describe() const override { return "the user's next order"; }
+  };
+  void block() {
+    UserWait wait;
+    user_->block(wait);
+  }
+
+  // The user's process waits for a hand, for a later order, or is about to do so.
+  void wake(machine::Seconds date) {
+    const bool is_blocked = user_->state() == machine::Process::State::blocked;
+    user_->processor().wake_first_at(date, *user_, user_->waits() + (is_blocked ? 0 : 1));
+  }
+
+  std::deque<Order> orders_;
+  std::size_t next_ = 0;
+  bool is_open_;
+  machine::Process* user_ = nullptr;
+  machine::Seconds begun_{};
+  bool waits_for_hand_ = false;
+};
+
+}  // namespace tracing

@@ -1,0 +1,270 @@
+// Who may talk to the live page's server, and what it does with those who may not.
+#include "experiments/laboratory/live/server.hpp"
+
+#include <sys/resource.h>
+
+#include <boost/asio/connect.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <cstdlib>
+#include <fstream>
+
+#include "base/random.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "tests/laboratory/live/watched_run.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+using Socket = beast::websocket::stream<tcp::socket>;
+
+constexpr const char* SMALL_FARM =
+    "[network]\nworkers = 2\n[scene]\nobjects = 10\n[image]\nwidth = 16\nheight = 12\n";
+
+// A server, and what its address says.
+struct Served {
+  test::TemporaryFolder folder;
+  ExperimentFile file = read(SMALL_FARM, folder.path.string());
+  Session session{file, std::numeric_limits<double>::infinity()};
+  Server server{session, {}};
+  asio::io_context io;
+
+  std::string port() const {
+    const auto address = server.address();
+    const auto from = address.rfind(':') + 1;
+    return address.substr(from, address.find('/', from) - from);
+  }
+  std::string token() const {
+    const auto address = server.address();
+    return address.substr(address.find("token=") + 6);
+  }
+  std::string host() const { return "127.0.0.1:" + port(); }
+
+  tcp::socket connect() {
+    tcp::socket socket(io);
+    socket.connect(
+        {asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(std::stoi(port()))});
+    return socket;
+  }
+
+  http::response<http::string_body> get(const std::string& target, const std::string& host,
+                                        http::verb verb = http::verb::get) {
+    auto socket = connect();
+    http::request<http::empty_body> request{verb, target, 11};
+    request.set(http::field::host, host);
+    http::write(socket, request);
+    beast::flat_buffer buffer;
+    http::response<http::string_body> response;
+    http::read(socket, buffer, response);
+    return response;
+  }
+
+  // Throws beast::system_error if it is refused.
+  Socket open(const std::string& origin, const std::string& host) {
+    Socket socket(connect());
+    socket.set_option(
+        beast::websocket::stream_base::decorator([&](beast::websocket::request_type& request) {
+          if (!origin.empty()) request.set(http::field::origin, origin);
+        }));
+    socket.handshake(host, "/live");
+    return socket;
+  }
+  Socket open() { return open("http://" + host(), host()); }
+};
+
+std::string hear(Socket& socket) {
+  beast::flat_buffer buffer;
+  socket.read(buffer);
+  return beast::buffers_to_string(buffer.data());
+}
+
+void say(Socket& socket, const std::string& text) { socket.write(asio::buffer(text)); }
+
+bool is_closed_to(Socket& socket, const std::string& text) {
+  try {
+    say(socket, text);
+    hear(socket);
+    return false;
+  } catch (const beast::system_error&) {
+    return true;
+  }
+}
+
+TEST(LiveServer, GivesItsFilesAndNothingElse) {
+  Served served;
+  const auto page = served.get("/", served.host());
+  EXPECT_EQ(page.result(), http::status::ok);
+  EXPECT_NE(page.body().find("<!DOCTYPE html>"), std::string::npos);
+  EXPECT_NE(page["Content-Security-Policy"].find("default-src 'none'"), beast::string_view::npos);
+  for (const char* file : {"/live.js", "/live.css", "/picture.js", "/machine.js", "/charts.js"})
+    EXPECT_EQ(served.get(file, served.host()).result(), http::status::ok) << file;
+  for (const char* path : {"/../../etc/passwd", "/%2e%2e/etc/passwd", "//etc/passwd", "/live.js/..",
+                           "/results", "/index.html?x", "*", "/LIVE.JS"})
+    EXPECT_EQ(served.get(path, served.host()).result(), http::status::not_found) << path;
+  EXPECT_EQ(served.get("/", served.host(), http::verb::delete_).result(),
+            http::status::method_not_allowed);
+}
+
+TEST(LiveServer, ANameOfAnotherHostIsRefused) {
+  Served served;
+  EXPECT_EQ(served.get("/", "localhost:" + served.port()).result(), http::status::ok);
+  for (const auto& host : {std::string("evil.example"), "evil.example:" + served.port(),
+                           std::string("127.0.0.1"), std::string("127.0.0.1:1"), std::string()})
+    EXPECT_EQ(served.get("/", host).result(), http::status::misdirected_request) << host;
+}
+
+TEST(LiveServer, APageOfAnotherSiteIsRefused) {
+  Served served;
+  for (const auto& origin : {std::string(), std::string("null"), std::string("http://evil.example"),
+                             "https://" + served.host(), std::string("http://127.0.0.1:1"),
+                             "http://" + served.host() + ".evil.example"})
+    EXPECT_THROW(served.open(origin, served.host()), beast::system_error) << origin;
+  EXPECT_NO_THROW(served.open("http://localhost:" + served.port(), served.host()));
+}
+
+TEST(LiveServer, WithoutTheTokenNothingIsTold) {
+  Served served;
+  const auto token = served.token();
+  ASSERT_EQ(token.size(), 32u);
+  std::string wrong = token;
+  wrong.back() = wrong.back() == '0' ? '1' : '0';
+  for (const auto& text :
+       {std::string("{}"), std::string("{\"token\": 5}"), std::string("{\"want\": \"frame\"}"),
+        "{\"token\": \"" + wrong + "\"}", "{\"token\": \"" + token.substr(1) + "\"}",
+        "\"" + token + "\"", std::string("[")}) {
+    auto socket = served.open();
+    EXPECT_TRUE(is_closed_to(socket, text)) << text;
+  }
+}
+
+// Tells a page's commands to a run that goes on in this thread.
+TEST(LiveServer, APageSeesTheRunAndSteersIt) {
+  test::run_isolated([] {
+    Served served;
+    RunOptions options;
+    options.file = "e.toml";
+    PointResult result;
+    std::thread run([&] {
+      result =
+          run_point(served.file.points[0], options, served.folder.path / "images", &served.session);
+    });
+    auto socket = served.open();
+    say(socket, "{\"token\": \"" + served.token() + "\"}");
+    const auto outline = nlohmann::json::parse(hear(socket)).at("outline");
+    EXPECT_EQ(outline.at("program"), "farm");
+    EXPECT_EQ(outline.at("processors").size(), 5u);
+    EXPECT_EQ(outline.at("picture").at("width"), 16);
+    auto second = served.open();
+    say(second, "{\"token\": \"" + served.token() + "\"}");
+    EXPECT_EQ(nlohmann::json::parse(hear(second)).at("steers"), false);
+    say(second, "{\"do\": \"pause\", \"id\": 1}");
+    EXPECT_NE(hear(second).find("another page steers"), std::string::npos);
+    // The end of the interactive phase may be asked for before it has begun: then again.
+    for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {
+      say(socket, "{\"do\": \"order\", \"order\": {\"non_interactive\": true}, \"id\": 2}");
+      reply = hear(socket);
+      if (reply.find("over") != std::string::npos) break;
+    }
+    run.join();
+    say(socket, "{\"want\": \"frame\"}");
+    std::string tiles = hear(socket);
+    ASSERT_GT(tiles.size(), 9u);
+    EXPECT_EQ(tiles[0], 0);  // the display's picture, in one tile
+    EXPECT_EQ(tiles.size(), 1 + 8 + 3 * 16 * 12u);
+    const auto state = nlohmann::json::parse(hear(socket)).at("state");
+    EXPECT_EQ(state.at("state"), "over");
+    EXPECT_EQ(state.at("cpus").size(), 5u);
+    EXPECT_EQ(result.ended, "done");
+  });
+}
+
+std::string random_bytes(base::Random& random, int most) {
+  std::string bytes;
+  for (int i = random.below(most); i >= 0; --i) bytes += static_cast<char>(random.below(256));
+  return bytes;
+}
+
+// A request with something wrong in it.
+std::string random_request(base::Random& random, const std::string& host) {
+  std::string request = "GET /live HTTP/1.1\r\nHost: " + host +
+                        "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nOrigin: http://" + host +
+                        "\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: "
+                        "dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+  switch (random.below(5)) {
+    case 0:
+      return random_bytes(random, 300);
+    case 1:
+      return request.substr(0, static_cast<std::size_t>(random.below(int(request.size()))));
+    case 2:
+      for (int i = random.below(8); i >= 0; --i)
+        request[static_cast<std::size_t>(random.below(int(request.size())))] =
+            static_cast<char>(random.below(256));
+      return request;
+    case 3:
+      return "GET /" + std::string(static_cast<std::size_t>(random.below(20'000)), 'a');
+    default:
+      return request + random_bytes(random, 200);  // frames
+  }
+}
+
+long memory_kb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+// TLAB_HOSTILE=100000 for as many clients.
+TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
+  const char* asked = std::getenv("TLAB_HOSTILE");
+  const int clients = asked ? std::atoi(asked) : 2000;
+  constexpr std::uint64_t SEED = 21;
+  base::Random random(SEED);
+  Served served;
+  std::vector<tcp::socket> half_open;
+  const long before_kb = memory_kb();
+  for (int i = 0; i < clients; ++i) {
+    auto socket = served.connect();
+    beast::error_code error;
+    const auto request = random_request(random, served.host());
+    asio::write(socket, asio::buffer(request), error);
+    if (random.below(20) == 0 && half_open.size() < 40) {
+      half_open.push_back(std::move(socket));
+      continue;
+    }
+    socket.shutdown(tcp::socket::shutdown_send, error);
+    std::string answer(4096, '\0');
+    const auto length = socket.read_some(asio::buffer(answer), error);
+    answer.resize(error ? 0 : length);
+    EXPECT_EQ(answer.find("outline"), std::string::npos) << "seed " << SEED << ", client " << i;
+  }
+  half_open.clear();
+  EXPECT_LT(memory_kb() - before_kb, 32 * 1024);
+  for (int tries = 0; tries < 100; ++tries) {  // until the half-open ones are gone
+    try {
+      EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
+      return;
+    } catch (const beast::system_error&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  FAIL() << "the server does not answer any more";
+}
+
+TEST(LiveServer, APortThatIsTakenIsNamed) {
+  Served first;
+  try {
+    const Server second(first.session, static_cast<std::uint16_t>(std::stoi(first.port())));
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("port " + first.port()), std::string::npos);
+    EXPECT_EQ(failure.exit_code, EXIT_HOST);
+  }
+}
+
+}  // namespace
+}  // namespace laboratory

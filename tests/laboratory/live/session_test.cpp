@@ -1,0 +1,169 @@
+// A session at the live page and the run of its recording are the same.
+#include "base/random.hpp"
+#include "tests/laboratory/live/watched_run.hpp"
+
+namespace laboratory {
+namespace {
+
+using test::run_isolated;
+using Command = Session::Command;
+
+const std::string FARM =
+    "[network]\nworkers = 3\n[scene]\nobjects = 20\n[image]\nwidth = 24\nheight = 16\n"
+    "[[stage]]\nmin_cell = 8\n[[stage]]\ndepth_reflected = 1\ndepth_transmitted = 1\n";
+const std::string IIRRA =
+    "[program]\nname = \"iirra\"\n[network]\ntopology = \"mesh:2x3\"\n[scene]\nobjects = 20\n"
+    "[image]\nwidth = 24\nheight = 16\n[[stage]]\nmin_cell = 4\n";
+
+Command order(Command what) { return {{"do", "order"}, {"order", std::move(what)}}; }
+
+// An order that the user may give at any time.
+Command random_order(base::Random& random, int number) {
+  const int x = random.below(16), y = random.below(8);
+  switch (random.below(7)) {
+    case 0:
+      return order({{"area", {x, y, 1 + random.below(8), 1 + random.below(8)}}});
+    case 1:
+      return order({{"min_influence", random.uniform() / 4}, {"min_cell", 2}});
+    case 2:
+      return order({{"depth_reflected", 1 + random.below(4)}});
+    case 3:
+      return order({{"non_interactive", true}});
+    case 4:
+      return order({{"interactive", true}});
+    case 5:
+      return order({{"save", "saved" + std::to_string(number)}});
+    default:
+      return {{"do", "save"}};
+  }
+}
+
+std::multimap<int, Command> random_commands(base::Random& random, int calls) {
+  std::multimap<int, Command> commands;
+  const int count = random.below(6);
+  for (int i = 0; i < count; ++i)
+    commands.emplace(1 + random.below(calls), random_order(random, i));
+  return commands;
+}
+
+// How often the session is asked in a run without orders.
+int count_calls(const std::string& text) {
+  const test::TemporaryFolder folder;
+  return std::stoi(
+      test::isolated([&] { return std::to_string(watch(text, folder.path.string(), {}).calls); }));
+}
+
+void compare_random_sessions(const std::string& text, std::uint64_t first, int count) {
+  const int calls = count_calls(text);
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    base::Random random(seed);
+    auto commands = random_commands(random, calls);
+    if (random.below(4) == 0) commands.emplace(1 + random.below(calls), Command{{"do", "end"}});
+    const test::TemporaryFolder folder;
+    run_isolated([&] {
+      const auto watched = watch(text, folder.path.string(), commands);
+      const double until_s =
+          watched.ended_by_hand_s.value_or(std::numeric_limits<double>::infinity());
+      EXPECT_EQ(watched.result, run_alone(watched.recording, folder.path.string(), until_s))
+          << watched.recording;
+    });
+  }
+}
+
+TEST(LiveSession, RandomSessionsOfTheFarmAreRunAgainAsTheyWere) {
+  compare_random_sessions(FARM + "[[stage]]\n", 1, 20);
+}
+
+TEST(LiveSession, RandomSessionsOfIirraAreRunAgainAsTheyWere) {
+  compare_random_sessions(IIRRA + "[[stage]]\n", 101, 20);
+}
+
+TEST(LiveSession, WhoWatchesChangesNothing) {
+  for (const auto& text : {FARM, IIRRA}) {
+    const test::TemporaryFolder folder;
+    run_isolated([&] {
+      const auto seen = watch(text, folder.path.string(), {});
+      std::multimap<int, Command> more;
+      for (int call = 10; call < 5000; call += 100) {
+        more.emplace(call, Command{{"do", "select"}, {"processors", {0, 1, 2}}});
+        more.emplace(call, Command{{"do", "interval"}, {"s", 1e-3}});
+      }
+      const auto looked_at = watch(text, folder.path.string(), more);
+      const auto unseen = watch(text, folder.path.string(), {}, /*wants_frames=*/false);
+      EXPECT_EQ(seen.result, unseen.result);
+      EXPECT_EQ(seen.result, looked_at.result);
+      EXPECT_EQ(seen.recording, unseen.recording);
+    });
+  }
+}
+
+TEST(LiveSession, OrdersOfTheFileComeBesideThoseOfHands) {
+  const std::string text = FARM +
+                           "[[order]]\nat_s = 0.05\nmin_cell = 4\n[[order]]\nat_s = 0.4\n"
+                           "non_interactive = true\n";
+  const test::TemporaryFolder folder;
+  const int half = count_calls(text) / 2;
+  run_isolated([&] {
+    const auto watched =
+        watch(text, folder.path.string(), {{half, order({{"area", {0, 0, 8, 8}}})}});
+    EXPECT_EQ(watched.replies, std::vector<std::string>{""});
+    EXPECT_EQ(watched.result, run_alone(watched.recording, folder.path.string()));
+    EXPECT_NE(watched.recording.find("area = [0,0,8,8]"), std::string::npos) << watched.recording;
+  });
+}
+
+TEST(LiveSession, AFaultIsRecordedAndRunAgain) {
+  const std::string text = IIRRA + "[[stage]]\n[data]\nmethod = \"acyclic\"\n";
+  const test::TemporaryFolder folder;
+  run_isolated([&] {
+    const auto watched =
+        watch(text, folder.path.string(),
+              {{count_calls(text) / 3, Command{{"do", "fault"}, {"link", {0, 1}}}}});
+    EXPECT_EQ(watched.replies, std::vector<std::string>{""});
+    EXPECT_NE(watched.recording.find("link = [0, 1]"), std::string::npos) << watched.recording;
+    EXPECT_EQ(watched.result, run_alone(watched.recording, folder.path.string()));
+  });
+}
+
+TEST(LiveSession, WhatIsNotAllowedIsRefusedAndChangesNothing) {
+  const std::vector<std::pair<Command, std::string>> cases = {
+      {order({{"area", {0, 0, 99, 99}}}), "area"},
+      {order({{"min_influence", 7}}), "order.min_influence: found 7"},
+      {order({{"min_influence", "x"}}), "order.min_influence"},
+      {order({{"colour", 1}}), "colour"},
+      {order({{"at_s", 1}}), "at_s"},
+      {order({{"abort", true}, {"leave", true}}), "several things"},
+      {order(Command::object()), "nothing to do"},
+      {order({{"save", "../x"}}), "order.save"},
+      {order(5), "expected an object"},
+      {{{"do", "fly"}}, "found \"fly\""},
+      {{{"do", 5}}, "expected a text"},
+      {Command::array(), "expected a text"},
+      {{{"do", "speed"}, {"x", -1}}, "found -1"},
+      {{{"do", "step"}, {"what", "back"}}, "found \"back\""},
+      {{{"do", "run"}, {"to", "moon"}}, "expected a number"},
+      {{{"do", "select"}, {"processors", {99}}}, "found 99"},
+      {{{"do", "fault"}, {"link", {0, 1}}}, "expected a processor of the network"},
+      {{{"do", "fault"}, {"link", {4, 5}}}, "no link joins them"},
+      {{{"do", "fault"}, {"link", 3}}, "expected two processors"},
+      {{{"do", "fault"}, {"processor", -1}}, "found -1"}};
+  const test::TemporaryFolder folder;
+  const int half = count_calls(FARM) / 2;
+  run_isolated([&] {
+    const auto plain = watch(FARM, folder.path.string(), {});
+    std::multimap<int, Command> commands;
+    for (const auto& [command, text] : cases) commands.emplace(half, command);
+    const auto watched = watch(FARM, folder.path.string(), commands);
+    EXPECT_EQ(watched.result, plain.result);
+    EXPECT_EQ(watched.recording, plain.recording);
+    ASSERT_EQ(watched.replies.size(), cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      EXPECT_NE(watched.replies[i].find(cases[i].second), std::string::npos)
+          << cases[i].first << ": " << watched.replies[i];
+  });
+}
+
+}  // namespace
+}  // namespace laboratory

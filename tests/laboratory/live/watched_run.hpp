@@ -1,0 +1,92 @@
+// A run that is watched, with commands at given moments; and the run of its recording.
+#pragma once
+
+#include <map>
+
+#include "experiments/laboratory/live/recording.hpp"
+#include "experiments/laboratory/live/session.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
+#include "tests/laboratory/support/support.hpp"
+#include "tests/support/isolated.hpp"
+
+namespace laboratory {
+
+// Passes everything on to a session, which is asked for something when it has been called so often,
+// or when nothing happens unless it is; in the end the user leaves the interactive phase.
+struct Driven : observe::Spectator {
+  Driven(Session& session, std::multimap<int, Session::Command> commands)
+      : session(session), commands(std::move(commands)) {}
+
+  void begin(machine::Machine& machine, const observe::View& view) override {
+    waits_for_user = view.waits_for_user;
+    session.begin(machine, view);
+  }
+  bool before(double date) override {
+    ++calls;
+    const bool waits = waits_for_user && waits_for_user(), is_idle = waits || std::isinf(date);
+    while (!commands.empty() && (commands.begin()->first <= calls || is_idle)) {
+      session.ask(commands.begin()->second,
+                  [this](const std::string& refusal) { replies.push_back(refusal); });
+      commands.erase(commands.begin());
+    }
+    if (waits) session.ask({{"do", "order"}, {"order", {{"non_interactive", true}}}}, {});
+    if (wants_frames && calls % 16 == 0) session.want_frame();
+    return session.before(date);
+  }
+  void end(const std::string& fault) override { session.end(fault); }
+
+  Session& session;
+  std::multimap<int, Session::Command> commands;
+  std::vector<std::string> replies;
+  std::function<bool()> waits_for_user;
+  bool wants_frames = true;
+  int calls = 0;
+};
+
+// What two runs have to have in common: rows and notes, and the images by their content.
+inline std::string text_of(PointResult result) {
+  auto json = to_json(result);
+  json.erase("host");
+  return json.dump(1);
+}
+
+inline ExperimentFile read(const std::string& text, const std::string& folder) {
+  return read_experiment(text, "e.toml", folder, {"run.engine=direct"});
+}
+
+// The same point as tlab run has it.
+inline std::string run_alone(const std::string& text, const std::string& folder,
+                             double until_s = std::numeric_limits<double>::infinity()) {
+  const auto file = read(text, folder);
+  RunOptions options;
+  options.file = "e.toml";
+  options.until_s = until_s;
+  return text_of(run_point(file.points[0], options, std::filesystem::path(folder) / "images"));
+}
+
+struct Watched {
+  std::string result, recording;
+  std::vector<std::string> replies;
+  std::optional<double> ended_by_hand_s;
+  std::shared_ptr<const Frame> frame;  // the last
+  int calls = 0;
+};
+
+inline Watched watch(const std::string& text, const std::string& folder,
+                     const std::multimap<int, Session::Command>& commands,
+                     bool wants_frames = true) {
+  const auto file = read(text, folder);
+  RunOptions options;
+  options.file = "e.toml";
+  Session session(file, std::numeric_limits<double>::infinity());
+  Driven driven(session, commands);
+  driven.wants_frames = wants_frames;
+  auto result =
+      run_point(file.points[0], options, std::filesystem::path(folder) / "images", &driven);
+  if (session.ended_by_hand_s()) result.ended = "limit";
+  return {text_of(result), record_session(file, session.deeds(), folder),
+          driven.replies,  session.ended_by_hand_s(),
+          session.frame(), driven.calls};
+}
+
+}  // namespace laboratory
