@@ -23,8 +23,9 @@ std::string key_of(const Parameter& parameter) {
 }
 
 void run_machine(const Setup& setup, machine::Machine& machine, const observe::View& view) {
-  observe::Watch none;
-  const machine::End end = observe::run(machine, setup.watch ? *setup.watch : none, view);
+  observe::Watch none, &watch = setup.watch ? *setup.watch : none;
+  const machine::End end = observe::run(machine, watch, view);
+  if (end == machine::End::deadlock) std::rethrow_exception(watch.deadlock);
   if (end != machine::End::done) throw_unfinished(machine, end);
 }
 
@@ -35,6 +36,7 @@ void run_machine_until(const Setup& setup, machine::Machine& machine, machine::S
   watch.until = std::min(asked, date);
   const machine::End end = observe::run(machine, watch, view);
   watch.until = asked;
+  if (end == machine::End::deadlock) std::rethrow_exception(watch.deadlock);
   const bool reached = end == machine::End::limit && machine.now() >= date;
   if (end != machine::End::done && !reached) throw_unfinished(machine, end);
   watch.end = machine::End::done;

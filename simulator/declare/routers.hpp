@@ -51,15 +51,28 @@ base::Column<R> most_held_column(std::size_t R::*most_held) {
   return base::column("most_held", most_held, "most messages that one router held at once");
 }
 
-/// What routers hold, for who watches a run.
-inline std::vector<observe::View::Gauge> make_gauges(const network::Network& network) {
-  return {{"messages in routers", "taken from processes and not yet delivered",
-           [&network] {
-             const auto use = network.use();
-             return static_cast<double>(use.taken - use.delivered - use.returned - use.lost);
-           }},
-          {"messages delivered", "by routers to processes",
-           [&network] { return static_cast<double>(network.use().delivered); }}};
+/// Adds to the view what routers hold and have done. Processors of the network have the ids
+/// `first`, `first` + 1, ... in the machine.
+inline void show(observe::View& view, const network::Network& network, int first = 0) {
+  const int count = network.routing().processors();
+  view.gauges.push_back({"messages in queues", "of all routers", [&network, count] {
+                           std::size_t held = 0;
+                           for (int id = 0; id < count; ++id) held += network.held(id);
+                           return static_cast<double>(held);
+                         }});
+  view.gauges.push_back({"messages delivered", "by routers to processes",
+                         [&network] { return static_cast<double>(network.use().delivered); }});
+  view.inspections.emplace_back([&network, count, first](int processor) {
+    const int id = processor - first;
+    if (id < 0 || id >= count) return std::vector<observe::View::Reading>{};
+    const auto& use = network.use(id);
+    return std::vector<observe::View::Reading>{
+        {"messages in the router's queues", static_cast<double>(network.held(id))},
+        {"at most so far", static_cast<double>(use.most_held)},
+        {"taken from processes", static_cast<double>(use.taken)},
+        {"passed on", static_cast<double>(use.passed)},
+        {"delivered", static_cast<double>(use.delivered)}};
+  });
 }
 
 inline void check_two_processors(const Setup& setup) {
@@ -112,7 +125,7 @@ struct RouterMachine : CompiledMachine {
 
   observe::View view() const {
     observe::View view;
-    view.gauges = make_gauges(*network);
+    show(view, *network);
     return view;
   }
 

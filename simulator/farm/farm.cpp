@@ -295,6 +295,14 @@ observe::View Centre::make_view() {
                   [&stores] { return static_cast<double>(stores.size()); }},
                  {"tasks", "handed out to the workers",
                   [this] { return static_cast<double>(progress_.tasks); }}};
+  view.inspections.emplace_back([this, &stores](int processor) {
+    if (processor != on_.database.id()) return std::vector<observe::View::Reading>{};
+    const auto lengths = stores.lengths();
+    return std::vector<observe::View::Reading>{
+        {"shadow feelers", static_cast<double>(lengths.feelers)},
+        {"rays in the priority queue", static_cast<double>(lengths.heap)},
+        {"rays beyond the limits", static_cast<double>(lengths.later)}};
+  });
   view.phase = [this] { return describe_phase(progress_); };
   view.is_complete = [this] {
     const bool has_no_ray = progress_.is_null && rays_.stores.size() == 0;

@@ -40,7 +40,7 @@ Columns<Result> message_columns() {
 }
 
 Columns<Result> peak_columns() {
-  using Peaks = RayStores::Peaks;
+  using Peaks = RayStores::Lengths;
   return base::join(
       Columns<Result>{column("tasks_in_farm_max", &Result::peak_tasks_in_farm,
                              "tasks with the workers at one time, at most")},

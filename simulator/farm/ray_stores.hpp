@@ -65,11 +65,12 @@ class RayStores {
   void set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order = 0);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }
-  /// The most rays that each store has held at once.
-  struct Peaks {
+  /// Rays, by store.
+  struct Lengths {
     std::size_t feelers = 0, heap = 0, later = 0;
   };
-  const Peaks& peaks() const { return peaks_; }
+  Lengths lengths() const { return {feelers_.size(), heap_.size(), later_.size()}; }
+  const Lengths& peaks() const { return peaks_; }  ///< the most that each has held at once
 
  private:
   auto before() const {
@@ -83,7 +84,7 @@ class RayStores {
   Weights weights_;
   Limits limits_;
   std::vector<renderer::Ray> feelers_, heap_, later_;
-  Peaks peaks_;
+  Lengths peaks_;
 };
 
 }  // namespace farm

@@ -205,11 +205,10 @@ class SharedFarm {
     observe::View view;
     for (int id = 1; id <= workers_.processors; ++id) view.network.push_back(id);
     view.picture = {params_.image.width, params_.image.height, [this] { return &picture_.rgb8(); }};
-    view.gauges = base::join(
-        std::vector<observe::View::Gauge>{
-            {"rays", "rays that the picture shows",
-             [this] { return static_cast<double>(progress_.rays.total()); }}},
-        {shared_memory::make_gauges(*memory_), programs::make_gauges(*network_)});
+    view.gauges = {{"rays", "rays that the picture shows",
+                    [this] { return static_cast<double>(progress_.rays.total()); }}};
+    shared_memory::show(view, *memory_);
+    programs::show(view, *network_);
     return view;
   }
 

@@ -141,9 +141,8 @@ class Run {
         {"samples", "samples computed", [&] { return static_cast<double>(record.counts.samples); }},
         {"tasks moved", "cells that have gone to another worker",
          [&] { return static_cast<double>(record.counts.tasks_moved); }}};
-    view.gauges = base::join(std::move(view.gauges), {programs::make_gauges(*network_)});
-    if (memory_)
-      view.gauges = base::join(std::move(view.gauges), {shared_memory::make_gauges(*memory_)});
+    programs::show(view, *network_);
+    if (memory_) shared_memory::show(view, *memory_);
     view.phase = [this] { return coordinator_->phase(); };
     view.is_complete = [&] { return record.ended_s > 0; };
     view.waits_for_user = [this] {

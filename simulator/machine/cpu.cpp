@@ -38,6 +38,15 @@ void CpuDiary::flush(Seconds now) {
   spans_.clear();
 }
 
+std::vector<CpuDiary::Span> CpuDiary::untold(Seconds now) const {
+  std::vector<Span> begun;
+  for (Span span : spans_) {
+    span.to = std::min(span.to, now);
+    if (span.to > span.from) begun.push_back(span);
+  }
+  return begun;
+}
+
 void Cpu::make_ready(Process& process, Seconds at) {
   if (process.state_ != Process::State::blocked)
     throw base::InvariantBroken(
@@ -266,6 +275,13 @@ void Cpu::set_stolen(std::size_t thief, double share) {
   const Seconds since = std::max(now(), low_.since);
   low_.end = since + before / speed * (low_.end - since);
   if (speed > before) arm_low_timer();
+}
+
+std::vector<CpuDiary::Span> Cpu::untold() const {
+  auto spans = diary_.untold(now());
+  if (low_.computing && !interrupted_ && now() > low_.since && diary_.has_observer())
+    spans.push_back({running_->trace_id(), Observer::Doing::low, low_.since, now()});
+  return spans;
 }
 
 CpuUse Cpu::use() const {

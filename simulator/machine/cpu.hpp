@@ -57,13 +57,15 @@ class CpuDiary {
   void end_last_at(Seconds date);
   void flush(Seconds now);
 
- private:
   struct Span {
     std::uint32_t process;
     Observer::Doing doing;
     Seconds from, to;
   };
+  /// What has begun, and is not told yet.
+  std::vector<Span> untold(Seconds now) const;
 
+ private:
   const Processor& processor_;
   Observer* observer_ = nullptr;
   std::deque<Span> spans_;  // not told yet
@@ -105,6 +107,8 @@ class Cpu {
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
   void name_for_observer(Process& process);
   void flush_observer();
+  /// What the observer will be told of the time up to now.
+  std::vector<CpuDiary::Span> untold() const;
 
  private:
   static constexpr Seconds NEVER{std::numeric_limits<double>::infinity()};

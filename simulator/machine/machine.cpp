@@ -132,7 +132,7 @@ std::vector<const Process*> find_wait_cycle(const Machine& machine) {
 }
 
 std::string_view to_string(End end) {
-  constexpr std::string_view names[] = {"done", "limit", "interrupt"};
+  constexpr std::string_view names[] = {"done", "limit", "interrupt", "deadlock"};
   return names[static_cast<int>(end)];
 }
 

@@ -12,7 +12,12 @@
 namespace machine {
 
 /// Why a run ended: every process did, its time was up, or the user interrupted it.
-enum class End { done, limit, interrupt };
+enum class End {
+  done,
+  limit,
+  interrupt,
+  deadlock,  ///< of a machine in which something is broken: see observe::run
+};
 std::string_view to_string(End end);
 
 /// A link was cut, or a processor stopped.

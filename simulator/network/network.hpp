@@ -74,6 +74,8 @@ class Network {
   const Routing& routing() const { return routing_; }
   const RouterUse& use(int processor) const { return nodes_.at(processor).use; }
   RouterUse use() const;  ///< the sum of all
+  /// Messages that the processor's router holds now.
+  std::size_t held(int processor) const { return nodes_.at(processor).held; }
 
  private:
   void make_node(machine::Machine& machine, int id, machine::Processor& processor,

@@ -22,6 +22,12 @@ struct View {
     std::string name, help;
     std::function<double()> value;
   };
+  /// A number of one processor that changes: what its router or its cache holds.
+  struct Reading {
+    std::string name;
+    double value = 0;
+  };
+  using Inspect = std::function<std::vector<Reading>(int processor)>;  ///< its id in the machine
   /// An order of the user's, a record of the program's list "order". It comes at the first tick of
   /// the user's clock after `after`, which is not before now; returns that as the record's at_s.
   /// Throws base::BadInput for what the experiment file would not be allowed to say.
@@ -33,6 +39,7 @@ struct View {
   /// returns false meanwhile. May be called by another thread while the machine runs.
   std::function<std::vector<std::uint8_t>(const std::function<bool()>& goes_on)> sequential;
   std::vector<Gauge> gauges;
+  std::vector<Inspect> inspections;      ///< each may know nothing of a processor
   TakeOrder take_order;                  ///< where the program has a user
   std::function<std::string()> phase;    ///< what it is doing, in a few words
   std::function<bool()> waits_for_user;  ///< nothing will happen unless the user orders it

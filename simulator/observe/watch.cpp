@@ -1,5 +1,7 @@
 #include "simulator/observe/watch.hpp"
 
+#include <algorithm>
+
 namespace observe {
 
 namespace {
@@ -66,6 +68,12 @@ class Recorder : public machine::Observer {
   std::map<const std::string*, std::uint32_t> channels_;  // by the address of their names
 };
 
+// Whether a link has been cut, or a processor has stopped.
+bool is_broken(const machine::Machine& machine) {
+  return std::ranges::any_of(machine.links(), [](const auto& link) { return link->is_cut(); }) ||
+         std::ranges::any_of(machine.processors(), &machine::Processor::stopped);
+}
+
 }  // namespace
 
 machine::End run(machine::Machine& machine, Watch& watch, const View& view) {
@@ -83,6 +91,12 @@ machine::End run(machine::Machine& machine, Watch& watch, const View& view) {
   };
   try {
     watch.end = machine.run(watch.until);
+  } catch (const machine::Deadlock& deadlock) {
+    close(deadlock.what());
+    if (!is_broken(machine)) throw;
+    watch.end = machine::End::deadlock;
+    watch.deadlock = std::current_exception();
+    return watch.end;
   } catch (const std::exception& fault) {
     close(fault.what());
     throw;
@@ -92,8 +106,10 @@ machine::End run(machine::Machine& machine, Watch& watch, const View& view) {
 }
 
 machine::End run(machine::Machine& machine, Watch* watch, const View& view) {
-  Watch none;
-  return run(machine, watch ? *watch : none, view);
+  Watch none, &used = watch ? *watch : none;
+  const auto end = run(machine, used, view);
+  if (!watch && end == machine::End::deadlock) std::rethrow_exception(used.deadlock);
+  return end;
 }
 
 }  // namespace observe

@@ -14,6 +14,7 @@ struct Watch {
   Spectator* spectator = nullptr;                                   ///< watches, if there is one
 
   machine::End end = machine::End::done;  ///< why the run ended, and when
+  std::exception_ptr deadlock;            ///< the Deadlock, if that is why
   machine::Seconds ended{};
   std::uint64_t events = 0;  ///< simulated
 };
@@ -22,9 +23,10 @@ struct Watch {
 inline bool is_watched(const Watch* watch) { return watch && watch->spectator; }
 
 /// Runs the machine, all of whose processors and links are there, and notes its end in `watch`.
-/// Throws what Machine::run throws; the trace is filled all the same.
+/// Throws what Machine::run throws; the trace is filled all the same. A deadlock of a machine in
+/// which something is broken is no defect, but an end that what was measured has come to.
 machine::End run(machine::Machine& machine, Watch& watch, const View& view = {});
-/// The same without limit and notes if `watch` is null.
+/// The same without limit and notes if `watch` is null; then every Deadlock is thrown.
 machine::End run(machine::Machine& machine, Watch* watch, const View& view = {});
 
 }  // namespace observe

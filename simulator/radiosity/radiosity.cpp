@@ -138,9 +138,8 @@ class Amp {
         {"shots", "done", [this] { return static_cast<double>(root_->shots()); }},
         {"unshot", "share of the light that has not been sent, in the last picture",
          [this] { return root_->frames().empty() ? 1 : root_->frames().back().unshot; }}};
-    view.gauges = base::join(std::move(view.gauges), {programs::make_gauges(*network_)});
-    if (memory_)
-      view.gauges = base::join(std::move(view.gauges), {shared_memory::make_gauges(*memory_)});
+    programs::show(view, *network_);
+    if (memory_) shared_memory::show(view, *memory_);
     if (!params_.look) return view;
     bitmap_ = params_.look(nullptr);
     view.picture = {bitmap_.width, bitmap_.height, [this] { return &look(); }};

@@ -112,6 +112,7 @@ class DataManager {
 
   network::Client& client() { return client_; }
   const DataUse& use() const { return use_; }
+  const LruCache& cache() const { return cache_; }
 
  protected:
   virtual void handle_request(const network::Message& message, const DataRequest& request) = 0;

@@ -261,17 +261,29 @@ DataUse VirtualMemory::use() const {
   return sum;
 }
 
-std::vector<observe::View::Gauge> make_gauges(const VirtualMemory& memory) {
-  const auto share_found = [&memory] {
-    const auto use = memory.use();
+void show(observe::View& view, const VirtualMemory& memory, int first) {
+  const auto share_found = [](const DataUse& use) {
     const auto accesses = use.accesses();
     return accesses == 0 ? 0
                          : 1 - static_cast<double>(use.requests) / static_cast<double>(accesses);
   };
-  return {
-      {"accesses", "to records of the scene",
-       [&memory] { return static_cast<double>(memory.use().accesses()); }},
-      {"share found at home", "of the accesses, those that asked no other processor", share_found}};
+  view.gauges.push_back({"accesses", "to records of the scene",
+                         [&memory] { return static_cast<double>(memory.use().accesses()); }});
+  view.gauges.push_back({"share found at home",
+                         "of the accesses, those that asked no other processor",
+                         [&memory, share_found] { return share_found(memory.use()); }});
+  view.inspections.emplace_back([&memory, share_found, first](int processor) {
+    const int id = processor - first;
+    if (id < 0 || id >= memory.processors()) return std::vector<observe::View::Reading>{};
+    const auto& manager = memory.manager(id);
+    const auto& use = manager.use();
+    return std::vector<observe::View::Reading>{
+        {"bytes in the cache", static_cast<double>(manager.cache().used())},
+        {"of", static_cast<double>(manager.cache().capacity())},
+        {"accesses", static_cast<double>(use.accesses())},
+        {"share found at home", share_found(use)},
+        {"requests of others", static_cast<double>(use.seen)}};
+  });
 }
 
 }  // namespace shared_memory

@@ -51,13 +51,19 @@ class VirtualMemory {
     auto& companion = companions_.at(processor);
     return companion ? *companion : *managers_.at(processor);
   }
+  const DataManager& manager(int processor) const {
+    const auto& companion = companions_.at(processor);
+    return companion ? *companion : *managers_.at(processor);
+  }
   DataUse use() const;  ///< the sum of all
+  int processors() const { return static_cast<int>(managers_.size()); }
 
  private:
   std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // none, or by processor
 };
 
-/// What it does, for who watches a run.
-std::vector<observe::View::Gauge> make_gauges(const VirtualMemory& memory);
+/// Adds to the view what it has done and what caches hold. Its processors have the ids `first`,
+/// `first` + 1, ... in the machine.
+void show(observe::View& view, const VirtualMemory& memory, int first = 0);
 
 }  // namespace shared_memory

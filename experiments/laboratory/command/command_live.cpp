@@ -99,7 +99,9 @@ RunOptions record(const RunOptions& options, const ExperimentFile& file, const S
   const auto recording = load_experiment(options.file, {});
   const PointsPlan plan(rerun, recording);
   save_origin(plan.results, recording, plan.origin);
-  save_record(plan.results / records_folder(), plan.keys.at(0), result, "");
+  // What has failed is run again, as by tlab run.
+  if (!result.is_failed())
+    save_record(plan.results / records_folder(), plan.keys.at(0), result, "");
   return rerun;
 }
 

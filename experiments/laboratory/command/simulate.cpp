@@ -43,7 +43,9 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   if (to_run.empty()) return results;
   if (missing == Missing::refuse) refuse_missing(plan.file, plan.results, to_run);
   run_points(plan, to_run, results);
-  const auto nothing = [](const auto& result) { return !result.is_there() || result.is_failed(); };
+  const auto nothing = [](const auto& result) {
+    return !result.is_there() || (result.is_failed() && result.rows.empty());
+  };
   if (std::ranges::all_of(results, nothing))
     throw_failures(plan.file, results, "nothing was written");
   return results;

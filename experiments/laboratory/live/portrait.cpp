@@ -81,8 +81,11 @@ ordered_json make_outline(const ExperimentFile& file, const machine::Machine& ma
   return outline;
 }
 
-ordered_json describe_processor(const machine::Processor& processor) {
-  auto processes = ordered_json::array();
+ordered_json describe_processor(const machine::Processor& processor, const observe::View& view) {
+  auto processes = ordered_json::array(), readings = processes;
+  for (const auto& inspect : view.inspections)
+    for (const auto& reading : inspect(processor.id()))
+      readings.push_back({{"name", reading.name}, {"value", reading.value}});
   for (const auto& process : processor.processes()) {
     if (processes.size() == MOST_PROCESSES) break;
     const bool waits = process->state() == machine::Process::State::blocked && process->wait();
@@ -95,6 +98,7 @@ ordered_json describe_processor(const machine::Processor& processor) {
   return {{"name", processor.name()},
           {"memory_bytes", processor.memory().used()},
           {"memory_size_bytes", processor.memory().size()},
+          {"readings", readings},
           {"processes_count", processor.processes().size()},
           {"processes", processes}};
 }

@@ -13,8 +13,10 @@ namespace laboratory {
 nlohmann::ordered_json make_outline(const ExperimentFile& file, const machine::Machine& machine,
                                     const observe::View& view);
 
-/// A processor's memory, and its first processes with what each waits for.
-nlohmann::ordered_json describe_processor(const machine::Processor& processor);
+/// A processor's memory, what the program knows of it, and its first processes with what each waits
+/// for.
+nlohmann::ordered_json describe_processor(const machine::Processor& processor,
+                                          const observe::View& view);
 
 /// The processors and the processes of a cycle of waits; none if there is no cycle.
 nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <thread>
 
 #include "base/errors.hpp"
@@ -18,7 +19,9 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto LOOK_EVERY = 50ms;              // at the user's interrupts, while nothing goes on
+constexpr double MOST_ARREARS_S = 0.25;        // of the host's
 constexpr std::uint64_t CALLS_BETWEEN = 1024;  // looks at them while the machine runs
+constexpr std::size_t MOST_TOLD_AT_END = 256;  // processors
 
 }  // namespace
 
@@ -69,7 +72,7 @@ void Session::begin(machine::Machine& machine, const observe::View& view) {
   machine_ = &machine;
   view_ = view;
   if (phase_ == Phase::over) phase_ = Phase::running;  // another machine of the same run
-  pace_from_s_ = 0;
+  next_s_ = pace_from_s_ = 0;
   pace_since_ = HostClock::now();
   loads_ = {};
   selected_.clear();
@@ -80,7 +83,7 @@ void Session::begin(machine::Machine& machine, const observe::View& view) {
     outline_ = std::make_shared<const ordered_json>(std::move(outline));
   }
   set_pace(speed_);
-  make_frame(0);
+  make_frame();
 }
 
 bool Session::before(double date) {
@@ -96,6 +99,7 @@ bool Session::before(double date) {
 // Returns as before() does.
 bool Session::attend(double date) {
   const std::size_t deeds = deeds_.size();
+  next_s_ = date;
   for (;;) {
     if (was_interrupted() && !ended_by_hand_s_) {
       ended_by_hand_s_ = machine_->now().value;
@@ -107,36 +111,42 @@ bool Session::attend(double date) {
     if (deeds_.size() != deeds) return false;
     const bool is_idle = date == NEVER;
     if (phase_ == Phase::running && goal_ && is_reached(date)) {
-      phase_ = Phase::paused;
+      change_phase(Phase::paused);
       pace_from_s_ = std::max(machine_->now().value, std::min(goal_->date, date));
       goal_.reset();
     }
     const bool waits = waits_for_user(is_idle);
-    if (phase_ == Phase::waiting && !waits) phase_ = Phase::running;
+    if (phase_ == Phase::waiting && !waits) change_phase(Phase::running);
     if (phase_ == Phase::running && is_idle && !waits) {  // a deadlock, or the end
       leave();
       return deeds_.size() == deeds;
     }
     if (phase_ == Phase::running && waits) {
-      phase_ = Phase::waiting;
+      change_phase(Phase::waiting);
       goal_.reset();
       set_pace(speed_);
     }
     bool wants_frame = false;
     {
       const std::lock_guard lock(mutex_);
-      wants_frame = std::exchange(wants_frame_, false);
+      is_new_ |= phase_ == Phase::running;
+      wants_frame = is_new_ && std::exchange(wants_frame_, false);
+      if (wants_frame) is_new_ = false;
       has_news_ = !asked_.empty();
     }
-    if (wants_frame) make_frame(date);
+    if (wants_frame) make_frame();
     auto until = HostClock::now() + LOOK_EVERY;
     if (phase_ == Phase::running) {
       if (goal_ || std::isinf(speed_)) {
         go_until_s_ = NEVER;
         return true;
       }
-      const double allowed_s = shown_s(NEVER);
+      double allowed_s = paced_s();
       if (date <= allowed_s) {
+        if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: no rush later
+          set_pace(speed_);
+          allowed_s = date;
+        }
         go_until_s_ = allowed_s;
         return true;
       }
@@ -147,6 +157,12 @@ bool Session::attend(double date) {
     std::unique_lock lock(mutex_);
     asked_anything_.wait_until(lock, until, [this] { return has_news_.load(); });
   }
+}
+
+void Session::change_phase(Phase phase) {
+  phase_ = phase;
+  const std::lock_guard lock(mutex_);
+  is_new_ = true;
 }
 
 // Whether simulated time would pass for nothing: the machine can do nothing but wait for the user,
@@ -163,6 +179,7 @@ void Session::obey_all() {
   {
     const std::lock_guard lock(mutex_);
     asked.swap(asked_);
+    is_new_ |= !asked.empty();
   }
   for (auto& [command, reply] : asked) {
     std::string refusal;
@@ -182,7 +199,7 @@ bool Session::is_reached(double date) {
     return false;
   }
   if (goal_->is_message && count_messages() > goal_->messages) return true;
-  if (goal_->is_ray && view_.gauges[0].value() > goal_->rays) return true;
+  if (goal_->is_ray && find_rays()->value() > goal_->rays) return true;
   if (goal_->is_picture && *view_.picture->rgb8() != *goal_->picture) return true;
   return date > goal_->date;
 }
@@ -191,21 +208,25 @@ bool Session::is_reached(double date) {
 
 // From now on simulated time passes at `speed`.
 void Session::set_pace(double speed) {
-  const double now_s = shown_s(NEVER);
+  const double now_s = shown_s();
   speed_ = speed;
   pace_from_s_ = now_s;
   pace_since_ = HostClock::now();
   go_until_s_ = 0;
 }
 
-// The simulated time that the user sees, which is before `next`.
-double Session::shown_s(double next) const {
-  const double now_s = machine_->now().value;
-  if (phase_ == Phase::paused) return std::max(now_s, pace_from_s_);
-  if (phase_ == Phase::over) return now_s;
-  if (std::isinf(speed_) || goal_) return std::max(now_s, pace_from_s_);
+// The simulated time that the host's clock allows.
+double Session::paced_s() const {
   const std::chrono::duration<double> since = HostClock::now() - pace_since_;
-  return std::max(now_s, std::min(next, pace_from_s_ + since.count() * speed_));
+  return pace_from_s_ + since.count() * speed_;
+}
+
+// The simulated time that the user sees: not after the next event.
+double Session::shown_s() const {
+  const double now_s = machine_->now().value;
+  if (phase_ == Phase::over) return now_s;
+  const bool is_paced = phase_ != Phase::paused && !goal_ && !std::isinf(speed_);
+  return std::max(now_s, is_paced ? std::min(next_s_, paced_s()) : pace_from_s_);
 }
 
 // --- what is shown ----------------------------------------------------------------------------
@@ -218,11 +239,11 @@ std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
   return std::make_shared<const std::vector<std::uint8_t>>(now);
 }
 
-void Session::make_frame(double next) {
+void Session::make_frame() {
   constexpr std::string_view NAMES[] = {"running", "paused", "waiting", "over"};
   auto made = std::make_shared<Frame>();
   made->number = ++frames_;
-  const double now_s = shown_s(next);
+  const double now_s = shown_s();
   made->state = {{"t_s", now_s},
                  {"state", NAMES[static_cast<int>(phase_)]},
                  {"phase", view_.phase ? view_.phase() : ""},
@@ -235,11 +256,12 @@ void Session::make_frame(double next) {
   made->state.update(loads_.describe(*machine_, now_s));
   made->state["spans_cut"] = spans_.is_cut();
   made->state["spans"] = spans_.take();
+  made->state["open"] = Spans::look_at(*machine_);
   if (!is_observing_) observe(true);
   auto details = ordered_json::object();
   for (const int id : selected_)
     details[std::to_string(id)] =
-        describe_processor(*machine_->processors()[static_cast<std::size_t>(id)]);
+        describe_processor(*machine_->processors()[static_cast<std::size_t>(id)], view_);
   made->state["details"] = details;
   if (!fault_.empty()) made->state["fault"] = fault_;
   if (!fault_.empty()) made->state["deadlock"] = describe_deadlock(*machine_);
@@ -257,6 +279,11 @@ void Session::make_frame(double next) {
 void Session::observe(bool is_told) {
   is_observing_ = is_told;
   machine_->set_observer(is_told ? &spans_ : nullptr);
+}
+
+const observe::View::Gauge* Session::find_rays() const {
+  const auto found = std::ranges::find(view_.gauges, "rays", &observe::View::Gauge::name);
+  return found == view_.gauges.end() ? nullptr : &*found;
 }
 
 std::uint64_t Session::count_messages() const {
@@ -279,7 +306,10 @@ void Session::end(const std::string& fault) {
   // The user did not leave before the run was over.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     deeds_.push_back({"order", LATEST_S, {{"leave", "true"}}});
-  make_frame(NEVER);
+  // The machine is gone soon, and its processors are still to be looked at.
+  selected_.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
+  std::iota(selected_.begin(), selected_.end(), 0);
+  make_frame();
   machine_ = nullptr;
   view_ = {};
 }

@@ -86,6 +86,7 @@ class Session : public observe::Spectator {
   };
 
   bool attend(double date);
+  void change_phase(Phase phase);
   bool waits_for_user(bool is_idle) const;
   void obey_all();
   void obey(const Command& command);
@@ -98,11 +99,13 @@ class Session : public observe::Spectator {
   bool is_reached(double date);
   void leave();
   void set_pace(double speed);
-  double shown_s(double next) const;
-  void make_frame(double next);
+  double paced_s() const;
+  double shown_s() const;
+  void make_frame();
   std::shared_ptr<const std::vector<std::uint8_t>> look();
   void observe(bool is_told);
   std::uint64_t count_messages() const;
+  const observe::View::Gauge* find_rays() const;  // null where none are traced
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;
@@ -118,6 +121,7 @@ class Session : public observe::Spectator {
   double speed_;
   HostClock::time_point pace_since_;
   double pace_from_s_ = 0;    // simulated, at pace_since_
+  double next_s_ = 0;         // the date of the next event
   double go_until_s_ = 0;     // no need to look at the host's clock before this date
   double fault_after_s_ = 0;  // of the last fault
   RecentLoads loads_;
@@ -135,6 +139,7 @@ class Session : public observe::Spectator {
   std::shared_ptr<const std::vector<std::uint8_t>> sequential_;
   std::function<void()> told_;
   bool wants_frame_ = false, is_quitting_ = false;
+  bool is_new_ = true;  // the last frame does not show all; else a page that wants one waits
   std::atomic<bool> has_news_{true};  // something is asked, or a frame is wanted
   std::jthread renders_;              // the sequential picture
 };

@@ -52,7 +52,7 @@ void Session::obey(const Command& command) {
   base::require(machine_ && !ended_by_hand_s_, "do", "found {}, but the run is over", what);
   if (what == "pause") {
     if (phase_ == Phase::paused) return;
-    pace_from_s_ = shown_s(NEVER);
+    pace_from_s_ = shown_s();
     phase_ = Phase::paused;
     goal_.reset();
   } else if (what == "go") {
@@ -106,7 +106,7 @@ void Session::obey_order(const Command& order) {
   base::require(orders_ && view_.take_order, "order", "found one, but the program {} has no user",
                 file_.points[0].experiment.program->name);
   const auto record = read_order(*orders_, order);
-  const double at_s = view_.take_order(record, {shown_s(NEVER)});
+  const double at_s = view_.take_order(record, {shown_s()});
   deeds_.push_back(make_deed(at_s, order));
   has_left_ |= order.contains("leave");
 }
@@ -128,7 +128,7 @@ void Session::obey_fault(const Command& fault) {
                   processors[static_cast<std::size_t>(number)]->name());
     return std::pair(number, static_cast<int>(place - network.begin()));
   };
-  const double after_s = std::max(shown_s(NEVER), fault_after_s_);
+  const double after_s = std::max(shown_s(), fault_after_s_);
   const double at_s = (std::floor(after_s / FAULT_GRID_S) + 1.5) * FAULT_GRID_S;
   const auto at = [&](int id) -> auto& { return *processors[static_cast<std::size_t>(id)]; };
   Deed deed{"fault", at_s, {}};
@@ -165,7 +165,7 @@ void Session::leave() {
 }
 
 void Session::set_goal(const Goal& goal) {
-  pace_from_s_ = shown_s(NEVER);
+  pace_from_s_ = shown_s();
   goal_ = goal;
   if (phase_ == Phase::paused) phase_ = Phase::running;
 }
@@ -178,11 +178,12 @@ void Session::step(const std::string& what) {
   } else if (what == "message") {
     goal.is_message = true;
   } else if (what == "ray") {
-    base::require(!view_.gauges.empty(), "step", "found ray, but the program traces none");
+    const auto* rays = find_rays();
+    base::require(rays != nullptr, "step", "found ray, but the program traces none");
     goal.is_ray = true;
-    goal.rays = view_.gauges[0].value();
+    goal.rays = rays->value();
   } else if (what == "millisecond") {
-    goal.date = shown_s(NEVER) + 1e-3;
+    goal.date = shown_s() + 1e-3;
   } else {
     base::refuse("what", "found \"{}\", expected event, message, ray or millisecond", what);
   }
@@ -213,6 +214,7 @@ void Session::render_sequentially() {
     if (rgb8.empty()) return;
     const std::lock_guard lock(mutex_);
     sequential_ = std::make_shared<const std::vector<std::uint8_t>>(std::move(rgb8));
+    is_new_ = true;
   });
 }
 

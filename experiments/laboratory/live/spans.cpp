@@ -3,7 +3,17 @@
 namespace laboratory {
 
 namespace {
+
 constexpr double SHORTEST_S = 1e-6;  // two spans that are nearer to each other are one
+
+void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doing doing,
+              double from_s, double to_s) {
+  all.push_back(processor);
+  all.push_back(static_cast<int>(doing));
+  all.push_back(from_s);
+  all.push_back(to_s);
+}
+
 }
 
 void Spans::name_process(const machine::Processor& /*on*/, std::uint32_t /*id*/,
@@ -34,15 +44,21 @@ void Spans::moved(const machine::LinkDirection& /*link*/, const std::string& /*c
 
 nlohmann::ordered_json Spans::take() {
   auto all = nlohmann::ordered_json::array();
-  for (const auto& span : spans_) {
-    all.push_back(span.processor);
-    all.push_back(static_cast<int>(span.doing));
-    all.push_back(span.from_s);
-    all.push_back(span.to_s);
-  }
+  for (const auto& span : spans_)
+    add_span(all, span.processor, span.doing, span.from_s, span.to_s);
   spans_.clear();
   last_.assign(last_.size(), 0);
   is_cut_ = false;
+  return all;
+}
+
+nlohmann::ordered_json Spans::look_at(const machine::Machine& machine) {
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& processor : machine.processors()) {
+    if (processor->id() >= MOST_PROCESSORS) break;
+    for (const auto& span : processor->cpu().untold())
+      add_span(all, processor->id(), span.doing, span.from.value, span.to.value);
+  }
   return all;
 }
 

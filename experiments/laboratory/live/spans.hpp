@@ -25,6 +25,8 @@ class Spans : public machine::Observer {
   /// [processor, doing (0 high, 1 low, 2 switching), from, to] one after the other, times in s.
   /// What is taken is forgotten.
   nlohmann::ordered_json take();
+  /// The same of what goes on at present, which is told again when it has ended.
+  static nlohmann::ordered_json look_at(const machine::Machine& machine);
   bool is_cut() const { return is_cut_; }  ///< there was more since the last take()
 
  private:

@@ -145,6 +145,16 @@ void save_traces(const Point& point, const RunOptions& options, observe::Trace& 
       base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out); });
 }
 
+void tell_failure(PointResult& result, const std::exception_ptr& why) {
+  try {
+    std::rethrow_exception(why);
+  } catch (const std::exception& error) {
+    const auto failure = make_failure(error);
+    result.message = failure.value().message;
+    result.exit_code = failure->exit_code;
+  }
+}
+
 PointResult run(const Experiment& experiment, const fs::path& images, bool profile,
                 observe::Watch& watch) {
   const double start_s = process_cpu_s();
@@ -166,6 +176,7 @@ PointResult run(const Experiment& experiment, const fs::path& images, bool profi
     result.host.events = outcome.events;
     result.rows = std::move(outcome.rows);
     result.notes = std::move(outcome.notes);
+    if (watch.deadlock) tell_failure(result, watch.deadlock);
   } catch (const programs::Unfinished&) {
     result.ended = machine::to_string(watch.end);
   }

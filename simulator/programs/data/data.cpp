@@ -117,7 +117,10 @@ std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routi
   for (int id = 0; id < n; ++id)
     machine[id].start(fmt::format("p{}.application", id), Priority::low,
                       [&, id] { test.live(id); });
-  run_machine(setup, machine);
+  observe::View view;
+  show(view, network);
+  show(view, memory);
+  run_machine(setup, machine, view);
   return test.finish();
 }
 

@@ -65,7 +65,9 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     }
     end = now();
   });
-  run_machine(setup, machine);
+  observe::View view;
+  show(view, network);
+  run_machine(setup, machine, view);
   const auto count = static_cast<double>(params.requests);
   const double mean = sum / count, variance = std::max(0.0, squares / count - mean * mean);
   return Measured{mean, std::sqrt(variance / count), 1 - mean / n, end.value / count};

@@ -97,6 +97,28 @@ TEST(ExperimentsInterrupt, WhatWasMeasuredIsKeptAndMarked) {
   EXPECT_NE(run["ended"].get<std::string>().find("1 not started"), std::string::npos);
 }
 
+// The picture that the user saved before the link was cut is there.
+TEST(ExperimentsDeadlock, WhatWasMeasuredBeforeACutIsKept) {
+  const TemporaryFolder folder;
+  const auto plain = tlab(folder.path, one_point({"-o", "plain"}));
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  const auto cut = [&](const char* link, const char* output) {
+    return tlab(folder.path,
+                one_point({"-o", output, "--set", "order=[{at_s=0.01,save=\"early\"}]", "--set",
+                           fmt::format("fault=[{{at_s=0.3,link={}}}]", link)}));
+  };
+  const auto done = cut("[0,1]", "r");
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  EXPECT_NE(done.err.find("link cut"), std::string::npos) << done.err;
+  const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
+  EXPECT_EQ(cell(table, "ended"), "deadlock");
+  EXPECT_NE(cell(table, "time_s"), "");
+  EXPECT_TRUE(fs::exists(folder.path / "r/image-early.png")) << done.out;
+  EXPECT_NE(read_file(folder.path / "r/report.html").find("deadlocked"), std::string::npos);
+  cut("[0,1]", "again");
+  EXPECT_EQ(read_file(folder.path / "again/results.csv"), read_file(folder.path / "r/results.csv"));
+}
+
 TEST(ExperimentsTrace, FilesAreWrittenAndTheResultsAreTheSame) {
   const TemporaryFolder folder;
   ASSERT_EQ(tlab(folder.path, one_point({"-o", "plain"})).exit_code, 0);

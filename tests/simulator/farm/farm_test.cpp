@@ -223,7 +223,6 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// The initial rays fit, their descendants do not.
 // Nothing is sent another way: the farm waits for what is cut off.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
@@ -247,6 +246,7 @@ TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   }
 }
 
+// The initial rays fit, their descendants do not.
 TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {

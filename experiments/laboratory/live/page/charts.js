@@ -1,52 +1,146 @@
-// Things over simulated time: the time line of processors, and curves of gauges.
+// Things over simulated time: the time line of processors, and curves of what grows.
 import { fit, style } from "/colour.js";
 
 const DOING = ["high", "low", "switching"];
-const MOST_SPANS = 60000, MOST_POINTS = 2000;
+const SAYS = ["high priority", "low priority", "switches"];
+const LEFT = 78;  // of the time line, for names
+const MOST_CHUNKS = 600, MOST_POINTS = 2000;
+const LONGEST_S = 1e4, SHORTEST_S = 1e-6;  // of the window
+const REDRAW_MS = 250;                     // curves are drawn no oftener
+
+export const tellTime = (s) => s < 1 ? `${+(s * 1e3).toPrecision(7)} ms` : `${+s.toPrecision(7)} s`;
 
 export class TimeLine {
-  constructor(canvas, processors) {
-    Object.assign(this, { canvas, names: processors.slice(0, 64).map((p) => p.name) });
-    this.spans = [];  // processor, doing, from, to
+  constructor(canvas, processors, onChange) {
+    Object.assign(this, { canvas, onChange,
+      names: processors.slice(0, 64).map((p) => p.name) });
+    this.chunks = [];   // of each frame: first and last date, and its spans
+    this.open = [];     // spans that have not ended
     this.window = 0.01;
+    this.to = null;     // the date at the right; null: the present
+    this.present = 0;
+    this.listen();
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
+  // Spans are processor, doing, begin, end, one after the other.
   add(state) {
-    for (let i = 0; i < state.spans.length; i += 4) this.spans.push(state.spans.slice(i, i + 4));
-    if (this.spans.length > MOST_SPANS) this.spans.splice(0, this.spans.length - MOST_SPANS);
-    this.end = state.t_s;
+    this.open = state.open;
+    this.present = state.t_s;
+    const { spans } = state;
+    if (spans.length) {
+      let first = Infinity, last = 0;
+      for (let i = 0; i < spans.length; i += 4) {
+        first = Math.min(first, spans[i + 2]);
+        last = Math.max(last, spans[i + 3]);
+      }
+      this.chunks.push({ first, last, spans });
+      if (this.chunks.length > MOST_CHUNKS) this.chunks.shift();
+    }
     this.draw();
   }
 
+  get row() { return this.names.length > 24 ? 9 : 16; }
+  get right() { return this.to ?? this.present; }
+  get from() { return Math.max(0, this.right - this.window); }
+  dateAt(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const share = (event.clientX - box.left - LEFT) / (box.width - LEFT);
+    return this.from + Math.min(1, Math.max(0, share)) * this.window;
+  }
+
+  // Makes the window longer or shorter; `at` stays where it is.
+  zoomBy(factor, at = this.right) {
+    const window = Math.min(LONGEST_S, Math.max(SHORTEST_S, this.window * factor));
+    const share = (at - this.from) / this.window;
+    this.window = window;
+    this.moveTo(at + (1 - share) * window);
+  }
+
+  moveTo(date) {
+    const least = Math.min(this.window, this.present);
+    this.to = date >= this.present ? null : Math.max(least, date);
+    this.draw();
+    this.onChange();
+  }
+
+  // The span at a place of the screen, in words.
+  tell(event) {
+    const box = this.canvas.getBoundingClientRect(), t = this.dateAt(event);
+    const processor = Math.floor((event.clientY - box.top) / this.row);
+    const name = this.names[processor];
+    if (name === undefined || event.clientX < box.left + LEFT) return "";
+    for (const { spans } of [{ spans: this.open }, ...this.chunks])
+      for (let i = 0; i < spans.length; i += 4)
+        if (spans[i] === processor && spans[i + 2] <= t && t <= spans[i + 3])
+          return `${name}, ${tellTime(t)}: ${SAYS[spans[i + 1]]} for ` +
+            tellTime(spans[i + 3] - spans[i + 2]);
+    return `${name}, ${tellTime(t)}: idle`;
+  }
+
+  listen() {
+    const { canvas } = this;
+    let last = null;  // while the line is dragged
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoomBy(event.deltaY < 0 ? 0.8 : 1.25, this.dateAt(event));
+    }, { passive: false });
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      last = event.clientX;
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      this.pointed?.(this.tell(event));
+      if (last === null) return;
+      const shift = (event.clientX - last) / (canvas.clientWidth - LEFT) * this.window;
+      last = event.clientX;
+      this.moveTo(this.right - shift);
+    });
+    for (const end of ["pointerup", "pointercancel"])
+      canvas.addEventListener(end, () => { last = null; });
+    canvas.addEventListener("keydown", (event) => {
+      const keys = { "+": () => this.zoomBy(0.5), "-": () => this.zoomBy(2),
+        ArrowLeft: () => this.moveTo(this.right - this.window / 4),
+        ArrowRight: () => this.moveTo(this.right + this.window / 4),
+        End: () => this.moveTo(this.present) };
+      if (!keys[event.key]) return;
+      event.preventDefault();
+      keys[event.key]();
+    });
+  }
+
   draw() {
-    const row = this.names.length > 24 ? 9 : 16, height = row * this.names.length + 22;
+    const { row, from, right: to } = this, height = row * this.names.length + 22;
     const { context, width } = fit(this.canvas, height);
     context.clearRect(0, 0, width, height);
-    const left = 78, to = this.end ?? 0, from = Math.max(0, to - this.window);
-    const x = (t) => left + (t - from) / this.window * (width - left);
+    const x = (t) => LEFT + (t - from) / this.window * (width - LEFT);
     context.font = `${Math.max(9, row - 5)}px system-ui, sans-serif`;
     context.textBaseline = "middle";
     context.fillStyle = style("soft");
     const every = row < 12 ? 4 : 1;  // names would be in each other's way
     this.names.forEach((name, i) => {
-      if (i % every === 0) context.fillText(name, 0, row * (i + 0.5), left - 6);
+      if (i % every === 0) context.fillText(name, 0, row * (i + 0.5), LEFT - 6);
     });
     const colours = DOING.map(style);
-    for (let i = this.spans.length - 1; i >= 0; --i) {
-      const [processor, doing, begin, end] = this.spans[i];
-      if (end < from || begin > to || processor >= this.names.length) continue;
-      context.fillStyle = colours[doing];
-      const at = x(Math.max(begin, from));
-      context.fillRect(at, row * processor + 1, Math.max(0.5, x(Math.min(end, to)) - at), row - 3);
-    }
+    const drawSpans = (spans) => {
+      for (let i = 0; i < spans.length; i += 4) {
+        if (spans[i + 3] < from || spans[i + 2] > to || spans[i] >= this.names.length) continue;
+        context.fillStyle = colours[spans[i + 1]];
+        const at = x(Math.max(spans[i + 2], from));
+        context.fillRect(at, row * spans[i] + 1, Math.max(0.5, x(Math.min(spans[i + 3], to)) - at),
+          row - 3);
+      }
+    };
+    for (const { first, last, spans } of this.chunks)
+      if (last >= from && first <= to) drawSpans(spans);
+    drawSpans(this.open);
     context.strokeStyle = style("rule");
     context.fillStyle = style("soft");
     context.font = "11px system-ui, sans-serif";
     for (let i = 0; i <= 4; ++i) {
       const t = from + this.window * i / 4;
       context.textAlign = i === 0 ? "left" : i === 4 ? "right" : "center";
-      context.fillText(`${+(t * 1e3).toPrecision(7)} ms`, x(t), height - 9);
+      context.fillText(tellTime(t), x(t), height - 9);
       context.beginPath();
       context.moveTo(x(t), 0);
       context.lineTo(x(t), height - 18);
@@ -55,47 +149,71 @@ export class TimeLine {
     context.textAlign = "left";
   }
 }
+const tellNumber = (value) => value === null ? "" : String(+value.toPrecision(6));
 
-// One small chart for each gauge.
+// One chart of dygraphs for each thing that grows: {name, help, value(state)}, whose value is null
+// as long as it is unknown.
 export class Curves {
-  constructor(parent, gauges) {
-    this.curves = gauges.map(({ name, help }) => {
-      const figure = document.createElement("figure"), canvas = document.createElement("canvas");
-      const caption = document.createElement("figcaption");
+  constructor(parent, things) {
+    // Its legend writes styles into the page's text, which our policy forbids.
+    const { Dygraph } = window;
+    Dygraph.PLUGINS = Dygraph.PLUGINS.filter((plugin) => plugin !== Dygraph.Plugins.Legend);
+    this.curves = things.map(({ name, help, value }) => {
+      const figure = document.createElement("figure"), caption = document.createElement("figcaption");
+      const chart = document.createElement("div");
       figure.className = "curve";
       figure.title = help;
-      canvas.setAttribute("aria-label", `${name} over simulated time`);
-      figure.append(caption, canvas);
+      figure.hidden = true;
+      chart.className = "chart";
+      figure.append(caption, chart);
       parent.append(figure);
-      return { name, canvas, caption, points: [] };
+      return { name, value, figure, caption, chart, points: [], graph: null, told: null };
+    });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      for (const { graph } of this.curves) graph?.updateOptions(this.colours());
     });
   }
 
   add(state) {
-    this.curves.forEach((curve, i) => {
-      const { points } = curve, point = [state.t_s, state.gauges[i]];
-      if (points.length && points.at(-1)[0] === point[0]) points.pop();
-      points.push(point);
+    for (const curve of this.curves) {
+      const value = curve.value(state), { points } = curve;
+      if (value === null) continue;
+      if (points.length && points.at(-1)[0] === state.t_s) points.pop();
+      points.push([state.t_s, value]);
       // Every second point goes when there are too many.
       if (points.length > MOST_POINTS) curve.points = points.filter((_, j) => j % 2 === 0);
-      this.draw(curve);
-    });
+    }
+    this.timer ??= setTimeout(() => {
+      this.timer = undefined;
+      this.curves.forEach((curve) => this.draw(curve));
+    }, REDRAW_MS);
   }
 
-  draw({ name, canvas, caption, points }) {
-    const height = 70, { context, width } = fit(canvas, height);
-    context.clearRect(0, 0, width, height);
-    const last = points.at(-1);
-    caption.textContent = `${name}: ${+last[1].toPrecision(8)}`;
-    const most = Math.max(1e-12, ...points.map((p) => p[1]));
-    const x = (t) => t / Math.max(last[0], 1e-12) * (width - 2) + 1;
-    const y = (v) => height - 2 - v / most * (height - 8);
-    context.strokeStyle = style("rule");
-    context.strokeRect(0.5, 0.5, width - 1, height - 1);
-    context.strokeStyle = style("low");
-    context.lineWidth = 1.5;
-    context.beginPath();
-    points.forEach(([t, v], i) => context[i ? "lineTo" : "moveTo"](x(t), y(v)));
-    context.stroke();
+  colours() {
+    return { colors: [style("low")], axisLineColor: style("rule"), gridLineColor: style("rule") };
+  }
+
+  draw(curve) {
+    if (!curve.points.length) return;
+    curve.figure.hidden = false;
+    if (!curve.told) this.say(curve, curve.points.at(-1));
+    if (curve.graph) return curve.graph.updateOptions({ file: curve.points });
+    curve.graph = new window.Dygraph(curve.chart, curve.points, { ...this.colours(),
+      labels: ["simulated time", curve.name], includeZero: true, strokeWidth: 1.5,
+      highlightCircleSize: 4, axisLabelFontSize: 11,
+      axes: { x: { axisLabelFormatter: (t) => tellTime(t), axisLabelWidth: 70, pixelsPerLabel: 90 },
+        y: { axisLabelWidth: 56, pixelsPerLabel: 30, axisLabelFormatter: tellNumber } },
+      highlightCallback: (event, t, [{ yval }]) => {
+        curve.told = true;
+        this.say(curve, [t, yval]);
+      },
+      unhighlightCallback: () => {
+        curve.told = null;
+        this.say(curve, curve.points.at(-1));
+      } });
+  }
+
+  say({ name, caption }, [t, value]) {
+    caption.textContent = `${name}: ${tellNumber(value)} at ${tellTime(t)}`;
   }
 }

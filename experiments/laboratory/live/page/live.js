@@ -1,6 +1,6 @@
 // The page: says hello with the token of its address, asks for a frame when it has drawn the last,
 // and says what the user's hands do.
-import { Curves, TimeLine } from "/charts.js";
+import { Curves, TimeLine, tellTime } from "/charts.js";
 import { Machine } from "/machine.js";
 import { Picture } from "/picture.js";
 
@@ -22,8 +22,8 @@ function connect() {
   socket.onmessage = ({ data }) => {
     if (typeof data !== "string") return hearPicture(data);
     const message = JSON.parse(data);
-    if (message.outline) begin(message.outline);
     if ("steers" in message) setSteering(message.steers);
+    if (message.outline) begin(message.outline);
     if ("reply" in message) hear(message);
     if (message.state) show(message.state);
   };
@@ -69,37 +69,74 @@ function hearPicture(data) {
 
 function begin(what) {
   outline = what;
+  const asked = new URLSearchParams(kept);
   document.title = `${outline.title || outline.file} - tlab live`;
   $("title").textContent = outline.title || outline.file;
   if (outline.picture) {
     $("picture-part").hidden = false;
-    picture = new Picture($("picture"), outline.picture, markArea, remember);
-    picture.pointed = (x, y, [r, g, b]) => {
-      $("pixel").textContent = `pixel ${x}, ${y}: ${r} ${g} ${b}`;
+    picture = new Picture($("picture"), $("beside"), outline.picture, markArea, remember);
+    picture.pointed = (x, y, [shown, compared]) => {
+      $("pixel").textContent = `pixel ${x}, ${y}: ${shown}` +
+        (compared ? `, sequential ${compared}` : "");
     };
     $("layer").closest("label").hidden = !outline.has_sequential;
-    restoreView();
+    restoreView(asked.get("view"));
   }
+  else $("left").prepend($("machine-part"));
   machine = new Machine($("machine"), outline, choose);
   machine.pointed = (found) => { $("pointed").textContent = found ? describe(found) : "\u00a0"; };
-  line = new TimeLine($("line"), outline.processors);
-  line.window = Number(kept.get("window")) || line.window;
-  $("window").value = String(line.window);
+  line = new TimeLine($("line"), outline.processors, showWindow);
+  line.window = Number(asked.get("window")) || line.window;
+  line.pointed = (text) => { $("span").textContent = text || "\u00a0"; };
+  showWindow();
   $("growth").replaceChildren();
-  curves = new Curves($("growth"), outline.gauges);
-  $("growth").parentElement.hidden = outline.gauges.length === 0;
+  curves = new Curves($("growth"), whatGrows());
   $("hands").hidden = !outline.has_user;
   if (outline.has_user) makeLimits();
   makeLoads();
-  if (kept.get("processor") !== null) choose({ processor: Number(kept.get("processor")) });
+  for (const what of ["processor", "link"]) {
+    const number = Number(asked.get(what) ?? NaN), all = outline[what + "s"];
+    if (number in all) choose({ [what]: number });
+  }
+  if (steers && asked.has("t")) runTo(Number(asked.get("t")));
   want();
+}
+
+// What the program counts, and loads; the error once there is a picture to compare with.
+function whatGrows() {
+  const mean = (all) => all.reduce((sum, load) => sum + load, 0) / all.length / 1000;
+  const things = outline.gauges.map(({ name, help }, i) =>
+    ({ name, help, value: ({ gauges }) => gauges[i] }));
+  things.push({ name: "mean load of the processors", help: "over the interval chosen above",
+    value: ({ cpus }) => mean(cpus) });
+  if (outline.links.length)
+    things.push({ name: "load of the busiest link", help: "one way, over the interval chosen above",
+      value: ({ links }) => Math.max(...links) / 1000 });
+  if (outline.has_sequential)
+    things.push({ name: "error of the picture",
+      help: "root mean square of what it differs from the sequential renderer's, as a share",
+      value: () => picture.error() });
+  return things;
+}
+
+// The window of the time line, which may be none of those to choose from.
+function showWindow() {
+  const own = $("window").options[WINDOWS.length];
+  if (own) own.remove();
+  if (!WINDOWS.includes(line.window))
+    $("window").append(element("option", tellTime(line.window), { value: String(line.window) }));
+  $("window").value = String(line.window);
+  $("present").hidden = line.to === null;
+  remember();
 }
 
 const NAMES = { running: "running", paused: "paused", waiting: "waiting for your order",
   over: "over" };
 
 function show(now) {
+  const was = state?.state;
   state = now;
+  if (was !== state.state) remember();
   $("status").textContent = `${NAMES[state.state]} at ${date(state.t_s)} of simulated time` +
     (state.phase ? `, ${state.phase}` : "") + tellFault();
   const announced = NAMES[state.state] + (state.phase ? ", " + state.phase : "") + tellFault();
@@ -146,7 +183,7 @@ function describe({ processor, link }) {
 
 function choose(found) {
   machine.chosen = found;
-  if (steers || found?.processor === undefined)
+  if (steers && state?.state !== "over")
     ask({ do: "select", processors: found?.processor === undefined ? [] : [found.processor] });
   remember();
   machine.draw();
@@ -169,6 +206,8 @@ function showChosen() {
   const parts = [];
   const ends = !found ? [] : found.link !== undefined ? outline.links[found.link]
     : [found.processor];
+  if (found?.link !== undefined)
+    parts.push(element("p", "link " + ends.map((id) => outline.processors[id].name).join(" - ")));
   if (found && ends.every((id) => outline.processors[id].may_break)) {
     const isLink = found.link !== undefined;
     const button = element("button", isLink ? "Cut this link" : "Stop this processor");
@@ -180,6 +219,9 @@ function showChosen() {
     const share = detail.memory_bytes / detail.memory_size_bytes;
     parts.push(element("p", `${detail.name}: ${detail.memory_bytes} bytes of memory in use ` +
       `(${percent(1000 * share)})`));
+    if (detail.readings.length)
+      parts.push(element("p", detail.readings.map(({ name, value }) =>
+        `${name}: ${+value.toPrecision(6)}`).join("; ")));
     const table = element("table");
     const head = table.insertRow();
     for (const name of ["process", "priority", "state", "waits for"])
@@ -321,19 +363,17 @@ $("interactive").onclick = () => give({ interactive: true }, "interactive phase"
 $("abort").onclick = () => give({ abort: true }, "abort");
 $("save").onclick = save;
 $("layer").onchange = () => {
-  if ($("layer").value !== "shown") ask({ do: "compare" });
-  picture.layer = $("layer").value;
-  picture.draw();
+  const layer = $("layer").value;
+  if (layer) ask({ do: "compare" });
+  $("beside-part").hidden = !layer;
+  picture.showBeside(layer);
 };
 $("zoom-in").onclick = () => picture.zoomBy(1.5);
 $("zoom-out").onclick = () => picture.zoomBy(1 / 1.5);
 $("zoom-fit").onclick = () => { picture.fit(); remember(); };
 $("interval").onchange = () => ask({ do: "interval", s: Number($("interval").value) });
-$("window").onchange = () => {
-  line.window = Number($("window").value);
-  line.draw();
-  remember();
-};
+$("window").onchange = () => line.zoomBy(Number($("window").value) / line.window);
+$("present").onclick = () => line.moveTo(line.present);
 
 const KEYS = { " ": go, e: () => step("event"), m: () => step("message"), r: () => step("ray"),
   t: () => step("millisecond"), p: () => runTo("picture"), s: save, "[": () => changeSpeed(-1),
@@ -351,13 +391,16 @@ function remember() {
   if (picture) kept.set("view", [picture.zoom, picture.left, picture.top].map((v) =>
     +v.toFixed(3)).join(","));
   if (line) kept.set("window", line.window);
-  if (machine?.chosen?.processor !== undefined) kept.set("processor", machine.chosen.processor);
-  else kept.delete("processor");
+  for (const what of ["processor", "link"])
+    if (machine?.chosen?.[what] !== undefined) kept.set(what, machine.chosen[what]);
+    else kept.delete(what);
+  if (state && state.state !== "running") kept.set("t", state.t_s);
+  else if (state) kept.delete("t");
   history.replaceState(null, "", "#" + kept.toString());
 }
 
-function restoreView() {
-  const view = kept.get("view")?.split(",").map(Number);
+function restoreView(text) {
+  const view = text?.split(",").map(Number);
   if (view?.length !== 3 || !view.every(Number.isFinite)) return;
   [picture.zoom, picture.left, picture.top] = view;
   picture.move(0, 0);

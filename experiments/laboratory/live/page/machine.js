@@ -15,13 +15,12 @@ export class Machine {
       this.onChoose(found);
     });
     canvas.addEventListener("keydown", (event) => {
-      const n = outline.processors.length, now = this.chosen?.processor ?? -1;
-      if (event.key === "ArrowRight" || event.key === "ArrowDown")
-        this.onChoose({ processor: (now + 1) % n });
-      else if (event.key === "ArrowLeft" || event.key === "ArrowUp")
-        this.onChoose({ processor: (now + n - 1) % n });
-      else return;
+      const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: 1, ArrowUp: -1 }[event.key];
+      if (step === undefined) return;
       event.preventDefault();
+      const what = /Up|Down/.test(event.key) ? "link" : "processor";
+      const n = outline[what + "s"].length, now = this.chosen?.[what] ?? (step > 0 ? -1 : 0);
+      if (n) this.onChoose({ [what]: (now + step + n) % n });
     });
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
@@ -48,7 +47,7 @@ export class Machine {
     const { processors, links } = this.outline, state = this.state;
     const moving = new Set(state?.moving), cut = new Set(state?.cut);
     const stopped = new Set(state?.stopped);
-    const waits = new Set(state?.deadlock?.processors);
+    const cycle = state?.deadlock?.processors ?? [], waits = new Set(cycle);
     const thick = Math.max(1, unit / 18);
     context.setLineDash([]);
     links.forEach(([a, b], i) => {
@@ -85,6 +84,7 @@ export class Machine {
     });
     context.setLineDash([]);
     const radius = Math.min(22, unit * 0.3);
+    this.drawCycle(context, cycle, place, radius);
     context.textAlign = "center";
     context.textBaseline = "middle";
     processors.forEach((processor, i) => {
@@ -113,6 +113,29 @@ export class Machine {
         context.fillText("+" + ready, x + radius * 1.25, y - radius * 0.9);
       }
     });
+  }
+
+  // Who waits for whom, as arrows from processor to processor.
+  drawCycle(context, cycle, place, radius) {
+    context.strokeStyle = context.fillStyle = style("warn");
+    context.lineWidth = 2.5;
+    for (let i = 1; i < cycle.length; ++i) {
+      if (cycle[i - 1] === cycle[i]) continue;  // two processes of one processor
+      const { processors } = this.outline;
+      const [ax, ay] = place(processors[cycle[i - 1]]), [bx, by] = place(processors[cycle[i]]);
+      const length = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / length, uy = (by - ay) / length;
+      const margin = Math.min(radius + 2, length / 3);
+      const x = bx - ux * margin, y = by - uy * margin;
+      context.beginPath();
+      context.moveTo(ax + ux * margin, ay + uy * margin);
+      context.lineTo(x - 6 * ux, y - 6 * uy);
+      context.stroke();
+      context.beginPath();
+      context.moveTo(x, y);
+      context.lineTo(x - 9 * ux - 5 * uy, y - 9 * uy + 5 * ux);
+      context.lineTo(x - 9 * ux + 5 * uy, y - 9 * uy - 5 * ux);
+      context.fill();
+    }
   }
 
   cross(context, x, y, r) {

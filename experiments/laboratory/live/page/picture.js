@@ -1,8 +1,11 @@
 // The picture as the display shows it: tiles as they come, zoom, pixels' values, and an area that
-// the user marks.
+// the user marks. Beside it, on a canvas of its own, what it is compared with.
 export class Picture {
-  constructor(canvas, { width, height }, onArea, onChange) {
-    Object.assign(this, { canvas, width, height, onArea, onChange });
+  constructor(canvas, beside, { width, height }, onArea, onChange) {
+    Object.assign(this, { width, height, onArea, onChange });
+    this.views = [{ canvas, layer: "shown" }];
+    this.beside = { canvas: beside, layer: "" };
+    this.has = new Set();  // layers of which something has come
     this.layers = Object.fromEntries(["shown", "sequential", "error"].map((name) => {
       const canvas = document.createElement("canvas"), image = new ImageData(width, height);
       for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
@@ -10,16 +13,34 @@ export class Picture {
       canvas.height = height;
       return [name, { canvas, image }];
     }));
-    this.layer = "shown";
     this.area = null;
     this.fit();
-    this.listen();
+    this.listen(canvas);
+    this.listen(beside);
+  }
+
+  // layer: "sequential", "error", or "" for nothing.
+  showBeside(layer) {
+    this.beside.layer = layer;
+    this.views.splice(1, 1, ...(layer ? [this.beside] : []));
+    this.draw();
+  }
+
+  // The root of the mean square of the differences between display and sequential renderer, a
+  // share of the range; null before that picture is there.
+  error() {
+    if (!this.has.has("sequential")) return null;
+    const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
+    let squares = 0;
+    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;  // alpha is the same
+    return Math.sqrt(squares / (0.75 * a.length)) / 255;
   }
 
   // Tiles: x, y, width, height, two bytes each, and three bytes a pixel.
   add(name, buffer) {
     const view = new DataView(buffer), bytes = new Uint8Array(buffer);
     const { canvas, image } = this.layers[name], context = canvas.getContext("2d");
+    this.has.add(name);
     for (let at = 0; at < buffer.byteLength;) {
       const [x, y, w, h] = [0, 2, 4, 6].map((i) => view.getUint16(at + i, true));
       at += 8;
@@ -73,16 +94,20 @@ export class Picture {
   }
 
   draw() {
+    for (const view of this.views) this.drawView(view);
+  }
+
+  drawView({ canvas, layer }) {
     const side = Math.ceil(640 / this.width);  // of a pixel
-    if (this.canvas.width !== side * this.width) {
-      this.canvas.width = side * this.width;
-      this.canvas.height = side * this.height;
+    if (canvas.width !== side * this.width) {
+      canvas.width = side * this.width;
+      canvas.height = side * this.height;
     }
-    const context = this.canvas.getContext("2d");
+    const context = canvas.getContext("2d");
     context.imageSmoothingEnabled = false;
-    const scale = this.canvas.width / this.width * this.zoom;
+    const scale = canvas.width / this.width * this.zoom;
     context.setTransform(scale, 0, 0, scale, -this.left * scale, -this.top * scale);
-    context.drawImage(this.layers[this.layer].canvas, 0, 0);
+    context.drawImage(this.layers[layer].canvas, 0, 0);
     const area = this.marking ?? this.area;
     if (!area) return;
     context.lineWidth = 3 / scale;
@@ -94,7 +119,7 @@ export class Picture {
   }
 
   at(event) {
-    const box = this.canvas.getBoundingClientRect();
+    const box = event.target.getBoundingClientRect();
     const limit = (v, most) => Math.min(most - 1, Math.max(0, Math.floor(v)));
     return [
       limit(this.left + (event.clientX - box.left) / box.width * this.width / this.zoom, this.width),
@@ -102,13 +127,16 @@ export class Picture {
         this.height)];
   }
 
-  value(x, y) {
-    const { data } = this.layers[this.layer].image;
-    return [...data.subarray(4 * (y * this.width + x), 4 * (y * this.width + x) + 3)];
+  // The pixel's values in every picture that is shown.
+  tell(x, y) {
+    const at = 4 * (y * this.width + x);
+    return this.views.map(({ layer }) => {
+      const { data } = this.layers[layer === "error" ? "sequential" : layer].image;
+      return data.subarray(at, at + 3).join(" ");
+    });
   }
 
-  listen() {
-    const canvas = this.canvas;
+  listen(canvas) {
     let from = null, moved = null;
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
@@ -117,7 +145,7 @@ export class Picture {
     });
     canvas.addEventListener("pointermove", (event) => {
       const [x, y] = this.at(event);
-      this.pointed?.(x, y, this.value(x, y));
+      this.pointed?.(x, y, this.tell(x, y));
       if (moved) {
         const scale = canvas.getBoundingClientRect().width / this.width * this.zoom;
         this.move((moved[0] - event.clientX) / scale, (moved[1] - event.clientY) / scale);
