@@ -113,7 +113,7 @@ TEST(ExperimentsDeadlock, WhatWasMeasuredBeforeACutIsKept) {
   const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
   EXPECT_EQ(cell(table, "ended"), "deadlock");
   EXPECT_NE(cell(table, "time_s"), "");
-  EXPECT_TRUE(fs::exists(folder.path / "r/image-early.png")) << done.out;
+  EXPECT_TRUE(fs::exists(folder.path / "r/image-spheres-20-early.png")) << done.out;
   EXPECT_NE(read_file(folder.path / "r/report.html").find("deadlocked"), std::string::npos);
   cut("[0,1]", "again");
   EXPECT_EQ(read_file(folder.path / "again/results.csv"), read_file(folder.path / "r/results.csv"));

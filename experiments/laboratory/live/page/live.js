@@ -11,6 +11,7 @@ const kept = new URLSearchParams(location.hash.slice(1));  // what the address s
 
 let socket, outline, state, picture, machine, line, curves;
 let steers = false, asked = 0;
+let goesTo = NaN;  // the date that the address asked for, until the first state is there
 const replies = new Map();
 
 // --- talking to the session -----------------------------------------------------------------------
@@ -98,7 +99,7 @@ function begin(what) {
     const number = Number(asked.get(what) ?? NaN), all = outline[what + "s"];
     if (number in all) choose({ [what]: number });
   }
-  if (steers && asked.has("t")) runTo(Number(asked.get("t")));
+  goesTo = Number(asked.get("t") ?? NaN);
   want();
 }
 
@@ -137,6 +138,8 @@ function show(now) {
   const was = state?.state;
   state = now;
   if (was !== state.state) remember();
+  if (steers && state.state !== "over" && state.t_s < goesTo) runTo(goesTo);
+  goesTo = NaN;
   $("status").textContent = `${NAMES[state.state]} at ${date(state.t_s)} of simulated time` +
     (state.phase ? `, ${state.phase}` : "") + tellFault();
   const announced = NAMES[state.state] + (state.phase ? ", " + state.phase : "") + tellFault();
@@ -394,7 +397,7 @@ function remember() {
   for (const what of ["processor", "link"])
     if (machine?.chosen?.[what] !== undefined) kept.set(what, machine.chosen[what]);
     else kept.delete(what);
-  if (state && state.state !== "running") kept.set("t", state.t_s);
+  if (state?.state === "paused") kept.set("t", state.t_s);
   else if (state) kept.delete("t");
   history.replaceState(null, "", "#" + kept.toString());
 }
