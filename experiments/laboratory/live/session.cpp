@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto LOOK_EVERY = 50ms;              // at the user's interrupts, while nothing goes on
+constexpr auto FRAMES_AT_FULL_SPEED = 80ms;    // that watching costs little then
 constexpr double MOST_ARREARS_S = 0.25;        // of the host's
 constexpr std::uint64_t CALLS_BETWEEN = 1024;  // looks at them while the machine runs
 constexpr std::size_t MOST_TOLD_AT_END = 256;  // processors
@@ -130,8 +131,8 @@ bool Session::attend(double date) {
     {
       const std::lock_guard lock(mutex_);
       is_new_ |= phase_ == Phase::running;
-      wants_frame = is_new_ && std::exchange(wants_frame_, false);
-      if (wants_frame) is_new_ = false;
+      wants_frame = is_new_ && wants_frame_ && HostClock::now() >= next_frame_at_;
+      if (wants_frame) is_new_ = wants_frame_ = false;
       has_news_ = !asked_.empty();
     }
     if (wants_frame) make_frame();
@@ -240,6 +241,8 @@ std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
 }
 
 void Session::make_frame() {
+  const bool is_fast = phase_ == Phase::running && (goal_ || std::isinf(speed_));
+  if (is_fast) next_frame_at_ = HostClock::now() + FRAMES_AT_FULL_SPEED;
   constexpr std::string_view NAMES[] = {"running", "paused", "waiting", "over"};
   auto made = std::make_shared<Frame>();
   made->number = ++frames_;

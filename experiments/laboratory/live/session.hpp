@@ -124,6 +124,7 @@ class Session : public observe::Spectator {
   double next_s_ = 0;         // the date of the next event
   double go_until_s_ = 0;     // no need to look at the host's clock before this date
   double fault_after_s_ = 0;  // of the last fault
+  HostClock::time_point next_frame_at_;
   RecentLoads loads_;
   std::vector<int> selected_;  // processors
   bool has_left_ = false, is_observing_ = true;

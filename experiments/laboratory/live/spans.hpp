@@ -13,7 +13,7 @@ namespace laboratory {
 class Spans : public machine::Observer {
  public:
   static constexpr int MOST_PROCESSORS = 64;
-  static constexpr std::size_t MOST = 8192;  ///< spans kept; beyond that, `is_cut`
+  static constexpr std::size_t MOST = 4096;  ///< spans kept; beyond that, `is_cut`
 
   void name_process(const machine::Processor& on, std::uint32_t id,
                     const std::string& name) override;

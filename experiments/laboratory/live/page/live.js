@@ -390,7 +390,16 @@ document.addEventListener("keydown", (event) => {
 
 // --- the address keeps what is looked at --------------------------------------------------------------
 
+// A little later: it costs the browser a lot.
+let remembering;
 function remember() {
+  remembering ??= setTimeout(() => {
+    remembering = undefined;
+    writeAddress();
+  }, 200);
+}
+
+function writeAddress() {
   if (picture) kept.set("view", [picture.zoom, picture.left, picture.top].map((v) =>
     +v.toFixed(3)).join(","));
   if (line) kept.set("window", line.window);
