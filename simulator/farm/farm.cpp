@@ -310,6 +310,7 @@ observe::View Centre::make_view() {
   };
   if (params_.block) return view;
   view.waits_for_user = [this] { return progress_.is_null && orders_.waits_for_hand(); };
+  view.close_orders = [this] { orders_.close(); };
   view.take_order = [this](const std::any& record, machine::Seconds after) {
     const auto check_script = [this](const std::vector<Order>& script) {
       Params params = params_;

@@ -47,7 +47,7 @@ struct Params {
 struct Result : tracing::Rendering {
   std::optional<double> reorder_pause_s;  ///< the longest while all rays were classified again
   double interactive_s = 0;               ///< the interactive phase's part of time_s
-  RayStores::Lengths peaks;                 ///< the most rays in the database's stores
+  RayStores::Lengths peaks;               ///< the most rays in the database's stores
   std::uint64_t tasks = 0;                ///< rays, or blocks
   std::size_t peak_tasks_in_farm = 0;
   double drain_s = 0;               ///< part of time_s after the last task was handed out

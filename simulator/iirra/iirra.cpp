@@ -148,6 +148,7 @@ class Run {
     view.waits_for_user = [this] {
       return coordinator_->is_null() && shared_.orders.waits_for_hand();
     };
+    view.close_orders = [this] { shared_.orders.close(); };
     view.take_order = [this](const std::any& order, machine::Seconds after) {
       const auto check_script = [this](const std::vector<Order>& script) {
         Params params = params_;

@@ -249,11 +249,11 @@ void Cpu::low_timer() {
 
 void Cpu::account_low() {
   use_.busy_low += now() - low_.since;
+  const Seconds way_back_from = std::exchange(low_.way_back_from, NEVER);
   if (!diary_.has_observer()) return;
   const Process& low = interrupted_ ? *interrupted_ : *running_;
-  if (low_.way_back_from < NEVER)
-    diary_.note(low, Observer::Doing::switching, low_.way_back_from, low_.since);
-  low_.way_back_from = NEVER;
+  if (way_back_from < NEVER)
+    diary_.note(low, Observer::Doing::switching, way_back_from, low_.since);
   diary_.note(low, Observer::Doing::low, low_.since, now());
 }
 

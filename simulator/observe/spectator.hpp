@@ -41,6 +41,7 @@ struct View {
   std::vector<Gauge> gauges;
   std::vector<Inspect> inspections;      ///< each may know nothing of a processor
   TakeOrder take_order;                  ///< where the program has a user
+  std::function<void()> close_orders;    ///< no more are taken: the user leaves after the file's
   std::function<std::string()> phase;    ///< what it is doing, in a few words
   std::function<bool()> waits_for_user;  ///< nothing will happen unless the user orders it
   std::function<bool()> is_complete;     ///< all is done but to end

@@ -29,7 +29,7 @@ class Orders {
     user_ = &machine::this_process();
     begun_ = begun;
     if (next_ < orders_.size())
-      wait_until(orders_[next_].at);
+      wait_for_time();
     else if (is_open_)
       wait_for_hand();
     if (next_ == orders_.size()) orders_.push_back({{}, Leave{}});
@@ -46,7 +46,11 @@ class Orders {
                                  : "[[order]]: found one before the first task was at hand");
     if (has_left()) throw base::BadInput("[[order]]: found one after the user had left");
     const double tick_s = occam::date_of(*user_, 1).value;
-    const auto tick = static_cast<std::int64_t>(std::floor(after.value / tick_s)) + 1;
+    // The user's process may be ahead of the clock, and know already that there was no order.
+    const bool is_blocked = user_->state() == machine::Process::State::blocked;
+    const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
+    const double from_s = std::max(after, own).value;
+    const auto tick = static_cast<std::int64_t>(std::floor(from_s / tick_s)) + 1;
     const machine::Seconds date = occam::date_of(*user_, tick);
     OrderRecord<Limits> dated = record;
     dated.at_s = (date - begun_).value;
@@ -67,27 +71,39 @@ class Orders {
   bool has_left() const {
     return !orders_.empty() && std::holds_alternative<Leave>(orders_.back().what);
   }
-  bool is_open() const { return is_open_; }
-  bool has_begun() const { return user_; }
+  /// From now on no hand orders anything: the user leaves after the last order that is there.
+  void close() { is_open_ = false; }
 
  private:
   // As occam::wait_until, but first among what happens then, so that it does not matter when the
   // wait was begun; and ended earlier by a hand.
-  void wait_until(machine::Seconds at) {
+  void wait_for_time() {
     const auto& timer = user_->processor().model().timer;
-    const auto date = occam::date_of(*user_, occam::ticks(begun_ + at));
-    user_->charge(user_->own_time() >= date ? timer.wait_past : timer.wait_future);
-    if (user_->now() >= date) return;
-    user_->processor().wake_first_at(date, *user_, user_->waits() + 1);
-    block();
+    const bool is_past = user_->own_time() >= date_of_next();
+    user_->charge(is_past ? timer.wait_past : timer.wait_future);
+    block_until_time();
   }
 
   void wait_for_hand() {
     user_->charge(user_->processor().model().timer.wait_future);
     user_->sync();
     waits_for_hand_ = true;
-    if (next_ == orders_.size()) block();
+    if (next_ == orders_.size())
+      block();
+    else  // it has come meanwhile
+      block_until_time();
     waits_for_hand_ = false;
+  }
+
+  machine::Seconds date_of_next() const {
+    return occam::date_of(*user_, occam::ticks(begun_ + orders_[next_].at));
+  }
+
+  void block_until_time() {
+    const auto date = date_of_next();
+    if (user_->now() >= date) return;
+    user_->processor().wake_first_at(date, *user_, user_->waits() + 1);
+    block();
   }
 
   struct UserWait : machine::Wait {
@@ -95,13 +111,15 @@ class Orders {
   };
   void block() {
     UserWait wait;
+    waits_for_order_ = true;
     user_->block(wait);
+    waits_for_order_ = false;
   }
 
-  // The user's process waits for a hand, for a later order, or is about to do so.
+  // Ends a wait for a hand, or for a later order. A process that hands over the order before will
+  // look by itself.
   void wake(machine::Seconds date) {
-    const bool is_blocked = user_->state() == machine::Process::State::blocked;
-    user_->processor().wake_first_at(date, *user_, user_->waits() + (is_blocked ? 0 : 1));
+    if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }
 
   std::deque<Order> orders_;
@@ -109,7 +127,7 @@ class Orders {
   bool is_open_;
   machine::Process* user_ = nullptr;
   machine::Seconds begun_{};
-  bool waits_for_hand_ = false;
+  bool waits_for_hand_ = false, waits_for_order_ = false;
 };
 
 }  // namespace tracing

@@ -3,7 +3,9 @@
 #include <sys/wait.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
@@ -67,14 +69,46 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
   if (!o.record.empty()) {
     base::require(fs::path(o.record).extension() == ".toml", "--record",
                   "found {}, expected a name that ends in .toml", o.record);
+    std::error_code error;
+    base::require(!fs::equivalent(o.record, o.source, error), "--record",
+                  "found the experiment itself, {}, expected another file", o.record);
     return o.record;
   }
-  return fs::path("results") / (fs::path(file.path).stem().string() + "-live.toml");
+  // Recordings of former sessions stay.
+  const auto name = fs::path(file.path).stem().string() + "-live";
+  fs::path recording = fs::path("results") / (name + ".toml");
+  for (int number = 2; fs::exists(recording); ++number)
+    recording.replace_filename(fmt::format("{}{}.toml", name, number));
+  return recording;
 }
 
+// A page that leads to the session's: the address itself would be in a command line, which every
+// user of the computer may read. Only its owner may read the file, which goes with this object.
+class Doorway {
+ public:
+  explicit Doorway(const std::string& address) {
+    std::string folder = (fs::temp_directory_path() / "tlab-live-XXXXXX").string();
+    if (!mkdtemp(folder.data())) return;
+    folder_ = folder;
+    std::ofstream(folder_ / "live.html")
+        << fmt::format("<meta http-equiv=\"refresh\" content=\"0;url={}\">\n", address);
+  }
+  ~Doorway() {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  }
+  Doorway(const Doorway&) = delete;
+  Doorway& operator=(const Doorway&) = delete;
+
+  std::string file() const { return (folder_ / "live.html").string(); }
+
+ private:
+  fs::path folder_;
+};
+
 // Whoever has no browser opens the address by hand.
-void open_browser(const std::string& address) {
-  std::string program = "xdg-open", argument = address;
+void open_browser(const std::string& file) {
+  std::string program = "xdg-open", argument = file;
   char* arguments[] = {program.data(), argument.data(), nullptr};
   posix_spawn_file_actions_t quiet;
   posix_spawn_file_actions_init(&quiet);
@@ -85,17 +119,14 @@ void open_browser(const std::string& address) {
   posix_spawn_file_actions_destroy(&quiet);
 }
 
-// Writes the recording and, in its name, the results of the session. Returns the options of the
-// run that gives the same.
-RunOptions record(const RunOptions& options, const ExperimentFile& file, const Session& session,
-                  PointResult result) {
+// Keeps the result of the session as that of a run of its recording. Returns the options of the run
+// that gives the same.
+RunOptions keep_result(const RunOptions& options, const Session& session, PointResult result) {
   RunOptions rerun = options;
   if (const auto ended_s = session.ended_by_hand_s()) {
     rerun.until_s = *ended_s;
     result.ended = machine::to_string(machine::End::limit);
   }
-  const auto folder = fs::path(options.file).parent_path();
-  base::save_whole(options.file, record_session(file, session.deeds(), folder.string()));
   const auto recording = load_experiment(options.file, {});
   const PointsPlan plan(rerun, recording);
   save_origin(plan.results, recording, plan.origin);
@@ -105,46 +136,62 @@ RunOptions record(const RunOptions& options, const ExperimentFile& file, const S
   return rerun;
 }
 
-void watch_run(const LiveOptions& o) {
-  const double speed = read_speed(o.speed);
-  const auto file = load(o);
-  check_live(o, file);
+// Runs the point while pages watch. However that ends, the session is recorded in options.file.
+RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Session& session) {
+  std::optional<PointResult> result;
+  std::exception_ptr failure;
+  try {
+    result =
+        run_point(file.points[0], options, results_folder(options) / records_folder(), &session);
+  } catch (const machine::Fault&) {  // the run of the recording says it
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const auto folder = fs::path(options.file).parent_path().string();
+  base::save_whole(options.file, record_session(file, session.deeds(), folder));
+  if (failure) std::rethrow_exception(failure);
+  return result ? keep_result(options, session, std::move(*result)) : options;
+}
+
+RunOptions make_run_options(const LiveOptions& o, const ExperimentFile& file) {
   RunOptions options;
   options.file = find_recording(o, file).string();
   options.output = o.output;
-  const auto folder = results_folder(options);
-  check_results_folder(folder);
+  check_results_folder(results_folder(options));
   check_points(options, file, 1);
   if (const auto parent = fs::path(options.file).parent_path(); !parent.empty())
     fs::create_directories(parent);
   base::check_can_save(options.file);
+  return options;
+}
+
+void watch_run(const LiveOptions& o) {
+  const double speed = read_speed(o.speed);
+  const auto file = load(o);
+  check_live(o, file);
+  auto options = make_run_options(o, file);
 
   const InterruptGuard guard;
   Session session(file, speed);
   const Server server(session, o.port);
   fmt::print("{}\n", server.address());
   flush_output();
-  if (!o.no_browser) open_browser(server.address());
+  std::optional<Doorway> doorway;
+  if (!o.no_browser) open_browser(doorway.emplace(server.address()).file());
 
+  const auto folder = results_folder(options);
   const StoreGuard store(folder);
+  options = run_watched(options, file, session);
+  const bool was_cut = was_interrupted();
   std::exception_ptr failure;
-  bool was_cut = false;
-  try {
-    auto result = run_point(file.points[0], options, folder / records_folder(), &session);
-    was_cut = was_interrupted();
-    options = record(options, file, session, std::move(result));
-  } catch (const machine::Fault&) {  // the run of the recording says it
-    const auto parent = fs::path(options.file).parent_path();
-    base::save_whole(options.file, record_session(file, session.deeds(), parent.string()));
-  }
   try {
     run_experiment(options);
-  } catch (const Failure&) {
+  } catch (const std::exception&) {
     failure = std::current_exception();
   }
-  session.say_results(
-      fmt::format("{}; the same again: {}", folder.string(), command_line(options)));
-  fmt::print("\nThe session: {}\n", command_line(options));
+  const auto rerun = command_line(options);
+  session.say_results(fmt::format("{}; the same again: {}", folder.string(), rerun));
+  fmt::print("\nThe session: {}\n", rerun);
   flush_output();
   if (!was_cut) session.wait_for_quit();
   if (was_cut)
@@ -171,8 +218,9 @@ void add_live_command(CLI::App& app) {
   command->add_option("--port", o->port, "of this computer, for the page [8080, or a free one]")
       ->check(CLI::Range(1, 65535));
   command->add_flag("--no-browser", o->no_browser, "only print the page's address");
-  command->add_option("--record", o->record,
-                      "the session as an experiment file [results/EXPERIMENT's name-live.toml]");
+  command->add_option(
+      "--record", o->record,
+      "the session as an experiment file [results/EXPERIMENT's name-live.toml, or -live2 ...]");
   command->add_option("-o,--output", o->output, "results folder [results/the recording's name]");
   command->callback([o] { watch_run(*o); });
 }

@@ -13,7 +13,7 @@ std::string make_token();
 bool is_same_secret(std::string_view a, std::string_view b);
 
 /// What a client may say: 200 messages a second, and 400 at once if it was silent before. A page
-/// asks for 30 frames a second, and a key that is held says as much.
+/// asks for at most 60 frames a second, and a key that is held says 30 things.
 class Allowance {
  public:
   bool take();  ///< one message; false if it is too many

@@ -1,5 +1,6 @@
 #include "experiments/laboratory/live/server.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,6 +50,14 @@ const PageFile* find_file(std::string_view target) {
   return found == std::end(PAGE_FILES) ? nullptr : &*found;
 }
 
+// Names of files may be no UTF-8.
+std::string to_text(const ordered_json& message) {
+  return message.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+// What is started from here does not have the connection.
+void keep_from_children(auto& socket) { fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC); }
+
 class Page;
 
 // What the pages share. All of it belongs to the server's thread.
@@ -60,19 +69,21 @@ struct Shared {
   std::string token = make_token();
   std::uint16_t port = 0;
   std::size_t clients = 0;
+  std::uint64_t known = 0;                // pages that have shown the token so far
   std::set<std::shared_ptr<Page>> pages;  // that have shown the token
   std::weak_ptr<Page> steers;
   std::uint64_t dumped_number = 0;  // of the frame whose text this is
   std::shared_ptr<const std::string> dumped;
 
   bool is_own(beast::string_view host) const {
+    if (port == 80 && (host == "127.0.0.1" || host == "localhost")) return true;
     return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
   }
   std::shared_ptr<const std::string> dump(const Frame& frame) {
     if (frame.number != dumped_number || !dumped) {
       auto state = frame.state;
       state["frame"] = frame.number;
-      dumped = std::make_shared<const std::string>(ordered_json{{"state", state}}.dump());
+      dumped = std::make_shared<const std::string>(to_text({{"state", state}}));
       dumped_number = frame.number;
     }
     return dumped;
@@ -127,7 +138,8 @@ class Page : public std::enable_shared_from_this<Page> {
       has_outline_ = true;
       send_json({{"outline", *outline}, {"steers", steers()}});
     }
-    if (!wants_frame_) return;
+    if (!wants_frame_ || !waiting_.empty()) return;  // it has not read the last yet
+    if (std::chrono::steady_clock::now() < next_frame_at_) return;
     const auto frame = shared_.session.frame();
     if (!frame || frame->number <= sent_) return shared_.session.want_frame();
     send_frame(*frame);
@@ -147,11 +159,21 @@ class Page : public std::enable_shared_from_this<Page> {
     if (shared_.steers.lock() == self) {
       shared_.steers.reset();
       if (!shared_.pages.empty()) shared_.steers = *shared_.pages.begin();
-      for (const auto& page : shared_.pages) page->tell_steering();
+      tell_all_steering();
     }
+    if (is_known_)  // it looks at no processor any more
+      shared_.session.ask({{"do", "select"}, {"page", number_}, {"processors", Json::array()}}, {});
   }
 
  private:
+  using Json = ordered_json;
+
+  // A page that reads nothing may go at this.
+  void tell_all_steering() {
+    const auto pages = shared_.pages;
+    for (const auto& page : pages) page->tell_steering();
+  }
+
   bool steers() const { return shared_.steers.lock().get() == this; }
 
   void read() {
@@ -167,13 +189,14 @@ class Page : public std::enable_shared_from_this<Page> {
 
   // Returns false for what no page of ours would say.
   bool obey(const std::string& text) {
-    const auto message = ordered_json::parse(text, nullptr, false);
+    auto message = ordered_json::parse(text, nullptr, false);
     if (!message.is_object()) return false;
     if (!is_known_) {
       if (!message.contains("token") || !message["token"].is_string()) return false;
       if (!is_same_secret(message["token"].get_ref<const std::string&>(), shared_.token))
         return false;
       is_known_ = true;
+      number_ = ++shared_.known;
       shared_.pages.insert(shared_from_this());
       if (shared_.steers.expired()) shared_.steers = shared_from_this();
       look();
@@ -187,13 +210,14 @@ class Page : public std::enable_shared_from_this<Page> {
     if (!message.contains("do")) return false;
     if (message["do"] == "steer") {
       shared_.steers = shared_from_this();
-      for (const auto& page : shared_.pages) page->tell_steering();
+      tell_all_steering();
       return true;
     }
     const ordered_json id = message.contains("id") && message["id"].is_number_unsigned()
                                 ? message["id"]
                                 : ordered_json();
-    if (!steers()) {
+    message["page"] = number_;
+    if (!steers() && message["do"] != "select") {
       reply(id, "another page steers; take the wheel first");
       return true;
     }
@@ -213,6 +237,7 @@ class Page : public std::enable_shared_from_this<Page> {
   void send_frame(const Frame& frame) {
     wants_frame_ = false;
     sent_ = frame.number;
+    next_frame_at_ = std::chrono::steady_clock::now() + FRAME_EVERY / 2;  // and the next tick
     send_picture(PICTURE, frame.rgb8, shown_);
     send_picture(SEQUENTIAL, frame.sequential, sequential_);
     send(shared_.dump(frame), /*is_text=*/true);
@@ -231,9 +256,7 @@ class Page : public std::enable_shared_from_this<Page> {
   }
 
   void send_json(const ordered_json& message) {
-    using Handler = ordered_json::error_handler_t;
-    send(std::make_shared<const std::string>(message.dump(-1, ' ', false, Handler::replace)),
-         /*is_text=*/true);
+    send(std::make_shared<const std::string>(to_text(message)), /*is_text=*/true);
   }
 
   void send(std::shared_ptr<const std::string> text, bool is_text) {
@@ -249,7 +272,7 @@ class Page : public std::enable_shared_from_this<Page> {
                         [self = shared_from_this()](Error error, std::size_t) {
                           if (error || self->is_closed_) return self->close();
                           self->waiting_.pop_front();
-                          if (!self->waiting_.empty()) self->write();
+                          self->waiting_.empty() ? self->look() : self->write();
                         });
   }
 
@@ -265,7 +288,9 @@ class Page : public std::enable_shared_from_this<Page> {
   beast::flat_buffer buffer_;
   Allowance allowance_;
   bool is_known_ = false, has_outline_ = false, wants_frame_ = false, is_closed_ = false;
-  std::uint64_t sent_ = 0;       // number of the last frame
+  std::uint64_t number_ = 0;  // of the page, from 1
+  std::uint64_t sent_ = 0;    // number of the last frame
+  std::chrono::steady_clock::time_point next_frame_at_;
   Picture shown_, sequential_;   // that the page has
   std::deque<Waiting> waiting_;  // the first is being written
 };
@@ -375,6 +400,7 @@ class Server::Impl {
     Error error;
     acceptor_.bind({loopback, port.value_or(USUAL_PORT)}, error);
     if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
+    keep_from_children(acceptor_);
     if (error) {
       const auto taken = fmt::format("port {}: {}", port.value_or(USUAL_PORT), error.message());
       if (port)
@@ -384,12 +410,14 @@ class Server::Impl {
       acceptor_.open(tcp::v4());
       acceptor_.bind({loopback, 0});
       acceptor_.listen();
+      keep_from_children(acceptor_);
     }
     shared_.port = acceptor_.local_endpoint().port();
   }
 
   void accept() {
     acceptor_.async_accept([this](Error error, tcp::socket socket) {
+      if (!error) keep_from_children(socket);
       if (!error && shared_.clients < MOST_CLIENTS)
         std::make_shared<Client>(shared_, std::move(socket))->read();
       accept();

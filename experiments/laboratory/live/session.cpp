@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <thread>
 
 #include "base/errors.hpp"
@@ -29,6 +30,7 @@ constexpr std::size_t MOST_TOLD_AT_END = 256;  // processors
 Session::Session(const ExperimentFile& file, double speed)
     : file_(file),
       orders_(find_orders(*file.points.at(0).experiment.program)),
+      faults_(file.points[0].experiment.faults),
       speed_(speed),
       pace_since_(HostClock::now()) {}
 
@@ -262,7 +264,9 @@ void Session::make_frame() {
   made->state["open"] = Spans::look_at(*machine_);
   if (!is_observing_) observe(true);
   auto details = ordered_json::object();
-  for (const int id : selected_)
+  std::set<int> selected;
+  for (const auto& [page, ids] : selected_) selected.insert(ids.begin(), ids.end());
+  for (const int id : selected)
     details[std::to_string(id)] =
         describe_processor(*machine_->processors()[static_cast<std::size_t>(id)], view_);
   made->state["details"] = details;
@@ -310,8 +314,9 @@ void Session::end(const std::string& fault) {
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     deeds_.push_back({"order", LATEST_S, {{"leave", "true"}}});
   // The machine is gone soon, and its processors are still to be looked at.
-  selected_.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
-  std::iota(selected_.begin(), selected_.end(), 0);
+  auto& all = selected_[0];
+  all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
+  std::iota(all.begin(), all.end(), 0);
   make_frame();
   machine_ = nullptr;
   view_ = {};

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -109,6 +110,7 @@ class Session : public observe::Spectator {
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;
+  std::vector<FaultSpec> faults_;  // of the file and of hands
 
   // Of the simulation's thread.
   machine::Machine* machine_ = nullptr;
@@ -126,9 +128,9 @@ class Session : public observe::Spectator {
   double fault_after_s_ = 0;  // of the last fault
   HostClock::time_point next_frame_at_;
   RecentLoads loads_;
-  std::vector<int> selected_;  // processors
+  std::map<std::uint64_t, std::vector<int>> selected_;  // processors, by page
   bool has_left_ = false, is_observing_ = true;
-  std::string fault_, results_;
+  std::string fault_;
   std::uint64_t calls_ = 0, frames_ = 0;
 
   // Of all threads.

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/live/session.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
 
 namespace laboratory {
 
@@ -93,7 +94,11 @@ void Session::obey(const Command& command) {
                     machine_->processors().size() - 1);
       selected.push_back(id.get<int>());
     }
-    selected_ = selected;
+    const auto page = command.value("page", std::uint64_t{0});
+    if (selected.empty())
+      selected_.erase(page);
+    else
+      selected_[page] = selected;
   } else {
     base::refuse("do",
                  "found \"{}\", expected pause, go, speed, step, run, order, save, fault, "
@@ -130,6 +135,13 @@ void Session::obey_fault(const Command& fault) {
   };
   const double after_s = std::max(shown_s(), fault_after_s_);
   const double at_s = (std::floor(after_s / FAULT_GRID_S) + 1.5) * FAULT_GRID_S;
+  const auto check_with = [&](const programs::PlannedFault& planned) {
+    Experiment experiment = file_.points[0].experiment;
+    experiment.faults = faults_;
+    experiment.faults.push_back({planned, "the fault"});
+    check_point(experiment);
+    faults_ = std::move(experiment.faults);
+  };
   const auto at = [&](int id) -> auto& { return *processors[static_cast<std::size_t>(id)]; };
   Deed deed{"fault", at_s, {}};
   if (fault.contains("link")) {
@@ -142,11 +154,13 @@ void Session::obey_fault(const Command& fault) {
     });
     base::require(is_there, "link", "found {} and {}, but no link joins them", at(a).name(),
                   at(b).name());
+    check_with({.at_s = at_s, .a = a_number, .b = b_number});
     machine_->cut_link(at(a), at(b), {at_s});
     deed.keys.emplace_back("link", fmt::format("[{}, {}]", a_number, b_number));
   } else {
     const auto [id, number] =
         find(fault.contains("processor") ? fault["processor"] : ordered_json());
+    check_with({.at_s = at_s, .a = number});
     machine_->stop_processor(at(id), {at_s});
     deed.keys.emplace_back("processor", fmt::format("{}", number));
   }
@@ -159,7 +173,8 @@ void Session::leave() {
   if (!orders_ || !view_.take_order || has_left_) return;
   try {
     obey_order({{"leave", true}});
-  } catch (const base::BadInput&) {  // there was no user yet
+  } catch (const base::BadInput&) {  // there is no user yet, or the file orders something later
+    view_.close_orders();
     has_left_ = true;
   }
 }
@@ -167,7 +182,7 @@ void Session::leave() {
 void Session::set_goal(const Goal& goal) {
   pace_from_s_ = shown_s();
   goal_ = goal;
-  if (phase_ == Phase::paused) phase_ = Phase::running;
+  phase_ = Phase::running;
 }
 
 void Session::step(const std::string& what) {

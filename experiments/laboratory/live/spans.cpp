@@ -14,7 +14,7 @@ void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doi
   all.push_back(to_s);
 }
 
-}
+}  // namespace
 
 void Spans::name_process(const machine::Processor& /*on*/, std::uint32_t /*id*/,
                          const std::string& /*name*/) {}
@@ -44,8 +44,7 @@ void Spans::moved(const machine::LinkDirection& /*link*/, const std::string& /*c
 
 nlohmann::ordered_json Spans::take() {
   auto all = nlohmann::ordered_json::array();
-  for (const auto& span : spans_)
-    add_span(all, span.processor, span.doing, span.from_s, span.to_s);
+  for (const auto& span : spans_) add_span(all, span.processor, span.doing, span.from_s, span.to_s);
   spans_.clear();
   last_.assign(last_.size(), 0);
   is_cut_ = false;

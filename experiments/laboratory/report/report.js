@@ -73,14 +73,17 @@
     return [1, 2, 5, 10].map(factor => factor * power).find(step => step >= least * 0.999);
   }
 
-  function makeTicks({log, low, high}, most, base) {
+  function makeLinearTicks({low, high}, most) {
+    const ticks = [], step = chooseStep(high - low, most);
+    for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
+      ticks.push(Number((i * step).toPrecision(12)));
+    return ticks;
+  }
+
+  function makeTicks(scale, most, base) {
+    const {log, low, high} = scale;
+    if (!log) return makeLinearTicks(scale, most);
     const ticks = [];
-    if (!log) {
-      const step = chooseStep(high - low, most);
-      for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-        ticks.push(Number((i * step).toPrecision(12)));
-      return ticks;
-    }
     const decades = Math.log10(high / low);
     const factors = base === 2 ? [1] : decades > most ? [1] : decades > 2.5 ? [1, 3] : [1, 2, 5];
     for (let i = Math.floor(Math.log(low) / Math.log(base)); base ** i <= high; ++i)
@@ -88,6 +91,7 @@
         const tick = factor * base ** i;
         if (tick >= low && tick <= high) ticks.push(Number(tick.toPrecision(12)));
       }
+    if (ticks.length < 2) return makeLinearTicks(scale, most);  // less than a decade
     const every = Math.ceil(ticks.length / most);
     return ticks.filter((_, i) => i % every === 0);
   }

@@ -66,13 +66,11 @@ bool contains(const std::vector<int>& processors, int processor) {
 
 class Account {
  public:
-  // `all_on_the_way`: routes change, and an InPathTo message may be answered anywhere.
-  Account(const network::Routing& routing, const std::vector<Planned>& plan, bool all_on_the_way)
-      : all_on_the_way_(all_on_the_way),
-        routing_(routing),
-        plan_(plan),
-        deliveries_(plan.size()),
-        returns_(plan.size()) {}
+  Account(const network::Routing& routing, const std::vector<Planned>& plan)
+      : routing_(routing), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
+
+  // Something has broken: routes change, and an InPathTo message may be answered anywhere.
+  void expect_any_route() { all_on_the_way_ = true; }
 
   void send(std::size_t number) {
     ++result.sent;
@@ -147,7 +145,7 @@ class Account {
     }
   }
 
-  bool all_on_the_way_;
+  bool all_on_the_way_ = false;
   const network::Routing& routing_;
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
@@ -191,7 +189,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto plan = make_plan(setup.topology.processors, params);
   // Links that are cut change the network's own routing.
   const network::Routing before = routing_of(setup, params.routers.method);
-  Account account(before, plan, !setup.faults.empty());
+  Account account(before, plan);
+  on.on_failure([&account](const machine::Failure&) { account.expect_any_route(); });
   on.start_all([&](Client& client) { live(client, plan, account); });
   run_machine(setup, on, on.view());
   account.finish();

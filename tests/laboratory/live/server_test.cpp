@@ -183,6 +183,46 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   });
 }
 
+// Takes the wheel again and again, and reads nothing.
+TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
+  test::run_isolated([] {
+    Served served;
+    RunOptions options;
+    options.file = "e.toml";
+    run_point(served.file.points[0], options, served.folder.path / "images", &served.session);
+    std::vector<Socket> pages;
+    for (int i = 0; i < 3; ++i) {
+      pages.push_back(served.open());
+      say(pages.back(), "{\"token\": \"" + served.token() + "\"}");
+      hear(pages.back());  // the outline
+    }
+    beast::error_code error;
+    for (int i = 0; i < 300 && !error; ++i)
+      pages[0].write(asio::buffer(std::string(R"({"do": "steer"})")), error);
+    EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
+    auto late = served.open();
+    say(late, "{\"token\": \"" + served.token() + "\"}");
+    EXPECT_NE(hear(late).find("outline"), std::string::npos);
+  });
+}
+
+// Paths may be no UTF-8.
+TEST(LiveServer, AnyTextCanBeTold) {
+  test::run_isolated([] {
+    Served served;
+    RunOptions options;
+    options.file = "e.toml";
+    run_point(served.file.points[0], options, served.folder.path / "images", &served.session);
+    served.session.say_results("caf\xe9");
+    auto socket = served.open();
+    say(socket, "{\"token\": \"" + served.token() + "\"}");
+    hear(socket);  // the outline
+    say(socket, "{\"want\": \"frame\"}");
+    hear(socket);  // the picture
+    EXPECT_NE(hear(socket).find("caf"), std::string::npos);
+  });
+}
+
 std::string random_bytes(base::Random& random, int most) {
   std::string bytes;
   for (int i = random.below(most); i >= 0; --i) bytes += static_cast<char>(random.below(256));

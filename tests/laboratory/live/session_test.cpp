@@ -53,6 +53,17 @@ int count_calls(const std::string& text) {
       test::isolated([&] { return std::to_string(watch(text, folder.path.string(), {}).calls); }));
 }
 
+void compare_session(const std::string& text, const std::multimap<int, Command>& commands) {
+  const test::TemporaryFolder folder;
+  run_isolated([&] {
+    const auto watched = watch(text, folder.path.string(), commands);
+    const double until_s =
+        watched.ended_by_hand_s.value_or(std::numeric_limits<double>::infinity());
+    EXPECT_EQ(watched.result, run_alone(watched.recording, folder.path.string(), until_s))
+        << watched.recording;
+  });
+}
+
 void compare_random_sessions(const std::string& text, std::uint64_t first, int count) {
   const int calls = count_calls(text);
   for (int i = 0; i < count; ++i) {
@@ -61,14 +72,23 @@ void compare_random_sessions(const std::string& text, std::uint64_t first, int c
     base::Random random(seed);
     auto commands = random_commands(random, calls);
     if (random.below(4) == 0) commands.emplace(1 + random.below(calls), Command{{"do", "end"}});
-    const test::TemporaryFolder folder;
-    run_isolated([&] {
-      const auto watched = watch(text, folder.path.string(), commands);
-      const double until_s =
-          watched.ended_by_hand_s.value_or(std::numeric_limits<double>::infinity());
-      EXPECT_EQ(watched.result, run_alone(watched.recording, folder.path.string(), until_s))
-          << watched.recording;
-    });
+    compare_session(text, commands);
+  }
+}
+
+// Orders in one moment after the other, also while the one before is being handed over.
+void compare_dense_sessions(const std::string& text, std::uint64_t seed, int count) {
+  const int calls = count_calls(text);
+  base::Random random(seed);
+  for (int i = 0; i < count; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", session " + std::to_string(i));
+    std::multimap<int, Command> commands;
+    int call = 1 + random.below(calls);
+    for (int number = 0; number < 40; ++number) {
+      commands.emplace(call, order({{"min_cell", 2 + 2 * random.below(2)}}));
+      call += random.below(4);
+    }
+    compare_session(text, commands);
   }
 }
 
@@ -78,6 +98,40 @@ TEST(LiveSession, RandomSessionsOfTheFarmAreRunAgainAsTheyWere) {
 
 TEST(LiveSession, RandomSessionsOfIirraAreRunAgainAsTheyWere) {
   compare_random_sessions(IIRRA + "[[stage]]\n", 101, 20);
+}
+
+TEST(LiveSession, OrdersInOneMomentAfterTheOtherAreRunAgainAsTheyWere) {
+  compare_dense_sessions(FARM + "[[stage]]\n", 301, 8);
+  compare_dense_sessions(IIRRA + "[[stage]]\n", 302, 8);
+}
+
+// The file's user says something when the picture has long been complete.
+TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
+  compare_session(FARM + "[[order]]\nat_s = 100\nsave = \"late\"\n", {});
+}
+
+TEST(LiveSession, FaultsOfRoutersAreRunAgainAsTheyWere) {
+  const std::string text =
+      "[program]\nname = \"soak\"\nin_path_share = 0.8\n[network]\ntopology = \"mesh:3x3\"\n";
+  const int calls = count_calls(text);
+  compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"link", {0, 1}}}},
+                         {calls / 2, Command{{"do", "fault"}, {"link", {4, 5}}}}});
+  compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"processor", 4}}}});
+}
+
+TEST(LiveSession, AFaultThatTheProgramDoesNotAllowIsRefused) {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "[network]\nworkers = 3\n[scene]\nobjects = 20\n[image]\nwidth = 24\nheight = 16\n"
+      "[farm]\ntask = \"block:4x4\"\n[data]\ncache_percent = 50\n";
+  run_isolated([&] {
+    const auto watched =
+        watch(text, folder.path.string(), {{5, Command{{"do", "fault"}, {"link", {1, 2}}}}});
+    ASSERT_EQ(watched.replies.size(), 1u);
+    EXPECT_NE(watched.replies[0].find("data.cache_percent"), std::string::npos)
+        << watched.replies[0];
+    EXPECT_EQ(watched.recording.find("[[fault]]"), std::string::npos) << watched.recording;
+  });
 }
 
 TEST(LiveSession, WhoWatchesChangesNothing) {

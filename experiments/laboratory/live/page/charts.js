@@ -122,13 +122,17 @@ export class TimeLine {
       if (i % every === 0) context.fillText(name, 0, row * (i + 0.5), LEFT - 6);
     });
     const colours = DOING.map(style);
+    const drawn = new Float64Array(3 * this.names.length).fill(-1);  // up to which x, by row and kind
     const drawSpans = (spans) => {
       for (let i = 0; i < spans.length; i += 4) {
         if (spans[i + 3] < from || spans[i + 2] > to || spans[i] >= this.names.length) continue;
+        const at = x(Math.max(spans[i + 2], from)), end = x(Math.min(spans[i + 3], to));
+        const place = 3 * spans[i] + spans[i + 1];
+        if (end < drawn[place]) continue;  // in a pixel that has this colour
         context.fillStyle = colours[spans[i + 1]];
-        const at = x(Math.max(spans[i + 2], from));
-        context.fillRect(at, row * spans[i] + 1, Math.max(0.5, x(Math.min(spans[i + 3], to)) - at),
-          row - 3);
+        const width = Math.max(0.5, end - at);
+        drawn[place] = at + width;
+        context.fillRect(at, row * spans[i] + 1, width, row - 3);
       }
     };
     for (const { first, last, spans } of this.chunks)

@@ -186,7 +186,7 @@ function describe({ processor, link }) {
 
 function choose(found) {
   machine.chosen = found;
-  if (steers && state?.state !== "over")
+  if (state?.state !== "over")
     ask({ do: "select", processors: found?.processor === undefined ? [] : [found.processor] });
   remember();
   machine.draw();
@@ -382,7 +382,8 @@ const KEYS = { " ": go, e: () => step("event"), m: () => step("message"), r: () 
   t: () => step("millisecond"), p: () => runTo("picture"), s: save, "[": () => changeSpeed(-1),
   "]": () => changeSpeed(1) };
 document.addEventListener("keydown", (event) => {
-  if (/^(INPUT|SELECT|TEXTAREA|BUTTON)$/.test(event.target.tagName)) return;
+  if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  if (event.target.tagName === "BUTTON" && event.key === " ") return;
   if (event.ctrlKey || event.altKey || event.metaKey || !KEYS[event.key] || !state) return;
   event.preventDefault();
   KEYS[event.key]();
