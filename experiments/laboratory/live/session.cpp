@@ -271,7 +271,7 @@ void Session::make_frame() {
         describe_processor(*machine_->processors()[static_cast<std::size_t>(id)], view_);
   made->state["details"] = details;
   if (!fault_.empty()) made->state["fault"] = fault_;
-  if (!fault_.empty()) made->state["deadlock"] = describe_deadlock(*machine_);
+  if (!fault_.empty() && !has_thrown_) made->state["deadlock"] = describe_deadlock(*machine_);
   made->rgb8 = look();
   std::function<void()> told;
   {
@@ -313,10 +313,15 @@ void Session::end(const std::string& fault) {
   // The user did not leave before the run was over.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     deeds_.push_back({"order", LATEST_S, {{"leave", "true"}}});
-  // The machine is gone soon, and its processors are still to be looked at.
-  auto& all = selected_[0];
-  all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
-  std::iota(all.begin(), all.end(), 0);
+  // A process that threw has left behind no wait that could be looked at.
+  has_thrown_ = std::ranges::any_of(machine_->processors(),
+                                    [](const auto& on) { return on->failure() != nullptr; });
+  selected_.clear();
+  if (!has_thrown_) {  // the machine is gone soon, and its processors are still to be looked at
+    auto& all = selected_[0];
+    all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
+    std::iota(all.begin(), all.end(), 0);
+  }
   make_frame();
   machine_ = nullptr;
   view_ = {};

@@ -131,6 +131,7 @@ class Session : public observe::Spectator {
   std::map<std::uint64_t, std::vector<int>> selected_;  // processors, by page
   bool has_left_ = false, is_observing_ = true;
   std::string fault_;
+  bool has_thrown_ = false;  // a process, which was the fault
   std::uint64_t calls_ = 0, frames_ = 0;
 
   // Of all threads.

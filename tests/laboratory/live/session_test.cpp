@@ -112,11 +112,25 @@ TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
 
 TEST(LiveSession, FaultsOfRoutersAreRunAgainAsTheyWere) {
   const std::string text =
-      "[program]\nname = \"soak\"\nin_path_share = 0.8\n[network]\ntopology = \"mesh:3x3\"\n";
+      "[program]\nname = \"soak\"\nin_path_share = 0.8\nbuffers = 3000\n[network]\ntopology = "
+      "\"mesh:3x3\"\n";
   const int calls = count_calls(text);
   compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"link", {0, 1}}}},
                          {calls / 2, Command{{"do", "fault"}, {"link", {4, 5}}}}});
   compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"processor", 4}}}});
+}
+
+// Routers whose buffers are full: a process throws, and leaves no wait behind.
+TEST(LiveSession, AProcessThatThrewIsNotLookedAt) {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "[program]\nname = \"soak\"\nin_path_share = 0.8\n[network]\ntopology = \"mesh:3x3\"\n"
+      "[[fault]]\nat_s = 0.02\nlink = [0, 1]\n";
+  EXPECT_THROW(run_isolated([&] {
+                 watch(text, folder.path.string(),
+                       {{100, Command{{"do", "select"}, {"processors", {3, 4, 5}}}}});
+               }),
+               test::ChildThrew);
 }
 
 TEST(LiveSession, AFaultThatTheProgramDoesNotAllowIsRefused) {

@@ -164,7 +164,7 @@ function tellFault() {
   $("fault-part").hidden = !state.fault;
   if (!state.fault) return "";
   $("fault").textContent = state.fault;
-  const cycle = state.deadlock.processes.join(" → ");
+  const cycle = (state.deadlock?.processes ?? []).join(" → ");
   return `: ${state.fault.split("\n")[0]}` + (cycle ? ` The cycle: ${cycle}.` : "");
 }
 
