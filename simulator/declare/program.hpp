@@ -187,8 +187,8 @@ struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-/// Runs a program's machine to its end. Throws Unfinished, and what the simulation throws. `view`
-/// is for who watches it.
+/// Runs a program's machine to its end. Throws Unfinished, and what the simulation throws. A
+/// live page shows `view`.
 void run_machine(const Setup& setup, machine::Machine& machine, const observe::View& view = {});
 /// The same for a program without an end, up to a date.
 void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,

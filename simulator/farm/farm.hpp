@@ -38,7 +38,7 @@ struct Params {
   /// this; else their counts. The ray database's operations are counted in any case.
   std::optional<double> cycles_per_host_s;
   bool profile = false;  ///< measure the host time spent in kernels
-  /// Of the workers' network. Nothing is sent another way: what is cut off is waited for.
+  /// Faults by number of worker, from 0. The farm finds no other way: it waits for what is cut off.
   std::vector<programs::PlannedFault> faults;
   machine::EngineParams engine = {};
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one

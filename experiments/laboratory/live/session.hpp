@@ -112,7 +112,7 @@ class Session : public observe::Spectator {
   const programs::RecordList* orders_;
   std::vector<FaultSpec> faults_;  // of the file and of hands
 
-  // Of the simulation's thread.
+  // Only the simulation's thread uses what follows.
   machine::Machine* machine_ = nullptr;
   observe::View view_;
   Spans spans_;
@@ -134,7 +134,7 @@ class Session : public observe::Spectator {
   bool has_thrown_ = false;  // a process, which was the fault
   std::uint64_t calls_ = 0, frames_ = 0;
 
-  // Of all threads.
+  // All threads use what follows; the mutex guards what is not atomic.
   mutable std::mutex mutex_;
   std::condition_variable asked_anything_;
   std::deque<Asked> asked_;

@@ -25,7 +25,7 @@ const ordered_json* find_busiest(const ordered_json& parts) {
   return busiest == parts.end() ? nullptr : &*busiest;
 }
 
-// Of programs that do not tell apart what their processors are for.
+// Takes the busiest processor and link, for programs whose processors all have one role.
 std::vector<Load> find_busiest_parts(const ordered_json& use) {
   std::vector<Load> loads;
   if (const auto* cpu = find_busiest(use.at("cpus")))
