@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
+#include "simulator/declare/faults.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
@@ -18,15 +19,6 @@ namespace programs {
 
 using base::column;
 using base::Row;
-
-/// A link or a processor that breaks while the program runs.
-struct PlannedFault {
-  double at_s = 0;
-  int a = 0;
-  int b = -1;  ///< the link between a and b; -1: the processor a
-
-  bool operator==(const PlannedFault&) const = default;
-};
 
 /// What a program runs on, beside its parameters.
 struct Setup {

@@ -109,11 +109,8 @@ struct RouterMachine : CompiledMachine {
                   "found a tree for all senders, expected none with program.method = "
                   "\"acyclic\", which has its own");
     network.emplace(*this, routing_of(setup, params.method), params);
-    for (const PlannedFault& fault : setup.faults)
-      if (fault.b < 0)
-        stop_processor((*this)[fault.a], {fault.at_s});
-      else
-        cut_link((*this)[fault.a], (*this)[fault.b], {fault.at_s});
+    plan_faults(
+        *this, setup.faults, [this](int id) -> auto& { return (*this)[id]; });
   }
   /// Starts `application` on every processor, with its client.
   template <class Application>

@@ -1,7 +1,5 @@
 #include "simulator/farm/farm.hpp"
 
-#include <bit>
-
 #include "simulator/farm/wiring.hpp"
 #include "simulator/farm/worker.hpp"
 #include "simulator/tracing/looks.hpp"
@@ -14,36 +12,6 @@ using machine::Processor;
 using tracing::PixelOrder;
 
 namespace {
-
-void check_area(renderer::Params image, const renderer::Area& area) {
-  image.area = area;
-  check(image);
-}
-
-// A block's rays never meet the database's priorities.
-void check_block(const Params& params) {
-  if (!params.block) return;
-  const Block& block = *params.block;
-  if (block.width < 1 || block.height < 1)
-    base::refuse("farm.task", "found a block of {}x{} pixels, expected 1x1 or more", block.width,
-                 block.height);
-  if (params.stages != std::vector<Limits>(1) || !params.script.empty())
-    base::refuse("farm.task", "found a block, expected ray: stages and orders choose among rays");
-}
-
-// Quadrants and rows of pixels are no cells with a size.
-void check_order(const Params& params) {
-  if (params.pixels == PixelOrder::cells) return;
-  constexpr auto EXPECTED = "found {}, expected {}: image.order is not cells";
-  if (params.cells == CellLight::smooth && params.pixels == PixelOrder::quadrants)
-    base::refuse("farm.cells", EXPECTED, "smooth", "constant or point");
-  const auto check_limits = [&](const Limits& limits) {
-    if (limits.min_cell > 1) base::refuse("min_cell", EXPECTED, limits.min_cell, "1");
-  };
-  for (const Limits& limits : params.stages) check_limits(limits);
-  for (const Order& order : params.script)
-    if (const auto* limits = std::get_if<Limits>(&order.what)) check_limits(*limits);
-}
 
 // Coordinator, ray database and display on processors of their own; the second and the third are
 // on links of the first.
@@ -323,16 +291,6 @@ observe::View Centre::make_view() {
   return view;
 }
 
-void plan_faults(machine::Machine& machine, const Workers& workers,
-                 const std::vector<programs::PlannedFault>& faults) {
-  const auto at = [&](int id) -> Processor& { return *workers.processors.at(std::size_t(id)); };
-  for (const auto& fault : faults)
-    if (fault.b < 0)
-      machine.stop_processor(at(fault.a), {fault.at_s});
-    else
-      machine.cut_link(at(fault.a), at(fault.b), {fault.at_s});
-}
-
 observe::View make_view(Centre& centre, const Workers& workers) {
   auto view = centre.make_view();
   for (const auto* worker : workers.processors) view.network.push_back(worker->id());
@@ -364,21 +322,6 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
 
 }  // namespace
 
-void check(const Params& params) {
-  check(params.image);
-  check_script(params.script);
-  tracing::check_looks("farm", params.looks, params.image);
-  if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
-    base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
-  check_block(params);
-  check_order(params);
-  if (params.stages.empty()) base::refuse("stages", "at least one is needed");
-  for (const Limits& limits : params.stages) check_area(params.image, limits.area);
-  for (const Order& order : params.script)
-    if (const auto* limits = std::get_if<Limits>(&order.what))
-      check_area(params.image, limits->area);
-}
-
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,
                 const renderer::Scene& scene, const Params& params) {
   check(params);
@@ -393,7 +336,10 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
     start_worker(wires, workers, id, kernel);
   }
   centre.start(wires, workers);
-  plan_faults(machine, workers, params.faults);
+  programs::plan_faults(
+      machine, params.faults, [&](int id) -> auto& {
+        return *workers.processors.at(static_cast<std::size_t>(id));
+      });
 
   Result result =
       centre.take_result(observe::run(machine, params.watch, make_view(centre, workers)));

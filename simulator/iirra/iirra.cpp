@@ -221,12 +221,10 @@ class Run {
 
   // Cells of a processor that stops are lost: the run ends there.
   void plan_faults() {
-    const auto& processors = machine_.processors();
-    for (const auto& fault : params_.faults)
-      if (fault.b < 0)
-        machine_.stop_processor(*processors[fault.a], {fault.at_s});
-      else
-        machine_.cut_link(*processors[fault.a], *processors[fault.b], {fault.at_s});
+    programs::plan_faults(
+        machine_, params_.faults, [this](int id) -> auto& {
+          return *machine_.processors()[static_cast<std::size_t>(id)];
+        });
     machine_.on_failure([this](const machine::Failure& failure) {
       if (failure.b) return;
       const auto& survivor =

@@ -284,10 +284,10 @@ std::vector<CpuDiary::Span> Cpu::untold() const {
   return spans;
 }
 
-CpuUse Cpu::use() const {
+CpuUse Cpu::use_by(Seconds date) const {
   CpuUse use = use_;
-  if (high_.until > now()) use.busy_high -= high_.until - now();
-  if (low_.computing && !interrupted_ && now() > low_.since) use.busy_low += now() - low_.since;
+  if (high_.until > date) use.busy_high -= high_.until - date;
+  if (low_.computing && !interrupted_ && date > low_.since) use.busy_low += date - low_.since;
   return use;
 }
 

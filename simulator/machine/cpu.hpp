@@ -101,7 +101,9 @@ class Cpu {
   /// already: see Process::sync_if_long.)
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
-  CpuUse use() const;                                                           ///< up to now
+  CpuUse use() const { return use_by(now()); }  ///< up to now
+  /// The same up to a later date, if nothing happens until then.
+  CpuUse use_by(Seconds date) const;
   std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< processes
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }

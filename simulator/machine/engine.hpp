@@ -48,6 +48,9 @@ class Engine {
   void transfer(std::size_t direction, std::uint64_t bytes, Callback arrived) {
     carrier_->start(direction, bytes, arrived);
   }
+  /// When the message under way in a direction arrives, if no other starts on its link before;
+  /// infinite without one.
+  Seconds end_of(std::size_t direction) const { return {carrier_->end_of(direction)}; }
   /// What moves over the direction's link, in both directions, never arrives. Nothing may move
   /// there any more.
   void cut(std::size_t direction) {

@@ -1,5 +1,7 @@
 #include "simulator/machine/link.hpp"
 
+#include <algorithm>
+
 namespace machine {
 
 void LinkDirection::carry(const std::string& channel) {
@@ -61,9 +63,15 @@ void LinkDirection::flush_observer() {
   if (busy_ && observer_) observer_->moved(*this, *channel_, bytes_, since_, engine_.now());
 }
 
-LinkUse LinkDirection::use() const {
+double LinkDirection::passed(Seconds date) const {
+  const double end_s = engine_.end_of(number_).value;
+  if (!busy_ || end_s <= since_.value) return 0;
+  return std::clamp((date - since_).value / (end_s - since_.value), 0., 1.);
+}
+
+LinkUse LinkDirection::use_by(Seconds date) const {
   LinkUse use = use_;
-  if (busy_) use.busy += engine_.now() - since_;
+  if (busy_) use.busy += date - since_;
   return use;
 }
 

@@ -65,7 +65,12 @@ class LinkDirection {
   bool cut();
   const bool& is_cut() const { return cut_; }
   bool is_busy() const { return busy_; }  ///< a message is under way
-  LinkUse use() const;                    ///< up to now; a message counts when it has arrived
+  /// How much of the message under way has passed, 0 to 1, at `date` (not before now).
+  double passed(Seconds date) const;
+  /// Up to now; a message counts when it has arrived.
+  LinkUse use() const { return use_by(engine_.now()); }
+  /// The same up to a later date, if nothing happens until then.
+  LinkUse use_by(Seconds date) const;
   std::string name() const { return from_.name() + " > " + to_.name(); }
   void set_observer(Observer* observer) { observer_ = observer; }
   void flush_observer();  ///< tells of a message that is still on its way, up to now

@@ -116,14 +116,17 @@ ordered_json RecentLoads::describe(const machine::Machine& machine, double now_s
   Busy now{now_s, {}, {}};
   auto queues = ordered_json::array(), moving = queues, cut = queues, stopped = queues;
   for (const auto& processor : machine.processors()) {
-    now.cpus_s.push_back(processor->use().busy().value);
+    now.cpus_s.push_back(processor->cpu().use_by({now_s}).busy().value);
     queues.push_back(processor->cpu().ready());
     if (processor->stopped()) stopped.push_back(processor->id());
   }
   for (std::size_t i = 0; i < machine.links().size(); ++i) {
     const auto& link = *machine.links()[i];
-    now.links_s.push_back(link.use().busy.value);
-    if (link.is_busy()) moving.push_back(i);
+    now.links_s.push_back(link.use_by({now_s}).busy.value);
+    if (link.is_busy()) {
+      moving.push_back(i);
+      moving.push_back(per_mille(link.passed({now_s})));
+    }
     if (link.is_cut()) cut.push_back(i);
   }
   const std::size_t numbers = now.cpus_s.size() + now.links_s.size() + 1;

@@ -27,8 +27,9 @@ class RecentLoads {
   /// Loads are of the last so many simulated seconds, or a little more; 0: since the last call.
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
-  /// Loads, in thousandths, of every processor and direction of a link up to `now_s`; queues, and
-  /// what moves, is cut, or has stopped. Where no time has passed, the loads are those told last.
+  /// Loads, in thousandths, of every processor and direction of a link up to `now_s`, before which
+  /// nothing more happens; queues, and what moves, is cut, or has stopped. Where no time has
+  /// passed, the loads are those told last.
   nlohmann::ordered_json describe(const machine::Machine& machine, double now_s);
 
  private:

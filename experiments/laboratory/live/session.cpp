@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto LOOK_EVERY = 50ms;              // at the user's interrupts, while nothing goes on
-constexpr auto FRAMES_AT_FULL_SPEED = 80ms;    // that watching costs little then
+constexpr auto FRAMES_AT_FULL_SPEED = 95ms;    // that watching costs little then
 constexpr double MOST_ARREARS_S = 0.25;        // of the host's
 constexpr std::uint64_t CALLS_BETWEEN = 1024;  // looks at them while the machine runs
 constexpr std::size_t MOST_TOLD_AT_END = 256;  // processors
@@ -104,62 +104,74 @@ bool Session::attend(double date) {
   const std::size_t deeds = deeds_.size();
   next_s_ = date;
   for (;;) {
-    if (was_interrupted() && !ended_by_hand_s_) {
-      ended_by_hand_s_ = machine_->now().value;
-      machine_->stop();
-    }
+    if (was_interrupted()) end_by_hand();
     obey_all();
     if (ended_by_hand_s_) return true;
     if (view_.is_complete && view_.is_complete()) leave();
     if (deeds_.size() != deeds) return false;
-    const bool is_idle = date == NEVER;
-    if (phase_ == Phase::running && goal_ && is_reached(date)) {
-      change_phase(Phase::paused);
-      pace_from_s_ = std::max(machine_->now().value, std::min(goal_->date, date));
-      goal_.reset();
-    }
-    const bool waits = waits_for_user(is_idle);
-    if (phase_ == Phase::waiting && !waits) change_phase(Phase::running);
-    if (phase_ == Phase::running && is_idle && !waits) {  // a deadlock, or the end
+    if (follow_goal(date)) {  // a deadlock, or the end
       leave();
       return deeds_.size() == deeds;
     }
-    if (phase_ == Phase::running && waits) {
-      change_phase(Phase::waiting);
-      goal_.reset();
-      set_pace(speed_);
-    }
-    bool wants_frame = false;
-    {
-      const std::lock_guard lock(mutex_);
-      is_new_ |= phase_ == Phase::running;
-      wants_frame = is_new_ && wants_frame_ && HostClock::now() >= next_frame_at_;
-      if (wants_frame) is_new_ = wants_frame_ = false;
-      has_news_ = !asked_.empty();
-    }
-    if (wants_frame) make_frame();
-    auto until = HostClock::now() + LOOK_EVERY;
-    if (phase_ == Phase::running) {
-      if (goal_ || std::isinf(speed_)) {
-        go_until_s_ = NEVER;
-        return true;
-      }
-      double allowed_s = paced_s();
-      if (date <= allowed_s) {
-        if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: no rush later
-          set_pace(speed_);
-          allowed_s = date;
-        }
-        go_until_s_ = allowed_s;
-        return true;
-      }
-      const std::chrono::duration<double> left((date - allowed_s) / speed_);
-      if (left < LOOK_EVERY)
-        until = HostClock::now() + std::chrono::duration_cast<HostClock::duration>(left);
-    }
+    show();
+    const auto rest = find_rest(date);
+    if (rest <= HostClock::duration::zero()) return true;
     std::unique_lock lock(mutex_);
-    asked_anything_.wait_until(lock, until, [this] { return has_news_.load(); });
+    asked_anything_.wait_for(lock, rest, [this] { return has_news_.load(); });
   }
+}
+
+// Pauses at the goal, and waits as long as the machine does nothing but wait for the user. Returns
+// whether nothing is left to happen or to be ordered.
+bool Session::follow_goal(double date) {
+  if (phase_ == Phase::running && goal_ && is_reached(date)) {
+    change_phase(Phase::paused);
+    pace_from_s_ = std::max(machine_->now().value, std::min(goal_->date, date));
+    goal_.reset();
+  }
+  const bool is_idle = date == NEVER, waits = waits_for_user(is_idle);
+  if (phase_ == Phase::waiting && !waits) change_phase(Phase::running);
+  if (phase_ != Phase::running) return false;
+  if (!waits) return is_idle;
+  change_phase(Phase::waiting);
+  goal_.reset();
+  set_pace(speed_);
+  return false;
+}
+
+// A new frame, if a page wants one, there is something new, and the last is long enough ago.
+void Session::show() {
+  bool is_due = false;
+  {
+    const std::lock_guard lock(mutex_);
+    is_new_ |= phase_ == Phase::running;
+    is_due = is_new_ && wants_frame_ && HostClock::now() >= next_frame_at_;
+    if (is_due) is_new_ = wants_frame_ = false;
+    has_news_ = !asked_.empty();
+  }
+  if (is_due) make_frame();
+}
+
+// How long the host's clock holds back the event at `date`: not at all, or until it is looked at
+// again.
+Session::HostClock::duration Session::find_rest(double date) {
+  if (phase_ != Phase::running) return LOOK_EVERY;
+  if (goal_ || std::isinf(speed_)) {
+    go_until_s_ = NEVER;
+    return {};
+  }
+  double allowed_s = paced_s();
+  if (date <= allowed_s) {
+    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: no rush later
+      set_pace(speed_);
+      allowed_s = date;
+    }
+    go_until_s_ = allowed_s;
+    return {};
+  }
+  const std::chrono::duration<double> left((date - allowed_s) / speed_);
+  if (left >= LOOK_EVERY) return LOOK_EVERY;
+  return std::max<HostClock::duration>(std::chrono::duration_cast<HostClock::duration>(left), 1ns);
 }
 
 void Session::change_phase(Phase phase) {
@@ -300,6 +312,12 @@ std::uint64_t Session::count_messages() const {
 }
 
 // --- the end ----------------------------------------------------------------------------------
+
+void Session::end_by_hand() {
+  if (!machine_ || ended_by_hand_s_) return;
+  ended_by_hand_s_ = machine_->now().value;
+  machine_->stop();
+}
 
 void Session::end(const std::string& fault) {
   if (renders_.joinable()) {  // what it reads is gone soon

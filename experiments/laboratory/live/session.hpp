@@ -87,12 +87,21 @@ class Session : public observe::Spectator {
   };
 
   bool attend(double date);
+  bool follow_goal(double date);
+  void show();
+  HostClock::duration find_rest(double date);
   void change_phase(Phase phase);
   bool waits_for_user(bool is_idle) const;
   void obey_all();
   void obey(const Command& command);
   void obey_order(const Command& order);
   void obey_fault(const Command& fault);
+  void pause();
+  void go();
+  void save();
+  void quit();
+  void select(const Command& command);
+  void end_by_hand();
   void set_goal(const Goal& goal);
   void step(const std::string& what);
   void run_to(const Command& goal);

@@ -26,6 +26,13 @@ double number_at(const ordered_json& command, const char* key, double low, doubl
   return value;
 }
 
+// Null: as fast as it goes.
+double speed_at(const ordered_json& command) {
+  if (command.contains("x") && command["x"].is_null())
+    return std::numeric_limits<double>::infinity();
+  return number_at(command, "x", 1e-9, 1e9);
+}
+
 std::string text_at(const ordered_json& command, const char* key) {
   base::require(command.is_object() && command.contains(key) && command[key].is_string(), key,
                 "expected a text");
@@ -40,71 +47,78 @@ bool is_index(const ordered_json& value, std::size_t size) {
 }  // namespace
 
 void Session::obey(const Command& command) {
+  using Obey = std::function<void(Session&, const Command&)>;
+  static const std::pair<const char*, Obey> COMMANDS[] = {
+      {"pause", [](Session& on, const Command&) { on.pause(); }},
+      {"go", [](Session& on, const Command&) { on.go(); }},
+      {"speed", [](Session& on, const Command& x) { on.set_pace(speed_at(x)); }},
+      {"step", [](Session& on, const Command& x) { on.step(text_at(x, "what")); }},
+      {"run", &Session::run_to},
+      {"order", [](Session& on, const Command& x) { on.obey_order(x.value("order", Command())); }},
+      {"save", [](Session& on, const Command&) { on.save(); }},
+      {"fault", &Session::obey_fault},
+      {"compare", [](Session& on, const Command&) { on.render_sequentially(); }},
+      {"end", [](Session& on, const Command&) { on.end_by_hand(); }},
+      {"interval",
+       [](Session& on, const Command& x) { on.loads_.set_interval(number_at(x, "s", 0, 1e9)); }},
+      {"select", &Session::select},
+      {"quit", [](Session& on, const Command&) { on.quit(); }}};
   const auto what = text_at(command, "do");
-  if (what == "quit") {
-    const std::lock_guard lock(mutex_);
-    is_quitting_ = true;
-    if (machine_ && !ended_by_hand_s_) {
-      ended_by_hand_s_ = machine_->now().value;
-      machine_->stop();
-    }
-    return;
+  const auto* found =
+      std::ranges::find(COMMANDS, what, [](const auto& known) { return known.first; });
+  if (found == std::end(COMMANDS)) {
+    std::string names;
+    for (const auto& [name, obey] : COMMANDS)
+      names += names.empty() ? name : fmt::format(", {}", name);
+    base::refuse("do", "found \"{}\", expected one of {}", what, names);
   }
-  base::require(machine_ && !ended_by_hand_s_, "do", "found {}, but the run is over", what);
-  if (what == "pause") {
-    if (phase_ == Phase::paused) return;
-    pace_from_s_ = shown_s();
-    phase_ = Phase::paused;
-    goal_.reset();
-  } else if (what == "go") {
-    goal_.reset();
-    if (phase_ == Phase::paused) phase_ = Phase::running;
-    set_pace(speed_);
-  } else if (what == "speed") {
-    set_pace(command.contains("x") && command["x"].is_null() ? NEVER
-                                                             : number_at(command, "x", 1e-9, 1e9));
-  } else if (what == "step") {
-    step(text_at(command, "what"));
-  } else if (what == "run") {
-    run_to(command);
-  } else if (what == "order") {
-    obey_order(command.contains("order") ? command["order"] : ordered_json());
-  } else if (what == "save") {
-    const auto saved = std::ranges::count_if(deeds_, [](const Deed& deed) {
-      return !deed.keys.empty() && deed.keys[0].first == "save";
-    });
-    obey_order({{"save", fmt::format("live{}", saved + 1)}});
-  } else if (what == "fault") {
-    obey_fault(command);
-  } else if (what == "compare") {
-    render_sequentially();
-  } else if (what == "end") {
-    ended_by_hand_s_ = machine_->now().value;
-    machine_->stop();
-  } else if (what == "interval") {
-    loads_.set_interval(number_at(command, "s", 0, 1e9));
-  } else if (what == "select") {
-    base::require(command.contains("processors") && command["processors"].is_array() &&
-                      command["processors"].size() <= MOST_SELECTED,
-                  "processors", "expected a list of at most {}", MOST_SELECTED);
-    std::vector<int> selected;
-    for (const auto& id : command["processors"]) {
-      base::require(is_index(id, machine_->processors().size()), "processors",
-                    "found {}, expected numbers from 0 to {}", id.dump(),
-                    machine_->processors().size() - 1);
-      selected.push_back(id.get<int>());
-    }
-    const auto page = command.value("page", std::uint64_t{0});
-    if (selected.empty())
-      selected_.erase(page);
-    else
-      selected_[page] = selected;
-  } else {
-    base::refuse("do",
-                 "found \"{}\", expected pause, go, speed, step, run, order, save, fault, "
-                 "compare, end, interval, select or quit",
-                 what);
+  base::require(what == "quit" || (machine_ && !ended_by_hand_s_), "do",
+                "found {}, but the run is over", what);
+  found->second(*this, command);
+}
+
+void Session::pause() {
+  if (phase_ == Phase::paused) return;
+  pace_from_s_ = shown_s();
+  phase_ = Phase::paused;
+  goal_.reset();
+}
+
+void Session::go() {
+  goal_.reset();
+  if (phase_ == Phase::paused) phase_ = Phase::running;
+  set_pace(speed_);
+}
+
+void Session::quit() {
+  const std::lock_guard lock(mutex_);
+  is_quitting_ = true;
+  end_by_hand();
+}
+
+// A name of ours for the picture as it is.
+void Session::save() {
+  const auto saved = std::ranges::count_if(
+      deeds_, [](const Deed& deed) { return !deed.keys.empty() && deed.keys[0].first == "save"; });
+  obey_order({{"save", fmt::format("live{}", saved + 1)}});
+}
+
+void Session::select(const Command& command) {
+  base::require(command.contains("processors") && command["processors"].is_array() &&
+                    command["processors"].size() <= MOST_SELECTED,
+                "processors", "expected a list of at most {}", MOST_SELECTED);
+  std::vector<int> selected;
+  for (const auto& id : command["processors"]) {
+    base::require(is_index(id, machine_->processors().size()), "processors",
+                  "found {}, expected numbers from 0 to {}", id.dump(),
+                  machine_->processors().size() - 1);
+    selected.push_back(id.get<int>());
   }
+  const auto page = command.value("page", std::uint64_t{0});
+  if (selected.empty())
+    selected_.erase(page);
+  else
+    selected_[page] = selected;
 }
 
 void Session::obey_order(const Command& order) {

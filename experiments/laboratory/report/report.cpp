@@ -213,7 +213,8 @@ std::string make_report(const Report& report) {
   page["style"] = REPORT_STYLE;
   page["script"] = REPORT_SCRIPT;
   page["data"] = make_data(report);
-  // Lets these scripts run and no others; a text that is in the page cannot name it.
+  // Lets these scripts run and no others: a script in a text of the page would have to name a hash
+  // that it is part of.
   page["nonce"] = hash_of(report.title + to_csv(report.table) + make_data(report));
   page["title"] = report.title;
   add_text(page, "question", report.question);

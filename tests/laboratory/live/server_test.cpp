@@ -75,6 +75,13 @@ struct Served {
     return socket;
   }
   Socket open() { return open("http://" + host(), host()); }
+
+  // To its end.
+  PointResult run() {
+    RunOptions options;
+    options.file = "e.toml";
+    return run_point(file.points[0], options, folder.path / "images", &session);
+  }
 };
 
 std::string hear(Socket& socket) {
@@ -84,6 +91,12 @@ std::string hear(Socket& socket) {
 }
 
 void say(Socket& socket, const std::string& text) { socket.write(asio::buffer(text)); }
+
+// Shows the token and returns what it is told first: the outline.
+std::string enter(const Served& served, Socket& socket) {
+  say(socket, "{\"token\": \"" + served.token() + "\"}");
+  return hear(socket);
+}
 
 bool is_closed_to(Socket& socket, const std::string& text) {
   try {
@@ -146,22 +159,15 @@ TEST(LiveServer, WithoutTheTokenNothingIsTold) {
 TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   test::run_isolated([] {
     Served served;
-    RunOptions options;
-    options.file = "e.toml";
     PointResult result;
-    std::thread run([&] {
-      result =
-          run_point(served.file.points[0], options, served.folder.path / "images", &served.session);
-    });
+    std::thread run([&] { result = served.run(); });
     auto socket = served.open();
-    say(socket, "{\"token\": \"" + served.token() + "\"}");
-    const auto outline = nlohmann::json::parse(hear(socket)).at("outline");
+    const auto outline = nlohmann::json::parse(enter(served, socket)).at("outline");
     EXPECT_EQ(outline.at("program"), "farm");
     EXPECT_EQ(outline.at("processors").size(), 5u);
     EXPECT_EQ(outline.at("picture").at("width"), 16);
     auto second = served.open();
-    say(second, "{\"token\": \"" + served.token() + "\"}");
-    EXPECT_EQ(nlohmann::json::parse(hear(second)).at("steers"), false);
+    EXPECT_EQ(nlohmann::json::parse(enter(served, second)).at("steers"), false);
     say(second, "{\"do\": \"pause\", \"id\": 1}");
     EXPECT_NE(hear(second).find("another page steers"), std::string::npos);
     // The end of the interactive phase may be asked for before it has begun: then again.
@@ -187,22 +193,38 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
 TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   test::run_isolated([] {
     Served served;
-    RunOptions options;
-    options.file = "e.toml";
-    run_point(served.file.points[0], options, served.folder.path / "images", &served.session);
+    served.run();
     std::vector<Socket> pages;
     for (int i = 0; i < 3; ++i) {
       pages.push_back(served.open());
-      say(pages.back(), "{\"token\": \"" + served.token() + "\"}");
-      hear(pages.back());  // the outline
+      enter(served, pages.back());
     }
     beast::error_code error;
     for (int i = 0; i < 300 && !error; ++i)
       pages[0].write(asio::buffer(std::string(R"({"do": "steer"})")), error);
     EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
     auto late = served.open();
-    say(late, "{\"token\": \"" + served.token() + "\"}");
-    EXPECT_NE(hear(late).find("outline"), std::string::npos);
+    EXPECT_NE(enter(served, late).find("outline"), std::string::npos);
+  });
+}
+
+// However many connect and say nothing, a page that comes finds room, and one that is there stays.
+TEST(LiveServer, StrangersLeaveRoomForPages) {
+  test::run_isolated([] {
+    Served served;
+    served.run();
+    std::vector<tcp::socket> strangers;
+    const auto bring_strangers = [&] {
+      for (int i = 0; i < 150; ++i) strangers.push_back(served.connect());
+    };
+    bring_strangers();
+    EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
+    auto page = served.open();
+    EXPECT_NE(enter(served, page).find("outline"), std::string::npos);
+    bring_strangers();
+    say(page, "{\"want\": \"frame\"}");
+    hear(page);  // the picture
+    EXPECT_NE(hear(page).find("\"state\""), std::string::npos);
   });
 }
 
@@ -210,13 +232,10 @@ TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
 TEST(LiveServer, AnyTextCanBeTold) {
   test::run_isolated([] {
     Served served;
-    RunOptions options;
-    options.file = "e.toml";
-    run_point(served.file.points[0], options, served.folder.path / "images", &served.session);
+    served.run();
     served.session.say_results("caf\xe9");
     auto socket = served.open();
-    say(socket, "{\"token\": \"" + served.token() + "\"}");
-    hear(socket);  // the outline
+    enter(served, socket);
     say(socket, "{\"want\": \"frame\"}");
     hear(socket);  // the picture
     EXPECT_NE(hear(socket).find("caf"), std::string::npos);

@@ -1,5 +1,5 @@
 // Things over simulated time: the time line of processors, and curves of what grows.
-import { fit, style } from "/colour.js";
+import { fit, style, watchSize, widthOf } from "/colour.js";
 
 const DOING = ["high", "low", "switching"];
 const SAYS = ["high priority", "low priority", "switches"];
@@ -20,7 +20,7 @@ export class TimeLine {
     this.to = null;     // the date at the right; null: the present
     this.present = 0;
     this.listen();
-    new ResizeObserver(() => this.draw()).observe(canvas);
+    watchSize(canvas, () => this.draw());
   }
 
   // Spans are processor, doing, begin, end, one after the other.
@@ -92,7 +92,7 @@ export class TimeLine {
     canvas.addEventListener("pointermove", (event) => {
       this.pointed?.(this.tell(event));
       if (last === null) return;
-      const shift = (event.clientX - last) / (canvas.clientWidth - LEFT) * this.window;
+      const shift = (event.clientX - last) / (widthOf(canvas) - LEFT) * this.window;
       last = event.clientX;
       this.moveTo(this.right - shift);
     });

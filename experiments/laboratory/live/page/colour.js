@@ -1,25 +1,49 @@
-// Colours of the page's style, for what is drawn on canvas.
+// Colours of the page's style, and canvases, for what is drawn by hand. Both are asked for many
+// times a frame and change seldom: they are kept.
 
-let styles;
+const styles = new Map();
 export function style(name) {
-  styles ??= getComputedStyle(document.documentElement);
-  return styles.getPropertyValue("--" + name).trim();
+  if (!styles.has(name))
+    styles.set(name, getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim());
+  return styles.get(name);
 }
+
+const SHADES = 64;
+let loads = [];
 
 const parse = (hex) => [1, 3, 5].map((i) => parseInt(
   hex.length === 4 ? hex[(i + 1) / 2] + hex[(i + 1) / 2] : hex.slice(i, i + 2), 16));
 
 // Of a share, 0 to 1: from idle to busy, ever further from the paper.
 export function loadColour(share) {
-  const from = parse(style("idle")), to = parse(style("busy"));
-  return `rgb(${from.map((c, i) => Math.round(c + (to[i] - c) * share)).join(" ")})`;
+  const shade = Math.round(share * SHADES);
+  if (!loads[shade]) {
+    const from = parse(style("idle")), to = parse(style("busy"));
+    loads[shade] =
+      `rgb(${from.map((c, i) => Math.round(c + (to[i] - c) * shade / SHADES)).join(" ")})`;
+  }
+  return loads[shade];
 }
 
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { styles = null; });
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  styles.clear();
+  loads = [];
+});
+
+// Calls `draw` when the canvas has another size; `widthOf` then says its width, which the browser
+// would have to find out anew after every change of the page.
+const widths = new WeakMap();
+export function watchSize(canvas, draw) {
+  new ResizeObserver(([{ contentRect }]) => {
+    widths.set(canvas, contentRect.width);
+    draw();
+  }).observe(canvas);
+}
+export const widthOf = (canvas) => widths.get(canvas) ?? canvas.clientWidth;
 
 // A canvas whose pixels are those of the screen; returns its context in units of the page.
 export function fit(canvas, height) {
-  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth;
+  const ratio = window.devicePixelRatio || 1, width = widthOf(canvas);
   const w = Math.max(1, Math.round(width * ratio)), h = Math.max(1, Math.round(height * ratio));
   if (canvas.width !== w || canvas.height !== h) {
     canvas.width = w;

@@ -51,6 +51,7 @@ function ask(command) {
 function hear({ reply, refusal }) {
   $("refusal").textContent = refusal;
   $("refusal").hidden = !refusal;
+  if (refusal) toldLast = "";  // what was asked for may stand in a field
   replies.get(reply)?.(refusal);
   replies.delete(reply);
 }
@@ -140,10 +141,26 @@ function show(now) {
   if (was !== state.state) remember();
   if (steers && state.state !== "over" && state.t_s < goesTo) runTo(goesTo);
   goesTo = NaN;
-  $("status").textContent = `${NAMES[state.state]} at ${date(state.t_s)} of simulated time` +
-    (state.phase ? `, ${state.phase}` : "") + tellFault();
-  const announced = NAMES[state.state] + (state.phase ? ", " + state.phase : "") + tellFault();
-  if ($("announced").textContent !== announced) $("announced").textContent = announced;
+  machine.show(state);
+  line.add(state);
+  curves.add(state);
+  const fault = tellFault(), phase = state.phase ? ", " + state.phase : "";
+  $("status").textContent =
+    `${NAMES[state.state]} at ${date(state.t_s)} of simulated time${phase}${fault}`;
+  const told = NAMES[state.state] + phase + fault + state.results + state.speed;
+  if (told !== toldLast) showSeldom(NAMES[state.state] + phase + fault);
+  toldLast = told;
+  showChosen();
+  if ($("loads").closest("details").open) showLoads();
+  requestAnimationFrame(want);
+}
+
+// What most frames do not change. For the browser each line is a change of the page even so.
+let toldLast = "";
+function showSeldom(announced) {
+  $("announced").textContent = announced;
+  $("fault-part").hidden = !state.fault;
+  $("fault").textContent = state.fault ?? "";
   $("go").textContent = state.state === "paused" ? "Go on" : "Pause";
   for (const id of ["go", "end", "run-date", "run-picture", "run-end"])
     $(id).disabled = state.state === "over";
@@ -151,19 +168,11 @@ function show(now) {
   $("quit").hidden = state.state !== "over";
   $("results").textContent = state.results ? `Results: ${state.results}` : "";
   if (document.activeElement !== $("speed")) $("speed").value = String(state.speed);
-  machine.show(state);
-  line.add(state);
-  curves.add(state);
-  showChosen();
-  if ($("loads").closest("details").open) showLoads();
-  requestAnimationFrame(want);
 }
 
 // The first line of why the run broke down, and who waits for whom.
 function tellFault() {
-  $("fault-part").hidden = !state.fault;
   if (!state.fault) return "";
-  $("fault").textContent = state.fault;
   const cycle = (state.deadlock?.processes ?? []).join(" → ");
   return `: ${state.fault.split("\n")[0]}` + (cycle ? ` The cycle: ${cycle}.` : "");
 }

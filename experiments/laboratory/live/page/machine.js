@@ -1,5 +1,5 @@
 // The network: processors and links coloured by their loads, messages that move, what is cut.
-import { fit, loadColour, style } from "/colour.js";
+import { fit, loadColour, style, watchSize, widthOf } from "/colour.js";
 
 export class Machine {
   constructor(canvas, outline, onChoose) {
@@ -22,11 +22,11 @@ export class Machine {
       const n = outline[what + "s"].length, now = this.chosen?.[what] ?? (step > 0 ? -1 : 0);
       if (n) this.onChoose({ [what]: (now + step + n) % n });
     });
-    new ResizeObserver(() => this.draw()).observe(canvas);
+    watchSize(canvas, () => this.draw());
   }
 
   layout() {
-    const { left, right, low, high } = this.box, width = this.canvas.clientWidth;
+    const { left, right, low, high } = this.box, width = widthOf(this.canvas);
     const columns = right - left + 1.2, rows = high - low + 1.2;
     const unit = Math.min(width / columns, 420 / rows, 90);
     const height = Math.max(60, rows * unit);
@@ -42,10 +42,10 @@ export class Machine {
 
   draw() {
     const { unit, height, place } = this.layout();
-    const { context } = fit(this.canvas, height);
-    context.clearRect(0, 0, this.canvas.clientWidth, height);
+    const { context, width } = fit(this.canvas, height);
+    context.clearRect(0, 0, width, height);
     const { processors, links } = this.outline, state = this.state;
-    const moving = new Set(state?.moving), cut = new Set(state?.cut);
+    const cut = new Set(state?.cut);
     const stopped = new Set(state?.stopped);
     const cycle = state?.deadlock?.processors ?? [], waits = new Set(cycle);
     const thick = Math.max(1, unit / 18);
@@ -63,14 +63,6 @@ export class Machine {
         context.lineTo(...mid);
         context.stroke();
       });
-      // A message under way: a dot beside the sender's half.
-      [[ax, ay, 2 * i], [bx, by, 2 * i + 1]].forEach(([x, y, direction]) => {
-        if (!moving.has(direction)) return;
-        context.fillStyle = style("high");
-        context.beginPath();
-        context.arc(x + (mid[0] - x) * 0.7, y + (mid[1] - y) * 0.7, Math.max(1.5, unit / 16), 0, 7);
-        context.fill();
-      });
       if (this.chosen?.link === i) {
         context.strokeStyle = style("accent");
         context.lineWidth = thick * 4;
@@ -84,6 +76,7 @@ export class Machine {
     });
     context.setLineDash([]);
     const radius = Math.min(22, unit * 0.3);
+    this.drawMessages(context, place, radius, Math.max(1.5, unit / 16));
     this.drawCycle(context, cycle, place, radius);
     context.textAlign = "center";
     context.textBaseline = "middle";
@@ -113,6 +106,23 @@ export class Machine {
         context.fillText("+" + ready, x + radius * 1.25, y - radius * 0.9);
       }
     });
+  }
+
+  // Messages under way: a dot each, on the right of the link as the message goes, where as much of
+  // the way is behind it as of the message has passed.
+  drawMessages(context, place, radius, size) {
+    const { processors, links } = this.outline, moving = this.state?.moving ?? [];
+    context.fillStyle = style("high");
+    for (let i = 0; i < moving.length; i += 2) {
+      const link = links[moving[i] >> 1], [from, to] = moving[i] % 2 ? [link[1], link[0]] : link;
+      const [ax, ay] = place(processors[from]), [bx, by] = place(processors[to]);
+      const length = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / length, uy = (by - ay) / length;
+      const margin = Math.min(radius, length / 3);
+      const at = margin + (length - 2 * margin) * moving[i + 1] / 1000;
+      context.beginPath();
+      context.arc(ax + at * ux - 1.2 * size * uy, ay + at * uy + 1.2 * size * ux, size, 0, 7);
+      context.fill();
+    }
   }
 
   // Who waits for whom, as arrows from processor to processor.

@@ -39,16 +39,21 @@ export class Picture {
   // Tiles: x, y, width, height, two bytes each, and three bytes a pixel.
   add(name, buffer) {
     const view = new DataView(buffer), bytes = new Uint8Array(buffer);
-    const { canvas, image } = this.layers[name], context = canvas.getContext("2d");
+    const { canvas, image } = this.layers[name], context = canvas.getContext("2d"), { data } = image;
     this.has.add(name);
     for (let at = 0; at < buffer.byteLength;) {
       const [x, y, w, h] = [0, 2, 4, 6].map((i) => view.getUint16(at + i, true));
       at += 8;
-      for (let j = 0; j < h; ++j)
-        for (let i = 0; i < w; ++i, at += 3)
-          image.data.set(bytes.subarray(at, at + 3), 4 * ((y + j) * this.width + x + i));
+      for (let j = 0; j < h; ++j) {
+        let to = 4 * ((y + j) * this.width + x);
+        for (const end = at + 3 * w; at < end; at += 3, to += 4) {
+          data[to] = bytes[at];
+          data[to + 1] = bytes[at + 1];
+          data[to + 2] = bytes[at + 2];
+        }
+      }
       context.putImageData(image, 0, 0, x, y, w, h);
-      this.compare(x, y, w, h);
+      if (this.has.has("sequential")) this.compare(x, y, w, h);
     }
     this.draw();
   }
@@ -56,15 +61,15 @@ export class Picture {
   // The largest difference of a pixel's three values: none is black, a quarter of the range red,
   // half of it yellow, all of it white.
   compare(x, y, w, h) {
-    const { shown, sequential, error } = this.layers;
+    const { error } = this.layers, { data } = error.image;
+    const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
     for (let j = y; j < y + h; ++j)
       for (let i = 4 * (j * this.width + x); i < 4 * (j * this.width + x + w); i += 4) {
         let most = 0;
-        for (let c = i; c < i + 3; ++c)
-          most = Math.max(most, Math.abs(shown.image.data[c] - sequential.image.data[c]));
-        error.image.data[i] = Math.min(255, 4 * most);
-        error.image.data[i + 1] = Math.min(255, Math.max(0, 4 * (most - 64)));
-        error.image.data[i + 2] = Math.min(255, Math.max(0, 2 * (most - 128)));
+        for (let c = i; c < i + 3; ++c) most = Math.max(most, Math.abs(a[c] - b[c]));
+        data[i] = Math.min(255, 4 * most);
+        data[i + 1] = Math.min(255, Math.max(0, 4 * (most - 64)));
+        data[i + 2] = Math.min(255, Math.max(0, 2 * (most - 128)));
       }
     error.canvas.getContext("2d").putImageData(error.image, 0, 0, x, y, w, h);
   }

@@ -1,0 +1,27 @@
+#pragma once
+// Links and processors that break while a program runs.
+#include <vector>
+
+#include "simulator/machine/machine.hpp"
+
+namespace programs {
+
+/// A link or a processor that breaks.
+struct PlannedFault {
+  double at_s = 0;
+  int a = 0;
+  int b = -1;  ///< the link between a and b; -1: the processor a
+
+  bool operator==(const PlannedFault&) const = default;
+};
+
+/// Has them happen. `find` gives a processor by its number in the faults.
+void plan_faults(machine::Machine& machine, const std::vector<PlannedFault>& faults, auto find) {
+  for (const PlannedFault& fault : faults)
+    if (fault.b < 0)
+      machine.stop_processor(find(fault.a), {fault.at_s});
+    else
+      machine.cut_link(find(fault.a), find(fault.b), {fault.at_s});
+}
+
+}  // namespace programs
