@@ -15,7 +15,7 @@ struct PlannedFault {
   bool operator==(const PlannedFault&) const = default;
 };
 
-/// Has them happen. `find` gives a processor by its number in the faults.
+/// Plans each at its date. `find` gives a processor by its number in the faults.
 void plan_faults(machine::Machine& machine, const std::vector<PlannedFault>& faults, auto find) {
   for (const PlannedFault& fault : faults)
     if (fault.b < 0)

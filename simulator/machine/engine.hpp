@@ -48,9 +48,10 @@ class Engine {
   void transfer(std::size_t direction, std::uint64_t bytes, Callback arrived) {
     carrier_->start(direction, bytes, arrived);
   }
-  /// When the message under way in a direction arrives, if no other starts on its link before;
-  /// infinite without one.
-  Seconds end_of(std::size_t direction) const { return {carrier_->end_of(direction)}; }
+  /// See Carrier.
+  double left_of(std::size_t direction, Seconds date) const {
+    return carrier_->left_of(direction, date.value);
+  }
   /// What moves over the direction's link, in both directions, never arrives. Nothing may move
   /// there any more.
   void cut(std::size_t direction) {

@@ -1,7 +1,5 @@
 #include "simulator/machine/link.hpp"
 
-#include <algorithm>
-
 namespace machine {
 
 void LinkDirection::carry(const std::string& channel) {
@@ -33,8 +31,10 @@ void LinkDirection::move() {
   cable_->set_busy(cable_->busy() + 1);
   if (bytes_ == 0)
     engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
-  else
+  else {
+    moves_ = true;
     engine_.transfer(number_, bytes_, [this] { end(); });
+  }
 }
 
 void LinkDirection::end() {
@@ -42,7 +42,7 @@ void LinkDirection::end() {
   use_.busy += engine_.now() - since_;
   ++use_.messages;
   use_.bytes += bytes_;
-  busy_ = false;
+  busy_ = moves_ = false;
   cable_->set_busy(cable_->busy() - 1);
   if (observer_) observer_->moved(*this, *channel_, bytes_, since_, engine_.now());
   arrived_();
@@ -53,7 +53,7 @@ bool LinkDirection::cut() {
   cable_->set_busy(0);
   if (!busy_) return false;
   flush_observer();
-  busy_ = false;
+  busy_ = moves_ = false;
   use_.busy += engine_.now() - since_;
   use_.bytes_cut = bytes_;
   return true;
@@ -64,9 +64,7 @@ void LinkDirection::flush_observer() {
 }
 
 double LinkDirection::passed(Seconds date) const {
-  const double end_s = engine_.end_of(number_).value;
-  if (!busy_ || end_s <= since_.value) return 0;
-  return std::clamp((date - since_).value / (end_s - since_.value), 0., 1.);
+  return moves_ ? 1 - engine_.left_of(number_, date) / static_cast<double>(bytes_) : 0;
 }
 
 LinkUse LinkDirection::use_by(Seconds date) const {

@@ -65,7 +65,8 @@ class LinkDirection {
   bool cut();
   const bool& is_cut() const { return cut_; }
   bool is_busy() const { return busy_; }  ///< a message is under way
-  /// How much of the message under way has passed, 0 to 1, at `date` (not before now).
+  /// The share of the bytes of the message under way that has moved at `date`, not before now, if
+  /// nothing happens until then; 0 while it is delayed and where there is none.
   double passed(Seconds date) const;
   /// Up to now; a message counts when it has arrived.
   LinkUse use() const { return use_by(engine_.now()); }
@@ -87,6 +88,7 @@ class LinkDirection {
   Seconds delay_;
   LinkUse use_;
   bool busy_ = false, cut_ = false;
+  bool moves_ = false;                  // it is no more delayed, and has bytes
   std::optional<std::string> carries_;  // a channel
   // The transfer under way:
   Seconds since_{};

@@ -4,6 +4,7 @@
 // formula over others, so that memory of one more wait state, or a workspace off chip, changes
 // everything that it must.
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,13 @@ namespace machine {
 /// What a number rests on. Calibrated entries name the published cells they were fitted to.
 enum class Provenance { datasheet, thesis, calibrated, assumed };
 
+/// What a number that is not known better may be.
+struct Range {
+  double low, high;
+  bool is_share;    ///< both are shares of the entry's value, whatever that is; else in its unit
+  std::string why;  ///< no narrower and no wider
+};
+
 struct Entry {
   std::string key;      ///< "link.one_way_rate"
   double value = 0;     ///< computed, if there is a formula
@@ -25,6 +33,10 @@ struct Entry {
   Provenance provenance = Provenance::assumed;
   std::string source;
   std::string where;  ///< "my.toml:4: link.one_way_rate"
+  std::optional<Range> range = {};
+  /// Of a calibrated entry: a formula over entries, in proportion to this one, whose value the
+  /// published cells fix; empty where they fix the entry itself.
+  std::string holds = {};
 };
 
 using NamedNumbers = std::map<std::string, double, std::less<>>;
@@ -101,6 +113,9 @@ Cycles get_instruction(const Model& model, std::string_view name);
 Cycles get_operation(const Model& model, std::string_view name);  ///< the same; without its scale
 /// An operation of routers, or of an application around its messages: times scale.router.
 Cycles get_compiled(const Model& model, std::string_view name);
+
+/// The value of a formula over the model's entries. Throws BadInput, beginning with `where`.
+double eval(const Model& model, const std::string& formula, const std::string& where);
 
 /// `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
 /// base = "NAME" holds only what differs from that model. Throws BadInput.

@@ -198,6 +198,40 @@ void read_value(Entry& entry, const toml::node* node) {
                  "\"value\" must be a number, or a formula in quotes over other entries");
 }
 
+// "80 %": a share of the entry's value.
+std::optional<double> read_share(const toml::node& node) {
+  auto text = node.value_exact<std::string>().value_or("");
+  if (!text.ends_with('%')) return {};
+  text.pop_back();
+  while (text.ends_with(' ')) text.pop_back();
+  const auto number = base::parse_number<double>(text);
+  return number ? std::optional(*number / 100) : std::nullopt;
+}
+
+// low, high and why: all three, or none.
+std::optional<Range> read_range(const Entry& entry, const toml::table& table) {
+  const auto *low = table.get("low"), *high = table.get("high"), *why = table.get("why");
+  if (!low && !high && !why) return {};
+  base::require(low && high && why && why->value_exact<std::string>(), entry.where,
+                "expected low, high and why together, why in quotes");
+  const auto low_share = read_share(*low), high_share = read_share(*high);
+  Range range{0, 0, low_share && high_share, *why->value_exact<std::string>()};
+  const auto low_number = range.is_share ? low_share : low->value<double>();
+  const auto high_number = range.is_share ? high_share : high->value<double>();
+  base::require(low_number && high_number, entry.where,
+                "low and high: expected two numbers, or two shares of the value as in \"80 %\"");
+  range.low = *low_number;
+  range.high = *high_number;
+  base::require(range.low < range.high && range.high <= LARGEST && range.low >= 0, entry.where,
+                "low and high: found {} and {}, expected numbers from 0 to {}, the lower first",
+                range.low, range.high, LARGEST);
+  base::require(range.is_share || entry.formula.empty(), entry.where,
+                "low and high: found numbers, expected shares of the value, which is a formula");
+  base::require(!range.is_share || range.low > 0, entry.where,
+                "low: found 0 %, expected a share above 0");
+  return range;
+}
+
 Entry read_entry(const std::string& key, const toml::node& node, const std::string& where) {
   const auto* table = node.as_table();
   base::require(table, where,
@@ -207,12 +241,21 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
     base::require(value.has_value(), where, "\"{}\" is missing or not a text", part);
     return *value;
   };
+  constexpr std::string_view PARTS[] = {"value", "unit", "provenance", "source",
+                                        "low",   "high", "why",        "holds"};
   for (auto&& [part, ignored] : *table)
-    base::require(part == "value" || part == "unit" || part == "provenance" || part == "source",
-                  where, "unknown part \"{}\"", part.str());
+    base::require(std::ranges::find(PARTS, part.str()) != std::end(PARTS), where,
+                  "unknown part \"{}\"", part.str());
   Entry entry{
       key, 0, {}, text("unit"), parse_provenance(text("provenance"), where), text("source"), where};
   read_value(entry, table->get("value"));
+  entry.range = read_range(entry, *table);
+  if (table->contains("holds")) {
+    base::require(entry.provenance == Provenance::calibrated, where,
+                  "holds: found it at an entry that is {}, expected calibrated",
+                  to_string(entry.provenance));
+    base::Formula(entry.holds = text("holds"), where + ": holds");
+  }
   return entry;
 }
 
@@ -349,13 +392,37 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
   return parse(text, path.string(), path.parent_path(), inside);
 }
 
+// A range that is not in shares must hold the value; what is held must be something.
+void check_ranges(const Model& model) {
+  for (const Entry& entry : model.entries) {
+    if (const auto& range = entry.range; range && !range->is_share)
+      base::require(range->low <= entry.value && entry.value <= range->high, entry.where,
+                    "low and high: found {} and {}, expected the value between them, {}",
+                    range->low, range->high, entry.value);
+    if (!entry.holds.empty())
+      base::require(eval(model, entry.holds, entry.where + ": holds") > 0, entry.where,
+                    "holds: expected a formula whose value is above 0");
+  }
+}
+
 Model complete(Model model, std::string_view origin) {
   eval_formulas(model);
   bind_entries(model, origin);
+  check_ranges(model);
   return model;
 }
 
 }  // namespace
+
+double eval(const Model& model, const std::string& formula, const std::string& where) {
+  std::map<std::string, std::size_t> index_of;
+  for (const Entry& entry : model.entries) index_of.emplace(entry.key, index_of.size());
+  const base::Formula parsed(formula, where);
+  std::vector<double> values;
+  for (const auto needed : find_needs(model, parsed, index_of))
+    values.push_back(model.entries[needed].value);
+  return parsed.eval(values);
+}
 
 Model parse_model(std::string_view text, std::string_view origin) {
   return complete(parse(text, origin, "", 0), origin);

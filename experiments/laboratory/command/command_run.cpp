@@ -78,6 +78,16 @@ void add_run_command(CLI::App& app) {
                    "tlab merge")
       ->allow_extra_args(false)
       ->excludes(list);
+  auto* machines = command->add_option_function<std::string>(
+      "--uncertain",
+      [o](const std::string& n) { o->overrides.push_back("uncertain.machines=" + n); },
+      "N: the same on N machines drawn from what the model's numbers may be; how sure results are");
+  command
+      ->add_option_function<std::string>(
+          "--seed",
+          [o](const std::string& seed) { o->overrides.push_back("uncertain.seed=" + seed); },
+          "of the draws [1]")
+      ->needs(machines);
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
   command

@@ -15,6 +15,8 @@
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/singles.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
+#include "experiments/laboratory/uncertain/draw.hpp"
+#include "experiments/laboratory/uncertain/sureness.hpp"
 
 namespace laboratory {
 namespace {
@@ -55,6 +57,8 @@ std::set<std::string> list_images(const Simulation& s) {
 void print_paths(const fs::path& output, const std::set<std::string>& images) {
   fmt::print("  report   {}\n", (output / "report.html").string());
   fmt::print("  table    {}\n", (output / "results.csv").string());
+  for (const char* table : {"intervals.csv", "assumptions.csv"})
+    if (fs::exists(output / table)) fmt::print("  table    {}\n", (output / table).string());
   for (const auto& image : images) fmt::print("  image    {}\n", (output / image).string());
   if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
 }
@@ -63,13 +67,19 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
   fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, shown_columns(s.file, s.table)));
   print_notes(s);
+  if (const auto sure = load_sureness(output))
+    for (const auto& sentence : tell_sureness(*sure, shown_columns(s.file, s.table)))
+      fmt::print("{}\n", sentence);
+  if (s.left_out > 0)
+    fmt::print("note: {} of {} machines are left out: not all of their points came to an end\n",
+               s.left_out, s.file.uncertain.machines);
   if (options.profile && s.table.find("rays")) print_profile(s);
   for (const auto& [model, speed] : s.host_speeds)
     fmt::print(
         "\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % between rays, blocks "
         "and radiosity, {} repeats each\n",
         speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
-  if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.results.size());
+  if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.asked);
   fmt::print("\nEnded: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());
   print_paths(output, list_images(s));
@@ -156,7 +166,7 @@ void run_experiment(const RunOptions& options) {
 }
 
 void list_points(const RunOptions& options) {
-  const ExperimentFile file = load_experiment(options.file, options.overrides);
+  const auto file = spread(load_experiment(options.file, options.overrides));
   const PointsPlan plan(options, file);
   const Results results = find_points(plan, all_points(file));
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -165,7 +175,7 @@ void list_points(const RunOptions& options) {
 }
 
 void run_chosen_points(const RunOptions& options) {
-  const ExperimentFile file = load_experiment(options.file, options.overrides);
+  const auto file = spread(load_experiment(options.file, options.overrides));
   const auto numbers = read_numbers(options.points, file.points.size());
   check_counted(file, numbers);
   check_points(options, file, numbers.size());

@@ -8,6 +8,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/points/images.hpp"
@@ -17,6 +18,8 @@
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/points/singles.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
+#include "experiments/laboratory/uncertain/draw.hpp"
+#include "experiments/laboratory/uncertain/sureness.hpp"
 
 namespace laboratory {
 namespace {
@@ -81,7 +84,8 @@ void write_results(const fs::path& folder, const RunOptions& options, Simulation
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks,
                     Missing missing) {
   Clock clock;
-  check_points(options, file, file.points.size());
+  check_points(options, file,
+               (static_cast<std::size_t>(file.uncertain.machines) + 1) * file.points.size());
   const auto results = results_folder(options);
   check_same_experiment(results, file);
   ResultsFolder folder(results);
@@ -89,16 +93,26 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   Simulation s;
   s.file = file;
   s.host_speeds = measure_host(s.file);
-  PointsPlan plan(options, s.file, inspect_names(checks, s.file));
+  const ExperimentFile all = spread(s.file);  // the first are the file's own
+  s.asked = all.points.size();
+  PointsPlan plan(options, all, inspect_names(checks, s.file));
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
-    s.results = make_results(plan, missing, s.there);
-    measure_singles(plan, s.results, missing == Missing::run ? Singles::run : Singles::find);
+    Results drawn = make_results(plan, missing, s.there);
+    measure_singles(plan, drawn, missing == Missing::run ? Singles::run : Singles::find);
+    s.results.assign(drawn.begin(), drawn.begin() + std::ptrdiff_t(file.points.size()));
     carry_files(results / records_folder(), folder.working() / records_folder());
     place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
     keep_points_that_ran(s, plan);
     s.table = make_table(s.file, s.results);
     s.checks = eval_checks(checks, s.file, s.table);
+    if (file.uncertain.machines > 0 && !was_interrupted()) {
+      const auto sureness = find_sureness(file, s.table, drawn);
+      const auto tables = make_sureness_tables(s.table, sureness);
+      save_sureness(folder.working(), tables);
+      check_cover(s.checks, s.table, tables);
+      s.left_out = sureness.left_out;
+    }
     s.complete = s.results.size() == file.points.size() &&
                  std::ranges::all_of(s.results, &PointResult::is_complete);
     s.ended = describe_end(s.results, file.points.size());

@@ -30,6 +30,8 @@ struct Check {
   std::optional<double> within;       ///< largest relative error, at worst,
   std::optional<double> within_mean;  ///< and on average over the points;
   std::optional<double> within_abs;   ///< or largest absolute error, in the column's unit
+  std::optional<double> covers;       ///< where machines are drawn: at least that share of what is
+                                      ///< expected lies where nine of ten machines are
 
   bool has_bounds() const { return !at_least.empty() || !at_most.empty(); }
   /// Whether errors are in the column's unit; else they are relative to what was expected.

@@ -45,6 +45,12 @@ struct Experiment {
 /// The files that a point reads, apart from its machine model: scene, network, routes ...
 std::vector<std::string> files_of(const Experiment& experiment);
 
+/// [uncertain]: how many machines are drawn from the ranges of the models' entries.
+struct Uncertain {
+  std::int64_t machines = 0;  ///< 0: none
+  std::int64_t seed = 1;
+};
+
 /// A key of the experiment file.
 struct Setting {
   std::string key;   ///< "scene.objects"; an axis of [sweep] is called by its last part, "objects",
@@ -88,6 +94,7 @@ struct ExperimentFile {
   std::vector<PlotSpec> plots;          ///< [[plot]]
   std::vector<BestSpec> bests;          ///< [[best]]
   ReportSpec report;                    ///< [report]
+  Uncertain uncertain;                  ///< [uncertain]
 };
 
 /// Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also

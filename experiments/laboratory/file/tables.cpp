@@ -100,6 +100,9 @@ const Bindings<Check>& check_bindings() {
                   "largest mean of the relative errors"),
       bind_number("within_abs", &C::within_abs, 0, LARGEST,
                   "or largest absolute error, in the unit of `of`"),
+      bind_number("covers", &C::covers, 0, 1,
+                  "with [uncertain]: the least share of what it should be that lies where nine of "
+                  "ten machines are"),
   };
   return all;
 }
@@ -118,7 +121,8 @@ void check_complete(const Check& c, const toml::table& table) {
           kinds.empty() ? "none" : kinds);
   require(!c.reference.empty() || c.column.empty(), c.place,
           "expected no column without a reference");
-  const auto others = join_given(table, {"within", "within_mean", "within_abs", "calibrated"});
+  const auto others =
+      join_given(table, {"within", "within_mean", "within_abs", "calibrated", "covers"});
   if (c.has_bounds())
     return require(others.empty(), c.place, "found {} and {}, expected no tolerance of a bound",
                    kinds, others);
@@ -209,6 +213,17 @@ const Bindings<ReportSpec>& report_bindings() {
   return all;
 }
 
+const Bindings<Uncertain>& uncertain_bindings() {
+  constexpr std::int64_t MOST = 10'000, LAST_SEED = std::int64_t{1} << 53;
+  static const Bindings<Uncertain> all = {
+      {"machines", "how many machines are drawn from the ranges of their models' numbers; 2..10000",
+       [](Uncertain& u, const Place& at) { u.machines = read_int(at, 2, MOST); }},
+      {"seed", "of the draws [1]",
+       [](Uncertain& u, const Place& at) { u.seed = read_int(at, 0, LAST_SEED - 1); }},
+  };
+  return all;
+}
+
 void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / that does not start with a point: it names the files");
@@ -283,6 +298,11 @@ void read_judgement(const toml::table& file, ExperimentFile& into) {
     if (!at.node.is_table()) at.refuse("a section");
     bind_all(into.report, report_bindings(), *at.node.as_table(), at);
   });
+  with("uncertain", [&](const Place& at) {
+    if (!at.node.is_table()) at.refuse("a section");
+    bind_all(into.uncertain, uncertain_bindings(), *at.node.as_table(), at);
+    if (into.uncertain.machines == 0) at.refuse("machines = N, how many are drawn");
+  });
   for (auto& check : into.checks)
     if (check.column.empty()) check.column = check.of;
   for (auto& plot : into.plots) {
@@ -299,6 +319,7 @@ std::vector<Setting> table_settings() {
   add_keys(all, "plot", plot_bindings());
   add_keys(all, "best", best_bindings());
   add_keys(all, "report", report_bindings());
+  add_keys(all, "uncertain", uncertain_bindings());
   return all;
 }
 

@@ -201,6 +201,28 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
   return results;
 }
 
+void check_cover(std::vector<CheckResult>& results, const Table& table,
+                 const SurenessTables& sureness) {
+  for (auto& result : results) {
+    if (result.check.has_bounds()) continue;
+    CheckResult::Covered covered;
+    for (const auto& point : result.points)
+      if (const auto interval = find_interval(sureness, table, point.row, result.check.of)) {
+        ++covered.points;
+        covered.inside += interval->first <= point.expected && point.expected <= interval->second;
+      }
+    const auto& asked = result.check.covers;
+    if (covered.points == 0) {
+      if (asked && !result.points.empty())
+        result.notes.push_back(fmt::format("covers: {} has no intervals", result.check.of));
+      continue;
+    }
+    result.covered = covered;
+    const double share = static_cast<double>(covered.inside) / static_cast<double>(covered.points);
+    if (asked && share < *asked) result.verdict = Verdict::fails;
+  }
+}
+
 std::string summarize(const CheckResult& result, const Table& table) {
   const Check& check = result.check;
   if (result.verdict == Verdict::unmatched)
@@ -218,6 +240,11 @@ std::string summarize(const CheckResult& result, const Table& table) {
     line += fmt::format("; of the {} predicted alone: mean {}, worst {}", p->points,
                         format_error(check, p->mean),
                         format_error(check, std::abs(result.points[p->worst].error)));
+  if (const auto& covered = result.covered) {
+    line +=
+        fmt::format("; {} of {} where nine of ten machines are", covered->inside, covered->points);
+    if (check.covers) line += fmt::format(" (at least {:g} %)", 100 * *check.covers);
+  }
   return line;
 }
 

@@ -19,7 +19,7 @@ constexpr auto TO_ASK = std::chrono::seconds(10);  ///< so long may a stranger s
 
 class Page;
 
-/// What the pages share. Only the server's thread uses it.
+/// What the pages share. While it runs, only the server's thread uses it.
 struct Pages {
   explicit Pages(Session& session) : session(session) {}
 
@@ -38,7 +38,7 @@ struct Pages {
   /// How to close the connections that have not shown the token; the oldest is the first.
   std::map<std::uint64_t, std::function<void()>> strangers;
   std::uint64_t strangers_so_far = 0;
-  boost::asio::io_context io{1};  ///< the last: what is still to be done refers to the others
+  boost::asio::io_context io{1};  ///< after all that the ends of its handlers use
 
  private:
   std::uint64_t dumped_number_ = 0;  // of the frame whose text this is
@@ -46,7 +46,7 @@ struct Pages {
 };
 
 /// Is counted among the strangers as long as it is there. When there are too many the oldest is
-/// closed: who comes with a token finds room, however many say nothing.
+/// closed: who comes with a token finds room, unless as many others come before it is shown.
 class Stranger {
  public:
   Stranger(Pages& pages, std::function<void()> close);

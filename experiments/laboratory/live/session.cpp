@@ -114,7 +114,7 @@ bool Session::attend(double date) {
       return deeds_.size() == deeds;
     }
     show();
-    const auto rest = find_rest(date);
+    const auto rest = hold_back(date);
     if (rest <= HostClock::duration::zero()) return true;
     std::unique_lock lock(mutex_);
     asked_anything_.wait_for(lock, rest, [this] { return has_news_.load(); });
@@ -152,9 +152,9 @@ void Session::show() {
   if (is_due) make_frame();
 }
 
-// How long the host's clock holds back the event at `date`: not at all, or until it is looked at
-// again.
-Session::HostClock::duration Session::find_rest(double date) {
+// Lets the machine go on, up to go_until_s_, and returns zero; or returns how long to wait before
+// looking again, as the host's clock holds back the event at `date`.
+Session::HostClock::duration Session::hold_back(double date) {
   if (phase_ != Phase::running) return LOOK_EVERY;
   if (goal_ || std::isinf(speed_)) {
     go_until_s_ = NEVER;

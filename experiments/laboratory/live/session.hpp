@@ -89,7 +89,7 @@ class Session : public observe::Spectator {
   bool attend(double date);
   bool follow_goal(double date);
   void show();
-  HostClock::duration find_rest(double date);
+  HostClock::duration hold_back(double date);
   void change_phase(Phase phase);
   bool waits_for_user(bool is_idle) const;
   void obey_all();

@@ -47,21 +47,21 @@ bool is_index(const ordered_json& value, std::size_t size) {
 }  // namespace
 
 void Session::obey(const Command& command) {
-  using Obey = std::function<void(Session&, const Command&)>;
+  using Obey = void (*)(Session&, const Command&);
   static const std::pair<const char*, Obey> COMMANDS[] = {
       {"pause", [](Session& on, const Command&) { on.pause(); }},
       {"go", [](Session& on, const Command&) { on.go(); }},
       {"speed", [](Session& on, const Command& x) { on.set_pace(speed_at(x)); }},
       {"step", [](Session& on, const Command& x) { on.step(text_at(x, "what")); }},
-      {"run", &Session::run_to},
+      {"run", [](Session& on, const Command& x) { on.run_to(x); }},
       {"order", [](Session& on, const Command& x) { on.obey_order(x.value("order", Command())); }},
       {"save", [](Session& on, const Command&) { on.save(); }},
-      {"fault", &Session::obey_fault},
+      {"fault", [](Session& on, const Command& x) { on.obey_fault(x); }},
       {"compare", [](Session& on, const Command&) { on.render_sequentially(); }},
       {"end", [](Session& on, const Command&) { on.end_by_hand(); }},
       {"interval",
        [](Session& on, const Command& x) { on.loads_.set_interval(number_at(x, "s", 0, 1e9)); }},
-      {"select", &Session::select},
+      {"select", [](Session& on, const Command& x) { on.select(x); }},
       {"quit", [](Session& on, const Command&) { on.quit(); }}};
   const auto what = text_at(command, "do");
   const auto* found =

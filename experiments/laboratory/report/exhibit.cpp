@@ -60,6 +60,8 @@ std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList&
       add_point(curves, name_curve(figure, i, name_values(rows.table(), row, axes)), row, *x, *y);
     }
   sort_points(curves);
+  if (figure.y.size() == 1 && rows.table().find(figure.spec.y[0]))
+    for (auto& curve : curves) curve.column = figure.spec.y[0];
   return curves;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "experiments/laboratory/points/results.hpp"
@@ -32,6 +33,7 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
     add_point(all, name_values(table, row, others), row, *at, *value);
   }
   sort_points(all);
+  for (auto& series : all) series.column = table.columns[y];
   return all;
 }
 
@@ -83,6 +85,22 @@ void add_point(std::vector<Series>& all, const std::string& name, std::size_t ro
   series->x.push_back(x);
   series->y.push_back(y);
   series->rows.push_back(row);
+}
+
+void add_bands(Plot& plot, const Table& table, const SurenessTables& sureness) {
+  for (auto& series : plot.series) {
+    if (series.kind != SeriesKind::curve || series.column.empty()) continue;
+    std::vector<double> low = series.y, high = series.y;
+    bool is_wide = false;
+    for (std::size_t i = 0; i < series.rows.size(); ++i)
+      if (const auto interval = find_interval(sureness, table, series.rows[i], series.column)) {
+        std::tie(low[i], high[i]) = *interval;
+        is_wide = true;
+      }
+    if (!is_wide) continue;
+    series.low = std::move(low);
+    series.high = std::move(high);
+  }
 }
 
 void sort_points(std::vector<Series>& all) {

@@ -7,6 +7,7 @@
 
 #include "experiments/laboratory/table/axis_values.hpp"
 #include "experiments/laboratory/table/table.hpp"
+#include "experiments/laboratory/uncertain/sureness.hpp"
 
 namespace laboratory {
 
@@ -25,6 +26,9 @@ struct Series {
   /// colour and symbol. It means nothing for a curve.
   std::size_t of = 0;
   RowList rows = {};        ///< of the table, where the points of a curve come from one
+  std::string column = {};  ///< the column of that table that y is; "" where it is none
+  /// Where nine of ten machines are, around each point of a curve; empty where none were drawn.
+  std::vector<double> low = {}, high = {};
   std::string fitted = {};  ///< result of a fit, behind the name in the key: "s = 0.01 ± 0.02"
 
   std::string key() const;  ///< name and fit
@@ -65,6 +69,10 @@ std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& r
 /// Adds a point of a row to the series of that name, which is made where there is none.
 void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
                double y);
+
+/// Gives the curves of columns with intervals their bands; where all machines say the same a band
+/// has no width.
+void add_bands(Plot& plot, const Table& table, const SurenessTables& sureness);
 
 /// Sorts the points of each series by x; equal ones keep their order.
 void sort_points(std::vector<Series>& all);

@@ -39,13 +39,17 @@ ordered_json make_points(const Series& s, const Table& table) {
 // `of` is the series' own index where it is a curve.
 ordered_json make_series(const Series& s, std::size_t of, const Table& table) {
   const Look look = look_of(of);
-  return {{"name", s.key()},
-          {"kind", name_kind(s.kind)},
-          {"of", of},
-          {"colour", look.colour},
-          {"dashes", look.dashes},
-          {"symbol", look.symbol},
-          {"points", make_points(s, table)}};
+  auto band = ordered_json::array();
+  for (std::size_t i = 0; i < s.low.size(); ++i) band.push_back({s.x[i], s.low[i], s.high[i]});
+  ordered_json made = {{"name", s.key()},
+                       {"kind", name_kind(s.kind)},
+                       {"of", of},
+                       {"colour", look.colour},
+                       {"dashes", look.dashes},
+                       {"symbol", look.symbol},
+                       {"points", make_points(s, table)}};
+  if (!band.empty()) made["band"] = std::move(band);
+  return made;
 }
 
 bool is_drawn(const Plot& plot, const std::string& law) {

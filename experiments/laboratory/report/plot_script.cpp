@@ -41,6 +41,15 @@ std::vector<Dot> lower_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, false);
 }
 
+// The edges of a curve's band: x, low and high; none where it cannot be drawn.
+std::string make_band(const Plot& plot, const Series& s) {
+  std::string text;
+  for (std::size_t i = 0; i < s.low.size(); ++i)
+    if ((!plot.log_x || s.x[i] > 0) && (!plot.log_y || s.low[i] > 0))
+      text += fmt::format("{} {} {}\n", s.x[i], s.low[i], s.high[i]);
+  return text;
+}
+
 // Makes a data block such as $data0.
 std::string make_data_block(const std::string& name, const std::vector<Dot>& points) {
   auto text = fmt::format("${} << END\n", name);
@@ -75,6 +84,10 @@ Axes measure_axes(const Plot& plot) {
       axes.y.add(point.y);
       if (series.kind != SeriesKind::law) axes.marks.insert(point.x);
     }
+  for (const auto& series : plot.series)
+    for (std::size_t i = 0; i < series.low.size(); ++i)
+      for (const double edge : {series.low[i], series.high[i]})
+        if (!plot.log_y || edge > 0) axes.y.add(edge);
   for (const auto& series : plot.differences)
     for (const auto& point : lower_points(plot, series)) {
       axes.x.add(point.x);
@@ -213,6 +226,19 @@ Panel make_upper(const Plot& plot) {
   if (plot.ideal_line)
     panel.curves.push_back(
         "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
+  std::size_t banded = 0;  // behind the curves
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& s = plot.series[i];
+    if (s.kind != SeriesKind::curve) continue;
+    const auto look = look_of(banded++);
+    const auto edges = make_band(plot, s);
+    if (edges.empty()) continue;
+    panel.data += fmt::format("$band{} << END\n{}END\n", i, edges);
+    panel.curves.push_back(
+        fmt::format("$band{} with filledcurves linecolor rgb '{}' fillstyle transparent solid 0.18 "
+                    "noborder notitle",
+                    i, look.colour));
+  }
   std::size_t curve = 0;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];

@@ -170,6 +170,7 @@
     entryOf(s) { return s.name ? s : this.data.series.find(t => t.name && t.kind === s.kind) ?? s; }
     isShown(s) { return !this.hidden.has(this.entryOf(s)) && !this.hidden.has(this.curves[s.of]); }
     canBeDrawn([x, y]) { return (!this.log.x || x > 0) && (!this.log.y || y > 0); }
+    bandOf(s) { return (s.band ?? []).filter(p => this.canBeDrawn(p)); }
     pointsOf(s) { return s.points.filter(p => this.canBeDrawn(p)); }
     canBeLog(axis) {
       return this.data.series.some(s => s.points.length > 0) &&
@@ -189,6 +190,11 @@
         for (const p of this.pointsOf(s)) {
           low = Math.min(low, p[axis]);
           high = Math.max(high, p[axis]);
+        }
+      if (axis === 1)
+        for (const [, from, to] of series.flatMap(s => this.bandOf(s))) {
+          low = Math.min(low, from);
+          high = Math.max(high, to);
         }
       return low <= high ? [low, high] : this.log[axis ? "y" : "x"] ? [1, 10] : [0, 1];
     }
@@ -390,6 +396,13 @@
         d: points.map((p, i) => `${i ? "L" : "M"}${x(p[0]).toFixed(2)},${y(p[1]).toFixed(2)}`)
                .join(""), fill: "none", ...attributes}));
       if (series === this.data.series) this.drawLaws(x, y, line);
+      for (const s of series) {
+        const band = this.isShown(s) ? this.bandOf(s) : [];
+        if (band.length > 1)
+          line([...band.map(([at, low]) => [at, low]),
+                ...band.map(([at, , high]) => [at, high]).reverse()],
+               {fill: s.colour, "fill-opacity": 0.18});
+      }
       for (const s of series) {
         if (!this.isShown(s)) continue;
         const points = this.pointsOf(s);

@@ -25,6 +25,8 @@
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "experiments/laboratory/uncertain/sureness.hpp"
+#include "experiments/laboratory/uncertain/tornado.hpp"
 
 namespace laboratory {
 namespace {
@@ -295,6 +297,43 @@ void add_checks(Report& report, const Simulation& s) {
   }
 }
 
+// The rows of these columns.
+Table choose_rows(Table table, const Texts& columns) {
+  const auto name = *table.find("column");
+  std::erase_if(table.rows, [&](const auto& row) {
+    return std::ranges::find(columns, to_string(row[name])) == columns.end();
+  });
+  return table;
+}
+
+// How sure the results are, where machines were drawn; with a tornado chart of the first result.
+void add_sureness(Report& report, Texts& undrawn, const fs::path& folder) {
+  const auto found = load_sureness(folder);
+  if (!found) return;
+  const auto& columns = report.shown_columns;
+  const auto sentences = tell_sureness(*found, columns);
+  append(report.findings, sentences);
+  report.answers.push_back(
+      {"How sure these numbers are",
+       sentences,
+       {choose_rows(found->intervals, columns), choose_rows(found->assumptions, columns)}});
+  for (const auto& column : columns) {
+    const auto weights = weigh(*found, column);
+    if (weights.empty()) continue;
+    try {
+      make_folders(folder / "plots");
+      const auto drawing =
+          run_gnuplot(make_tornado_script(column, weights), "tornado", tornado_height(weights));
+      base::save_whole(folder / "plots/tornado.svg", drawing.svg);
+      base::save_whole(folder / "plots/tornado.png", drawing.png);
+      report.plots.push_back({"Which assumption moves " + column, drawing.svg});
+    } catch (const std::runtime_error& error) {
+      undrawn.push_back(fmt::format("tornado: {}", error.what()));
+    }
+    return;
+  }
+}
+
 }  // namespace
 
 std::string title_of(const ExperimentFile& file) {
@@ -324,11 +363,14 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   auto exhibits = add_figures(report, folder, s);
   if (s.file.plots.empty())
     for (const auto& plot : usual_plots(s.file, s.table)) exhibits.push_back({.plot = plot});
+  if (const auto sureness = load_sureness(folder))
+    for (auto& exhibit : exhibits) add_bands(exhibit.plot, s.table, *sureness);
   add_findings(report, exhibits, !s.file.plots.empty());
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
   add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));
   add_plots(report, undrawn, folder / "plots", growth, plot_growth(s.file, growth));
+  add_sureness(report, undrawn, folder);
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
   auto networks = draw_networks(folder, s);

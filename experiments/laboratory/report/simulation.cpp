@@ -116,6 +116,7 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
   base::require(!s.results.empty(), "run.json", "damaged: found no points, expected some");
   s.table = make_table(s.file, s.results);
   s.checks = eval_checks(plan_checks(s.file), s.file, s.table);
+  if (const auto sureness = load_sureness(folder)) check_cover(s.checks, s.table, *sureness);
   s.ended = run.at("ended").get<std::string>();
   s.complete = run.at("complete").get<bool>();
   return s;

@@ -25,6 +25,8 @@ struct Simulation {
   std::string ended;                 ///< why the run ended, a sentence
   bool complete = false;             ///< every point was run to its end
   std::size_t there = 0;             ///< number of points that had results before
+  std::size_t asked = 0;             ///< number of points, of all machines
+  std::size_t left_out = 0;          ///< machines drawn that have not all points done
   double wall_s = 0;
 };
 

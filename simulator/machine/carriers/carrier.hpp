@@ -36,9 +36,9 @@ class Carrier {
 
   /// Moves `bytes` (> 0) over an idle direction, from now on, then handles `arrived`.
   virtual void start(std::size_t direction, std::uint64_t bytes, Callback arrived) = 0;
-  /// When the message under way in a direction arrives, if no other starts on its link before;
-  /// infinite without one.
-  virtual double end_of(std::size_t direction) const = 0;
+  /// The bytes still to be moved at `date`, if no message starts or ends on the link before; 0
+  /// without a message.
+  virtual double left_of(std::size_t direction, double date) const = 0;
   /// What moves in a direction never arrives. Nothing may move there any more.
   virtual void cut(std::size_t direction) = 0;
   /// Handles events and moves messages until neither is left, or the events are stopped.

@@ -30,7 +30,9 @@ class Direct final : public Carrier {
     arrived_[direction] = arrived;
     forecast_.start(direction, static_cast<double>(bytes), events_.now());
   }
-  double end_of(std::size_t direction) const override { return forecast_.end_of(direction).date; }
+  double left_of(std::size_t direction, double date) const override {
+    return forecast_.left(direction, date);
+  }
   void cut(std::size_t direction) override { forecast_.end(direction, events_.now()); }
 
   void run() override {

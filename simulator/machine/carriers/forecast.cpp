@@ -11,12 +11,21 @@ std::size_t Forecast::add_link(double one_way, double both_ways) {
   return 2 * (links_.size() - 1);
 }
 
+double Forecast::left(const Link& link, std::size_t way, double date) {
+  const bool both = link.ways[0].busy && link.ways[1].busy;
+  const double rate = both ? link.shared : link.alone;
+  return std::max(0.0, link.ways[way].left - rate * (date - link.since));
+}
+
+double Forecast::left(std::size_t direction, double date) const {
+  return way(direction).busy ? left(links_[direction / 2], direction % 2, date) : 0;
+}
+
 // What has moved until the date has moved at the rates until then.
 Forecast::Link& Forecast::change(std::size_t direction, double date) {
   Link& link = links_[direction / 2];
-  const bool both = link.ways[0].busy && link.ways[1].busy;
-  for (Way& way : link.ways)
-    way.left = std::max(0.0, way.left - (both ? link.shared : link.alone) * (date - link.since));
+  const std::array left_now{left(link, 0, date), left(link, 1, date)};
+  for (std::size_t way = 0; way < 2; ++way) link.ways[way].left = left_now[way];
   link.since = date;
   if (!std::exchange(link.changed, true)) changed_.push_back(direction / 2);
   return link;

@@ -20,6 +20,10 @@ class Forecast {
   /// Foresees the ends on the links where messages have started or ended.
   void settle();
 
+  /// The bytes of a message that are left at `date`, if none starts or ends on its link before; 0
+  /// without one.
+  double left(std::size_t direction, double date) const;
+
   /// When a message ends, if no other starts on its link before, which can only make it later.
   struct End {
     double date = std::numeric_limits<double>::infinity();  ///< infinite without a message
@@ -66,6 +70,7 @@ class Forecast {
   };
   const Way& way(std::size_t direction) const { return links_[direction / 2].ways[direction % 2]; }
   void drop_top();
+  static double left(const Link& link, std::size_t way, double date);
   Link& change(std::size_t direction, double date);
   void foresee(Link& link, std::size_t direction);
 

@@ -138,7 +138,9 @@ class OnSimGrid final : public Carrier {
                                             name, std::move(body));
   }
   void start(std::size_t number, std::uint64_t bytes, Callback arrived) override;
-  double end_of(std::size_t number) const override { return forecast_.end_of(number).date; }
+  double left_of(std::size_t number, double date) const override {
+    return forecast_.left(number, date);
+  }
   void cut(std::size_t number) override {
     directions_[number].cut = true;
     forecast_.end(number, events_.now());

@@ -12,6 +12,7 @@
 
 #include "base/random.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/live/pages.hpp"
 #include "tests/laboratory/live/watched_run.hpp"
 
 namespace laboratory {
@@ -214,17 +215,26 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     Served served;
     served.run();
     std::vector<tcp::socket> strangers;
+    std::vector<Socket> silent;  // web sockets without a token
     const auto bring_strangers = [&] {
       for (int i = 0; i < 150; ++i) strangers.push_back(served.connect());
+      for (int i = 0; i < 80; ++i) silent.push_back(served.open());
+      EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);  // all are accepted
     };
     bring_strangers();
-    EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
     auto page = served.open();
     EXPECT_NE(enter(served, page).find("outline"), std::string::npos);
     bring_strangers();
     say(page, "{\"want\": \"frame\"}");
     hear(page);  // the picture
     EXPECT_NE(hear(page).find("\"state\""), std::string::npos);
+    std::vector<Socket> pages;
+    for (std::size_t i = 1; i < MOST_CLIENTS; ++i) {
+      pages.push_back(served.open());
+      enter(served, pages.back());
+    }
+    auto one_too_many = served.open();
+    EXPECT_TRUE(is_closed_to(one_too_many, "{\"token\": \"" + served.token() + "\"}"));
   });
 }
 

@@ -57,6 +57,84 @@ TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
     EXPECT_NEAR(end, n / one, slack);
 }
 
+// Of a message that an opposite one meets and leaves again.
+TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
+  const Model model = make_exact_model();
+  const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
+               half = model.link.both_ways_rate / clock / 2;  // bytes a cycle
+  constexpr double n = 10'000, m = 2'000, met_at = 40'000, every = 2'000;
+  const auto passed = isolated_numbers([&] {
+    Lab lab;
+    auto& a = lab.cpu();
+    auto& b = lab.neighbour(a);
+    auto &there = lab.hard(a, b), &back = lab.hard(b, a);
+    a.start("writer", Priority::low, [&] { out(there, {std::uint64_t(n)}); });
+    b.start("reader", Priority::low, [&] { there.in(); });
+    b.start("opposite", Priority::high, [&] {
+      wait_until_cycle(std::int64_t(met_at));
+      out(back, {std::uint64_t(m)});
+    });
+    a.start("answered", Priority::high, [&] { back.in(); });
+    struct Look {
+      machine::LinkDirection& link;
+      Numbers passed = {};
+    } look{lab.machine.link(a, b)};
+    for (int i = 0; i < 120; ++i)
+      a.engine().at({i * every / clock},
+                    [&look] { look.passed.push_back(look.link.passed(look.link.from().now())); });
+    lab.machine.run();
+    return look.passed;
+  });
+  double before = 0;
+  for (std::size_t i = 1; i < passed.size(); ++i) {
+    const double cycle = double(i) * every, met = met_at + m / half;
+    const double moved = cycle < met_at ? cycle * one
+                         : cycle < met  ? met_at * one + (cycle - met_at) * half
+                                        : met_at * one + m + (cycle - met) * one;
+    if (moved > n) break;
+    EXPECT_GE(passed[i], before);
+    EXPECT_NEAR(passed[i], moved / n, 0.01) << "cycle " << cycle;
+    before = passed[i];
+  }
+  EXPECT_GT(before, 0.9);
+  EXPECT_EQ(passed.back(), 0);  // it has arrived
+}
+
+// What is known of a date to come is what it is then, if nothing happens until then.
+TEST(Link, UseIsForeseen) {
+  for (const auto priority : {Priority::high, Priority::low}) {
+    const auto seen = isolated_numbers([&] {
+      Lab lab;
+      auto& a = lab.cpu();
+      auto& b = lab.neighbour(a);
+      auto& channel = lab.hard(a, b);
+      a.start("writer", Priority::high, [&] { out(channel, {100'000}); });
+      b.start("reader", Priority::high, [&] { channel.in(); });
+      a.start("worker", priority, [&] { compute(50'000); });
+      const double clock = a.clock().value;
+      struct Look {
+        Processor& on;
+        machine::LinkDirection& link;
+        Seconds late;
+        Numbers seen = {};
+        void at(Seconds date) {
+          for (const auto busy : {on.cpu().use_by(date).busy(), link.use_by(date).busy})
+            seen.push_back(busy.value * on.clock().value);
+        }
+      } look{a, lab.machine.link(a, b), {20'000 / clock}};
+      a.engine().at({10'000 / clock}, [&look] { look.at(look.late); });
+      a.engine().at(look.late, [&look] { look.at(look.on.now()); });
+      lab.machine.run();
+      return look.seen;
+    });
+    ASSERT_EQ(seen.size(), 4u);
+    EXPECT_NEAR(seen[0], seen[2], 1);
+    EXPECT_NEAR(seen[1], seen[3], 1);
+    EXPECT_GT(seen[0], 15'000);
+    EXPECT_GT(seen[1], 15'000);
+  }
+}
+
 // Unloaded, over d links: every hop's sender starts (the reader waits already), then bytes/rate.
 TEST(Link, StoreAndForwardOverALine) {
   for (int hops : {1, 2, 7})

@@ -41,6 +41,8 @@ TEST(Model, BuiltinModelsLoadAndEveryEntryIsDocumented) {
       EXPECT_FALSE(entry.unit.empty()) << entry.key;
       EXPECT_FALSE(entry.source.empty()) << entry.key;
       EXPECT_GE(entry.value, 0) << entry.key;
+      if (entry.provenance == Provenance::assumed || entry.provenance == Provenance::calibrated)
+        EXPECT_TRUE(entry.range.has_value()) << name << ": " << entry.key << " may be anything";
       EXPECT_NE(table.find(entry.key), std::string::npos) << entry.key;
       EXPECT_NE(table.find(entry.source), std::string::npos) << entry.key;
       if (entry.provenance == Provenance::calibrated) calibrated.push_back(entry.key);
@@ -177,6 +179,30 @@ TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {
       {"unknown part",
        R"(clock = {value=1,unit="Hz",provenance="assumed",source="x",colour=1})",
        {"my.toml:4", "cpu.clock", "unknown part \"colour\""}},
+      {"a range without a reason",
+       R"(clock = {value=2e7,unit="Hz",provenance="assumed",source="x",low=1e7,high=3e7})",
+       {"my.toml:4", "cpu.clock", "low, high and why together"}},
+      {"a range upside down",
+       R"(clock = {value=2e7,unit="Hz",provenance="assumed",source="x",low=3e7,high=1e7,why="y"})",
+       {"my.toml:4", "cpu.clock", "found 30000000 and 10000000", "the lower first"}},
+      {"a range beside the value",
+       R"(clock = {value=2e7,unit="Hz",provenance="assumed",source="x",low=3e7,high=4e7,why="y"})",
+       {"my.toml:4", "cpu.clock", "expected the value between them, 20000000"}},
+      {"a range of a share and a number",
+       R"(clock = {value=2e7,unit="Hz",provenance="assumed",source="x",low="80 %",high=4e7,why="y"})",
+       {"my.toml:4", "cpu.clock", "two numbers, or two shares"}},
+      {"a range in numbers of a formula",
+       R"(clock = {value="1e7",unit="Hz",provenance="assumed",source="x",low=1e6,high=4e7,why="y"})",
+       {"my.toml:4", "cpu.clock", "expected shares of the value, which is a formula"}},
+      {"an assumed entry that holds something",
+       R"(clock = {value=2e7,unit="Hz",provenance="assumed",source="x",holds="cpu.clock"})",
+       {"my.toml:4", "cpu.clock", "holds: found it at an entry that is assumed"}},
+      {"a calibrated entry that holds nothing",
+       R"(clock = {value=2e7,unit="Hz",provenance="calibrated",source="x",holds="0 * cpu.clock"})",
+       {"my.toml:4", "cpu.clock: holds", "above 0"}},
+      {"a calibrated entry that holds what is not there",
+       R"(clock = {value=2e7,unit="Hz",provenance="calibrated",source="x",holds="cpu.clok"})",
+       {"my.toml:4", "cpu.clock: holds", "unknown name cpu.clok"}},
       {"plain number", "clock = 1", {"my.toml:4", "cpu.clock", "expected { value"}},
       {"garbage", "clock = {value", {"my.toml:4"}},
       {"twice", "[link]\n[link]", {"my.toml:5"}},

@@ -1,5 +1,5 @@
-// Colours of the page's style, and canvases, for what is drawn by hand. Both are asked for many
-// times a frame and change seldom: they are kept.
+// Colours of the page's style, and the widths of canvases, for what is drawn by hand. Both are asked
+// for many times a frame and change seldom: they are kept.
 
 const styles = new Map();
 export function style(name) {
@@ -10,6 +10,7 @@ export function style(name) {
 
 const SHADES = 64;
 let loads = [];
+const draws = [];  // of the canvases, again in other colours
 
 const parse = (hex) => [1, 3, 5].map((i) => parseInt(
   hex.length === 4 ? hex[(i + 1) / 2] + hex[(i + 1) / 2] : hex.slice(i, i + 2), 16));
@@ -28,12 +29,14 @@ export function loadColour(share) {
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   styles.clear();
   loads = [];
+  draws.forEach((draw) => draw());
 });
 
-// Calls `draw` when the canvas has another size; `widthOf` then says its width, which the browser
+// Calls `draw` when the canvas has another size or the page other colours; `widthOf` then says its width, which the browser
 // would have to find out anew after every change of the page.
 const widths = new WeakMap();
 export function watchSize(canvas, draw) {
+  draws.push(draw);
   new ResizeObserver(([{ contentRect }]) => {
     widths.set(canvas, contentRect.width);
     draw();

@@ -51,7 +51,6 @@ function ask(command) {
 function hear({ reply, refusal }) {
   $("refusal").textContent = refusal;
   $("refusal").hidden = !refusal;
-  if (refusal) toldLast = "";  // what was asked for may stand in a field
   replies.get(reply)?.(refusal);
   replies.delete(reply);
 }
@@ -147,9 +146,11 @@ function show(now) {
   const fault = tellFault(), phase = state.phase ? ", " + state.phase : "";
   $("status").textContent =
     `${NAMES[state.state]} at ${date(state.t_s)} of simulated time${phase}${fault}`;
-  const told = NAMES[state.state] + phase + fault + state.results + state.speed;
+  const told = NAMES[state.state] + phase + fault + state.results;
   if (told !== toldLast) showSeldom(NAMES[state.state] + phase + fault);
   toldLast = told;
+  if ($("speed").value !== String(state.speed) && document.activeElement !== $("speed"))
+    $("speed").value = String(state.speed);
   showChosen();
   if ($("loads").closest("details").open) showLoads();
   requestAnimationFrame(want);
@@ -158,7 +159,7 @@ function show(now) {
 // What most frames do not change. For the browser each line is a change of the page even so.
 let toldLast = "";
 function showSeldom(announced) {
-  $("announced").textContent = announced;
+  if ($("announced").textContent !== announced) $("announced").textContent = announced;
   $("fault-part").hidden = !state.fault;
   $("fault").textContent = state.fault ?? "";
   $("go").textContent = state.state === "paused" ? "Go on" : "Pause";
@@ -167,7 +168,6 @@ function showSeldom(announced) {
   document.querySelectorAll("[data-step]").forEach((b) => { b.disabled = state.state === "over"; });
   $("quit").hidden = state.state !== "over";
   $("results").textContent = state.results ? `Results: ${state.results}` : "";
-  if (document.activeElement !== $("speed")) $("speed").value = String(state.speed);
 }
 
 // The first line of why the run broke down, and who waits for whom.

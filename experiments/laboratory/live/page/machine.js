@@ -108,6 +108,13 @@ export class Machine {
     });
   }
 
+  // From one place to another: both, the length, the direction, and how far drawings end before.
+  way([ax, ay], [bx, by], radius) {
+    const length = Math.hypot(bx - ax, by - ay);
+    return { ax, ay, bx, by, length, ux: (bx - ax) / length, uy: (by - ay) / length,
+      margin: Math.min(radius, length / 3) };
+  }
+
   // Messages under way: a dot each, on the right of the link as the message goes, where as much of
   // the way is behind it as of the message has passed.
   drawMessages(context, place, radius, size) {
@@ -115,9 +122,8 @@ export class Machine {
     context.fillStyle = style("high");
     for (let i = 0; i < moving.length; i += 2) {
       const link = links[moving[i] >> 1], [from, to] = moving[i] % 2 ? [link[1], link[0]] : link;
-      const [ax, ay] = place(processors[from]), [bx, by] = place(processors[to]);
-      const length = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / length, uy = (by - ay) / length;
-      const margin = Math.min(radius, length / 3);
+      const { ax, ay, length, ux, uy, margin } =
+        this.way(place(processors[from]), place(processors[to]), radius);
       const at = margin + (length - 2 * margin) * moving[i + 1] / 1000;
       context.beginPath();
       context.arc(ax + at * ux - 1.2 * size * uy, ay + at * uy + 1.2 * size * ux, size, 0, 7);
@@ -132,9 +138,8 @@ export class Machine {
     for (let i = 1; i < cycle.length; ++i) {
       if (cycle[i - 1] === cycle[i]) continue;  // two processes of one processor
       const { processors } = this.outline;
-      const [ax, ay] = place(processors[cycle[i - 1]]), [bx, by] = place(processors[cycle[i]]);
-      const length = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / length, uy = (by - ay) / length;
-      const margin = Math.min(radius + 2, length / 3);
+      const { ax, ay, bx, by, ux, uy, margin } =
+        this.way(place(processors[cycle[i - 1]]), place(processors[cycle[i]]), radius + 2);
       const x = bx - ux * margin, y = by - uy * margin;
       context.beginPath();
       context.moveTo(ax + ux * margin, ay + uy * margin);

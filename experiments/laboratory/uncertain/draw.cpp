@@ -1,0 +1,131 @@
+#include "experiments/laboratory/uncertain/draw.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/errors.hpp"
+#include "base/random.hpp"
+#include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
+
+namespace laboratory {
+
+namespace {
+
+constexpr std::size_t MOST_POINTS = 1'000'000;
+
+bool is_set(const Entries& set, const std::string& key) {
+  return std::ranges::find(set, key, &Entries::value_type::first) != set.end();
+}
+
+// Of an entry, on every machine the same.
+std::uint64_t number_of(const std::string& entry) {
+  return std::stoull(hash_of(entry).substr(0, 16), nullptr, 16);
+}
+
+// The slice of each machine: a shuffle that the seed and the entry give.
+std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machines) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
+  for (std::size_t i = 0; i < machines; ++i) keyed.emplace_back(base::random_at(stream, i), i);
+  std::ranges::sort(keyed);
+  std::vector<std::size_t> slices(machines);
+  for (std::size_t slice = 0; slice < machines; ++slice) slices[keyed[slice].second] = slice;
+  return slices;
+}
+
+// TOML of a number, or of a formula.
+std::string spell_value(const machine::Entry& entry, double number, bool is_share) {
+  if (!is_share) return fmt::format("{}", number);
+  if (entry.formula.empty()) return fmt::format("{}", entry.value * number);
+  return fmt::format("\"({}) * {}\"", entry.formula, number);
+}
+
+}  // namespace
+
+double draw_quantile(std::uint64_t seed, const std::string& entry, std::size_t machine,
+                     std::size_t machines) {
+  const std::uint64_t stream = base::random_at(seed, number_of(entry));
+  const auto slice = shuffle_slices(stream, machines)[machine];
+  const std::uint64_t random = base::random_at(~stream, machine);
+  const double within = (static_cast<double>(random >> 11) + 0.5) * 0x1p-53;
+  return (static_cast<double>(slice) + within) / static_cast<double>(machines);
+}
+
+double find_in(const machine::Range& range, double quantile) {
+  if (range.is_share) return range.low * std::pow(range.high / range.low, quantile);
+  return range.low + (range.high - range.low) * quantile;
+}
+
+Entries draw_machine(const std::string& model, const Entries& set,
+                     const std::function<double(const std::string& entry)>& quantile) {
+  const auto make = [&](const Entries& entries) {
+    return entries.empty() ? machine::load_model(model)
+                           : machine::override_model(model, entries, "[uncertain]");
+  };
+  const auto before = make(set);
+  Entries drawn = set;
+  std::vector<std::pair<const machine::Entry*, double>> fitted;  // and the number drawn for it
+  for (const auto& entry : before.entries) {
+    if (!entry.range || is_set(set, entry.key)) continue;
+    const double number = find_in(*entry.range, quantile(entry.key));
+    if (entry.holds.empty())
+      drawn.emplace_back(entry.key, spell_value(entry, number, entry.range->is_share));
+    else
+      fitted.emplace_back(&entry, number);
+  }
+  // In proportion to what they hold.
+  const auto after = make(drawn);
+  for (const auto& [entry, number] : fitted) {
+    const auto where = entry->where + ": holds";
+    const double held = eval(before, entry->holds, where) / eval(after, entry->holds, where);
+    const double drawn_share = entry->range->is_share ? number : number / entry->value;
+    drawn.emplace_back(entry->key, spell_value(*entry, held * drawn_share, /*is_share=*/true));
+  }
+  return drawn;
+}
+
+std::vector<std::string> drawn_entries(const ExperimentFile& file) {
+  std::vector<std::string> entries;
+  std::map<std::string, bool> seen;
+  for (const auto& point : file.points) {
+    const auto& e = point.experiment;
+    if (!seen.emplace(model_key(e), true).second) continue;
+    for (const auto& entry : make_model(e).entries)
+      if (entry.range && !is_set(e.model_overrides, entry.key) &&
+          std::ranges::find(entries, entry.key) == entries.end())
+        entries.push_back(entry.key);
+  }
+  return entries;
+}
+
+ExperimentFile spread(const ExperimentFile& file) {
+  const auto machines = static_cast<std::size_t>(file.uncertain.machines);
+  if (machines == 0) return file;
+  base::require((machines + 1) * file.points.size() <= MOST_POINTS, "uncertain.machines",
+                "found {} machines for {} points, expected at most {} points of all machines",
+                machines, file.points.size(), MOST_POINTS);
+  ExperimentFile all = file;
+  all.axes.emplace_back("machine");
+  all.axis_keys.emplace_back("uncertain.machine");
+  const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
+  for (std::size_t machine = 0; machine < machines; ++machine) {
+    std::map<std::string, Entries> known;  // of the models of the file
+    for (Point point : file.points) {
+      auto& e = point.experiment;
+      auto [found, is_new] = known.try_emplace(model_key(e));
+      if (is_new)
+        found->second = draw_machine(e.model.path, e.model_overrides, [&](const auto& entry) {
+          return draw_quantile(seed, entry, machine, machines);
+        });
+      e.model_overrides = found->second;
+      point.at.push_back({"machine", std::to_string(machine + 1)});
+      all.points.push_back(std::move(point));
+    }
+  }
+  return all;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,186 @@
+#include "experiments/laboratory/uncertain/sureness.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/uncertain/draw.hpp"
+
+namespace laboratory {
+
+namespace {
+
+constexpr const char *INTERVALS = "intervals.csv", *ASSUMPTIONS = "assumptions.csv";
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return gsl_stats_median_from_sorted_data(values.data(), 1, values.size());
+}
+
+std::string of_rows(std::size_t rows) {
+  return rows > 1 ? fmt::format(" (the median of {} rows)", rows) : "";
+}
+
+// Reads a row of either table, whether it was made or read from a file.
+class Reader {
+ public:
+  Reader(const Table& table, std::size_t row) : table_(table), row_(row) {}
+  std::string text(std::string_view column) const { return to_string(cell(column)); }
+  double number(std::string_view column) const { return as_number(cell(column)).value_or(0); }
+  // The cells before that of the column's name.
+  std::string axes() const {
+    std::string text;
+    for (std::size_t c = 0; c < *table_.find("column"); ++c)
+      text += to_string(table_.rows[row_][c]) + "\n";
+    return text;
+  }
+
+ private:
+  const Value& cell(std::string_view column) const {
+    return table_.rows[row_][*table_.find(column)];
+  }
+  const Table& table_;
+  std::size_t row_;
+};
+
+void each_of(const Table& table, const std::string& column, auto visit) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (const Reader reader(table, row); reader.text("column") == column) visit(reader);
+}
+
+}  // namespace
+
+Sureness find_sureness(const ExperimentFile& file, const Table& table, const Results& results) {
+  Sureness sureness;
+  sureness.entries = drawn_entries(file);
+  sureness.quantiles.resize(sureness.entries.size());
+  const auto drawn = static_cast<std::size_t>(file.uncertain.machines);
+  const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
+  const std::size_t points = file.points.size();
+  std::vector<Table> tables;
+  for (std::size_t machine = 0; machine < drawn; ++machine) {
+    const auto first = results.begin() + static_cast<std::ptrdiff_t>((machine + 1) * points);
+    const Results own(first, first + static_cast<std::ptrdiff_t>(points));
+    if (!std::ranges::all_of(own, &PointResult::is_complete)) {
+      ++sureness.left_out;
+      continue;
+    }
+    tables.push_back(make_table(file, own));
+    for (std::size_t i = 0; i < sureness.entries.size(); ++i)
+      sureness.quantiles[i].push_back(draw_quantile(seed, sureness.entries[i], machine, drawn));
+  }
+  sureness.machines = tables.size();
+  base::require(tables.size() >= 3, "uncertain.machines",
+                "found {} of {} machines with all points done, expected at least 3", tables.size(),
+                drawn);
+  sureness.intervals = find_intervals(table, tables);
+  return sureness;
+}
+
+namespace {
+
+Table make_assumptions_table(const Table& table, const Sureness& sureness) {
+  Table made;
+  made.columns.assign(table.columns.begin(),
+                      table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
+  made.axes = table.axes;
+  for (const char* column : {"column", "entry", "swing", "standard_error", "rank_correlation"})
+    made.columns.emplace_back(column);
+  for (const auto& interval : sureness.intervals) {
+    const auto influences =
+        find_influences(interval.machines, sureness.entries, sureness.quantiles);
+    for (const auto& influence : influences) {
+      const auto& row = table.rows[interval.row];
+      std::vector<Value> cells(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(table.axes));
+      cells.emplace_back(table.columns[interval.column]);
+      cells.emplace_back(influence.entry);
+      for (const double number : {influence.swing, influence.error, influence.correlation})
+        cells.emplace_back(number);
+      made.rows.push_back(std::move(cells));
+    }
+  }
+  return made;
+}
+
+Table load_table(const std::filesystem::path& file) {
+  auto table = parse_csv(base::read_text(file), file.string());
+  base::require(table.find("column").has_value(), file.string(), "damaged: no column \"column\"");
+  return table;
+}
+
+}  // namespace
+
+SurenessTables make_sureness_tables(const Table& table, const Sureness& sureness) {
+  return {make_intervals_table(table, sureness.intervals), make_assumptions_table(table, sureness)};
+}
+
+void save_sureness(const std::filesystem::path& folder, const SurenessTables& tables) {
+  base::save_whole(folder / INTERVALS, to_csv(tables.intervals));
+  base::save_whole(folder / ASSUMPTIONS, to_csv(tables.assumptions));
+}
+
+std::optional<SurenessTables> load_sureness(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / INTERVALS)) return {};
+  return SurenessTables{load_table(folder / INTERVALS), load_table(folder / ASSUMPTIONS)};
+}
+
+std::optional<std::pair<double, double>> find_interval(const SurenessTables& sureness,
+                                                       const Table& table, std::size_t row,
+                                                       const std::string& column) {
+  std::string axes;
+  for (std::size_t c = 0; c < table.axes; ++c) axes += to_string(table.rows[row][c]) + "\n";
+  std::optional<std::pair<double, double>> found;
+  each_of(sureness.intervals, column, [&](const Reader& reader) {
+    if (reader.axes() == axes) found.emplace(reader.number("p5"), reader.number("p95"));
+  });
+  return found;
+}
+
+std::vector<Weight> weigh(const SurenessTables& sureness, const std::string& column) {
+  std::map<std::string, double> values;  // by what says which row it is
+  each_of(sureness.intervals, column,
+          [&](const Reader& row) { values[row.axes()] = row.number("value"); });
+  std::map<std::string, std::vector<double>> shares;  // of each entry
+  each_of(sureness.assumptions, column, [&](const Reader& row) {
+    const auto value = values.find(row.axes());
+    if (value != values.end() && value->second != 0)
+      shares[row.text("entry")].push_back(row.number("swing") / 2 / value->second);
+  });
+  std::vector<Weight> weights;
+  for (const auto& [entry, all] : shares) weights.push_back({entry, median(all), all.size()});
+  std::ranges::stable_sort(weights, std::greater(), [](const Weight& weight) {
+    return std::pair(weight.rows, std::abs(weight.share));
+  });
+  return weights;
+}
+
+std::vector<std::string> tell_sureness(const SurenessTables& sureness,
+                                       const std::vector<std::string>& columns) {
+  std::vector<std::string> sentences;
+  for (const auto& column : columns) {
+    std::vector<double> widths;
+    each_of(sureness.intervals, column, [&](const Reader& row) {
+      if (const double value = std::abs(row.number("value")); value > 0)
+        widths.push_back((row.number("p95") - row.number("p5")) / 2 / value);
+    });
+    if (widths.empty()) continue;
+    auto text = fmt::format("{}: ± {:.2g} % on nine of ten machines{}", column,
+                            100 * median(widths), of_rows(widths.size()));
+    const auto weights = weigh(sureness, column);
+    if (weights.empty())
+      text += "; no single assumption stands out among so few machines";
+    else
+      text += fmt::format("; of the assumptions, {} matters most: ± {:.2g} %{}", weights[0].entry,
+                          100 * std::abs(weights[0].share), of_rows(weights[0].rows));
+    sentences.push_back(std::move(text));
+  }
+  return sentences;
+}
+
+}  // namespace laboratory
