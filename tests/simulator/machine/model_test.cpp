@@ -41,8 +41,9 @@ TEST(Model, BuiltinModelsLoadAndEveryEntryIsDocumented) {
       EXPECT_FALSE(entry.unit.empty()) << entry.key;
       EXPECT_FALSE(entry.source.empty()) << entry.key;
       EXPECT_GE(entry.value, 0) << entry.key;
-      if (entry.provenance == Provenance::assumed || entry.provenance == Provenance::calibrated)
-        EXPECT_TRUE(entry.range.has_value()) << name << ": " << entry.key << " may be anything";
+      const bool open =
+          entry.provenance == Provenance::assumed || entry.provenance == Provenance::calibrated;
+      EXPECT_EQ(entry.range.has_value(), open) << name << ": " << entry.key;
       EXPECT_NE(table.find(entry.key), std::string::npos) << entry.key;
       EXPECT_NE(table.find(entry.source), std::string::npos) << entry.key;
       if (entry.provenance == Provenance::calibrated) calibrated.push_back(entry.key);
