@@ -28,8 +28,10 @@ class CsvReader {
   /// Throws BadInput about the record taken last.
   [[noreturn]] void fail(std::string_view what) const { fail_at(record_line_, what); }
 
- private:
+  /// The same about that line.
   [[noreturn]] void fail_at(int line, std::string_view what) const;
+
+ private:
   bool ends_line() const { return at_ == text_.size() || text_[at_] == '\n'; }
   void skip_blanks();
   void skip_comments();

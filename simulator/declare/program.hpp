@@ -10,6 +10,7 @@
 
 #include "base/fields.hpp"
 #include "simulator/declare/faults.hpp"
+#include "simulator/declare/other_models.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
 #include "topologies/graph/topology.hpp"
@@ -32,6 +33,9 @@ struct Setup {
   std::optional<double> cycles_per_host_s = {};  ///< where costs are timed: charge host time
   bool profile = false;                          ///< measure the host time of kernels
   machine::EngineParams engine = {};
+  OtherModels others = {};  ///< where the program uses them
+
+  const machine::Model& model_of(int id) const { return programs::model_of(others, id, model); }
 };
 
 /// A picture of what was computed: equal runs give equal bytes.
@@ -99,6 +103,7 @@ struct Uses {
   bool routes = false;   ///< its routes and trees
   bool faults = false;   ///< [[fault]]
   bool timed = false;    ///< run.cost = "timed"
+  bool others = false;   ///< [[processor]]
 };
 
 /// A program, its parameters in a std::any.

@@ -96,9 +96,7 @@ inline network::Routing routing_of(const Setup& setup, network::Method method) {
 
 /// A machine for programs of compiled occam, with the model's memory.
 struct CompiledMachine : Machine {
-  CompiledMachine(const Setup& setup, int count)
-      : Machine(setup, count, get_bytes(setup.model, "worker_memory"),
-                setup.model.software.occam_factor) {}
+  CompiledMachine(const Setup& setup, int count) : Machine(setup, count, machine::Code::compiled) {}
 };
 
 /// One of the topology's processors, with its faults.
@@ -116,7 +114,7 @@ struct RouterMachine : CompiledMachine {
   template <class Application>
   void start_all(Application application) {
     for (int id = 0; id < static_cast<int>(processors().size()); ++id)
-      (*this)[id].start(fmt::format("p{}.application", id), Priority::low,
+      (*this)[id].start((*this)[id].name() + ".application", Priority::low,
                         [this, id, application] { application(network->client(id)); });
   }
 

@@ -23,19 +23,26 @@ struct Message {
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes of a processor: they store nothing
+constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes of a processor of bare code: it stores nothing
 constexpr Seconds START{1024e-6};          ///< by then every process waits for its input
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-/// A machine of the processors p0, p1, ..., not yet joined.
+/// A machine of the processors p0, p1, ..., not yet joined; they have the topology's labels if it
+/// has some, and as many processors.
 struct Machine : machine::Machine {
-  /// `software_factor` as machine::Machine has it.
-  Machine(const Setup& setup, int count, std::uint64_t memory = MEMORY, double software_factor = 1)
-      : machine::Machine(setup.model, software_factor, setup.engine) {
-    for (int id = 0; id < count; ++id) add_processor(fmt::format("p{}", id), memory);
+  Machine(const Setup& setup, int count, machine::Code code = machine::Code::bare)
+      : machine::Machine(setup.model, code, setup.engine) {
+    const bool is_topology = count == setup.topology.processors;
+    for (int id = 0; id < count; ++id) {
+      const auto number = fmt::format("p{}", id);
+      const auto memory =
+          code == machine::Code::bare ? MEMORY : get_bytes(setup.model_of(id), "worker_memory");
+      add_processor(is_topology ? name_of(setup.topology, id, number) : number, memory, {},
+                    find_model(setup.others, id));
+    }
   }
   machine::Processor& operator[](int id) const { return *processors()[id]; }
 };

@@ -314,10 +314,10 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
   const auto& host = params.cycles_per_host_s;
   return {scene,
           params.image,
-          kernels::KernelCost("ray", kernels::intersection_costs(model), host, params.profile),
-          kernels::KernelCost("block", kernels::tree_costs(model), host, params.profile),
+          kernels::KernelCost("ray", {model, &kernels::intersection_costs}, host, params.profile),
+          kernels::KernelCost("block", {model, &kernels::tree_costs}, host, params.profile),
           kernels::record_bytes(model),
-          kernels::message_costs(model)};
+          {model, &kernels::message_costs}};
 }
 
 }  // namespace
@@ -325,12 +325,11 @@ Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
 Result run_farm(const machine::Model& model, const topologies::Topology& topology,
                 const renderer::Scene& scene, const Params& params) {
   check(params);
-  Machine machine(model, model.software.occam_factor, params.engine);
+  Machine machine(model, machine::Code::compiled, params.engine);
   Wires wires;
   Kernel kernel = make_kernel(model, scene, params);
   Centre centre(machine, scene, params, params.block ? kernel.block : kernel.ray);
-  const Workers workers =
-      wire_workers(wires, machine, topology, centre.coordinator(), worker_memory(model, params));
+  const Workers workers = wire_workers(wires, machine, topology, centre.coordinator(), params);
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
     load_scene(*workers.processors[id], scene, params.block.has_value());
     start_worker(wires, workers, id, kernel);
@@ -344,6 +343,10 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   Result result =
       centre.take_result(observe::run(machine, params.watch, make_view(centre, workers)));
   result.topology = workers.topology;
+  for (auto& note : note_given_up(topology, workers.topology)) result.notes.push_back(note);
+  if (!result.use.cpus.empty())
+    for (const auto& [id, tasks] : kernel.done)
+      result.use.cpus.at(static_cast<std::size_t>(id)).tasks = tasks;
   result.mean_depth = workers.mean_depth;
   result.events = machine.events();
   result.kernel_host_s = kernel.ray.profile_s() + kernel.block.profile_s();
@@ -355,7 +358,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
 
 kernels::KernelCost central_cost(const char* name, const machine::Model& model,
                                  const Params& params) {
-  return {name, {model, "central", renderer::op_names()}, params.cycles_per_host_s};
+  return {name, {model, &kernels::central_costs}, params.cycles_per_host_s};
 }
 
 std::uint64_t worker_memory(const machine::Model& model, const Params& params) {
@@ -367,14 +370,35 @@ std::uint64_t database_memory(const machine::Model& model, const Params& params)
 }
 
 Processor& add_processor(Machine& machine, const std::string& name, std::uint64_t memory,
-                         const char* role) {
-  Processor& processor = machine.add_processor(name, memory, role);
+                         const char* role, std::shared_ptr<const machine::Model> model) {
+  Processor& processor = machine.add_processor(name, memory, role, std::move(model));
   kernels::load_program(processor);
   return processor;
 }
 
-Processor& add_worker(Machine& machine, int number, std::uint64_t memory) {
-  return add_processor(machine, fmt::format("worker{}", number), memory, Role::worker);
+Processor& add_worker(Machine& machine, const topologies::Topology& workers, int id,
+                      const Params& params) {
+  tracing::check_label(workers, id);
+  const auto name = name_of(workers, id, fmt::format("worker{}", id + 1));
+  const auto& model = programs::model_of(params.others, id, machine.model());
+  return add_processor(machine, name, worker_memory(model, params), Role::worker,
+                       programs::find_model(params.others, id));
+}
+
+std::vector<std::string> note_given_up(const topologies::Topology& asked,
+                                       const topologies::Topology& wired) {
+  std::vector<std::string> notes;
+  for (const auto& [a, b] : asked.links) {
+    if (std::ranges::find(wired.links, topologies::Link{a, b}) != wired.links.end()) continue;
+    const auto end = [&](const topologies::End& of) {
+      return fmt::format("port {} of {}", of.port,
+                         name_of(asked, of.processor, fmt::format("worker{}", of.processor + 1)));
+    };
+    notes.push_back(fmt::format(
+        "the link from {} to {} is given up: its place is taken by the coordinator's",
+        end(a.processor == asked.root ? a : b), end(a.processor == asked.root ? b : a)));
+  }
+  return notes;
 }
 
 void allocate_image(Processor& display, const renderer::Params& image) {

@@ -40,6 +40,7 @@ struct Params {
   bool profile = false;  ///< measure the host time spent in kernels
   /// Faults by number of worker, from 0. The farm finds no other way: it waits for what is cut off.
   std::vector<programs::PlannedFault> faults;
+  programs::OtherModels others;  ///< by number of worker, from 0
   machine::EngineParams engine = {};
   observe::Watch* watch = nullptr;  ///< its limit and trace, if there is one
 };
@@ -74,11 +75,16 @@ std::uint64_t worker_memory(const machine::Model& model, const Params& params); 
 std::uint64_t database_memory(const machine::Model& model, const Params& params);  ///< bytes
 /// Adds a processor and takes the program's part of its memory.
 machine::Processor& add_processor(machine::Machine& machine, const std::string& name,
-                                  std::uint64_t memory, const char* role);
-/// Adds the processor "workerN", N from 1 on.
-machine::Processor& add_worker(machine::Machine& machine, int number, std::uint64_t memory);
+                                  std::uint64_t memory, const char* role,
+                                  std::shared_ptr<const machine::Model> model = {});
+/// Adds a worker's processor: it has its label, or else is called "workerN", N from 1 on.
+machine::Processor& add_worker(machine::Machine& machine, const topologies::Topology& workers,
+                               int id, const Params& params);
 /// Takes the image's part of the display's memory.
 void allocate_image(machine::Processor& display, const renderer::Params& image);
+/// Says which link the topology of the workers has lost to the coordinator, if any.
+std::vector<std::string> note_given_up(const topologies::Topology& asked,
+                                       const topologies::Topology& wired);
 /// What the coordination has measured of a run that has ended, or has been cut short.
 Result make_result(Progress& progress, machine::End end);
 

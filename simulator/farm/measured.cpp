@@ -89,6 +89,7 @@ Columns<Measured> make_columns() {
                      of_run(message_columns()),
                      base::lift_columns<Measured>(tracing::busy_columns(), &Measured::busy),
                      base::lift_columns<Measured>(tracing::bottleneck_columns(), &Measured::loads),
+                     of_run(base::lift_columns<Result>(tracing::model_columns(), &Result::use)),
                      of_run(peak_columns()),
                      base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth),
                      base::lift_columns<Measured>(tracing::data_columns(), &Measured::data)});

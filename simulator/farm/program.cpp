@@ -155,6 +155,7 @@ Params make_params(const Setup& setup, const ProgramParams& params) {
   farm.cycles_per_host_s = setup.cycles_per_host_s;
   farm.profile = setup.profile;
   farm.faults = setup.faults;
+  farm.others = setup.others;
   farm.engine = setup.engine;
   farm.watch = setup.watch;
   return farm;
@@ -208,7 +209,7 @@ programs::Program make_farm() {
   auto program = programs::make_program<ProgramParams, Measured>(
       {.name = "farm",
        .help = "the farm of chapter 4: a ray tracer with increasing realism",
-       .uses = {.network = true, .faults = true, .timed = true},
+       .uses = {.network = true, .faults = true, .timed = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run,

@@ -84,12 +84,12 @@ network::Params make_network_params(const machine::Model& model, const Params& f
   return params;
 }
 
-void add_processors(machine::Machine& machine, const Params& params, int workers) {
+void add_processors(machine::Machine& machine, const Params& params,
+                    const topologies::Topology& workers) {
   const auto& model = machine.model();
   auto& coordinator =
       add_processor(machine, Role::coordinator, database_memory(model, params), Role::coordinator);
-  for (int number = 1; number <= workers; ++number)
-    add_worker(machine, number, worker_memory(model, params));
+  for (int id = 0; id < workers.processors; ++id) add_worker(machine, workers, id, params);
   allocate_image(coordinator, params.image);
 }
 
@@ -103,26 +103,28 @@ class SharedFarm {
         scene_(scene),
         items_(model, scene),
         data_params_(make_data_params(model, tracing::size_of(scene), data)),
-        machine_(model, model.software.occam_factor, params.engine),
+        machine_(model, machine::Code::compiled, params.engine),
         pixel_bytes_(kernels::record_bytes(model).pixel),
         display_cost_(central_cost("display", model, params)),
-        block_cost_("block", kernels::tree_costs(model), params.cycles_per_host_s),
+        block_cost_("block", {model, &kernels::tree_costs}, params.cycles_per_host_s),
         picture_(params.image.width, params.image.height, {params.image.width}, params.cells,
                  get_area(params.image)),
         scratch_(params.cycles_per_host_s ? picture_ : FrameBuffer()),
         recorder_(params.looks),
         progress_(machine_) {
-    add_processors(machine_, params, workers_.processors);
+    add_processors(machine_, params, workers_);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
                      make_network_params(model, params, data, items_.catalogue(), data_params_,
                                          workers_.processors));
     memory_.emplace(machine_, *network_, items_.catalogue(), data_params_);
   }
 
-  SharedResult run() {
+  /// `asked`: the workers' topology before it gave up a link.
+  SharedResult run(const topologies::Topology& asked) {
     start();
     SharedResult result;
     result.farm = take_result(observe::run(machine_, params_.watch, make_view()));
+    for (auto& note : note_given_up(asked, workers_)) result.farm.notes.push_back(note);
     result.shared = {memory_->use(), network_->use(), data_params_.cache_bytes,
                      workers_.processors * result.farm.time_s};
     return result;
@@ -162,6 +164,7 @@ class SharedFarm {
       const Message message = manager.serve_at_once();
       const auto& block = std::get<renderer::Block>(read(message).content);
       --in_farm;
+      ++done_[message.from.processor];
       feed(message.from.processor);
       recorder_.note(progress_.since_begun_s(), [&] { return look(); });
       progress_.rays += block.rays;
@@ -226,6 +229,8 @@ class SharedFarm {
     result.pictures = recorder_.pictures();
     result.growth = recorder_.growth();
     result.topology = workers_;
+    for (const auto& [id, tasks] : done_)
+      if (!result.use.cpus.empty()) result.use.cpus.at(static_cast<std::size_t>(id)).tasks = tasks;
     for (int id = 1; id <= workers_.processors; ++id)
       result.mean_depth += network_->routing().distance(0, id);
     result.mean_depth /= workers_.processors;
@@ -250,6 +255,7 @@ class SharedFarm {
   growth::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
+  std::map<int, std::uint64_t> done_;  // tasks, by processor
 };
 
 }  // namespace
@@ -271,7 +277,7 @@ SharedResult run_shared_farm(const machine::Model& model, const topologies::Topo
                              const renderer::Scene& scene, const Params& params,
                              const SharedParams& data) {
   check(model, tracing::size_of(scene), params, data);
-  return SharedFarm(model, workers, scene, params, data).run();
+  return SharedFarm(model, workers, scene, params, data).run(workers);
 }
 
 }  // namespace farm

@@ -4,6 +4,7 @@
 
 #include "simulator/farm/farm.hpp"
 #include "simulator/farm/worker.hpp"
+#include "simulator/network/join.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace farm {
@@ -29,8 +30,13 @@ Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Pro
 }  // namespace
 
 topologies::Topology free_root_port(topologies::Topology topology) {
-  const auto around = topologies::neighbours(topology)[topology.root];
+  const auto all = topologies::neighbours(topology)[topology.root];
   if (topologies::free_port(topology, topology.root) >= 0) return topology;
+  // Of several links to one neighbour the others go on.
+  auto around = all;
+  std::ranges::stable_partition(around, [&](const auto& n) {
+    return std::ranges::count(all, n.processor, &topologies::Neighbour::processor) == 1;
+  });
   for (auto n = around.rbegin(); n != around.rend(); ++n) {
     topologies::Topology opened = topology;
     opened.links.erase(opened.links.begin() + n->link);
@@ -54,7 +60,7 @@ Way start_sender(Wires& wires, Processor& on, Channel<Task>& destination) {
 }
 
 Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology& asked,
-                     Processor& coordinator, std::uint64_t memory) {
+                     Processor& coordinator, const Params& params) {
   const auto topology = free_root_port(asked);
   const auto tree = topologies::make_spanning_tree(topology, topology.root);
   Workers workers;
@@ -64,11 +70,10 @@ Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology&
                                static_cast<double>(topology.processors);
   workers.children = tree.children;
   for (int id = 0; id < topology.processors; ++id)
-    workers.processors.push_back(&add_worker(machine, id + 1, memory));
+    workers.processors.push_back(&add_worker(machine, topology, id, params));
   machine.connect(coordinator, *workers.processors[workers.root]);
-  for (const auto& link : topology.links)
-    machine.connect(*workers.processors[link.a.processor], *workers.processors[link.b.processor],
-                    switches_between(topology, link.a.processor, link.b.processor));
+  network::join(
+      machine, topology, [&](int id) -> auto& { return *workers.processors[id]; });
   for (int id = 0; id < topology.processors; ++id) {
     Processor& self = *workers.processors[id];
     Processor& parent = tree.parent[id] < 0 ? coordinator : *workers.processors[tree.parent[id]];

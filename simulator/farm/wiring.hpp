@@ -9,6 +9,7 @@
 namespace farm {
 
 struct Kernel;
+struct Params;
 
 /// The channels of a farm, by what they carry. Deques: references stay valid.
 struct Wires {
@@ -38,14 +39,15 @@ struct Workers {
 };
 
 /// The topology with a port free at its root, for the coordinator: a root with four links (a torus)
-/// gives up the link on its highest port that the machine stays connected without. Throws
+/// gives up one of several links to one neighbour, else the link on its highest port that the
+/// machine stays connected without. Throws
 /// base::BadInput if there is none.
 topologies::Topology free_root_port(topologies::Topology topology);
 
-/// Adds the workers' processors, each with its program and `memory` bytes, and joins them. The
-/// coordinator's link goes to the root's free port.
+/// Adds the workers' processors, each with its program, and joins them. The coordinator's link goes
+/// to the root's free port.
 Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
-                     machine::Processor& coordinator, std::uint64_t memory);
+                     machine::Processor& coordinator, const Params& params);
 
 /// Starts the processes of worker `id`.
 void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& kernel);

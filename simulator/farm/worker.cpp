@@ -78,12 +78,21 @@ Answer find_block(Kernel& kernel, const renderer::Area& area) {
 
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results) {
   Task task;
+  auto& done = kernel.done[this_process().processor().id()];
   for (bool active = true; turn(active);) {
     in(from_router, task);
-    this_process().charge(kernel.message.read + kernel.message.made);
+    const auto& message = kernel.message.here();
+    this_process().charge(message.read + message.made);
     case_of(
-        task, [&](const renderer::Ray& ray) { out(results, find_intersection(kernel, ray)); },
-        [&](const renderer::Area& area) { out(results, find_block(kernel, area)); },
+        task,
+        [&](const renderer::Ray& ray) {
+          out(results, find_intersection(kernel, ray));
+          ++done;
+        },
+        [&](const renderer::Area& area) {
+          out(results, find_block(kernel, area));
+          ++done;
+        },
         [&](const SceneData& part) {
           if (part.is_last) out(results, Answer{SceneReceived{}});
         },

@@ -27,7 +27,8 @@ struct Kernel {
   const renderer::Params& params;
   kernels::KernelCost ray, block;
   kernels::RecordBytes bytes;
-  kernels::MessageCosts message;
+  kernels::ByModel<kernels::MessageCosts> message;
+  std::map<int, std::uint64_t> done = {};  ///< tasks, by the processor's id
   renderer::BlockBuffer scratch = {};
 };
 

@@ -124,7 +124,7 @@ void Display::show(const Message& message, const Picture& picture) {
     ++record.counts.blocks;
     bool is_changed = false;
     machine::this_process().charge(static_cast<std::int64_t>(block.rgb8.size() / 3) *
-                                   shared_.pixel_tested);
+                                   shared_.pixel_tested.here());
     shared_.display_cost(screen_, scratch_,
                          [kept = message.contents, &block, width = record.samples.width,
                           &is_changed, this](Screen& to, renderer::Work& work) {

@@ -59,6 +59,10 @@ machine::Cycles cost_of_testing(const machine::Model& model) {
   return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
 }
 
+machine::OperationCosts costs_of_tasks(const machine::Model& model) {
+  return {model, "central", TaskWork::NAMES};
+}
+
 class Run {
  public:
   Run(const machine::Model& model, const topologies::Topology& topology,
@@ -66,7 +70,7 @@ class Run {
       const renderer::Scene& scene, const Params& params)
       : params_(params),
         topology_(topology),
-        machine_(model, model.software.occam_factor, params.engine),
+        machine_(model, machine::Code::compiled, params.engine),
         items_(params.data ? std::optional<shared_memory::SceneItems>(std::in_place, model, scene)
                            : std::nullopt),
         shared_{
@@ -77,13 +81,13 @@ class Run {
             .area = get_area(params.image),
             .sizes = Sizes(model),
             .longest = LONGEST,
-            .task_cost = machine::OperationCosts(model, "central", TaskWork::NAMES),
-            .pixel_tested = cost_of_testing(model),
-            .ray_cost = {"ray", kernels::tree_costs(model), params.cycles_per_host_s},
-            .paint_cost = {"interpolation", kernels::tree_costs(model), params.cycles_per_host_s},
-            .display_cost = {"display",
-                             {model, "central", renderer::op_names()},
-                             params.cycles_per_host_s},
+            .task_cost = {model, &costs_of_tasks},
+            .pixel_tested = {model, &cost_of_testing},
+            .ray_cost = {"ray", {model, &kernels::tree_costs}, params.cycles_per_host_s},
+            .paint_cost = {"interpolation",
+                           {model, &kernels::tree_costs},
+                           params.cycles_per_host_s},
+            .display_cost = {"display", {model, &kernels::central_costs}, params.cycles_per_host_s},
             .quadrants = make_quadrants(params),
             .items = items_ ? &*items_ : nullptr,
             .orders = {params.script, observe::is_watched(params.watch)},
@@ -91,7 +95,7 @@ class Run {
     add_processors(model, scene);
     connect(model, routes, tree);
     plan_faults();
-    start(model);
+    start();
   }
 
   Result run() {
@@ -122,8 +126,7 @@ class Run {
       result.shared = {memory_->use(), result.routers, params_.data->cache_bytes,
                        result.workers * result.time_s};
     result.kernel_cycles = shared_.kernel_cycles();
-    result.kernels_s =
-        static_cast<double>(result.kernel_cycles.value) / machine_.model().cpu.clock.value;
+    result.kernels_s = shared_.kernels_s().value;
     return result;
   }
 
@@ -169,18 +172,22 @@ class Run {
   void add_processors(const machine::Model& model, const renderer::Scene& scene) {
     companions_.resize(static_cast<std::size_t>(topology_.processors));
     for (int id = 0; id < topology_.processors; ++id) {
+      tracing::check_label(topology_, id);
       const char* role = role_of(id);
       const bool is_worker = role == Role::worker;
-      auto& processor =
-          machine_.add_processor(is_worker ? fmt::format("worker{}", id) : role,
-                                 params_.memory.value_or(get_bytes(
-                                     model, is_worker ? "worker_memory" : "database_memory")),
-                                 is_worker && params_.is_double ? Role::router : role);
+      auto& processor = machine_.add_processor(
+          name_of(topology_, id, is_worker ? fmt::format("worker{}", id) : role),
+          params_.memory.value_or(get_bytes(programs::model_of(params_.others, id, model),
+                                            is_worker ? "worker_memory" : "database_memory")),
+          is_worker && params_.is_double ? Role::router : role,
+          programs::find_model(params_.others, id));
       kernels::load_program(processor);
       if (is_worker && !params_.data)
-        processor.memory().allocate(kernels::scene_bytes(model, scene), "the scene", {});
+        processor.memory().allocate(kernels::scene_bytes(processor.model(), scene), "the scene",
+                                    {});
       if (is_worker)
-        processor.memory().allocate(kernels::texture_bytes(model, scene), "textures", {});
+        processor.memory().allocate(kernels::texture_bytes(processor.model(), scene), "textures",
+                                    {});
       if (role == Role::display)
         processor.memory().allocate(7 * static_cast<std::uint64_t>(params_.image.width) *
                                         static_cast<std::uint64_t>(params_.image.height),
@@ -236,12 +243,13 @@ class Run {
     });
   }
 
-  shared_memory::DataManager& manager(const machine::Model& model, int id) {
+  shared_memory::DataManager& manager(int id) {
     if (memory_) return memory_->manager(id);
-    return *whole_.emplace_back(shared_memory::make_whole_manager(*network_, model, id));
+    return *whole_.emplace_back(shared_memory::make_whole_manager(
+        *network_, machine_.processors()[static_cast<std::size_t>(id)]->model(), id));
   }
 
-  void start(const machine::Model& model) {
+  void start() {
     const auto& places = shared_.places;
     const auto parents = params_.balance == BalanceMethod::green
                              ? find_parents(topology_, places)
@@ -250,17 +258,17 @@ class Run {
     const auto start_on = [&](int id, const char* name, machine::Process::Body body) {
       kernels::start(*processors[id], name, machine::Priority::low, std::move(body));
     };
-    coordinator_.emplace(shared_, manager(model, places.coordinator),
+    coordinator_.emplace(shared_, manager(places.coordinator),
                          network_->client(places.coordinator, 1));
     start_on(places.coordinator, "coordination", [this] { coordinator_->run(); });
-    display_.emplace(shared_, manager(model, places.display));
+    display_.emplace(shared_, manager(places.display));
     start_on(places.display, "visualisation", [this] { display_->run(); });
     for (std::size_t i = 0; i < places.workers.size(); ++i) {
       const int id = places.workers[i];
       Peers peers{id, places.coordinator, find_nearest(network_->routing(), places.workers, id),
                   places.workers[(i + 1) % places.workers.size()],
                   parents[static_cast<std::size_t>(id)]};
-      auto& worker = workers_.emplace_back(shared_, manager(model, id), std::move(peers));
+      auto& worker = workers_.emplace_back(shared_, manager(id), std::move(peers));
       const auto* companion = companions_[static_cast<std::size_t>(id)];
       start_on(companion ? companion->id() : id, "application", [&worker] { worker.run(); });
     }

@@ -51,6 +51,7 @@ struct Params {
   std::optional<shared_memory::DataParams> data;  ///< none: every processor holds the scene
   std::optional<std::uint64_t> memory;            ///< bytes of each processor; else the model's
   std::vector<programs::PlannedFault> faults;
+  programs::OtherModels others;             ///< by number of processor
   std::optional<double> cycles_per_host_s;  ///< as farm::Params
   machine::EngineParams engine = {};
   observe::Watch* watch = nullptr;

@@ -89,8 +89,8 @@ Columns<Result> run_columns() {
 }
 
 tracing::Load load_of_coordination(const observe::Use& use) {
-  const auto& process = find_process(use, std::string(Role::coordinator) + ".coordination");
   const auto& cpu = *find_role(use, Role::coordinator);
+  const auto& process = find_process(use, cpu.name + ".coordination");
   return {"coordination", 1 - (process.alternative_s + process.input_s) / use.time_s,
           fmt::format("its CPU {}", tracing::percent(cpu.busy_s / use.time_s))};
 }

@@ -35,7 +35,7 @@ std::uint64_t Sizes::of(const IirraMessage::Content& content) const {
 
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage::Content content) {
-  machine::this_process().charge(sizes.message.made);
+  machine::this_process().charge(sizes.message.here().made);
   const auto bytes = sizes.of(content);
   manager.client().send({.to = to,
                          .from = {.process = from},
@@ -50,7 +50,7 @@ const IirraMessage::Content& read(const Sizes& sizes, const network::Message& me
         self.name(), self.own_time(),
         fmt::format("a message from processor {} to processor {} came back: {}",
                     message.to.processor, message.from.processor, to_string(message.returned)));
-  self.charge(sizes.message.read);
+  self.charge(sizes.message.here().read);
   return static_cast<const IirraMessage&>(*message.contents).content;
 }
 

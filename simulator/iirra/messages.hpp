@@ -87,10 +87,10 @@ struct Sizes {
         sample(get_bytes(model, "cell_sample")),
         ray(get_bytes(model, "ray")),
         pixel(get_bytes(model, "pixel")),
-        message(kernels::message_costs(model)) {}
+        message(model, &kernels::message_costs) {}
   std::uint64_t cell, sample, ray;
-  std::uint64_t pixel;            ///< one of several samples of a pixel, until the last is there
-  kernels::MessageCosts message;  ///< cycles, not bytes
+  std::uint64_t pixel;  ///< one of several samples of a pixel, until the last is there
+  kernels::ByModel<kernels::MessageCosts> message;  ///< cycles, not bytes
 
   static constexpr std::uint64_t WORD = 4;
   std::uint64_t of(const Sample& s) const {

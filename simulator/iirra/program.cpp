@@ -146,6 +146,7 @@ bool shares_data(const ProgramParams& params) {
 Params make_params(const Setup& setup, const ProgramParams& params) {
   Params iirra = params.iirra;
   iirra.faults = setup.faults;
+  iirra.others = setup.others;
   iirra.cycles_per_host_s = setup.cycles_per_host_s;
   iirra.engine = setup.engine;
   iirra.watch = setup.watch;
@@ -187,7 +188,7 @@ programs::Program make_iirra() {
   auto program = programs::make_program<P, Measured>(
       {.name = "iirra",
        .help = "chapter 5's ray tracer: image cells and task managers on every processor",
-       .uses = {.network = true, .routes = true, .faults = true, .timed = true},
+       .uses = {.network = true, .routes = true, .faults = true, .timed = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run,

@@ -21,12 +21,14 @@ struct Shared {
   renderer::Area area;  ///< of the image that is computed
   Sizes sizes;
   std::uint64_t longest;  ///< bytes of a message
-  machine::OperationCosts task_cost;
-  machine::Cycles pixel_tested;  ///< of the display, which of two pictures of it is newer
+  kernels::ByModel<machine::OperationCosts> task_cost;
+  kernels::ByModel<machine::Cycles>
+      pixel_tested;  ///< of the display, which of two pictures of it is newer
   kernels::KernelCost ray_cost, paint_cost, display_cost;
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< where cells have that order
   const shared_memory::SceneItems* items = nullptr;          ///< where the scene is shared
   machine::Cycles charged_with_data{};                       ///< for rays that read it so
+  machine::Seconds charged_with_data_s{};                    ///< the same as time
   tracing::Orders<Limits> orders;                            ///< of the user
   Record record;
   Traced scratch = {};  ///< for replays of rays, where costs are timed
@@ -37,6 +39,7 @@ struct Shared {
     return static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
   }
   machine::Cycles kernel_cycles() const { return items ? charged_with_data : ray_cost.charged(); }
+  machine::Seconds kernels_s() const { return items ? charged_with_data_s : ray_cost.charged_s(); }
 };
 
 }  // namespace iirra

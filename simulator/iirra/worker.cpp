@@ -243,6 +243,7 @@ Traced Worker::shoot(Sample& sample, const Ray& ray, bool is_outside) {
     traced = trace_ray(scene, params, ray, work, &reader);
     reader.charge(work);
     shared_.charged_with_data += reader.charged();
+    shared_.charged_with_data_s += this_process().processor().duration(reader.charged());
   }
   const bool is_hit = traced.hit.has_value();
   add(sample.sums, traced.contribution);
@@ -390,7 +391,7 @@ void Worker::unpack(const MovedCell& moved, bool is_first) {
 }
 
 void Worker::charge_work() {
-  this_process().charge(shared_.task_cost(std::exchange(work_, {}).counts()));
+  this_process().charge(shared_.task_cost.here()(std::exchange(work_, {}).counts()));
 }
 
 // --- network ------------------------------------------------------------------------------------

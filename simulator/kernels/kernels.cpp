@@ -68,6 +68,7 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
   ++use_.calls;
   use_.counted += counted;
   use_.charged += charged;
+  charged_s_ += machine::this_process().processor().duration(charged);
   use_.host_s += host_s;
   return charged;
 }
@@ -79,9 +80,12 @@ machine::OperationCosts intersection_costs(const machine::Model& model) {
 machine::OperationCosts tree_costs(const machine::Model& model) {
   const auto first_of_shading = static_cast<std::size_t>(renderer::Op::surface_shaded);
   auto costs = intersection_costs(model);
-  const machine::OperationCosts central(model, "central", renderer::op_names());
-  costs.replace_from(first_of_shading, central);
+  costs.replace_from(first_of_shading, central_costs(model));
   return costs;
+}
+
+machine::OperationCosts central_costs(const machine::Model& model) {
+  return {model, "central", renderer::op_names()};
 }
 
 }  // namespace kernels

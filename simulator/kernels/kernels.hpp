@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "renderer/trace/render.hpp"
+#include "simulator/kernels/by_model.hpp"
 #include "simulator/kernels/kernel_timer.hpp"
 #include "simulator/machine/machine.hpp"
 #include "simulator/observe/use.hpp"
@@ -59,7 +60,7 @@ class KernelCost {
  public:
   /// With `cycles_per_host_s` host time is charged instead of counts; with `profile` it is measured
   /// in any case, roughly: each call by itself.
-  KernelCost(std::string name, machine::OperationCosts counted,
+  KernelCost(std::string name, ByModel<machine::OperationCosts> counted,
              std::optional<double> cycles_per_host_s, bool profile = false)
       : counted_(std::move(counted)), cycles_per_host_s_(cycles_per_host_s), profile_(profile) {
     if (cycles_per_host_s) timed_ = std::make_unique<Timed>();
@@ -98,14 +99,16 @@ class KernelCost {
     if (!timed_) return 1;
     renderer::Work work;
     kernel(scratch, work);
-    const auto counted = counted_(work.counts);
+    const auto counted = counted_.here()(work.counts);
     const auto charged = eval(counted, [&] { return make_replay(std::move(kernel), scratch); });
     return static_cast<double>(charged.value) / static_cast<double>(counted.value);
   }
 
-  const machine::OperationCosts& counted() const { return counted_; }
-  machine::Cycles charged() const { return use_.charged; }  ///< for all calls
-  double profile_s() const { return profile_s_; }           ///< host time of all calls
+  /// On the processor of this_process().
+  const machine::OperationCosts& counted() const { return counted_.here(); }
+  machine::Cycles charged() const { return use_.charged; }   ///< for all calls
+  machine::Seconds charged_s() const { return charged_s_; }  ///< the same as time
+  double profile_s() const { return profile_s_; }            ///< host time of all calls
   KernelUse use() const;
 
  private:
@@ -139,18 +142,19 @@ class KernelCost {
   machine::Cycles note(machine::Cycles counted, machine::Cycles charged, double host_s);
   template <class Make>
   void charge(const renderer::Work& work, Make make) {
-    machine::this_process().charge(eval(counted_(work.counts), std::move(make)));
+    machine::this_process().charge(eval(counted_.here()(work.counts), std::move(make)));
   }
   void note_profile(double start_s) {
     if (profile_) profile_s_ += std::max(0.0, host_cpu_s() - start_s - clock_interval_s());
   }
 
-  machine::OperationCosts counted_;
+  ByModel<machine::OperationCosts> counted_;
   std::optional<double> cycles_per_host_s_;
   bool profile_;
   double profile_s_ = 0;
   std::unique_ptr<Timed> timed_;  // where costs are timed
   KernelUse use_;
+  machine::Seconds charged_s_{};
 };
 
 /// The use of those that were called.
@@ -169,5 +173,7 @@ inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& p
 /// centre, which shades where tasks are rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
+/// Costs of what the centre computes, and displays.
+machine::OperationCosts central_costs(const machine::Model& model);
 
 }  // namespace kernels

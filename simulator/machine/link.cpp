@@ -2,6 +2,11 @@
 
 namespace machine {
 
+std::string LinkDirection::name() const {
+  const auto name = from_.name() + " > " + to_.name();
+  return beside_ == 0 ? name : fmt::format("{} ({})", name, beside_ + 1);
+}
+
 void LinkDirection::carry(const std::string& channel) {
   if (carries_)
     throw Misuse(from_.name(), engine_.now(),

@@ -22,32 +22,34 @@ class Cable {
   struct End {
     Processor* processor;
     std::size_t port;  ///< 0 to 3
+    /// What the link takes of the CPU's cycles: while one direction is busy, and while both are.
+    std::array<double, 2> shares;
   };
-  /// `shares` of the CPU's cycles: while one direction is busy, and while both are.
-  Cable(End a, End b, std::array<double, 2> shares) : ends_{a, b}, shares_(shares) {}
+  Cable(End a, End b) : ends_{a, b} {}
   int busy() const { return busy_; }  ///< directions
   void set_busy(int busy) {
     busy_ = busy;
     for (const End& end : ends_)
-      end.processor->set_stolen(end.port, busy == 0 ? 0 : shares_[busy - 1]);
+      end.processor->set_stolen(end.port, busy == 0 ? 0 : end.shares[busy - 1]);
   }
 
  private:
   std::array<End, 2> ends_;
-  std::array<double, 2> shares_;
   int busy_ = 0;
 };
 
 /// One direction of a link.
 class LinkDirection {
  public:
-  /// `number` is the engine's; `delay` the time of every message in the link switches on the way.
+  /// `number` is the engine's; `beside` of links join the two already; `delay` is the time of every
+  /// message in the link switches on the way.
   LinkDirection(Engine& engine, std::size_t number, Processor& from, Processor& to,
-                std::shared_ptr<Cable> cable, Seconds delay)
+                std::size_t beside, std::shared_ptr<Cable> cable, Seconds delay)
       : engine_(engine),
         number_(number),
         from_(from),
         to_(to),
+        beside_(beside),
         cable_(std::move(cable)),
         delay_(delay) {}
 
@@ -72,7 +74,9 @@ class LinkDirection {
   LinkUse use() const { return use_by(engine_.now()); }
   /// The same up to a later date, if nothing happens until then.
   LinkUse use_by(Seconds date) const;
-  std::string name() const { return from_.name() + " > " + to_.name(); }
+  std::size_t beside() const { return beside_; }  ///< links before it that join the same two
+  /// "p0 > p1", of the second link between the two "p0 > p1 (2)", and so on.
+  std::string name() const;
   void set_observer(Observer* observer) { observer_ = observer; }
   void flush_observer();  ///< tells of a message that is still on its way, up to now
 
@@ -84,6 +88,7 @@ class LinkDirection {
   std::size_t number_;
   Processor& from_;
   Processor& to_;
+  std::size_t beside_;
   std::shared_ptr<Cable> cable_;
   Seconds delay_;
   LinkUse use_;

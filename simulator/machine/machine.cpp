@@ -16,6 +16,25 @@ LinkRates rates_through(const Model::Link& link, int switches) {
   return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
 }
 
+// The two send and acknowledge in turn: the slower end is waited for.
+LinkRates rates_between(const Processor& a, const Processor& b, int switches) {
+  const auto &one = a.model().link, &other = b.model().link;
+  if (one.bit_rate != other.bit_rate)
+    throw Misuse(a.name(), {},
+                 fmt::format("the links of {} ({}) run at {} bit/s, those of {} ({}) at {}: "
+                             "expected one speed at both ends",
+                             a.name(), a.model().name, one.bit_rate, b.name(), b.model().name,
+                             other.bit_rate));
+  const auto here = rates_through(one, switches), there = rates_through(other, switches);
+  return {std::min(here.one_way, there.one_way), std::min(here.both_ways, there.both_ways)};
+}
+
+// The shares of a CPU's cycles that a link takes: while one direction is busy, and while both are.
+std::array<double, 2> steal(const Model& model, const LinkRates& rates) {
+  const double cycles = model.memory.steal_word / WORD_BYTES / model.cpu.clock.value;
+  return {cycles * rates.one_way, cycles * std::min(rates.both_ways, 2 * rates.one_way)};
+}
+
 // The processes that have not ended, on processors that run.
 using Blocked = std::map<ProcessId, const Process*>;
 // The processes that each of them waits for.
@@ -136,9 +155,11 @@ std::string_view to_string(End end) {
   return names[static_cast<int>(end)];
 }
 
-Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::string role) {
+Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::string role,
+                                  std::shared_ptr<const Model> model) {
   auto shared = std::make_shared<Memory>(name, memory);
-  return add(std::move(name), std::move(shared), std::move(role));
+  return add(std::move(name), std::move(shared), std::move(role),
+             model ? std::move(model) : model_);
 }
 
 Processor& Machine::add_companion(Processor& of, std::string name, std::string role) {
@@ -146,45 +167,50 @@ Processor& Machine::add_companion(Processor& of, std::string name, std::string r
     throw Misuse(
         of.name(), now(),
         fmt::format("{} would have two companions: {} is one", of.name(), of.companion()->name()));
-  Processor& companion = add(std::move(name), of.share_memory(), std::move(role));
+  Processor& companion = add(std::move(name), of.share_memory(), std::move(role), of.share_model());
   companion.join(of);
   of.join(companion);
   return companion;
 }
 
-Processor& Machine::add(std::string name, std::shared_ptr<Memory> memory, std::string role) {
+Processor& Machine::add(std::string name, std::shared_ptr<Memory> memory, std::string role,
+                        std::shared_ptr<const Model> model) {
   const int id = engine_.add_processor(name);
-  processors_.push_back(std::make_unique<Processor>(
-      engine_, model_, id, std::move(name), std::move(memory), std::move(role), software_factor_));
+  processors_.push_back(std::make_unique<Processor>(engine_, std::move(model), id, std::move(name),
+                                                    std::move(memory), std::move(role), code_));
   ports_.push_back(0);
   return *processors_.back();
 }
 
 void Machine::connect(Processor& a, Processor& b, int switches) {
   if (&a == &b) throw Misuse(a.name(), now(), a.name() + " would be joined to itself by a link");
-  if (link_of_.contains({a.id(), b.id()}))
-    throw Misuse(a.name(), now(), fmt::format("{} and {} are joined already", a.name(), b.name()));
   for (const Processor* p : {&a, &b})
     if (ports_.at(p->id()) >= MAX_LINKS)
       throw Misuse(p->name(), now(), p->name() + " would have more than four links");
-  const auto rates = rates_through(model_.link, switches);
-  const double steal = model_.memory.steal_word / WORD_BYTES / model_.cpu.clock.value;
-  const auto cable = std::make_shared<Cable>(
-      Cable::End{&a, ports_[a.id()]++}, Cable::End{&b, ports_[b.id()]++},
-      std::array{steal * rates.one_way, steal * std::min(rates.both_ways, 2 * rates.one_way)});
-  const Seconds delay{switches * model_.link.switch_bits / model_.link.bit_rate};
+  const auto rates = rates_between(a, b, switches);
+  const auto end = [&](Processor& processor) {
+    return Cable::End{&processor, ports_[processor.id()]++, steal(processor.model(), rates)};
+  };
+  const auto cable = std::make_shared<Cable>(end(a), end(b));
+  const double bits = std::max(a.model().link.switch_bits, b.model().link.switch_bits);
+  const Seconds delay{switches * bits / a.model().link.bit_rate};
   std::size_t direction = engine_.add_link(a.id(), b.id(), rates);
   for (auto [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    links_.push_back(
-        std::make_unique<LinkDirection>(engine_, direction++, *from, *to, cable, delay));
-    link_of_[{from->id(), to->id()}] = links_.back().get();
+    auto& known = links_of_[{from->id(), to->id()}];
+    links_.push_back(std::make_unique<LinkDirection>(engine_, direction++, *from, *to, known.size(),
+                                                     cable, delay));
+    known.push_back(links_.back().get());
   }
 }
 
-LinkDirection& Machine::link(const Processor& from, const Processor& to) {
-  const auto found = link_of_.find({from.id(), to.id()});
-  if (found != link_of_.end()) return *found->second;
-  throw Misuse(from.name(), now(), "no link joins " + from.name() + " and " + to.name());
+LinkDirection& Machine::link(const Processor& from, const Processor& to, std::size_t number) {
+  const auto found = links_of_.find({from.id(), to.id()});
+  const auto count = found == links_of_.end() ? 0 : found->second.size();
+  if (number < count) return *found->second[number];
+  throw Misuse(from.name(), now(),
+               count == 0 ? fmt::format("no link joins {} and {}", from.name(), to.name())
+                          : fmt::format("{} of the links that join {} and {}: found {}", number,
+                                        from.name(), to.name(), count));
 }
 
 void Machine::set_observer(Observer* observer) {
@@ -261,8 +287,14 @@ bool Machine::is_over() const {
 
 bool Machine::cut_both_ways(LinkDirection& link) {
   engine_.cut(link.number());
-  const bool there = link.cut(), back = this->link(link.to(), link.from()).cut();
+  const bool there = link.cut(), back = links_[link.number() ^ 1]->cut();
   return there || back;
+}
+
+bool Machine::cut_all(const Processor& a, const Processor& b) {
+  bool matters = false;
+  for (LinkDirection* link : links_of_.at({a.id(), b.id()})) matters |= cut_both_ways(*link);
+  return matters;
 }
 
 // Returns whether the failure changes what happens.
@@ -273,7 +305,7 @@ bool Machine::happen(const Failure& failure) {
   bool matters = false;
   std::vector<Processor*> ends;  // processors that hear of it
   if (failure.b) {
-    matters = cut_both_ways(link(a, *failure.b));
+    matters = cut_all(a, *failure.b);
     ends = {&a, failure.b};
   } else {
     matters = has_unfinished(a);

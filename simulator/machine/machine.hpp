@@ -20,35 +20,36 @@ enum class End {
 };
 std::string_view to_string(End end);
 
-/// A link was cut, or a processor stopped.
+/// The links between two processors were cut, or a processor stopped.
 struct Failure {
   Seconds at;
   Processor* a;
-  Processor* b;  ///< the link's other end; null if `a` stopped
+  Processor* b;  ///< at the links' other ends; null if `a` stopped
 };
 
 class Machine {
  public:
-  /// `software_factor` multiplies the cycles of occam's channel instructions: 1 is what the data
-  /// sheet says they take, model.software.occam_factor what they take compiled programs off chip.
-  explicit Machine(const Model& model, double software_factor = 1, EngineParams engine = {})
-      : model_(model), software_factor_(software_factor), engine_(engine) {}
+  explicit Machine(const Model& model, Code code = Code::bare, EngineParams engine = {})
+      : model_(std::make_shared<const Model>(model)), code_(code), engine_(engine) {}
 
-  /// `memory` in bytes; `role` as Processor::role().
-  Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {});
+  /// `memory` in bytes; `role` as Processor::role(); null: the machine's model.
+  Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {},
+                           std::shared_ptr<const Model> model = {});
   /// A second processor on the memory of one that has no companion yet, else Misuse. Each has its
   /// own CPU and links; soft channels may join their processes, see occam::ChannelBase. If one of
   /// them stops, the other goes on.
   Processor& add_companion(Processor& of, std::string name, std::string role = {});
-  /// Joins two processors, through a number of C004 link switches. Throws Misuse beyond four links
-  /// a processor, for a second link between two, and for a processor and itself.
+  /// Joins two processors by a link, or one more, through a number of C004 link switches. Throws
+  /// Misuse beyond four links a processor, for a processor and itself, and for two whose models'
+  /// links run at different speeds.
   void connect(Processor& a, Processor& b, int switches = 0);
-  /// Throws Misuse if no link joins them.
-  LinkDirection& link(const Processor& from, const Processor& to);
+  /// A direction of the first link that joins them, or of a later one: `number` counts from 0 in
+  /// the order of connect(). Throws Misuse if there is none.
+  LinkDirection& link(const Processor& from, const Processor& to, std::size_t number = 0);
 
-  /// From the date on the link carries nothing, in either direction: a message under way is lost.
-  /// For its channels see occam::ChannelBase. Nothing happens if the date is after the end of the
-  /// run, or the link is cut already. The date must not be over.
+  /// From the date on the links between the two carry nothing, in either direction: a message under
+  /// way is lost. For its channels see occam::ChannelBase. Nothing happens if the date is after the
+  /// end of the run, or the link is cut already. The date must not be over.
   void cut_link(Processor& a, Processor& b, Seconds at);
   /// From the date on none of its processes runs, and all its links are cut. The processes count
   /// neither as ended nor as blocked: the run is done when those of the other processors have
@@ -74,26 +75,28 @@ class Machine {
 
   Seconds now() const { return engine_.now(); }
   std::uint64_t events() const { return engine_.handled(); }
-  const Model& model() const { return model_; }
+  const Model& model() const { return *model_; }
   const std::vector<std::unique_ptr<Processor>>& processors() const { return processors_; }
   const std::vector<std::unique_ptr<LinkDirection>>& links() const { return links_; }
 
  private:
-  Processor& add(std::string name, std::shared_ptr<Memory> memory, std::string role);
+  Processor& add(std::string name, std::shared_ptr<Memory> memory, std::string role,
+                 std::shared_ptr<const Model> model);
   void plan(const Failure& failure);
   void expect(const Failure& failure);
   void happen_now();
   bool happen(const Failure& failure);
   bool cut_both_ways(LinkDirection& link);
+  bool cut_all(const Processor& a, const Processor& b);
   bool is_over() const;
 
-  const Model model_;
-  double software_factor_;
+  const std::shared_ptr<const Model> model_;
+  Code code_;
   Engine engine_;
   std::vector<std::unique_ptr<Processor>> processors_;
   std::vector<std::unique_ptr<LinkDirection>> links_;
   std::vector<std::size_t> ports_;  // in use, by processor
-  std::map<std::pair<int, int>, LinkDirection*> link_of_;
+  std::map<std::pair<int, int>, std::vector<LinkDirection*>> links_of_;
   std::vector<Failure> planned_;                      // before the run
   std::map<Seconds, std::vector<Failure>> failures_;  // still to come
   std::optional<Seconds> runs_until_;                 // once the run has begun

@@ -42,7 +42,8 @@ struct Entry {
 using NamedNumbers = std::map<std::string, double, std::less<>>;
 
 struct Model {
-  std::string name;
+  std::string name;  ///< with what override_model has set
+  std::string base;  ///< without
   std::vector<Entry> entries;
 
   struct Cpu {

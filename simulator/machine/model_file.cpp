@@ -354,6 +354,7 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
     model = load(*base_name, folder, inside + 1,
                  place_of(origin, file.get("base")->source()) + ": base: ");
   model.name = read_text(file, "name", origin).value_or("");
+  model.base = model.name;
   base::require(!model.name.empty(), origin, "name is missing");
   std::vector<std::pair<toml::source_position, Entry>> entries;
   for (auto&& [section, content] : file) {

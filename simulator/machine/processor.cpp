@@ -2,16 +2,16 @@
 
 namespace machine {
 
-Processor::Processor(Engine& engine, const Model& model, int id, std::string name,
-                     std::shared_ptr<Memory> memory, std::string role, double software_factor)
+Processor::Processor(Engine& engine, std::shared_ptr<const Model> model, int id, std::string name,
+                     std::shared_ptr<Memory> memory, std::string role, Code code)
     : engine_(engine),
-      model_(model),
+      model_(std::move(model)),
       id_(id),
       name_(std::move(name)),
       role_(std::move(role)),
-      software_factor_(software_factor),
+      software_factor_(code == Code::compiled ? model_->software.occam_factor : 1),
       memory_(std::move(memory)),
-      cpu_(engine, model, *this) {}
+      cpu_(engine, *model_, *this) {}
 
 Process& Processor::start(std::string name, Priority priority, Process::Body body) {
   processes_.push_back(
@@ -57,7 +57,7 @@ void Processor::wake(Process& process, std::uint64_t wait, const bool* unless) {
 
 void Processor::join(Processor& companion) {
   companion_ = &companion;
-  cpu_.set_stolen(Cpu::BY_COMPANION, model_.memory.companion_share);
+  cpu_.set_stolen(Cpu::BY_COMPANION, model_->memory.companion_share);
 }
 
 void Processor::set_stolen(std::size_t port, double share) {

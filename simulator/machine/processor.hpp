@@ -10,6 +10,12 @@
 
 namespace machine {
 
+/// What the instructions of programs take.
+enum class Code : std::uint8_t {
+  bare,      ///< what the data sheet says, with nothing between them
+  compiled,  ///< model.software.occam_factor times that, as compiled programs off chip do
+};
+
 /// The memory of one simulated processor: what its program has allocated, and its limit.
 class Memory {
  public:
@@ -41,10 +47,9 @@ class Memory {
 
 class Processor {
  public:
-  /// `role` says what the processor is for in its program, or nothing. `software_factor` multiplies
-  /// the cycles of occam's channel instructions, see occam::charge.
-  Processor(Engine& engine, const Model& model, int id, std::string name,
-            std::shared_ptr<Memory> memory, std::string role, double software_factor);
+  /// `role` says what the processor is for in its program, or nothing.
+  Processor(Engine& engine, std::shared_ptr<const Model> model, int id, std::string name,
+            std::shared_ptr<Memory> memory, std::string role, Code code);
 
   /// A new process, ready at once. The reference stays valid as long as the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
@@ -61,8 +66,10 @@ class Processor {
   int id() const { return id_; }
   const std::string& name() const { return name_; }
   const std::string& role() const { return role_; }
-  const Model& model() const { return model_; }
-  Hertz clock() const { return model_.cpu.clock; }
+  const Model& model() const { return *model_; }
+  std::shared_ptr<const Model> share_model() const { return model_; }
+  Hertz clock() const { return model_->cpu.clock; }
+  /// Multiplies the cycles of occam's channel instructions, see occam::charge.
   double software_factor() const { return software_factor_; }
   Seconds duration(Cycles cycles) const { return cpu_.duration(cycles); }
   Seconds now() const { return engine_.now(); }
@@ -94,7 +101,7 @@ class Processor {
   void wake(Process& process, std::uint64_t wait, const bool* unless);
 
   Engine& engine_;
-  const Model& model_;
+  std::shared_ptr<const Model> model_;
   int id_;
   std::string name_, role_;
   double software_factor_;

@@ -1,5 +1,6 @@
 #include "simulator/network/network.hpp"
 
+#include "simulator/network/join.hpp"
 #include "simulator/network/routers.hpp"
 
 namespace network {
@@ -18,9 +19,7 @@ Routing make_routing(Method method, const topologies::Topology& topology,
   return {topology, routes, tree};
 }
 
-void Network::make_node(machine::Machine& machine, int id, machine::Processor& processor,
-                        const Params& params) {
-  const auto& model = machine.model();
+void Network::make_node(int id, machine::Processor& processor, const Params& params) {
   const std::uint64_t bytes = params.buffers * (params.longest + Message::IDENTIFICATION);
   auto& memory = processor.memory();
   if (const auto left = memory.left(); bytes > left || params.longest > left)
@@ -36,7 +35,7 @@ void Network::make_node(machine::Machine& machine, int id, machine::Processor& p
   node.routing = &routing_;
   node.buffers = params.buffers;
   node.pointers = params.pointers;
-  node.costs = RouterCosts(model);
+  node.costs = RouterCosts(processor.model());
   node.processes = params.processes.empty() ? std::vector{~0U} : params.processes.at(id);
   base::check_equal("at most MAX_CLIENTS clients", node.processes.size() <= MAX_CLIENTS, true);
   auto& clients = clients_.emplace_back();
@@ -56,14 +55,16 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
   if (params.method == Method::acyclic)
     base::check_equal("routes without cycles", routing_.kind() == Routing::Kind::up_down, true);
   const auto& topology = routing_.topology();
-  const auto at = [&](int id) { return machine.processors().at(first + id).get(); };
-  for (int id = 0; id < topology.processors; ++id) make_node(machine, id, *at(id), params);
-  for (const auto& link : topology.links) {
-    const int a = link.a.processor, b = link.b.processor;
-    machine.connect(*at(a), *at(b), switches_between(topology, a, b));
-    for (const auto& [from, to] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}}) {
-      auto& direction = machine.link(*at(from.processor), *at(to.processor));
-      auto& channel = links_.emplace_back(direction.name(), direction, occam::Protocol::counted);
+  const auto at = [&](int id) -> machine::Processor& {
+    return *machine.processors().at(first + id);
+  };
+  for (int id = 0; id < topology.processors; ++id) make_node(id, at(id), params);
+  const auto joined = join(machine, topology, at);
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    const auto& [a, b] = topology.links[i];
+    for (const auto& [from, to, direction] :
+         {std::tuple{a, b, joined[i][0]}, std::tuple{b, a, joined[i][1]}}) {
+      auto& channel = links_.emplace_back(direction->name(), *direction, occam::Protocol::counted);
       nodes_[from.processor].link_out[from.port] = &channel;
       nodes_[to.processor].link_in[to.port] = &channel;
     }

@@ -78,8 +78,7 @@ class Network {
   std::size_t held(int processor) const { return nodes_.at(processor).held; }
 
  private:
-  void make_node(machine::Machine& machine, int id, machine::Processor& processor,
-                 const Params& params);
+  void make_node(int id, machine::Processor& processor, const Params& params);
 
   Routing routing_;
   std::deque<Node> nodes_;

@@ -1,5 +1,7 @@
 #include "simulator/network/node.hpp"
 
+#include "base/random.hpp"
+
 namespace network {
 
 std::string_view to_string(Returned reason) {
@@ -117,7 +119,7 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
     const bool exists = to >= 0 && to < routing->processors();
     if (const int port = exists ? routing->port_to(id, to) : -1; port >= 0) {
       if (from_link) ++use.passed;
-      ways.add(port);
+      ways.add(choose_link(message, port));
       return ways;
     }
     if (message.returned != Returned::no) {
@@ -128,6 +130,20 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
                        : to == id ? Returned::no_process
                                   : Returned::no_route);
   }
+}
+
+// Of several links to a neighbour one is that of all messages between two processes: they stay in
+// order. `port` is the lowest.
+int Node::choose_link(const Message& message, int port) const {
+  const int links = routing->links_beside(id, port);
+  if (links == 1) return port;
+  std::uint64_t mixed = 0;
+  for (const int part : {message.from.processor, message.from.process, message.to.processor,
+                         message.to.process})
+    mixed = base::random_at(mixed, static_cast<std::uint64_t>(part));
+  for (auto turns = mixed % static_cast<std::uint64_t>(links); turns > 0; --turns)
+    port = routing->beside(id, port);
+  return port;
 }
 
 void Node::note_unreached(const Message& message) {

@@ -159,6 +159,8 @@ struct Node {
   void charge_step(const Message& message) const;
   void note_unreached(const Message& message);
 
+  int choose_link(const Message& message, int port) const;
+
   std::vector<Message> unreached_;
 };
 

@@ -23,7 +23,10 @@ auto make_port_lists() {
 
 Routing::Routing(const topologies::Topology& topology, topologies::RoutingTable routes,
                  std::optional<TreeLinks> tree, Kind kind)
-    : routes_(std::move(routes)), kind_(kind), peers_(make_peers(topology)) {
+    : routes_(std::move(routes)),
+      kind_(kind),
+      peers_(make_peers(topology)),
+      parallel_(parallel_ports(topology)) {
   add_epoch(topology, std::move(tree));
 }
 
@@ -52,9 +55,12 @@ Routing::Ports Routing::make_tree(const Epoch& epoch, int sender) const {
   const auto search = topologies::make_search(epoch.allowed, sender);
   Ports ports(static_cast<std::size_t>(processors()));
   for (int at = 0; at < processors(); ++at)
-    for (int port = 0; port < topologies::PORTS; ++port)
-      if (const int child = neighbour(at, port); child >= 0 && search.parent[child] == at)
+    for (int port = 0; port < topologies::PORTS; ++port) {
+      const int child = neighbour(at, port);
+      const bool is_first = std::ranges::find(peers_[at], child) - peers_[at].begin() == port;
+      if (is_first && child >= 0 && search.parent[child] == at)
         ports[at] |= static_cast<std::uint8_t>(1U << port);
+    }
   return ports;
 }
 

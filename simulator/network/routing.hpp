@@ -1,5 +1,7 @@
 #pragma once
 // Which way a message goes: the routers' tables. Clients never see them.
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <vector>
@@ -23,7 +25,8 @@ class Routing {
 
   int processors() const { return routes_.processors; }
   const topologies::Topology& topology() const { return epochs_.back().topology; }
-  /// The port of processor `at` on the way to `to`; -1 if they are the same or no way is left.
+  /// The port of processor `at` on the way to `to`, the lowest of several to the same neighbour; -1
+  /// if they are the same or no way is left.
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
   int distance(int from, int to) const { return routes_.distance(from, to); }
   Kind kind() const { return kind_; }
@@ -39,7 +42,14 @@ class Routing {
   /// The processor across the link on a port, cut or not; -1 if there was no link.
   int neighbour(int at, int port) const { return peers_[at][port] == at ? -1 : peers_[at][port]; }
 
-  /// From now on routes and trees are those of the links that are left.
+  /// The next port that leads to the same neighbour; `port` itself if there is no other.
+  int beside(int at, int port) const { return parallel_[at][port]; }
+  /// How many links lead to that neighbour.
+  int links_beside(int at, int port) const {
+    return static_cast<int>(std::ranges::count(peers_[at], peers_[at][port]));
+  }
+
+  /// All links between the two are cut: from now on routes and trees are those of what is left.
   void cut(int a, int b);
 
  private:
@@ -57,6 +67,7 @@ class Routing {
   topologies::RoutingTable routes_;
   Kind kind_;
   topologies::Peers peers_;
+  std::vector<std::array<std::int8_t, topologies::PORTS>> parallel_;
 };
 
 /// Routes that close no cycle of waiting links, and the tree for GLOBAL messages that goes with

@@ -1,5 +1,6 @@
 #include "simulator/network/store_and_forward.hpp"
 
+#include "simulator/network/join.hpp"
 #include "simulator/occam/alt.hpp"
 
 namespace network {
@@ -32,32 +33,33 @@ std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
 
 StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
                                  int first)
-    : topology_(topology), routes_(make_routes(topology)) {
+    : topology_(topology), routes_(make_routes(topology)), parallel_(parallel_ports(topology)) {
   const auto& processors = machine.processors();
-  const auto at = [&](int id) { return processors.at(first + id).get(); };
-  for (const auto& link : topology.links)
-    machine.connect(*at(link.a.processor), *at(link.b.processor),
-                    switches_between(topology, link.a.processor, link.b.processor));
+  const auto at = [&](int id) -> machine::Processor& { return *processors.at(first + id); };
+  const auto joined = join(machine, topology, at);
   const auto around = topologies::neighbours(topology);
   for (int id = 0; id < topology.processors; ++id) {
-    const auto& own = at(id)->name();
+    const auto& own = at(id).name();
     into_.emplace_back(own + ".into");
     delivered_.emplace_back(own + ".delivered");
-    Node node{at(id), std::vector(NODE_WAYS, std::vector<Channel<Pointer>*>(NODE_WAYS)),
-              std::vector<Channel<Signal>*>(NODE_WAYS), std::vector<Channel<Pointer>*>(NODE_WAYS)};
+    Node node{&at(id),
+              std::vector(NODE_WAYS, std::vector<Channel<Pointer>*>(NODE_WAYS)),
+              std::vector<Channel<Signal>*>(NODE_WAYS),
+              std::vector<Channel<Pointer>*>(NODE_WAYS),
+              {0, 1, 2, 3}};
     const auto ways = ways_of(around[id]);
     for (int out : ways) {
-      node.sent[out] = soft(signals_, name(*at(id), "sent", out));
-      node.to_sender[out] = soft(pointers_, name(*at(id), "to.sender", out));
+      node.sent[out] = soft(signals_, name(at(id), "sent", out));
+      node.to_sender[out] = soft(pointers_, name(at(id), "to.sender", out));
       for (int in : ways)
         if (in != out || out == CLIENT)
-          node.queue_in[out][in] = soft(pointers_, name(*at(id), "queue", out));
+          node.queue_in[out][in] = soft(pointers_, name(at(id), "queue", out));
     }
     nodes_.push_back(std::move(node));
   }
   for (int id = 0; id < topology.processors; ++id) {
     for (const auto& neighbour : around[id]) {
-      auto& link = machine.link(*at(id), *at(neighbour.processor));
+      auto& link = *joined[neighbour.link][id < neighbour.processor ? 0 : 1];
       Channel<Packet>& channel = links_.emplace_back(link.name(), link);
       start_way_out(id, neighbour.port, &channel);
       start_way_in(neighbour.processor, neighbour.its_port, &channel);
@@ -82,8 +84,11 @@ void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
   start(id, "receiver", way, [this, id, way, link] { receive(id, way, link); });
 }
 
-int StoreAndForward::way_to(int from, int to) const {
-  return from == to ? CLIENT : routes_.next_port(from, to);
+// Packets to a neighbour alternate over the links to it.
+int StoreAndForward::take_way_to(int from, int to) {
+  if (from == to) return CLIENT;
+  auto& turn = nodes_[from].turn[routes_.next_port(from, to)];
+  return std::exchange(turn, parallel_[from][turn]);
 }
 
 int StoreAndForward::guards_of(int id, int way) const {
@@ -114,7 +119,7 @@ void StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
     else
       in(into_[id], packet);
     for (const occam::Cycles instruction : look_up) occam::charge(instruction);
-    out(*nodes_[id].queue_in[way_to(id, packet.to.to)][way], packet);
+    out(*nodes_[id].queue_in[take_way_to(id, packet.to.to)][way], packet);
   }
 }
 

@@ -58,12 +58,14 @@ class StoreAndForward {
     std::vector<std::vector<Channel<Pointer>*>> queue_in;
     std::vector<Channel<Signal>*> sent;
     std::vector<Channel<Pointer>*> to_sender;
+    // By the lowest port to a neighbour, the port to it whose turn it is.
+    std::array<std::int8_t, topologies::PORTS> turn;
   };
   template <class Body>
   void start(int id, const char* what, int way, Body body);
   void start_way_out(int id, int way, Channel<Packet>* link);
   void start_way_in(int id, int way, Channel<Packet>* link);
-  int way_to(int from, int to) const;
+  int take_way_to(int from, int to);
   int guards_of(int id, int way) const;
   void receive(int id, int way, Channel<Packet>* link);
   void queue(const Node& node, int way);
@@ -71,6 +73,7 @@ class StoreAndForward {
 
   topologies::Topology topology_;
   topologies::RoutingTable routes_;
+  std::vector<std::array<std::int8_t, topologies::PORTS>> parallel_;
   std::deque<Channel<Pointer>> into_, delivered_, pointers_;
   std::deque<Channel<Signal>> signals_;
   std::deque<Channel<Packet>> links_;

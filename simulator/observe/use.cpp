@@ -37,15 +37,22 @@ Use collect(const machine::Machine& machine) {
   Use use{.time_s = machine.now().value, .cpus = {}, .links = {}, .processes = {}};
   for (const auto& processor : machine.processors()) {
     const auto cpu = processor->use();
-    use.cpus.push_back({processor->name(), processor->role(), cpu.busy().value, cpu.busy_high.value,
-                        cpu.preemptions, cpu.dispatches, processor->memory().peak()});
+    use.cpus.push_back({processor->name(),
+                        processor->role(),
+                        cpu.busy().value,
+                        cpu.busy_high.value,
+                        cpu.preemptions,
+                        cpu.dispatches,
+                        processor->memory().peak(),
+                        processor->model().base,
+                        {}});
     check_busy(processor->name(), cpu.busy().value, use.time_s);
     for (const auto& process : processor->processes()) use.processes.push_back(make_row(*process));
   }
   for (const auto& link : machine.links()) {
     const auto u = link->use();
-    use.links.push_back(
-        {link->from().name(), link->to().name(), u.busy.value, u.messages, u.bytes});
+    use.links.push_back({link->from().name(), link->to().name(), link->beside(), u.busy.value,
+                         u.messages, u.bytes});
     check_busy(link->name(), u.busy.value, use.time_s);
   }
   return use;
@@ -67,6 +74,11 @@ Use between(const Use& before, const Use& after) {
   }
   subtract(use.processes, before.processes);
   return use;
+}
+
+std::string name_of(const LinkRow& link) {
+  const auto name = link.from + ">" + link.to;
+  return link.beside == 0 ? name : fmt::format("{} ({})", name, link.beside + 1);
 }
 
 const CpuRow* find_role(const Use& use, std::string_view role) {

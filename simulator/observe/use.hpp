@@ -1,6 +1,7 @@
 #pragma once
 // How busy every processor and link direction has been, between two instants.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,13 @@ struct CpuRow {
   double busy_s = 0, busy_high_s = 0;  ///< high: processes of high priority, and switches
   std::uint64_t preemptions = 0, dispatches = 0;
   std::uint64_t memory_peak_bytes = 0;
+  std::string model;                   ///< its name
+  std::optional<std::uint64_t> tasks;  ///< that it has done; none where they are not counted
 };
 
 struct LinkRow {
   std::string from, to;
+  std::size_t beside = 0;  ///< links before it that join the same two
   double busy_s = 0;
   std::uint64_t messages = 0, bytes = 0;
 };
@@ -51,6 +55,8 @@ Use collect(const machine::Machine& machine);
 /// What happened from `before` to `after`.
 Use between(const Use& before, const Use& after);
 
+/// "p0>p1", of the second link between the two "p0>p1 (2)".
+std::string name_of(const LinkRow& link);
 /// The first processor of a role; null if there is none.
 const CpuRow* find_role(const Use& use, std::string_view role);
 /// Throws base::InvariantBroken for a name that is not there.

@@ -17,7 +17,10 @@ const AmpMessage::Content& read(const Message& message) {
 }
 
 kernels::KernelCost make_cost(const char* name, const machine::Model& model, const Params& params) {
-  return {name, {model, "radiosity", renderer::op_names()}, params.cycles_per_host_s};
+  const auto costs_of = [](const machine::Model& its) -> machine::OperationCosts {
+    return {its, "radiosity", renderer::op_names()};
+  };
+  return {name, {model, costs_of}, params.cycles_per_host_s};
 }
 
 }  // namespace

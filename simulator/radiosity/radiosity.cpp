@@ -109,14 +109,14 @@ class Amp {
                 get_compiled(model, "message_made"),
                 get_compiled(model, "message_read"),
                 copy_of_colour(model)},
-        machine_(model, model.software.occam_factor, params.engine) {
+        machine_(model, machine::Code::compiled, params.engine) {
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
     auto shares = distribute(mesh, topology.processors, params.distribution);
     if (params.exchange) exchange_borders(shares, mesh.vertices.size());
     const auto data = data_params(model, mesh, params, topology.root);
     for (int id = 0; id < topology.processors; ++id) {
-      auto& processor =
-          machine_.add_processor(fmt::format("p{}", id), get_bytes(model, "worker_memory"));
+      auto& processor = machine_.add_processor(name_of(topology, id, fmt::format("p{}", id)),
+                                               get_bytes(model, "worker_memory"));
       kernels::load_program(processor);
     }
     network_.emplace(machine_,

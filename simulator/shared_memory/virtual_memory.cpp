@@ -217,12 +217,12 @@ VirtualMemory::VirtualMemory(machine::Machine& machine, network::Network& networ
                              const Catalogue& catalogue, const DataParams& params, int first,
                              const std::vector<machine::Processor*>& companions) {
   const auto& routing = network.routing();
-  const DataCosts costs(machine.model());
   const int n = routing.processors();
   check_range("data.coordinator", params.coordinator, 0, n - 1);
   check_range("data.page_items", params.page_items, 1, 1'000'000);
   for (int id = 0; id < n; ++id) {
     auto& processor = *machine.processors().at(first + id);
+    const DataCosts costs(processor.model());
     const bool serves = params.scheme == Scheme::items && id == params.coordinator;
     const std::string key = serves ? "server_cache_percent" : "cache_percent";
     const auto bytes = serves ? params.server_cache_bytes : params.cache_bytes;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace tracing {
 
@@ -29,6 +30,27 @@ Load load_of_workers(const observe::Use& use) {
   return load_of(use, Role::worker, "workers", "tasks");
 }
 
+// Workers of one model.
+struct Alike {
+  std::string model;
+  int count = 0;
+  double busy_s = 0;
+  std::uint64_t tasks = 0;
+};
+
+std::vector<Alike> group_workers(const observe::Use& use) {
+  std::vector<Alike> groups;
+  for (const auto& cpu : use.cpus) {
+    if (cpu.role != Role::worker) continue;
+    auto group = std::ranges::find(groups, cpu.model, &Alike::model);
+    if (group == groups.end()) group = groups.insert(groups.end(), {cpu.model});
+    ++group->count;
+    group->busy_s += cpu.busy_s;
+    group->tasks += cpu.tasks.value_or(0);
+  }
+  return groups;
+}
+
 bool routes_for_workers(const observe::Use& use, const observe::CpuRow& cpu) {
   return cpu.role == (find_role(use, Role::router) ? Role::router : Role::worker);
 }
@@ -45,7 +67,7 @@ Load load_of_routing(const observe::Use& use) {
 
 Load load_of_links(const observe::Use& use) {
   const auto& link = *std::ranges::max_element(use.links, {}, &observe::LinkRow::busy_s);
-  return {fmt::format("link {}>{}", link.from, link.to), link.busy_s / use.time_s,
+  return {"link " + name_of(link), link.busy_s / use.time_s,
           fmt::format("{} messages, {} bytes", link.messages, link.bytes)};
 }
 
@@ -63,6 +85,17 @@ void add_workers(Busy& busy, const observe::Use& use) {
 
 }  // namespace
 
+void check_label(const topologies::Topology& topology, int id) {
+  const auto label = name_of(topology, id, "");
+  for (const char* own : {Role::coordinator, Role::database, Role::display})
+    if (label == own)
+      base::refuse(
+          "network.topology",
+          "{} has a processor called \"{}\", as the program calls one of its own; expected "
+          "another name",
+          topology.name, label);
+}
+
 Busy make_busy(const observe::Use& use) {
   const auto share_of = [&](const char* role) {
     const auto* cpu = observe::find_role(use, role);
@@ -79,7 +112,7 @@ Busy make_busy(const observe::Use& use) {
   busy.cpu_busiest = cpu.name;
   busy.cpu_max = cpu.busy_s / use.time_s;
   busy.cpu_high = cpu.busy_high_s / use.time_s;
-  busy.link_busiest = link.from + ">" + link.to;
+  busy.link_busiest = name_of(link);
   busy.link_max = link.busy_s / use.time_s;
   busy.link_messages = link.messages;
   busy.link_bytes = link.bytes;
@@ -135,6 +168,45 @@ Loads find_loads(const observe::Use& use) {
   if (find_role(use, Role::router))
     loads.push_back(load_of(use, Role::router, "data managers", "data"));
   return loads;
+}
+
+std::vector<std::string> note_models(const observe::Use& use) {
+  const auto groups = group_workers(use);
+  std::vector<std::string> notes;
+  if (groups.size() < 2) return notes;
+  const auto tasks = std::transform_reduce(groups.begin(), groups.end(), 0.0, std::plus{},
+                                           [](const Alike& g) { return double(g.tasks); });
+  for (const auto& [model, count, busy_s, done] : groups) {
+    auto note = fmt::format("workers of model {}: {}, busy {} of the time", model, count,
+                            percent(busy_s / count / use.time_s));
+    if (tasks > 0)
+      note += fmt::format(", {:.1f} % of the tasks, {:.1f} % each", 100 * double(done) / tasks,
+                          100 * double(done) / tasks / count);
+    notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+Columns<observe::Use> model_columns() {
+  const auto is_other = [](const observe::Use& use, const observe::CpuRow& cpu) {
+    return cpu.role == Role::worker && cpu.model != find_role(use, Role::coordinator)->model;
+  };
+  const auto share = [is_other](const observe::Use& use) {
+    double others = 0, all = 0;
+    for (const auto& cpu : use.cpus) {
+      const auto tasks = static_cast<double>(cpu.tasks.value_or(0));
+      all += tasks;
+      others += is_other(use, cpu) ? tasks : 0;
+    }
+    return all > 0 ? others / all : 0;
+  };
+  return base::only_if(
+      [is_other](const observe::Use& use) {
+        return std::ranges::any_of(use.cpus, [&](const auto& cpu) { return is_other(use, cpu); });
+      },
+      Columns<observe::Use>{column<observe::Use>(
+          "other_models_tasks", share,
+          "share of the tasks that workers of other models than the coordinator's did")});
 }
 
 void sort(Loads& loads) { std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy); }

@@ -29,6 +29,9 @@ struct Busy {
   std::uint64_t worker_memory = 0;                  ///< bytes, the most that a worker used
 };
 
+/// Throws base::BadInput for a processor whose label is the name of another part of the program.
+void check_label(const topologies::Topology& topology, int id);
+
 /// All 0 for a run that was cut short before its first task.
 Busy make_busy(const observe::Use& use);
 base::Columns<Busy> busy_columns();
@@ -43,6 +46,11 @@ using Loads = std::vector<Load>;
 /// - "data managers": the CPUs of workers' companions on average, where these route for them;
 /// - "link A>B": the busiest direction of a link.
 Loads find_loads(const observe::Use& use);
+/// The column other_models_tasks; missing where all are of one model.
+base::Columns<observe::Use> model_columns();
+/// Where workers are of several models, a sentence for each: how many, how busy, what share of the
+/// tasks they did if that is counted.
+std::vector<std::string> note_models(const observe::Use& use);
 void sort(Loads& loads);            ///< the busiest first
 std::string percent(double share);  ///< "12 %"
 /// Of loads that are sorted: bottleneck, busiest, next_busiest and their shares.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "simulator/kernels/kernels.hpp"
+#include "simulator/tracing/busy.hpp"
 
 namespace tracing {
 
@@ -134,6 +135,7 @@ Given make_given(const programs::Setup& setup, const SceneChoice& scene,
   extras.use = r.use;
   extras.events = r.events;
   extras.notes = r.notes;
+  for (auto& note : note_models(r.use)) extras.notes.push_back(std::move(note));
   if (setup.cycles_per_host_s) {
     for (auto& note : kernels::note_short(r.kernels)) extras.notes.push_back(std::move(note));
     extras.kernels = r.kernels;

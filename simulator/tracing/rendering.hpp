@@ -27,7 +27,7 @@ struct Rendering {
   machine::End end = machine::End::done;    ///< else all this is what was measured until then
   std::uint64_t events = 0;                 ///< simulated
   std::vector<observe::KernelUse> kernels;  ///< of all processors, those that were called
-  std::vector<std::string> notes;           ///< on the user's orders without an effect
+  std::vector<std::string> notes;           ///< on orders without an effect, on a link given up
 };
 
 /// What every run shows in the end, by the sequential renderer; empty if `goes_on` returns false.

@@ -26,7 +26,7 @@ void relay(Channel* before, Channel* after) {
 
 // A line of processors; each but the last sends to the next, each but the first receives.
 Sample line(machine::EngineParams engine) {
-  Machine machine(model(), 1, engine);
+  Machine machine(model(), machine::Code::bare, engine);
   std::deque<Channel> channels;
   const auto& processors = machine.processors();
   for (int id = 0; id <= LINE_HOPS; ++id)

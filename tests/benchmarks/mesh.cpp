@@ -22,7 +22,7 @@ void sink(network::StoreAndForward& network, int id, int messages) {
 
 // The general router; each processor has a source and a sink.
 Sample mesh(const Traffic& traffic, machine::EngineParams engine) {
-  Machine machine(model(), 1, engine);
+  Machine machine(model(), machine::Code::bare, engine);
   for (int id = 0; id < NODES; ++id)
     machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
   network::StoreAndForward network(machine,

@@ -56,7 +56,7 @@ Sample exchange(int side, machine::EngineParams engine) {
   const double before_kb = memory_kb();
   const auto topology = topologies::make_topology(fmt::format("mesh:{0}x{0}", side));
   const auto around = topologies::neighbours(topology);
-  Machine machine(model(), 1, engine);
+  Machine machine(model(), machine::Code::bare, engine);
   for (int id = 0; id < topology.processors; ++id)
     machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
   StoreAndForward network(machine, topology);

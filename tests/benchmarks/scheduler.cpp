@@ -17,7 +17,7 @@ constexpr std::int64_t PERIOD_US = 100;  // between pre-emptions
 constexpr machine::Cycles INTERRUPTION{1000};
 
 Sample rendezvous(machine::EngineParams engine) {
-  Machine machine(model(), 1, engine);
+  Machine machine(model(), machine::Code::bare, engine);
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   occam::Channel<Signal> channel("channel");
   processor.start("out", Priority::high, [&] {
@@ -30,7 +30,7 @@ Sample rendezvous(machine::EngineParams engine) {
 }
 
 Sample preemptions(machine::EngineParams engine) {
-  Machine machine(model(), 1, engine);
+  Machine machine(model(), machine::Code::bare, engine);
   auto& processor = machine.add_processor("p", PROCESSOR_MEMORY);
   processor.start("low", Priority::low, [&] {
     const auto period = static_cast<std::int64_t>(model().cpu.clock.value * 1e-6) * PERIOD_US;

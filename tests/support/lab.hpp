@@ -77,9 +77,9 @@ inline machine::EngineParams engine_under_test() {
 
 // A machine and the channels of its processes. It is built and run inside of isolated().
 struct Lab {
-  explicit Lab(const Model& model = make_exact_model(), double software_factor = 1,
+  explicit Lab(const Model& model = make_exact_model(), machine::Code code = machine::Code::bare,
                machine::EngineParams engine = engine_under_test())
-      : machine(model, software_factor, engine) {}
+      : machine(model, code, engine) {}
 
   Processor& cpu() {
     return machine.add_processor(fmt::format("cpu {}", machine.processors().size()), 1 << 20);

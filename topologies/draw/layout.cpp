@@ -178,6 +178,26 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
   return swerves;
 }
 
+// Spreads links that join the same two processors to both sides of where they would run.
+void part_parallel_links(const Topology& topology, Layout& layout) {
+  constexpr double APART = 0.3;
+  const auto& links = topology.links;
+  for (size_t first = 0, last = 0; first < links.size(); first = last) {
+    const int a = links[first].a.processor, b = links[first].b.processor;
+    while (last < links.size() && links[last].a.processor == a && links[last].b.processor == b)
+      ++last;
+    const Place &from = layout.processors[a], &to = layout.processors[b];
+    const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+    for (size_t i = first; i < last; ++i) {
+      const double off =
+          APART * (static_cast<double>(i) - static_cast<double>(first + last - 1) / 2);
+      if (off == 0) continue;
+      layout.swerves[i].x -= off * dy / length;
+      layout.swerves[i].y += off * dx / length;
+    }
+  }
+}
+
 // The place of two bits in Gray's order: 00 01 11 10 are 0 1 2 3.
 int from_gray(int bits) { return bits ^ (bits >> 1); }
 
@@ -222,6 +242,7 @@ Layout make_layout(const Topology& topology) {
   } else {
     layout.processors = make_found_places(topology);
   }
+  part_parallel_links(topology, layout);
   return layout;
 }
 

@@ -19,7 +19,9 @@ using Places = std::vector<Place>;
 
 struct Layout {
   Places processors;
-  Places swerves;  ///< by index into Topology::links: how far off the straight line it is half way
+  /// By index into Topology::links: how far off the straight line it is half way. Links that join
+  /// the same two processors run side by side.
+  Places swerves;
 };
 
 /// The control points of a link's Bezier curve, which is off the straight line by `swerve` half

@@ -5,6 +5,7 @@
 
 #include "topologies/files/dot.hpp"
 #include "topologies/files/graphml.hpp"
+#include "topologies/route/routes.hpp"
 
 namespace topologies {
 
@@ -25,5 +26,8 @@ std::string to_csv(const Topology& topology);
 
 /// An aligned table, one metric per row.
 std::string to_metrics(const Topology& topology);
+/// The same, with the mean distance and the busiest link of these routes, and whether they close a
+/// cycle of waiting links.
+std::string to_metrics(const Topology& topology, const RoutingTable& routes);
 
 }  // namespace topologies

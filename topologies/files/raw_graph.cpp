@@ -114,8 +114,7 @@ Topology make_topology(const RawGraph& graph, const std::string& name) {
   assign_ports(topology);
   for (auto& [a, b] : topology.links)
     if (a.processor > b.processor) std::swap(a, b);
-  std::ranges::sort(topology.links, {},
-                    [](const Link& l) { return std::tuple(l.a.processor, l.b.processor); });
+  sort_links(topology);
   check(topology);
   return topology;
 }

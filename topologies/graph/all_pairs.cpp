@@ -10,17 +10,6 @@
 namespace topologies {
 namespace {
 
-// At [processor * PORTS + port] the messages that it sends there.
-using Sent = std::vector<std::int64_t>;
-
-Load make_load(const Topology& topology, const Sent& sent) {
-  const auto at = [&](const End& end) { return sent[end.processor * PORTS + end.port]; };
-  Load load;
-  load.reserve(topology.links.size());
-  for (const auto& [a, b] : topology.links) load.push_back({at(a), at(b)});
-  return load;
-}
-
 // A processor or a distance, in as few bytes as it needs: what a search looks at stays in a cache.
 using Short = std::uint16_t;
 static_assert(MAX_PROCESSORS - 1 <= std::numeric_limits<Short>::max());
@@ -197,6 +186,26 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
 }
 
 }  // namespace
+
+Load make_load(const Topology& topology, const Sent& sent) {
+  const auto parallel = parallel_ports(topology);
+  // The turn of a port among those that lead to the same neighbour, from the lowest, and the sum of
+  // what is sent there.
+  const auto at = [&](const End& end) {
+    const auto& next = parallel[end.processor];
+    std::int64_t sum = 0, count = 0, turn = 0;
+    for (int port = end.port; count == 0 || port != end.port; port = next[port]) {
+      sum += sent[static_cast<std::size_t>(end.processor) * PORTS + port];
+      turn += port < end.port;
+      ++count;
+    }
+    return (sum + count - 1 - turn) / count;
+  };
+  Load load;
+  load.reserve(topology.links.size());
+  for (const auto& [a, b] : topology.links) load.push_back({at(a), at(b)});
+  return load;
+}
 
 AllPairs eval_all_pairs(const Topology& topology) {
   if (is_tree(topology)) return eval_tree(topology);

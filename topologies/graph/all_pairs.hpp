@@ -18,6 +18,13 @@ struct Distances {
 /// Messages on each link: [0] from a to b, [1] from b to a.
 using Load = std::vector<std::array<std::int64_t, 2>>;
 
+/// At [processor * PORTS + port] the messages that it sends there.
+using Sent = std::vector<std::int64_t>;
+
+/// Messages to a neighbour are shared by the links to it, evenly, the lowest port taking what is
+/// over; whatever port they are counted at.
+Load make_load(const Topology& topology, const Sent& sent);
+
 struct AllPairs {
   Distances distances;
   Load load;  ///< one message per ordered pair, by the routes of make_routes; by index into `links`

@@ -15,6 +15,7 @@ bool is_grid(const Topology& topology, const Grid& grid) {
   const auto expected =
       grid.down.size * count_links(grid.along) + grid.along.size * count_links(grid.down);
   return static_cast<std::int64_t>(topology.links.size()) == expected &&
+         distinct_links(topology).size() == topology.links.size() &&
          std::ranges::all_of(topology.links, [&](const Link& link) {
            return grid.distance(link.a.processor, link.b.processor) == 1;
          });

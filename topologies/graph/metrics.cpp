@@ -2,22 +2,10 @@
 
 #include <algorithm>
 
-#include "topologies/graph/all_pairs.hpp"
 #include "topologies/graph/search.hpp"
 
 namespace topologies {
 namespace {
-
-BusiestLink find_busiest(const Topology& topology, const Load& load) {
-  BusiestLink busiest;
-  for (size_t i = 0; i < load.size(); ++i)
-    for (const int way : {0, 1})
-      if (load[i][way] > busiest.messages) {
-        const auto& [a, b] = topology.links[i];
-        busiest = {(way ? b : a).processor, (way ? a : b).processor, load[i][way]};
-      }
-  return busiest;
-}
 
 BusiestLink eval_farm(const Topology& topology, const std::vector<std::vector<Neighbour>>& around) {
   const auto search = make_search(topology, topology.root);
@@ -78,6 +66,17 @@ int eval_tree_bisection(const Topology& topology) {
 }
 
 }  // namespace
+
+BusiestLink find_busiest(const Topology& topology, const Load& load) {
+  BusiestLink busiest;
+  for (size_t i = 0; i < load.size(); ++i)
+    for (const int way : {0, 1})
+      if (load[i][way] > busiest.messages) {
+        const auto& [a, b] = topology.links[i];
+        busiest = {(way ? b : a).processor, (way ? a : b).processor, load[i][way]};
+      }
+  return busiest;
+}
 
 Metrics eval_metrics(const Topology& topology) {
   const auto around = neighbours(topology);

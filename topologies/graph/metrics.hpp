@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "topologies/graph/topology.hpp"
+#include "topologies/graph/all_pairs.hpp"
 
 namespace topologies {
 
@@ -14,6 +14,8 @@ struct BusiestLink {
   int from = -1, to = -1;
   std::int64_t messages = 0;
 };
+
+BusiestLink find_busiest(const Topology& topology, const Load& load);
 
 struct Metrics {
   int processors = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "base/errors.hpp"
 #include "topologies/graph/search.hpp"
@@ -19,6 +20,38 @@ std::vector<std::vector<Neighbour>> neighbours(const Topology& topology) {
   }
   for (auto& around : result) std::ranges::sort(around, {}, &Neighbour::port);
   return result;
+}
+
+namespace {
+
+auto place_of_link(const Link& link) {
+  return std::tuple(link.a.processor, link.b.processor, link.a.port);
+}
+
+}  // namespace
+
+void sort_links(Topology& topology) { std::ranges::sort(topology.links, {}, place_of_link); }
+
+std::vector<Link> distinct_links(const Topology& topology) {
+  auto links = topology.links;
+  const auto same = [](const Link& one, const Link& other) {
+    return one.a.processor == other.a.processor && one.b.processor == other.b.processor;
+  };
+  links.erase(std::unique(links.begin(), links.end(), same), links.end());
+  return links;
+}
+
+std::vector<std::array<std::int8_t, PORTS>> parallel_ports(const Topology& topology) {
+  const auto peers = make_peers(topology);
+  std::vector<std::array<std::int8_t, PORTS>> next(peers.size());
+  for (std::size_t p = 0; p < peers.size(); ++p)
+    for (int port = 0; port < PORTS; ++port) {
+      int other = (port + 1) % PORTS;
+      const bool is_free = peers[p][port] == static_cast<int>(p);
+      while (!is_free && peers[p][other] != peers[p][port]) other = (other + 1) % PORTS;
+      next[p][port] = static_cast<std::int8_t>(is_free ? port : other);
+    }
+  return next;
 }
 
 Peers make_peers(const Topology& topology) {
@@ -44,6 +77,10 @@ int free_port(const Topology& topology, int processor) {
   }
   const auto found = std::ranges::find(used, false);
   return found == used.end() ? -1 : static_cast<int>(found - used.begin());
+}
+
+std::string name_of(const Topology& topology, int processor, std::string otherwise) {
+  return topology.labels.empty() ? std::move(otherwise) : topology.labels.at(processor);
 }
 
 std::string describe_processor(const Topology& topology, int processor) {
@@ -75,12 +112,8 @@ void check_ends(const Topology& t) {
 void check_order(const Topology& t) {
   const std::string place = place_of(t);
   for (size_t i = 1; i < t.links.size(); ++i) {
-    const auto pair = [&](size_t k) {
-      return std::pair(t.links[k].a.processor, t.links[k].b.processor);
-    };
-    require(pair(i - 1) != pair(i), place, "more than one link joins processors {} and {}",
-            describe_processor(t, pair(i).first), describe_processor(t, pair(i).second));
-    require(pair(i - 1) < pair(i), place, "links {} and {} are out of order", i - 1, i);
+    require(place_of_link(t.links[i - 1]) <= place_of_link(t.links[i]), place,
+            "links {} and {} are out of order", i - 1, i);
   }
 }
 

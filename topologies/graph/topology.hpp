@@ -2,6 +2,7 @@
 // A machine's wiring: processors, their four link ports, and which port is wired to which.
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,7 +37,7 @@ struct Topology {
   std::string name;  ///< the spec it was made from, e.g. "tree:7", or the path of its file
   int processors = 0;
   int root = 0;                        ///< the processor nearest to the host
-  std::vector<Link> links;             ///< sorted by (a.processor, b.processor)
+  std::vector<Link> links;             ///< sorted by (a.processor, b.processor, a.port)
   std::optional<int> bisection_width;  ///< links; the generator's closed form, where one is known
   std::vector<std::string> labels;     ///< per processor; empty when they are called by number
   /// Number of C004 link switches on each link, keyed by its two processors, lower first; links not
@@ -52,7 +53,7 @@ inline bool is_tree(const Topology& topology) {
 
 /// Throws BadInput, naming the culprit, unless: there are 1..MAX_PROCESSORS processors, the root is
 /// one of them, no processor has more than PORTS links, every port has at most one, no link joins a
-/// processor to itself, no two join the same pair, links are sorted, all processors are connected.
+/// processor to itself, links are sorted, all processors are connected.
 void check(const Topology& topology);
 
 struct Neighbour {
@@ -65,6 +66,16 @@ struct Neighbour {
 /// For each processor its neighbours, by ascending port.
 std::vector<std::vector<Neighbour>> neighbours(const Topology& topology);
 
+/// Brings the links into their order.
+void sort_links(Topology& topology);
+
+/// The links, but one where several join the same two processors: that of the lowest port of a.
+std::vector<Link> distinct_links(const Topology& topology);
+
+/// For each processor and port the next higher of its ports that lead to the same neighbour, after
+/// the highest the lowest; without such a port, and where no link is, the port itself.
+std::vector<std::array<std::int8_t, PORTS>> parallel_ports(const Topology& topology);
+
 /// For each processor and port the neighbour; where no link is, the processor itself.
 using Peers = std::vector<std::array<int, PORTS>>;
 Peers make_peers(const Topology& topology);
@@ -74,6 +85,9 @@ int switches_between(const Topology& topology, int a, int b);
 
 /// The lowest port of `processor` that no link uses, or -1 when all four are taken.
 int free_port(const Topology& topology, int processor);
+
+/// What tables and drawings call `processor`: its label, where there are labels, else `otherwise`.
+std::string name_of(const Topology& topology, int processor, std::string otherwise);
 
 /// What a message calls `processor`: its label in quotes or its number.
 std::string describe_processor(const Topology& topology, int processor);

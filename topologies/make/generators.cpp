@@ -41,8 +41,7 @@ void add(Topology& topology, End a, End b) {
 }
 
 Topology sorted(Topology topology) {
-  std::ranges::sort(topology.links, {},
-                    [](const Link& l) { return std::tuple(l.a.processor, l.b.processor); });
+  sort_links(topology);
   return topology;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
 #include <set>
 #include <string_view>
@@ -18,9 +19,16 @@ namespace {
 
 const std::vector<std::string> COLUMNS{"from", "to", "path"};
 
-// The processor to which a given path sends a message for an end, and the path's line.
+struct Row {
+  int line;
+  std::string text;  // of the path
+  std::vector<int> path;
+};
+
+// The processor to which a given path sends a message for an end, and where that is said.
 struct Step {
-  int next, line;
+  int next;
+  const Row* row;
 };
 
 class Reader {
@@ -37,11 +45,14 @@ class Reader {
       for (auto& cell : row) cells.push_back(std::move(cell.text));
       if (cells.size() != COLUMNS.size()) refuse_row(cells);
       auto path = read_path(cells[2], read_processor(cells[0]), read_processor(cells[1]));
-      paths_[csv_.line()] = cells[2];
       check_links(path);
-      add_steps(path);
-      std::ranges::reverse(path);
-      add_steps(path);
+      given_.insert({path.front(), path.back()});
+      rows_.push_back({csv_.line(), cells[2], std::move(path)});
+    }
+    for (const Row& row : rows_) {
+      add_steps(row, row.path);
+      if (!given_.contains({row.path.back(), row.path.front()}))
+        add_steps(row, {row.path.rbegin(), row.path.rend()});
     }
   }
 
@@ -79,25 +90,27 @@ class Reader {
                               path[i], path[i + 1], topology_.name));
   }
 
-  // Adds the steps of a path in one direction.
-  void add_steps(const std::vector<int>& path) {
+  // Adds the steps of a row's path in one direction.
+  void add_steps(const Row& row, const std::vector<int>& path) {
     for (size_t i = 0; i + 1 < path.size(); ++i) {
-      const int at = path[i], next = path[i + 1], line = csv_.line();
-      const auto [known, added] = steps_[path.back()].try_emplace(at, Step{next, line});
-      if (!added && known->second.next != next)
-        csv_.fail(fmt::format(
-            "the path {} leads from {} to {} by {}, but that of line {}, {}, by {}; expected one "
-            "way from a processor to an end",
-            paths_[line], at, path.back(), next, known->second.line, paths_[known->second.line],
-            known->second.next));
+      const int at = path[i], next = path[i + 1];
+      const auto [known, added] = steps_[path.back()].try_emplace(at, Step{next, &row});
+      if (const Step& other = known->second; !added && other.next != next)
+        csv_.fail_at(
+            row.line,
+            fmt::format("the path {} leads from {} to {} by {}, but that of line {}, {}, by {}; "
+                        "expected one way from a processor to an end",
+                        row.text, at, path.back(), next, other.row->line, other.row->text,
+                        other.next));
     }
   }
 
   const Topology& topology_;
   std::vector<std::vector<Neighbour>> around_;
   base::CsvReader csv_;
-  std::map<int, Steps> steps_;        // by the end that they lead to
-  std::map<int, std::string> paths_;  // by line
+  std::deque<Row> rows_;
+  std::set<std::pair<int, int>> given_;  // pairs of processors with a row
+  std::map<int, Steps> steps_;           // by the end that they lead to
 };
 
 // Steps along the given paths to their ends; all others are those of other routes.
@@ -152,6 +165,11 @@ RoutingTable read_routes(const Topology& topology, const std::string& text,
 
 RoutingTable load_routes(const Topology& topology, const std::string& path) {
   return read_routes(topology, base::read_text(path, MAX_FILE_BYTES), path);
+}
+
+RoutingTable find_routes(const Topology& topology, const std::string& name) {
+  if (name.empty()) return make_routes(topology);
+  return name == XY_ROUTES ? make_xy_routes(topology) : load_routes(topology, name);
 }
 
 }  // namespace topologies

@@ -25,11 +25,13 @@ std::vector<int> find_witnesses(const Axis& axis, int at) {
 }  // namespace
 
 int GridRule::next_port(int from, int to) const {
-  const auto& around = peers()[from];
-  const int here = grid_.distance(from, to);
-  return static_cast<int>(
-      std::ranges::find_if(around, [&](int peer) { return grid_.distance(peer, to) < here; }) -
-      around.begin());
+  return find_port(from, to, [](int) { return true; });
+}
+
+int XyRule::next_port(int from, int to) const {
+  const int columns = grid().along.size;
+  const bool along = from % columns != to % columns;  // still to go in the row
+  return find_port(from, to, [&](int peer) { return !along || peer / columns == from / columns; });
 }
 
 RouteSum GridRule::sum() const {

@@ -1,6 +1,8 @@
 #pragma once
 // Shortest routes of meshes, tori and rings, by rows and columns.
 
+#include <algorithm>
+
 #include "topologies/graph/grid.hpp"
 #include "topologies/route/rule.hpp"
 
@@ -20,8 +22,27 @@ class GridRule : public Rule {
   /// that changes with one step shows at ends within two steps, or within two of the farthest.
   void add_turns(Turns& turns, int first, int last) const override;
 
+ protected:
+  const Grid& grid() const { return grid_; }
+  /// The lowest port to a neighbour that is nearer and fits.
+  int find_port(int from, int to, auto fits) const {
+    const auto& around = peers()[from];
+    const int here = grid_.distance(from, to);
+    return static_cast<int>(
+        std::ranges::find_if(
+            around, [&](int peer) { return grid_.distance(peer, to) < here && fits(peer); }) -
+        around.begin());
+  }
+
  private:
   Grid grid_;
+};
+
+/// First along the row, then along the column: dimension order.
+class XyRule : public GridRule {
+ public:
+  using GridRule::GridRule;
+  int next_port(int from, int to) const override;
 };
 
 }  // namespace topologies

@@ -15,7 +15,7 @@ namespace topologies {
 
 RoutingTable make_table(std::shared_ptr<const Rule> rule) {
   const int processors = rule->processors();
-  return {processors, std::move(rule)};
+  return {processors, std::move(rule), false};
 }
 
 double RoutingTable::mean_distance() const {
@@ -24,11 +24,24 @@ double RoutingTable::mean_distance() const {
 }
 
 RoutingTable make_routes(const Topology& topology) {
-  if (is_tree(topology) && is_connected(topology))
-    return make_table(std::make_shared<TreeRule>(topology));
-  if (const auto grid = find_grid(topology))
-    return make_table(std::make_shared<GridRule>(topology, *grid));
-  return make_table(std::make_shared<SearchedRule>(topology));
+  const auto make_rule = [&]() -> std::shared_ptr<const Rule> {
+    if (is_tree(topology) && is_connected(topology)) return std::make_shared<TreeRule>(topology);
+    if (const auto grid = find_grid(topology)) return std::make_shared<GridRule>(topology, *grid);
+    return std::make_shared<SearchedRule>(topology);
+  };
+  return {topology.processors, make_rule(), true};
+}
+
+RoutingTable make_xy_routes(const Topology& topology) {
+  using Form = Shape::Form;
+  if (topology.shape.form == Form::hypercube) return make_routes(topology);
+  if (topology.shape.form == Form::grid)
+    if (const auto grid = find_grid(topology))
+      return make_table(std::make_shared<XyRule>(topology, *grid));
+  throw base::BadInput(fmt::format(
+      "topology {}: found no dimensions to go through in order (xy), expected a mesh, a "
+      "torus or a hypercube made by its name",
+      topology.name));
 }
 
 SpanningTree make_spanning_tree(const Topology& topology, int root) {

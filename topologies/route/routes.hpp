@@ -14,6 +14,7 @@ namespace topologies {
 struct RoutingTable {
   int processors = 0;
   std::shared_ptr<const Rule> rule;
+  bool is_shortest = false;  ///< those of make_routes
 
   /// The port of `from` that leads to `to`; -1 when from == to, or if there is no way.
   int next_port(int from, int to) const { return from == to ? -1 : rule->next_port(from, to); }
@@ -30,6 +31,12 @@ struct RoutingTable {
 /// routes follow from places in a tree or a grid, there is no table: O(processors) memory. Others
 /// are found when they are asked for, two bits a pair: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
+
+/// Dimension order: a message goes along its row to the column of its end, then along that column;
+/// on a torus the shorter way round, and where both are as long by the lower port; on a hypercube
+/// through the dimensions by ascending port, which is what make_routes gives. On a mesh and on a
+/// hypercube no cycle of waiting links is closed. Throws BadInput for any other topology.
+RoutingTable make_xy_routes(const Topology& topology);
 
 /// The routes of a rule.
 RoutingTable make_table(std::shared_ptr<const Rule> rule);

@@ -103,12 +103,13 @@ bool has_cycle(const Turns& turns, const Peers& peers) {
 Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
   const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
   std::vector<std::uint8_t> branches(peers.size());  // a bit for each port
-  for (const auto& [a, b] : topology.links)
+  const auto distinct = distinct_links(topology);
+  for (const auto& [a, b] : distinct)
     if (links.contains({a.processor, b.processor}))
       for (const End& end : {a, b})
         branches[end.processor] |= static_cast<std::uint8_t>(1U << end.port);
   Turns turns(peers.size() * PORTS);
-  for (const auto& [a, b] : topology.links)
+  for (const auto& [a, b] : distinct)
     for (const auto& [here, there] : {std::pair{a, b}, std::pair{b, a}})
       if (branches[here.processor] >> here.port & 1U)
         turns[here.processor * PORTS + here.port] =

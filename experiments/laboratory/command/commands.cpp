@@ -23,6 +23,7 @@
 #include "topologies/draw/drawing.hpp"
 #include "topologies/files/formats.hpp"
 #include "topologies/make/generators.hpp"
+#include "topologies/route/given_routes.hpp"
 
 namespace laboratory {
 namespace {
@@ -36,7 +37,7 @@ void add_topology_command(CLI::App& app) {
       {"svg", topologies::to_svg},
       {"csv", topologies::to_csv}};
   struct Options {
-    std::string spec, format = "metrics", output;
+    std::string spec, format = "metrics", routes, output;
   };
   auto* command = app.add_subcommand("topology", "print the metrics of a topology, or export it");
   auto o = std::make_shared<Options>();
@@ -46,13 +47,20 @@ void add_topology_command(CLI::App& app) {
   command->add_option("--format", o->format, "what to print")
       ->check(CLI::IsMember(FORMATS))
       ->capture_default_str();
+  command->add_option("--routes", o->routes,
+                      "measure these in place of the shortest: xy, or a CSV file from,to,path");
   command->add_option("-o,--output", o->output, "write to this file");
   command->callback([o] {
+    base::require(o->routes.empty() || o->format == "metrics", "--routes",
+                  "found --format {}, expected metrics: others do not speak of routes", o->format);
     const auto format =
         std::ranges::find(FORMATS, o->format, &decltype(FORMATS)::value_type::first);
     const auto text = [&] {
       const Patience patience(fmt::format("topology {}", o->spec));
-      return format->second(topologies::make_topology(o->spec));
+      const auto topology = topologies::make_topology(o->spec);
+      return o->routes.empty()
+                 ? format->second(topology)
+                 : topologies::to_metrics(topology, topologies::find_routes(topology, o->routes));
     }();
     if (o->output.empty())
       fmt::print("{}", text);

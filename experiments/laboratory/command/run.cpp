@@ -11,6 +11,7 @@
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/judge/ranking.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/singles.hpp"
@@ -57,7 +58,7 @@ std::set<std::string> list_images(const Simulation& s) {
 void print_paths(const fs::path& output, const std::set<std::string>& images) {
   fmt::print("  report   {}\n", (output / "report.html").string());
   fmt::print("  table    {}\n", (output / "results.csv").string());
-  for (const char* table : {"intervals.csv", "assumptions.csv"})
+  for (const char* table : {"intervals.csv", "assumptions.csv", "rankings.csv"})
     if (fs::exists(output / table)) fmt::print("  table    {}\n", (output / table).string());
   for (const auto& image : images) fmt::print("  image    {}\n", (output / image).string());
   if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
@@ -70,6 +71,11 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   if (const auto sure = load_sureness(output))
     for (const auto& sentence : tell_sureness(*sure, shown_columns(s.file, s.table)))
       fmt::print("{}\n", sentence);
+  if (const auto rankings = load_rankings(output))
+    for (const auto& sentence : tell_rankings(*rankings)) fmt::print("{}\n", sentence);
+  if (s.file.uncertain.machines > 0 && !fs::exists(output / "intervals.csv"))
+    fmt::print("note: no intervals: fewer than {} machines have all their points\n",
+               LEAST_MACHINES);
   if (s.left_out > 0)
     fmt::print("note: {} of {} machines are left out: not all of their points came to an end\n",
                s.left_out, s.file.uncertain.machines);

@@ -11,6 +11,7 @@
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/judge/ranking.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
@@ -108,10 +109,13 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
     s.checks = eval_checks(checks, s.file, s.table);
     if (file.uncertain.machines > 0 && !was_interrupted()) {
       const auto sureness = find_sureness(file, s.table, drawn);
-      const auto tables = make_sureness_tables(s.table, sureness);
-      save_sureness(folder.working(), tables);
-      check_cover(s.checks, s.table, tables);
       s.left_out = sureness.left_out;
+      if (sureness.machines >= LEAST_MACHINES) {
+        const auto tables = make_sureness_tables(s.table, sureness);
+        save_sureness(folder.working(), tables);
+        check_cover(s.checks, s.table, tables);
+      }
+      save_rankings(folder.working(), find_rankings(checks, file, all, drawn));
     }
     s.complete = s.results.size() == file.points.size() &&
                  std::ranges::all_of(s.results, &PointResult::is_complete);

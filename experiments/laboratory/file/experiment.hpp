@@ -19,20 +19,33 @@ struct FaultSpec {
   std::string place;
 };
 
+/// A machine model: one by name or from a file, with entries that take the place of its own.
+struct ModelSpec {
+  base::Source source;
+  /// "link.one_way_rate" and its value in TOML's spelling.
+  std::vector<std::pair<std::string, std::string>> entries = {};
+};
+
+/// A [[processor]]: one of the topology that is of another model than the machine.
+struct OtherProcessor {
+  int number = 0;
+  ModelSpec model;
+  std::string place;  ///< "e.toml:12: [[processor]] 2"
+};
+
 /// One run, with every key of the file at its value or default. Paths are relative to the current
 /// folder; the texts are as the file spells them.
 struct Experiment {
   std::string title, question;
   const programs::Program* program = nullptr;  ///< program.name
   std::any params;                             ///< of the program
-  base::Source model{"t805-25", "t805-25"};    ///< machine.model: a name, or a file
-  /// [model]: "link.one_way_rate" and its value in TOML's spelling.
-  std::vector<std::pair<std::string, std::string>> model_overrides;
+  ModelSpec model{{"t805-25", "t805-25"}};     ///< machine.model, with [model]
+  std::vector<OtherProcessor> others;          ///< [[processor]]
   base::Source topology{"tree", "tree"};  ///< a generator sized by `workers`, a spec, or a file
   std::int64_t workers = 7;               ///< processors of the network
   int switches = 0;  ///< C004 link switches on every link, but on those of `switches_between`
   std::vector<std::array<int, 3>> switches_between;  ///< two processors, from 0, and how many
-  base::Source routes;  ///< a file with some of the routes; "": the shortest
+  base::Source routes;  ///< "xy", or a file with some of the routes; "": the shortest
   std::string tree;     ///< of messages to all: per_root, single; "": as tree_links say
   topologies::TreeLinks tree_links;  ///< of the single tree; none: breadth first from the root
   std::vector<FaultSpec> faults;     ///< [[fault]]

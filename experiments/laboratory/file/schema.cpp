@@ -6,6 +6,7 @@
 
 #include "base/message.hpp"
 #include "experiments/laboratory/file/tables.hpp"
+#include "topologies/route/given_routes.hpp"
 
 namespace laboratory {
 namespace {
@@ -32,6 +33,12 @@ void read_switches(Experiment& e, const Place& at) {
     if (!between || between->back() > MOST) at.refuse(expected);
     e.switches_between.push_back(*between);
   }
+}
+
+// Reads a name of routes, or that of a file.
+void read_routes(Experiment& e, const Place& at) {
+  const auto text = read_text(at);
+  e.routes = text == topologies::XY_ROUTES ? base::Source{text, text} : read_file_name(at);
 }
 
 // Reads links; what they join is not known yet.
@@ -65,15 +72,18 @@ const Bindings<Experiment>& bindings() {
       bind_key("question", &E::question, "what it answers"),
       {"program.name", "one of the programs below, farm by default; an axis of its own, program",
        [](E&, const Place&) {}},
-      bind_key("machine.model", &E::model, "a processor model, or a model file"),
+      {"machine.model", "a processor model, or a model file",
+       [](E& e, const Place& at) { read(at, e.model.source); }},
       bind_key("network.topology", &E::topology,
                "tree, line, ring, ... of `workers`; or a spec, tree:7; or a file"),
       {"network.workers", "worker processors",
        [](E& e, const Place& at) { e.workers = read_int(at, 1, topologies::MAX_PROCESSORS); }},
       {"network.switches",
        "C004 link switches on every link: a number; or on some, [[a, b, n], ...]", read_switches},
-      {"network.routes", "a CSV file with routes, from,to,path; others are the shortest",
-       [](E& e, const Place& at) { e.routes = read_file_name(at); }},
+      {"network.routes",
+       "xy: dimension order, of meshes, tori and hypercubes; or a CSV file with routes, "
+       "from,to,path; others are the shortest",
+       read_routes},
       bind_name("network.tree", &E::tree, TREES,
                 "of messages to all: per_root, breadth first from each; or single"),
       {"network.tree_links", "the links of the single tree, [[a, b], ...]", read_tree_links},
@@ -86,6 +96,8 @@ const Bindings<Experiment>& bindings() {
                 "fibers; or actors of SimGrid: the same results, more host time"),
       {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
        [](E& e, const Place& at) { e.faults = read_faults(at); }},
+      {"processor", "[[processor]]: one of the network that is of another model than the machine",
+       [](E& e, const Place& at) { e.others = read_others(at); }},
       bind_to_file("let", "[let]: names for expressions, to be used in checks"),
       bind_to_file("check", "[[check]]: what the results are compared with"),
       bind_to_file("plot", "[[plot]]: a figure of the report, in place of the usual ones"),
@@ -161,7 +173,7 @@ void bind_list(Experiment& experiment, const programs::RecordList& list, const P
 void bind_model_entry(Experiment& experiment, const Place& at) {
   if (!at.node.is_number() && !at.node.is_string()) at.refuse("a number, or a formula in quotes");
   const auto entry = at.key.substr(at.key.find('.') + 1);
-  auto& overrides = experiment.model_overrides;
+  auto& overrides = experiment.model.entries;
   const auto known =
       std::ranges::find(overrides, entry, &std::pair<std::string, std::string>::first);
   if (known != overrides.end())
@@ -188,6 +200,7 @@ void check_used(const Programs& in_play, const Place& at) {
                     at.where(), at.key, in_play[0]->name));
   if (at.key == "network.routes" || is_tree) refuse("routes and trees", &programs::Uses::routes);
   if (at.key == "fault") refuse("faults", &programs::Uses::faults);
+  if (at.key == "processor") refuse("processors of other models", &programs::Uses::others);
   if (at.key == "run.cost" && at.node.value_exact<std::string>() == "timed")
     refuse("timed costs", &programs::Uses::timed);
 }

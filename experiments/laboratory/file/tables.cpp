@@ -50,6 +50,33 @@ FaultSpec bind_fault(const toml::table& table, const Place& list, std::size_t nu
   return {{*fault.at_s, (*fault.link)[0], (*fault.link)[1]}, place};
 }
 
+// ---- [[processor]] ----
+
+const Bindings<OtherProcessor>& processor_bindings() {
+  using O = OtherProcessor;
+  static const Bindings<O> all = {
+      {"number", "which it is: as the topology numbers them, from 0",
+       [](O& o, const Place& at) {
+         o.number = int(read_int(at, 0, topologies::MAX_PROCESSORS - 1));
+       }},
+      {"model", "its model, or a model file; the links of all must run at one speed",
+       [](O& o, const Place& at) { read(at, o.model.source); }},
+  };
+  return all;
+}
+
+OtherProcessor bind_other(const toml::table& table, const Place& list, std::size_t number) {
+  const auto name = fmt::format("[[processor]] {}", number);
+  Place at = list.inside("processor", table);
+  OtherProcessor other;
+  other.place = fmt::format("{}: {}", at.where(), name);
+  at.owner = name + ": ";
+  bind_all(other, processor_bindings(), table, at);
+  for (const char* key : {"number", "model"})
+    require(table.contains(key), other.place, "\"{}\" is missing", key);
+  return other;
+}
+
 // ---- [[check]] and [let] ----
 
 // Reads an expression, or a number as the text of one.
@@ -286,6 +313,13 @@ std::vector<FaultSpec> read_faults(const Place& at) {
   return faults;
 }
 
+std::vector<OtherProcessor> read_others(const Place& at) {
+  std::vector<OtherProcessor> others;
+  for (const auto* table : tables_of(at, true))
+    others.push_back(bind_other(*table, at, others.size() + 1));
+  return others;
+}
+
 void read_judgement(const toml::table& file, ExperimentFile& into) {
   const auto with = [&](const std::string& key, const auto& read_it) {
     if (const auto* node = file.get(key)) read_it(Place{into.path, key, into.folder, *node});
@@ -314,6 +348,7 @@ void read_judgement(const toml::table& file, ExperimentFile& into) {
 std::vector<Setting> table_settings() {
   std::vector<Setting> all;
   add_keys(all, "fault", fault_bindings());
+  add_keys(all, "processor", processor_bindings());
   all.push_back({"model.SECTION.NAME", "takes the place of a number of the machine model"});
   add_keys(all, "check", check_bindings());
   add_keys(all, "plot", plot_bindings());

@@ -1,5 +1,6 @@
 #pragma once
-// [[fault]], [let], [[check]], [[plot]], [[best]] and [report], as they stand in the file.
+// [[fault]], [[processor]], [let], [[check]], [[plot]], [[best]] and [report], as they stand in the
+// file.
 #include <vector>
 
 #include "experiments/laboratory/file/experiment.hpp"
@@ -10,6 +11,8 @@ namespace laboratory {
 /// Reads all [[fault]], in order; none for an empty list. Throws BadInput, naming which and its
 /// line, for unknown, missing or contradicting keys. What breaks is not known yet.
 std::vector<FaultSpec> read_faults(const Place& at);
+/// Reads all [[processor]] in the same way.
+std::vector<OtherProcessor> read_others(const Place& at);
 
 /// Reads [let], [[check]], [[plot]], [[best]] and [report] into `into`, which has its path and
 /// folder. Throws BadInput for unknown, missing or contradicting keys; formulas are only texts yet.

@@ -81,9 +81,9 @@ Rows::Rows(const ExperimentFile& file, const Table& table) : file_(file), table_
   base::check_equal("points of the results", table.count_points(), file.points.size());
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const auto& experiment = point_of(row).experiment;
-    const auto [known, is_new] = models_.try_emplace(model_key(experiment));
+    const auto [known, is_new] = models_.try_emplace(model_key(experiment.model));
     if (is_new)
-      for (const auto& entry : make_model(experiment).entries)
+      for (const auto& entry : make_model(experiment.model).entries)
         known->second[entry.key] = entry.value;
     model_of_.push_back(&known->second);
   }

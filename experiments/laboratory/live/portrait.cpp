@@ -69,7 +69,7 @@ ordered_json make_outline(const ExperimentFile& file, const machine::Machine& ma
                           {"program", program.name},
                           {"help", program.help},
                           {"network", topology.name},
-                          {"model", experiment.model.text},
+                          {"model", experiment.model.source.text},
                           {"processors", processors},
                           {"links", links},
                           {"gauges", gauges},

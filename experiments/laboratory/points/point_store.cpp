@@ -31,9 +31,10 @@ const std::string& program_id() {
 }
 
 // Describes a model's entries by what they are and not by where they come from.
-std::string describe_entries(const Experiment& experiment) {
-  std::string text;
-  for (const auto& e : make_model(experiment).entries)
+std::string describe_entries(const ModelSpec& spec) {
+  const auto model = make_model(spec);
+  std::string text = model.base + "\n";
+  for (const auto& e : model.entries)
     text +=
         fmt::format("{} = {} {} {}\n", e.key, e.value, e.unit, machine::to_string(e.provenance));
   return text;
@@ -97,13 +98,15 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
     for (std::size_t i = 0; i < at.size(); ++i) settings[file.axis_keys[i]] = at[i].toml;
     std::string text = fmt::format("{}\nuntil {}\n", program_id(), until_s);
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
-    auto& model = models[model_key(experiment)];
-    if (model.empty()) try {
-        model = hash_of(describe_entries(experiment));
-      } catch (const base::BadInput& error) {
-        throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
-      }
-    text += "model " + model;
+    for_each_model(experiment, [&](const ModelSpec& spec) {
+      auto& model = models[model_key(spec)];
+      if (model.empty()) try {
+          model = hash_of(describe_entries(spec));
+        } catch (const base::BadInput& error) {
+          throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
+        }
+      text += "model " + model;
+    });
     for (const auto& source : files_of(experiment)) {
       text += describe_file(source);
       for (const auto& further : find_further_files(source)) text += describe_file(further);

@@ -49,6 +49,7 @@ Setup make_setup(const Experiment& experiment, const machine::Model& model, bool
     setup.tree = find_tree(experiment, setup.topology);
   }
   setup.faults = find_faults(experiment, setup.topology);
+  if (uses.others) setup.others = find_others(experiment, setup.topology, model);
   return setup;
 }
 
@@ -89,18 +90,23 @@ ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   const auto& use = *outcome.use;
   // Lists, since an object looks through its members before it adds one: machines are large.
   auto cpus = ordered_json::array(), links = cpus, loads = cpus;
-  for (const auto& cpu : use.cpus)
+  for (const auto& cpu : use.cpus) {
     cpus.push_back({{"name", cpu.name},
+                    {"model", cpu.model},
                     {"busy", cpu.busy_s / use.time_s},
                     {"busy_high", cpu.busy_high_s / use.time_s},
                     {"preemptions", cpu.preemptions},
                     {"memory_peak_bytes", cpu.memory_peak_bytes}});
-  for (const auto& link : use.links)
+    if (cpu.tasks) cpus.back()["tasks"] = *cpu.tasks;
+  }
+  for (const auto& link : use.links) {
     links.push_back({{"from", link.from},
                      {"to", link.to},
                      {"busy", link.busy_s / use.time_s},
                      {"messages", link.messages},
                      {"bytes", link.bytes}});
+    if (link.beside > 0) links.back()["number"] = link.beside + 1;
+  }
   for (const auto& load : outcome.loads)
     loads.push_back({{"resource", load.resource}, {"busy", load.busy}, {"doing", load.doing}});
   return {{"loads", loads}, {"cpus", cpus}, {"links", links}};
@@ -158,7 +164,7 @@ void tell_failure(PointResult& result, const std::exception_ptr& why) {
 PointResult run(const Experiment& experiment, const fs::path& images, bool profile,
                 observe::Watch& watch) {
   const double start_s = process_cpu_s();
-  const auto model = make_model(experiment);
+  const auto model = make_model(experiment.model);
   const auto setup = make_setup(experiment, model, profile, watch);
   auto result = describe(experiment, setup.topology);
   const double run_start_s = process_cpu_s();
@@ -188,7 +194,15 @@ PointResult run(const Experiment& experiment, const fs::path& images, bool profi
 
 void check_point(const Experiment& experiment) {
   check_files(experiment);
-  const auto model = make_model(experiment);
+  const auto model = make_model(experiment.model);
+  if (!experiment.others.empty()) {
+    const auto& place = experiment.others[0].place;
+    require(experiment.program->uses.others, place,
+            "the program {} has no use for processors of other models", experiment.program->name);
+    require(!experiment.is_timed, place,
+            "found run.cost = \"timed\", expected counted: host time is that of one model");
+    find_others(experiment, make_workers(experiment), model);
+  }
   if (!experiment.program->check) return;
   auto setup = make_setup_without_network(experiment, model);
   // Some cannot run on every network; the others are spared the making of one, which may take long.

@@ -34,7 +34,8 @@ bool needs_single(const Point& point, const PointResult& result) {
 
 // Whether a key says what a network with one worker has not.
 bool is_of_network(const std::string& key) {
-  return key == "fault" || (key.starts_with("network.") && key != "network.switches");
+  return key == "fault" || key == "processor" ||
+         (key.starts_with("network.") && key != "network.switches");
 }
 
 // The file with the axes of the network left out, and no point yet.
@@ -63,6 +64,7 @@ Point make_single(const Point& point, const ExperimentFile& file) {
   e.tree.clear();
   e.tree_links.clear();
   e.faults.clear();
+  e.others.clear();
   return single;
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "base/whole_file.hpp"
@@ -33,27 +35,32 @@ Busy read_cpus(const ordered_json& use) {
   return cpus;
 }
 
-// By "FROM>TO".
-Busy read_links(const ordered_json& use) {
-  Busy links;
+// By "FROM>TO"; several where several links join the two, in the order of the topology.
+using LinkBusy = std::unordered_map<std::string, std::deque<double>>;
+
+LinkBusy read_links(const ordered_json& use) {
+  LinkBusy links;
   for (const auto& link : use.at("links"))
     links[fmt::format("{}>{}", link.at("from").get_ref<const std::string&>(),
-                      link.at("to").get_ref<const std::string&>())] = busy(link);
+                      link.at("to").get_ref<const std::string&>())]
+        .push_back(busy(link));
   return links;
 }
 
-std::array<double, 2> both_ways(const Busy& links, const std::string& a, const std::string& b) {
-  return {links.at(a + ">" + b), links.at(b + ">" + a)};
+// Takes the next link between the two; none if the record has no more.
+std::optional<std::array<double, 2>> take_both_ways(LinkBusy& links, const std::string& a,
+                                                    const std::string& b) {
+  auto &there = links[a + ">" + b], &back = links[b + ">" + a];
+  if (there.empty() || back.empty()) return {};
+  const std::array both{there.front(), back.front()};
+  there.pop_front();
+  back.pop_front();
+  return both;
 }
 
 // Names the worker of a processor as records do.
-std::string worker(int id) { return fmt::format("worker{}", id + 1); }
-
-// Removes the link that the farm opens where the root has no free one: the record lacks it.
-void keep_links_of(topologies::Topology& topology, const Busy& links) {
-  std::erase_if(topology.links, [&](const topologies::Link& link) {
-    return !links.contains(worker(link.a.processor) + ">" + worker(link.b.processor));
-  });
+std::string worker(const topologies::Topology& topology, int id) {
+  return name_of(topology, id, fmt::format("worker{}", id + 1));
 }
 
 // Names a point by its network and its axes: "topology = ring:3, workers = 3, objects = 9".
@@ -67,23 +74,28 @@ std::string make_caption(const Simulation& s, std::size_t point) {
 
 std::string draw(topologies::Topology topology, const std::string& caption,
                  const ordered_json& use) {
-  const auto cpus = read_cpus(use), links = read_links(use);
-  keep_links_of(topology, links);
+  const auto cpus = read_cpus(use);
+  auto links = read_links(use);
   topologies::Loads loads;
   loads.title = caption;
   for (int id = 0; id < topology.processors; ++id) {
-    loads.processors.push_back(cpus.at(worker(id)));
-    loads.labels.push_back(std::to_string(id + 1));
+    loads.processors.push_back(cpus.at(worker(topology, id)));
+    loads.labels.push_back(name_of(topology, id, std::to_string(id + 1)));
   }
-  for (const auto& link : topology.links)
-    loads.links.push_back(both_ways(links, worker(link.a.processor), worker(link.b.processor)));
-  const auto root = worker(topology.root);
+  // The link that the farm opens where the root has no free one is not there.
+  std::erase_if(topology.links, [&](const topologies::Link& link) {
+    const auto both = take_both_ways(links, worker(topology, link.a.processor),
+                                     worker(topology, link.b.processor));
+    if (both) loads.links.push_back(*both);
+    return !both;
+  });
+  const auto root = worker(topology, topology.root);
   loads.extras = {{"coordinator", cpus.at("coordinator"), "", {}},
                   {"database", cpus.at("database"), "coordinator", {}},
                   {"display", cpus.at("display"), "coordinator", {}}};
   for (std::size_t i = 0; i < loads.extras.size(); ++i) {
     auto& extra = loads.extras[i];
-    extra.link = both_ways(links, extra.name, i == 0 ? root : "coordinator");
+    extra.link = take_both_ways(links, extra.name, i == 0 ? root : "coordinator").value();
   }
   return to_load_svg(topology, loads);
 }

@@ -13,6 +13,7 @@
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/judge/best.hpp"
 #include "experiments/laboratory/judge/check_plan.hpp"
+#include "experiments/laboratory/judge/ranking.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -90,9 +91,11 @@ Facts make_facts(const Simulation& s) {
   const Experiment& e = file.points[0].experiment;
   Facts facts{{"Program",
                fmt::format("{}: {}", values_of(file, "program", e.program->name), e.program->help)},
-              {"Machine", values_of(file, "model", e.model.text)}};
-  for (const auto& [entry, value] : e.model_overrides)
+              {"Machine", values_of(file, "model", e.model.source.text)}};
+  for (const auto& [entry, value] : e.model.entries)
     facts.push_back({"model." + entry, values_of(file, ("model." + entry).c_str(), value)});
+  for (const auto& other : e.others)
+    facts.push_back({fmt::format("Processor number {}", other.number), other.model.source.text});
   if (e.program->uses.network) {
     facts.push_back(
         {"Network", fmt::format("{}, {}: {}", values_in(s.table, "topology"), e.program->processors,
@@ -134,7 +137,7 @@ std::string make_settings(const ExperimentFile& file) {
   for (const auto& point : file.points) {
     const Experiment& e = point.experiment;
     if (!known.insert(e.program).second) continue;
-    add("machine.model", quote(e.model.text));
+    add("machine.model", quote(e.model.source.text));
     if (e.program->uses.network) {
       add("network.topology", quote(e.topology.text));
       if (!has_own_workers(e)) add("network.workers", std::to_string(e.workers));
@@ -236,13 +239,18 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   const Rows rows = make_rows(plan, s.file, s.table);
   append(report.notes, note_unknown_texts(plan, s.table));
   auto exhibits = make_exhibits(plan, rows, report.notes);
-  const auto answers = find_best(plan, rows);
+  auto answers = find_best(plan, rows);
+  const auto best = make_best_csv(answers);
+  if (const auto rankings = load_rankings(folder)) {
+    add_rankings(answers, *rankings);
+    append(report.findings, tell_rankings(*rankings));
+  }
   for (const auto& answer : answers) {
     report.answers.push_back({answer.name, answer.notes, {answer.best, answer.pays}});
     append(report.findings, answer.findings);
   }
   save_unless_empty(folder / "fits.csv", make_fits_csv(exhibits));
-  save_unless_empty(folder / "best.csv", make_best_csv(answers));
+  save_unless_empty(folder / "best.csv", best);
   save_unless_empty(folder / "pays.csv", make_pays_csv(answers));
   return exhibits;
 }

@@ -122,8 +122,8 @@ HostSpeeds measure_host(ExperimentFile& file) {
   HostSpeeds speeds;
   for (auto& point : file.points) {
     if (!point.experiment.is_timed) continue;
-    const auto key = model_key(point.experiment);
-    if (!speeds.contains(key)) speeds[key] = measure(make_model(point.experiment));
+    const auto key = model_key(point.experiment.model);
+    if (!speeds.contains(key)) speeds[key] = measure(make_model(point.experiment.model));
     point.experiment.cycles_per_host_s = speeds[key].cycles_per_host_s;
   }
   return speeds;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/errors.hpp"
@@ -47,15 +48,14 @@ Topology make_network(const Experiment& experiment) {
 
 }  // namespace
 
-machine::Model make_model(const Experiment& experiment) {
-  if (experiment.model_overrides.empty()) return machine::load_model(experiment.model.path);
-  return machine::override_model(experiment.model.path, experiment.model_overrides, "[model]");
+machine::Model make_model(const ModelSpec& spec) {
+  if (spec.entries.empty()) return machine::load_model(spec.source.path);
+  return machine::override_model(spec.source.path, spec.entries, "[model]");
 }
 
-std::string model_key(const Experiment& experiment) {
-  std::string key = experiment.model.path;
-  for (const auto& [entry, value] : experiment.model_overrides)
-    key += fmt::format("\n{} = {}", entry, value);
+std::string model_key(const ModelSpec& spec) {
+  std::string key = spec.source.path;
+  for (const auto& [entry, value] : spec.entries) key += fmt::format("\n{} = {}", entry, value);
   return key;
 }
 
@@ -63,8 +63,9 @@ std::vector<machine::Model> models_of(const ExperimentFile& file) {
   std::set<std::string> known;
   std::vector<machine::Model> models;
   for (const auto& point : file.points)
-    if (known.insert(model_key(point.experiment)).second)
-      models.push_back(make_model(point.experiment));
+    for_each_model(point.experiment, [&](const ModelSpec& spec) {
+      if (known.insert(model_key(spec)).second) models.push_back(make_model(spec));
+    });
   return models;
 }
 
@@ -76,8 +77,8 @@ Topology make_workers(const Experiment& experiment) {
     for (const auto& link : links) topology.switches[link] = experiment.switches;
   for (const auto& [a, b, count] : experiment.switches_between) {
     require(links.contains(std::minmax(a, b)), "network.switches",
-            "found [{}, {}, {}], but no link of {} joins {} and {}", a, b, count, topology.name, a,
-            b);
+            "found [{}, {}, {}], but no link of {} joins {} and {}", a, b, count, topology.name,
+            describe_processor(topology, a), describe_processor(topology, b));
     topology.switches[std::minmax(a, b)] = count;
   }
   return topology;
@@ -88,8 +89,7 @@ bool has_own_workers(const Experiment& experiment) {
 }
 
 topologies::RoutingTable find_routes(const Experiment& experiment, const Topology& topology) {
-  return experiment.routes.path.empty() ? topologies::make_routes(topology)
-                                        : topologies::load_routes(topology, experiment.routes.path);
+  return topologies::find_routes(topology, experiment.routes.path);
 }
 
 std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
@@ -110,6 +110,28 @@ std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
   }
 }
 
+programs::OtherModels find_others(const Experiment& experiment, const Topology& topology,
+                                  const machine::Model& model) {
+  programs::OtherModels others;
+  std::map<std::string, std::shared_ptr<const machine::Model>> known;
+  for (const auto& [number, spec, place] : experiment.others) {
+    require(number < topology.processors, place + ": number",
+            "found {}, expected processors from 0 to {}", number, topology.processors - 1);
+    auto& its = known[model_key(spec)];
+    if (!its) try {
+        its = std::make_shared<const machine::Model>(make_model(spec));
+      } catch (const base::BadInput& error) {
+        throw base::BadInput(fmt::format("{}: model: {}", place, error.what()));
+      }
+    require(its->link.bit_rate == model.link.bit_rate, place + ": model",
+            "found {}, whose links run at {} bit/s, expected {} as those of {}", its->name,
+            its->link.bit_rate, model.link.bit_rate, model.name);
+    require(others.emplace(number, its).second, place + ": number",
+            "found {} once more, expected each processor once", number);
+  }
+  return others;
+}
+
 std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
                                                 const Topology& topology) {
   std::vector<programs::PlannedFault> faults;
@@ -121,8 +143,9 @@ std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
       return link.a.processor == low && link.b.processor == high;
     });
     require(fault.b < 0 || is_there, place,
-            "found link = [{}, {}], but no link of {} joins the two", fault.a, fault.b,
-            topology.name);
+            "found link = [{}, {}], but no link of {} joins {} and {}", fault.a, fault.b,
+            topology.name, describe_processor(topology, fault.a),
+            describe_processor(topology, fault.b));
     faults.push_back(fault);
   }
   return faults;
@@ -133,6 +156,7 @@ void check_network(const Experiment& experiment) {
   if (!experiment.routes.path.empty()) find_routes(experiment, topology);
   find_tree(experiment, topology);
   find_faults(experiment, topology);
+  find_others(experiment, topology, make_model(experiment.model));
 }
 
 std::string network_key(const Experiment& e) {
@@ -141,6 +165,9 @@ std::string network_key(const Experiment& e) {
   for (const auto& [a, b, count] : e.switches_between) key += fmt::format(" {} {} {}", a, b, count);
   for (const auto& [a, b] : e.tree_links) key += fmt::format(" tree {} {}", a, b);
   for (const auto& [fault, place] : e.faults) key += fmt::format(" fault {} {}", fault.a, fault.b);
+  for (const auto& other : e.others)
+    key += fmt::format(" processor {} {}", other.number, model_key(other.model));
+  if (!e.others.empty()) key += model_key(e.model);
   return key;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/errors.hpp"
 #include "base/random.hpp"
@@ -45,13 +46,18 @@ std::string spell_value(const machine::Entry& entry, double number, bool is_shar
 
 }  // namespace
 
-double draw_quantile(std::uint64_t seed, const std::string& entry, std::size_t machine,
-                     std::size_t machines) {
+std::vector<double> draw_quantiles(std::uint64_t seed, const std::string& entry,
+                                   std::size_t machines) {
   const std::uint64_t stream = base::random_at(seed, number_of(entry));
-  const auto slice = shuffle_slices(stream, machines)[machine];
-  const std::uint64_t random = base::random_at(~stream, machine);
-  const double within = (static_cast<double>(random >> 11) + 0.5) * 0x1p-53;
-  return (static_cast<double>(slice) + within) / static_cast<double>(machines);
+  const auto slices = shuffle_slices(stream, machines);
+  std::vector<double> quantiles;
+  for (std::size_t machine = 0; machine < machines; ++machine) {
+    const std::uint64_t random = base::random_at(~stream, machine);
+    const double within = (static_cast<double>(random >> 11) + 0.5) * 0x1p-53;
+    quantiles.push_back((static_cast<double>(slices[machine]) + within) /
+                        static_cast<double>(machines));
+  }
+  return quantiles;
 }
 
 double find_in(const machine::Range& range, double quantile) {
@@ -89,14 +95,15 @@ Entries draw_machine(const std::string& model, const Entries& set,
 
 std::vector<std::string> drawn_entries(const ExperimentFile& file) {
   std::vector<std::string> entries;
-  std::map<std::string, bool> seen;
+  std::set<std::string> seen;
   for (const auto& point : file.points) {
-    const auto& e = point.experiment;
-    if (!seen.emplace(model_key(e), true).second) continue;
-    for (const auto& entry : make_model(e).entries)
-      if (entry.range && !is_set(e.model_overrides, entry.key) &&
-          std::ranges::find(entries, entry.key) == entries.end())
-        entries.push_back(entry.key);
+    for_each_model(point.experiment, [&](const ModelSpec& spec) {
+      if (!seen.insert(model_key(spec)).second) return;
+      for (const auto& entry : make_model(spec).entries)
+        if (entry.range && !is_set(spec.entries, entry.key) &&
+            std::ranges::find(entries, entry.key) == entries.end())
+          entries.push_back(entry.key);
+    });
   }
   return entries;
 }
@@ -111,16 +118,22 @@ ExperimentFile spread(const ExperimentFile& file) {
   all.axes.emplace_back("machine");
   all.axis_keys.emplace_back("uncertain.machine");
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
+  std::map<std::string, std::vector<double>> quantiles;  // of each entry
+  for (const auto& entry : drawn_entries(file))
+    quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
     std::map<std::string, Entries> known;  // of the models of the file
     for (Point point : file.points) {
-      auto& e = point.experiment;
-      auto [found, is_new] = known.try_emplace(model_key(e));
-      if (is_new)
-        found->second = draw_machine(e.model.path, e.model_overrides, [&](const auto& entry) {
-          return draw_quantile(seed, entry, machine, machines);
-        });
-      e.model_overrides = found->second;
+      const auto draw = [&](ModelSpec& spec) {
+        auto [found, is_new] = known.try_emplace(model_key(spec));
+        if (is_new)
+          found->second = draw_machine(spec.source.path, spec.entries, [&](const auto& entry) {
+            return quantiles.at(entry)[machine];
+          });
+        spec.entries = found->second;
+      };
+      draw(point.experiment.model);
+      for (auto& other : point.experiment.others) draw(other.model);
       point.at.push_back({"machine", std::to_string(machine + 1)});
       all.points.push_back(std::move(point));
     }

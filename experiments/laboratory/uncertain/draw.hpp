@@ -10,11 +10,11 @@
 
 namespace laboratory {
 
-/// The quantile, above 0 and below 1, that machine `machine` (from 0) of `machines` has of an
-/// entry: a Latin hypercube, so that of any entry every machine has another of as many equal
-/// slices. Depends on nothing else: entries that are added change no others.
-double draw_quantile(std::uint64_t seed, const std::string& entry, std::size_t machine,
-                     std::size_t machines);
+/// The quantiles, above 0 and below 1, that the machines have of an entry: a Latin hypercube, so
+/// that every machine has another of as many equal slices. They depend on nothing else: entries
+/// that are added change no others.
+std::vector<double> draw_quantiles(std::uint64_t seed, const std::string& entry,
+                                   std::size_t machines);
 
 /// The number at a quantile: even between low and high, or, where they are shares of the value,
 /// even in their logarithm; the share then.

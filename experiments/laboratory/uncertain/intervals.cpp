@@ -113,8 +113,12 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       auto sorted = all;
       std::ranges::sort(sorted);
       if (sorted.front() == sorted.back()) continue;
+      // So that another machine is below it with that probability: place share * (n + 1), counted
+      // from 1, or the outermost.
       const auto at = [&](double share) {
-        return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), share);
+        const auto n = static_cast<double>(sorted.size());
+        const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);
+        return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), place);
       };
       intervals.push_back({row, column, *value, at(LOW), at(0.5), at(HIGH), std::move(all)});
     }

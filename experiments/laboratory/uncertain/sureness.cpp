@@ -63,6 +63,8 @@ Sureness find_sureness(const ExperimentFile& file, const Table& table, const Res
   const auto drawn = static_cast<std::size_t>(file.uncertain.machines);
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
   const std::size_t points = file.points.size();
+  std::vector<std::vector<double>> all;  // of each entry, by machine
+  for (const auto& entry : sureness.entries) all.push_back(draw_quantiles(seed, entry, drawn));
   std::vector<Table> tables;
   for (std::size_t machine = 0; machine < drawn; ++machine) {
     const auto first = results.begin() + static_cast<std::ptrdiff_t>((machine + 1) * points);
@@ -73,13 +75,10 @@ Sureness find_sureness(const ExperimentFile& file, const Table& table, const Res
     }
     tables.push_back(make_table(file, own));
     for (std::size_t i = 0; i < sureness.entries.size(); ++i)
-      sureness.quantiles[i].push_back(draw_quantile(seed, sureness.entries[i], machine, drawn));
+      sureness.quantiles[i].push_back(all[i][machine]);
   }
   sureness.machines = tables.size();
-  base::require(tables.size() >= 3, "uncertain.machines",
-                "found {} of {} machines with all points done, expected at least 3", tables.size(),
-                drawn);
-  sureness.intervals = find_intervals(table, tables);
+  if (tables.size() >= LEAST_MACHINES) sureness.intervals = find_intervals(table, tables);
   return sureness;
 }
 

@@ -16,8 +16,10 @@ struct Sureness {
   std::size_t left_out = 0;                    ///< that have not
 };
 
-/// `table` is that of the file's own points; `results` are of all points of the spread file. Throws
-/// BadInput where fewer than three machines have all their points.
+constexpr std::size_t LEAST_MACHINES = 3;
+
+/// `table` is that of the file's own points; `results` are of all points of the spread file. There
+/// are no intervals where fewer than LEAST_MACHINES have all their points.
 Sureness find_sureness(const ExperimentFile& file, const Table& table, const Results& results);
 
 /// How sure the results are, as two tables of the results folder.

@@ -151,7 +151,7 @@ class OnSimGrid final : public Carrier {
  private:
   // By the numbers of the forecast and of SimGrid's communications.
   struct Direction {
-    int from, to;
+    s4u::Host *from, *to;
     s4u::CommPtr comm = {};  // under way
     std::uint64_t bytes = 0;
     double since = 0;
@@ -176,8 +176,9 @@ class OnSimGrid final : public Carrier {
   Events& events_;  // their clock may be ahead of SimGrid's
   std::unique_ptr<s4u::Engine> engine_;
   s4u::NetZone* zone_ = nullptr;
-  std::vector<s4u::Host*> hosts_;
-  double wake_up_ = Events::NEVER;  // a SimGrid timer is set for then
+  std::vector<s4u::Host*> hosts_;              // of the processors
+  std::map<std::pair<int, int>, int> joined_;  // links between two processors
+  double wake_up_ = Events::NEVER;             // a SimGrid timer is set for then
   std::vector<Direction> directions_;
   Forecast forecast_;
   std::deque<std::pair<double, std::size_t>> starts_;  // to come: date, direction
@@ -223,13 +224,19 @@ std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates) {
   const auto rate = [rates](double, int messages) {
     return messages > 1 ? rates.both_ways : rates.one_way;
   };
-  auto* link = zone_->create_link(fmt::format("{}-{}", a, b), rates.both_ways)
+  const auto name = fmt::format("{}-{}-{}", a, b, joined_[std::minmax(a, b)]++);
+  auto* link = zone_->create_link(name, rates.both_ways)
                    ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
                    ->seal();
-  zone_->add_route(hosts_[a]->get_netpoint(), hosts_[b]->get_netpoint(), nullptr, nullptr,
+  // SimGrid has one route between two hosts: one more link between two processors begins at a host
+  // of its own.
+  const bool is_first = joined_[std::minmax(a, b)] == 1;
+  auto *from = is_first ? hosts_[a] : zone_->create_host("port " + name, "1f")->seal(),
+       *to = hosts_[b];
+  zone_->add_route(from->get_netpoint(), to->get_netpoint(), nullptr, nullptr,
                    {s4u::LinkInRoute(link)}, true);
-  directions_.push_back({a, b});
-  directions_.push_back({b, a});
+  directions_.push_back({from, to});
+  directions_.push_back({to, from});
   return forecast_.add_link(rates.one_way, rates.both_ways);
 }
 
@@ -304,7 +311,7 @@ void OnSimGrid::run_ahead() {
 void OnSimGrid::start_now(std::size_t number) {
   if (directions_[number].cut) return;
   simgrid::kernel::actor::simcall_answered([&, &direction = directions_[number]] {
-    direction.comm = s4u::Comm::sendto_init(hosts_[direction.from], hosts_[direction.to]);
+    direction.comm = s4u::Comm::sendto_init(direction.from, direction.to);
     direction.comm->set_payload_size(direction.bytes);
     direction.comm->set_data(reinterpret_cast<void*>(number));
     direction.comm->start();
@@ -343,11 +350,11 @@ void OnSimGrid::end(std::size_t number) {
 void OnSimGrid::check_end(const Direction& direction, double date,
                           const Forecast::End& expected) const {
   if (expected.contains(date)) return;
-  throw base::InvariantBroken(fmt::format(
-      "link {} > {}: SimGrid ends the message of {} bytes that started at {:.12f} s "
-      "at {:.12f} s, expected {:.12f} to {:.12f} s",
-      hosts_[direction.from]->get_name().c_str(), hosts_[direction.to]->get_name().c_str(),
-      direction.bytes, direction.since, date, expected.earliest(), expected.latest()));
+  throw base::InvariantBroken(
+      fmt::format("link {} > {}: SimGrid ends the message of {} bytes that started at {:.12f} s "
+                  "at {:.12f} s, expected {:.12f} to {:.12f} s",
+                  direction.from->get_name().c_str(), direction.to->get_name().c_str(),
+                  direction.bytes, direction.since, date, expected.earliest(), expected.latest()));
 }
 
 }  // namespace

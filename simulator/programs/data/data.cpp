@@ -115,7 +115,7 @@ std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routi
   shared_memory::VirtualMemory memory(machine, network, catalogue, load.data);
   Test test(network.routing(), load, memory);
   for (int id = 0; id < n; ++id)
-    machine[id].start(fmt::format("p{}.application", id), Priority::low,
+    machine[id].start(machine[id].name() + ".application", Priority::low,
                       [&, id] { test.live(id); });
   observe::View view;
   show(view, network);
@@ -246,7 +246,7 @@ Program make_data() {
   return make_program<Params, DataPass>(
       {.name = "data",
        .help = "every processor but the coordinator makes random accesses to common items",
-       .uses = {.network = true, .routes = true},
+       .uses = {.network = true, .routes = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),
        .parts = {"pass"},

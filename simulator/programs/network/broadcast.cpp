@@ -68,7 +68,7 @@ Program make_broadcast() {
   return make_program<Params, Measured>(
       {.name = "broadcast",
        .help = "a message from the root to all along the spanning tree",
-       .uses = {.network = true},
+       .uses = {.network = true, .others = true},
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::flag(
                       "in_parallel", &Params::in_parallel,

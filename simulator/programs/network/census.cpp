@@ -49,11 +49,13 @@ Passed count_passed(const Setup& setup, const Params& params, const Around& arou
 }
 
 // None where everybody is everybody's neighbour.
-std::vector<std::string> describe_busiest(const Passed& passed) {
+std::vector<std::string> describe_busiest(const topologies::Topology& topology,
+                                          const Passed& passed) {
   const auto most = std::ranges::max_element(passed.through);
   if (*most == 0) return {};
-  return {fmt::format("p{} is on the way of most routes, {} of {}", most - passed.through.begin(),
-                      *most, passed.pairs)};
+  const auto id = static_cast<int>(most - passed.through.begin());
+  return {fmt::format("{} is on the way of most routes, {} of {}",
+                      name_of(topology, id, fmt::format("p{}", id)), *most, passed.pairs)};
 }
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
@@ -66,7 +68,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     rows.push_back(
         {processor_cell(setup.topology, id), passed.through[id], static_cast<int>(lower)});
   }
-  return Outcome<Measured>(std::move(rows), describe_busiest(passed));
+  return Outcome<Measured>(std::move(rows), describe_busiest(setup.topology, passed));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // No program at all: the distances of a network, to be compared with what books say of it.
 #include "topologies/graph/metrics.hpp"
+
 #include "simulator/declare/program.hpp"
+#include "topologies/route/route_load.hpp"
 
 namespace programs {
 
@@ -22,7 +24,13 @@ Grid grid_of(const topologies::Topology& topology) {
 }
 
 Outcome<Measured> run(const Setup& setup, const Params&) {
-  return Measured{topologies::eval_metrics(setup.topology), grid_of(setup.topology)};
+  const auto& topology = setup.topology;
+  auto metrics = topologies::eval_metrics(topology);
+  if (!setup.routes.is_shortest) {
+    metrics.mean_distance = setup.routes.mean_distance();
+    metrics.all_to_all = find_busiest(topology, eval_load(topology, setup.routes));
+  }
+  return Measured{metrics, grid_of(topology)};
 }
 
 }  // namespace
@@ -32,7 +40,7 @@ Program make_metrics() {
   return make_program<Params, M>(
       {.name = "metrics",
        .help = "distances of a network, to be compared with what books say; nothing runs",
-       .uses = {.network = true},
+       .uses = {.network = true, .routes = true},
        .columns = {column<M>("processors", &M::processors, "processors"),
                    column<M>("rows", &M::rows, "rows of a mesh or torus; else 1"),
                    column<M>("columns", &M::columns,
@@ -41,7 +49,12 @@ Program make_metrics() {
                    column<M>("degree_max", &M::degree_max, "most links of a processor"),
                    column<M>("diameter", &M::diameter, "links between the farthest two"),
                    column<M>("mean_distance", &M::mean_distance,
-                             "links between two processors, on average over all ordered pairs"),
+                             "links between two processors, on average over all ordered pairs, "
+                             "by the routes"),
+                   column<M>(
+                       "busiest_link", [](const M& m) { return m.all_to_all.messages; },
+                       "messages over the busiest direction of a link when each processor "
+                       "sends one to each other, by the routes"),
                    column<M>("bisection", &M::bisection_width,
                              "fewest links between two halves; empty where it is not known")},
        .run = &run});

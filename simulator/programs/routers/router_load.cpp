@@ -70,10 +70,10 @@ void check_messages(const Offers& offers) {
 // The source has a channel of its own into the router, the sink one from it.
 void start_clients(const Offers& offers, RouterMachine& on, std::vector<Seen>& seen) {
   for (int id = 0; id < offers.processors; ++id) {
-    on[id].start(fmt::format("p{}.source", id), Priority::high,
+    on[id].start(on[id].name() + ".source", Priority::high,
                  [&, id] { offers.offer(on.network->client(id, 1), seen[id]); });
     on[id]
-        .start(fmt::format("p{}.sink", id), Priority::high,
+        .start(on[id].name() + ".sink", Priority::high,
                [&, id] { offers.take(on.network->client(id), seen[id]); })
         .set_server();
   }

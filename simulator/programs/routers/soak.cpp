@@ -236,7 +236,7 @@ Program make_soak() {
   return make_program<Params, Measured>(
       {.name = "soak",
        .help = "random messages of every kind between all processors: what becomes of them",
-       .uses = {.network = true, .routes = true, .faults = true},
+       .uses = {.network = true, .routes = true, .faults = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run});

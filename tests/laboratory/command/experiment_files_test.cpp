@@ -29,6 +29,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
       {"farm", {"sweep.objects=[200]", "sweep.workers=[1, 2, 5, 7]"}},
       {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 2, 4, 7]"}},
       {"thesis/bounds", {"sweep.workers=[4]", "sweep.depth=[2, 5]"}},
+      {"studies/mixed-boards", {"image.width=48", "image.height=48", "let.low=\"0.32\""}},
       {"studies/topologies",
        {"sweep.task=[\"ray\", \"block:2x2\"]", "image.width=24", "image.height=24",
         "sweep.topology, workers=[[\"tree\", 1], [\"tree\", 8], [\"amp\", 1], "
@@ -85,7 +86,8 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
       {"studies/iirra-scaling",
        {"image.width=64", "image.height=64", "sweep.source=[\"spheres:200\"]",
         "sweep.program, task, topology, cell=[[\"farm\", \"ray\", \"tree:14\", 16], "
-        "[\"iirra\", \"ray\", \"mesh:8x8\", 4]]",
+        "[\"iirra\", \"ray\", \"mesh:8x8\", 4], "
+        "[\"iirra\", \"ray\", \"../reference/figure-5.15.dot\", 16]]",
         "let.least=\"0.3\""}},
       {"studies/iirra-orders",
        {"scene.objects=50", "image.width=64", "image.height=64",

@@ -17,7 +17,7 @@ TEST(ExperimentsFile, DefaultsAreOnePoint) {
   const auto file = load("");
   ASSERT_EQ(file.points.size(), 1u);
   const Experiment& e = file.points[0].experiment;
-  EXPECT_EQ(e.model.text, "t805-25");
+  EXPECT_EQ(e.model.source.text, "t805-25");
   EXPECT_EQ(make_workers(e).name, "tree:7");
   EXPECT_EQ(tracing::scene_source(farm_of(e).scene), "spheres:200");
   EXPECT_EQ(farm_of(e).farm.image.limits.depth, 15);

@@ -57,6 +57,81 @@ TEST(ExperimentsNetworkKeys, ResultsOfANetworkFromAFileAreTheSameFromAnyFolder) 
   EXPECT_NE(results.find("net.dot,"), std::string::npos) << results;
 }
 
+TEST(ExperimentsNetworkKeys, XyIsDimensionOrder) {
+  const auto e =
+      load("[program]\nname = \"census\"\n[network]\ntopology = \"mesh:3x3\"\nroutes = \"xy\"\n")
+          .points[0]
+          .experiment;
+  const auto mesh = topologies::make_topology("mesh:3x3");
+  const auto routes = find_routes(e, mesh), xy = topologies::make_xy_routes(mesh);
+  for (int from = 0; from < 9; ++from)
+    for (int to = 0; to < 9; ++to) EXPECT_EQ(routes.next_port(from, to), xy.next_port(from, to));
+  EXPECT_NE(message_of<base::BadInput>([&] {
+              check_network(load(CENSUS + "routes = \"xy\"\n").points[0].experiment);
+            }).find("found no dimensions to go through in order (xy)"),
+            std::string::npos);
+}
+
+// The second models of a machine: their own clocks, checked with the file and line.
+TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
+  const std::string farm = "[network]\nworkers = 3\n";
+  const auto others_of = [](const std::string& text) {
+    const auto e = load(text).points[0].experiment;
+    return find_others(e, make_workers(e), make_model(e.model));
+  };
+  const auto others = others_of(farm +
+                                "[[processor]]\nnumber = 2\nmodel = \"t800-20\"\n"
+                                "[[processor]]\nnumber = 0\nmodel = \"t805-30\"\n");
+  ASSERT_EQ(others.size(), 2u);
+  EXPECT_EQ(others.at(0)->name, "t805-30");
+  EXPECT_EQ(others.at(2)->cpu.clock.value, 20e6);
+  for (const auto& [tables, message] : std::vector<std::pair<std::string, std::string>>{
+           {"number = 3\nmodel = \"t800-20\"",
+            "[[processor]] 1: number: found 3, expected processors from 0 to 2"},
+           {"number = 1\nmodel = \"t800-2\"", "[[processor]] 1: model: "},
+           {"number = 1", "[[processor]] 1: \"model\" is missing"},
+           {"model = \"t800-20\"", "[[processor]] 1: \"number\" is missing"},
+           {"number = -1\nmodel = \"t800-20\"", "[[processor]] 1: number: found -1"},
+           {"number = 1\nmodul = \"t800-20\"", "model"},
+           {"number = 1\nmodel = \"t800-20\"\n[[processor]]\nnumber = 1\nmodel = \"t805-30\"",
+            "[[processor]] 2: number: found 1 once more"}}) {
+    const auto told = message_of<base::BadInput>(
+        [&, tables = tables] { others_of(farm + "[[processor]]\n" + tables + "\n"); });
+    EXPECT_NE(told.find(message), std::string::npos) << tables << "\n" << told;
+  }
+  EXPECT_NE(told_by_load("[program]\nname = \"commstime\"\n[[processor]]\nnumber = 0\nmodel = "
+                         "\"t800-20\"\n")
+                .find("no use for processors of other models"),
+            std::string::npos);
+}
+
+// A vertex has the name that its file gives it, in tables, drawings, records and sentences.
+TEST(ExperimentsNetworkKeys, NamesOfADotFileAreKept) {
+  const TemporaryFolder folder;
+  write_file(folder.path / "board.dot",
+             "graph { root=ada; ada -- bob; ada -- cyd; ada -- dan; ada -- eve; bob -- cyd; }\n");
+  write_file(
+      folder.path / "e.toml",
+      "[network]\ntopology = \"board.dot\"\n[scene]\nobjects = 9\n[image]\nwidth = 8\n"
+      "height = 8\n[report]\nnetworks = \"all\"\n[[processor]]\nnumber = 3\nmodel = \"t800-20\"\n");
+  const auto run = tlab(folder.path, {"run", "e.toml", "-o", "r"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("the link from port 1 of ada to port 0 of cyd is given up"),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("workers of model t800-20: 1, busy"), std::string::npos) << run.out;
+  const auto record = read_file(folder.path / "r/run.json");
+  for (const auto* text : {"\"name\":\"dan\"", "given up", "\"model\":\"t800-20\"", "\"tasks\":"})
+    EXPECT_NE(record.find(text), std::string::npos) << text;
+  EXPECT_EQ(record.find("worker1"), std::string::npos);
+  EXPECT_EQ(read_file(folder.path / "r/results.csv").find("worker1"), std::string::npos);
+  std::string drawings;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path / "r/networks"))
+    drawings += read_file(file.path());
+  for (const auto* name : {"ada", "bob", "cyd", "dan", "eve"})
+    EXPECT_NE(drawings.find(name), std::string::npos) << name;
+}
+
 TEST(ExperimentsNetworkKeys, MistakesInTreesAreNamed) {
   for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
            {"tree = \"per_root\"\ntree_links = [[0, 1]]\n", "but network.tree is \"per_root\""},
@@ -76,11 +151,11 @@ TEST(ExperimentsNetworkKeys, MistakesInTreesAreNamed) {
 TEST(ExperimentsNetworkKeys, OnlyProgramsThatUseThemHaveRoutesAndFaults) {
   for (const char* key : {"routes = \"r.csv\"", "tree = \"single\"", "tree_links = [[0, 1]]"}) {
     const std::string network = std::string("[network]\n") + key + "\n";
-    for (const char* program : {"farm", "metrics"}) {
+    for (const char* program : {"farm", "unicast"}) {
       const auto told = told_by_load(fmt::format("[program]\nname = \"{}\"\n{}", program, network));
       EXPECT_NE(
           told.find(fmt::format("the program {} has no use for routes and trees, expected one "
-                                "of iirra, census",
+                                "of iirra, metrics, census",
                                 program)),
           std::string::npos)
           << told;
@@ -117,8 +192,8 @@ TEST(ExperimentsFaults, MistakesAreNamed) {
            {"link = [0, 9]\nat_s = 1\n",
             "e.toml:4: [[fault]] 2: found 9, expected processors from 0 to 3"},
            {"link = [0, 2]\nat_s = 1\n",
-            "[[fault]] 2: found link = [0, 2], but no link of ring:4 joins the two"},
-           {"link = [1, 1]\nat_s = 1\n", "no link of ring:4 joins the two"},
+            "[[fault]] 2: found link = [0, 2], but no link of ring:4 joins 0 and 2"},
+           {"link = [1, 1]\nat_s = 1\n", "no link of ring:4 joins 1 and 1"},
            {"at_s = 1\n", "e.toml:4: [[fault]] 2: found no link and no processor, expected either"},
            {"link = [0, 1]\nprocessor = 1\nat_s = 1\n", "found both a link and a processor"},
            {"processor = 1\n", "e.toml:4: [[fault]] 2: \"at_s\" is missing"},

@@ -29,22 +29,23 @@ TEST(ExperimentsProgram, AxesKeepTheOrderOfTheFileWithSetToo) {
            {"sweep.model.link.one_way_rate=[2e6, 3e6]", "sweep.model.cpu.clock=[1e6]"});
   EXPECT_EQ(file.axes, (std::vector<std::string>{"link.one_way_rate", "bytes", "cpu.clock"}));
   ASSERT_EQ(file.points.size(), 4u);
-  EXPECT_EQ(make_model(file.points[3].experiment).link.one_way_rate, 3e6);
-  EXPECT_EQ(make_model(file.points[3].experiment).cpu.clock.value, 1e6);
+  EXPECT_EQ(make_model(file.points[3].experiment.model).link.one_way_rate, 3e6);
+  EXPECT_EQ(make_model(file.points[3].experiment.model).cpu.clock.value, 1e6);
 }
 
 TEST(ExperimentsModel, NumbersOfTheMachineAreReplaced) {
   const auto file = load("[model.link]\none_way_rate = 1e6\n[machine]\nmodel = \"t800-20\"\n",
                          {"model.channel.blocked=30"});
-  const auto model = make_model(file.points[0].experiment);
+  const auto model = make_model(file.points[0].experiment.model);
   EXPECT_EQ(model.link.one_way_rate, 1e6);
   EXPECT_EQ(model.channel.blocked.value, 30);
   EXPECT_EQ(model.cpu.clock.value, 20e6);
   EXPECT_EQ(models_of(file).size(), 1u);
   EXPECT_EQ(models_of(load("[sweep]\n\"model.cpu.clock\" = [1e6, 2e6]\nworkers = [1, 2]\n")).size(),
             2u);
-  EXPECT_NE(message_of<base::BadInput>(
-                [] { make_model(load("[model.link]\none_way_rat = 1\n").points[0].experiment); })
+  EXPECT_NE(message_of<base::BadInput>([] {
+              make_model(load("[model.link]\none_way_rat = 1\n").points[0].experiment.model);
+            })
                 .find("model.link.one_way_rat: unknown key, the nearest valid one is "
                       "\"link.one_way_rate\""),
             std::string::npos);
@@ -107,7 +108,7 @@ TEST(ExperimentsProgram, ResultsHaveAxesThenParametersThenTheRow) {
   const auto n = parse_csv(read_file(folder.path / "n/results.csv"), "n");
   EXPECT_EQ(n.columns, (std::vector<std::string>{"processors", "topology", "rows", "columns",
                                                  "links", "degree_max", "diameter", "mean_distance",
-                                                 "bisection", "ended"}));
+                                                 "busiest_link", "bisection", "ended"}));
   EXPECT_EQ(n.rows[3][6], Value(std::int64_t{8}));
 }
 

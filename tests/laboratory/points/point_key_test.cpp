@@ -22,10 +22,16 @@ TEST(ExperimentsPointKey, DependsOnWhatAPointDoes) {
                            "formula = \"1\"\n"));
   EXPECT_EQ(key(base), key("[sweep]\nwidth = [10]\n"));
   EXPECT_EQ(key(base, never), make_keys(load("[sweep]\nwidth = [7, 10]\n"), never).at(1));
-  for (const char* more : {"height = 10\n", "[farm]\nseed = 2\n", "[model.cpu]\nclock = 20e6\n",
-                           "[machine]\nmodel = \"t800-20\"\n", "[[stage]]\nmin_cell = 2\n",
-                           "[network]\nworkers = 2\n"})
+  for (const char* more :
+       {"height = 10\n", "[farm]\nseed = 2\n", "[model.cpu]\nclock = 20e6\n",
+        "[machine]\nmodel = \"t800-20\"\n", "[[stage]]\nmin_cell = 2\n", "[network]\nworkers = 2\n",
+        "[[processor]]\nnumber = 1\nmodel = \"t800-20\"\n"})
     EXPECT_NE(key(base), key(base + more)) << more;
+  const auto with = [&](const std::string& number, const std::string& model) {
+    return key(base + "[[processor]]\nnumber = " + number + "\nmodel = \"" + model + "\"\n");
+  };
+  EXPECT_NE(with("1", "t800-20"), with("2", "t800-20"));
+  EXPECT_NE(with("1", "t800-20"), with("1", "t805-30"));
   EXPECT_NE(key(base), key(base, 3.5));
 }
 
@@ -42,6 +48,22 @@ TEST(ExperimentsPointKey, DependsOnWhatFilesHold) {
   EXPECT_EQ(key(), first);
   std::ofstream(folder.path / "net.dot") << "graph { a--b b--c }";
   EXPECT_NE(key(), first);
+}
+
+TEST(ExperimentsPointKey, DependsOnWhatTheModelFileOfAProcessorHolds) {
+  const TemporaryFolder folder;
+  const auto key = [&](const std::string& clock) {
+    std::ofstream(folder.path / "mine.toml")
+        << "name = \"mine\"\nbase = \"t805-25\"\n[cpu]\nclock = { value = " << clock
+        << ", unit = \"Hz\", provenance = \"datasheet\", source = \"a label\" }\n";
+    return make_keys(read_experiment("[[processor]]\nnumber = 1\nmodel = \"mine.toml\"\n", "e.toml",
+                                     folder.path.string(), {}),
+                     1)
+        .at(0);
+  };
+  const auto first = key("20e6");
+  EXPECT_EQ(key("20e6"), first);
+  EXPECT_NE(key("17e6"), first);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(Draw, EveryMachineHasAnotherSlice) {
     for (const std::string entry : {"a.b", "a.c"}) {
       std::set<std::size_t> slices;
       for (std::size_t i = 0; i < machines; ++i) {
-        const double quantile = draw_quantile(5, entry, i, machines);
+        const double quantile = draw_quantiles(5, entry, machines)[i];
         EXPECT_GT(quantile, 0);
         EXPECT_LT(quantile, 1);
         slices.insert(static_cast<std::size_t>(quantile * static_cast<double>(machines)));
@@ -32,9 +32,9 @@ TEST(Draw, EveryMachineHasAnotherSlice) {
 }
 
 TEST(Draw, DependsOnSeedAndEntryAlone) {
-  EXPECT_EQ(draw_quantile(5, "a.b", 3, 64), draw_quantile(5, "a.b", 3, 64));
-  EXPECT_NE(draw_quantile(5, "a.b", 3, 64), draw_quantile(6, "a.b", 3, 64));
-  EXPECT_NE(draw_quantile(5, "a.b", 3, 64), draw_quantile(5, "a.c", 3, 64));
+  EXPECT_EQ(draw_quantiles(5, "a.b", 64)[3], draw_quantiles(5, "a.b", 64)[3]);
+  EXPECT_NE(draw_quantiles(5, "a.b", 64)[3], draw_quantiles(6, "a.b", 64)[3]);
+  EXPECT_NE(draw_quantiles(5, "a.b", 64)[3], draw_quantiles(5, "a.c", 64)[3]);
 }
 
 TEST(Draw, SharesAreEvenInTheirLogarithm) {
@@ -66,7 +66,7 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   const auto before = machine::load_model("t805-25");
   for (std::size_t machine = 0; machine < 16; ++machine) {
     const auto drawn = draw_machine("t805-25", {}, [&](const std::string& entry) {
-      return entry.starts_with("scale.") ? 0.5 : draw_quantile(9, entry, machine, 16);
+      return entry.starts_with("scale.") ? 0.5 : draw_quantiles(9, entry, 16)[machine];
     });
     const auto after = machine::override_model("t805-25", drawn, "test");
     for (const auto* key : {"scale.intersection", "scale.central"}) {
@@ -88,9 +88,9 @@ TEST(Draw, SpreadsTheFileOverTheMachines) {
   EXPECT_EQ(name_of(all.points[1]), "objects = 20");
   EXPECT_EQ(name_of(all.points[5]), "objects = 20, machine = 2");
   std::set<std::string> models;
-  for (const auto& point : all.points) models.insert(model_key(point.experiment));
+  for (const auto& point : all.points) models.insert(model_key(point.experiment.model));
   EXPECT_EQ(models.size(), 4u);
-  EXPECT_EQ(model_key(all.points[2].experiment), model_key(all.points[3].experiment));
+  EXPECT_EQ(model_key(all.points[2].experiment.model), model_key(all.points[3].experiment.model));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Sample sample(std::size_t inputs, std::size_t machines, std::uint64_t seed,
     s.entries.push_back("x" + std::to_string(i + 1));
     s.quantiles.emplace_back();
     for (std::size_t m = 0; m < machines; ++m)
-      s.quantiles[i].push_back(draw_quantile(seed, s.entries[i], m, machines));
+      s.quantiles[i].push_back(draw_quantiles(seed, s.entries[i], machines)[m]);
   }
   for (std::size_t m = 0; m < machines; ++m) {
     std::vector<double> x;

@@ -69,6 +69,69 @@ TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
   EXPECT_EQ(page, read("b/report.html"));
 }
 
+TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
+  ASSERT_EQ(run({"--uncertain", "6", "-o", "a"}).exit_code, 0);
+  const auto count_records = [&] {
+    std::size_t count = 0;
+    const auto points = folder.path / "b/points";
+    if (!fs::exists(points)) return count;
+    for (const auto& file : fs::recursive_directory_iterator(points))
+      count += file.is_regular_file();
+    return count;
+  };
+  for (const std::size_t wanted : {1, 5, 9}) {
+    const pid_t pid =
+        start_tlab(folder.path, {"run", "e.toml", "--uncertain", "6", "--jobs", "1", "-o", "b"});
+    for (int i = 0; i < 30'000 && count_records() < wanted; ++i) usleep(1000);
+    kill(pid, SIGKILL);
+    int status = 0;
+    waitpid(pid, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status)) << "it ended by itself: " << status;
+    EXPECT_GE(count_records(), wanted);
+  }
+  ASSERT_EQ(run({"--uncertain", "6", "-o", "b"}).exit_code, 0);
+  for (const auto* file : {"results.csv", "intervals.csv", "assumptions.csv"})
+    EXPECT_EQ(read("a/" + std::string(file)), read("b/" + std::string(file))) << file;
+}
+
+// Three workers are quicker than one on any machine; two networks of one worker are the same.
+TEST_F(Uncertain, SaysOnHowManyMachinesARankingHolds) {
+  write_file(folder.path / "e.toml",
+             FARM +
+                 "topology = [\"tree\", \"line\"]\n"
+                 "[[best]]\nname = \"fastest\"\nof = \"time_s\"\nleast = true\nover = "
+                 "[\"workers\"]\n"
+                 "[[best]]\nname = \"network\"\nof = \"time_s\"\nleast = true\nover = "
+                 "[\"topology\"]\n");
+  const auto outcome = run({"--uncertain", "6", "-o", "a"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rankings = parse_csv(read("a/rankings.csv"), "rankings");
+  ASSERT_EQ(rankings.rows.size(), 4u);
+  for (const auto& row : rankings.rows) {
+    EXPECT_EQ(to_string(row[*rankings.find("of")]), "6");
+    const auto question = to_string(row[*rankings.find("question")]);
+    const auto best = to_string(row[*rankings.find("best")]);
+    const auto at = to_string(row[*rankings.find("at")]);
+    const auto machines = as_number(row[*rankings.find("machines")]).value();
+    if (question == "fastest") {
+      EXPECT_EQ(best, "3 workers");
+      EXPECT_EQ(machines, 6);
+    } else if (at == "workers = 1") {
+      EXPECT_EQ(best, "tree or line");
+      EXPECT_EQ(machines, 6);
+    } else {
+      const auto others = to_string(row[*rankings.find("others")]);
+      EXPECT_EQ(machines == 6, others.empty()) << others;
+    }
+  }
+  EXPECT_TRUE(contains(outcome.out, "fastest: the same is best on all 6 machines in 2 of 2 cases"))
+      << outcome.out;
+  EXPECT_TRUE(contains(read("a/report.html"), "best on machines"));
+  const auto page = read("a/report.html");
+  ASSERT_EQ(tlab(folder.path, {"report", "a"}).exit_code, 0);
+  EXPECT_EQ(page, read("a/report.html"));
+}
+
 TEST_F(Uncertain, AnotherSeedDrawsOtherMachines) {
   ASSERT_EQ(run({"--uncertain", "6", "-o", "a"}).exit_code, 0);
   ASSERT_EQ(run({"--uncertain", "6", "--seed", "2", "-o", "b"}).exit_code, 0);

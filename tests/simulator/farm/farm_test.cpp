@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "renderer/scene/generators.hpp"
@@ -35,6 +36,33 @@ TEST(Farm, ImageEqualsTheSequentialRenderersOnEveryTopology) {
     EXPECT_EQ(compare(topology, glass, small_params()), "") << topology;
     EXPECT_EQ(compare(topology, spheres, small_params()), "") << topology;
   }
+}
+
+// Workers of two models on a board with double links: who is quicker does more, in proportion.
+TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
+  EXPECT_EQ(
+      isolated([]() -> std::string {
+        const auto scene = renderer::make_spheres(200);
+        auto params = small_params();
+        const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
+        for (const int id : {0, 3}) params.others.emplace(id, slow);
+        auto star = topologies::make_topology("star:4");
+        star.links.push_back({{0, topologies::free_port(star, 0)}, {3, 2}});
+        const auto farm = run_farm(machine::load_model("t805-30"), star, scene, params);
+        const auto oracle = renderer::render(scene, params.image);
+        if (!(farm.samples == oracle.samples)) return "other samples";
+        std::uint64_t sum = 0;
+        std::map<std::string, double> of;
+        for (const auto& cpu : farm.use.cpus) {
+          sum += cpu.tasks.value_or(0);
+          of[cpu.model] += cpu.role == Role::worker ? static_cast<double>(cpu.tasks.value()) : 0;
+        }
+        if (sum != farm.tasks) return fmt::format("{} tasks, not {}", sum, farm.tasks);
+        // Two workers of each.
+        const double ratio = of["t805-30"] / of["t800-20"];
+        return ratio > 1.35 && ratio < 1.6 ? "" : fmt::format("{} times as much", ratio);
+      }),
+      "");
 }
 
 // What the user asks for changes the order in which rays are processed, never the picture.

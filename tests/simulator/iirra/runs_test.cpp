@@ -18,6 +18,7 @@ struct Case {
   std::string topology, scene;
   Params params;
   std::optional<tracing::SharedParams> data;
+  std::uint64_t seed = 1;
 };
 
 using Random = std::mt19937_64;
@@ -101,6 +102,7 @@ tracing::SharedParams random_data(Random& random, network::Method method) {
 Case make_case(std::uint64_t seed) {
   Random random(seed);
   Case made;
+  made.seed = seed;
   made.topology = random_topology(random);
   const char* const scenes[] = {"own glass", "spheres", "glass.nff", "mirrors.nff"};
   made.scene = scenes[below(random, 4)];
@@ -148,15 +150,43 @@ renderer::Scene load(const std::string& scene) {
   return renderer::load_scene(std::string(TLAB_SOURCE_DIR) + "/experiments/scenes/" + scene);
 }
 
+// Of every third case about half the links that can be doubled are.
+topologies::Topology make_board(const Case& c) {
+  auto board = topologies::make_topology(c.topology);
+  if (c.seed % 3 != 0) return board;
+  Random random(c.seed);
+  for (const auto& [a, b] : topologies::Topology(board).links) {
+    const int here = free_port(board, a.processor), there = free_port(board, b.processor);
+    if (random() % 2 && here >= 0 && there >= 0)
+      board.links.push_back({{a.processor, here}, {b.processor, there}});
+  }
+  sort_links(board);
+  check(board);
+  return board;
+}
+
+// Of every fourth case some processors are slower.
+programs::OtherModels make_others(const Case& c, int processors) {
+  programs::OtherModels others;
+  if (c.seed % 4 != 0) return others;
+  const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
+  Random random(c.seed);
+  for (int id = 0; id < processors; ++id)
+    if (random() % 3 == 0) others.emplace(id, slow);
+  return others;
+}
+
 Result run_case(const Case& c) {
   const auto scene = load(c.scene);
+  const auto board = make_board(c);
   auto params = c.params;
+  params.others = make_others(c, board.processors);
   if (c.data) {
     const auto model = machine::load_model("t805-25");
     check_data(model, tracing::size_of(scene), *c.data);
     params.data = make_data_params(model, tracing::size_of(scene), *c.data);
   }
-  return run(params, topologies::make_topology(c.topology), scene);
+  return run(params, board, scene);
 }
 
 // --- what has to be computed --------------------------------------------------------------------

@@ -26,7 +26,7 @@ struct Engines : testing::Test {
 std::string run_random(std::uint64_t seed, EngineParams engine) {
   return isolated([&] {
     const Plan plan = make_plan(seed);
-    Lab lab(make_stealing_model(), 1, engine);
+    Lab lab(make_stealing_model(), machine::Code::bare, engine);
     std::string log, wrong;
     build_machine(lab, plan);
     for (const Stream& stream : plan.streams) start_stream(lab, stream, log, wrong);
@@ -70,7 +70,7 @@ TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
         ~Leaver() { log += name + " "; }
       };
       {
-        Lab lab(make_exact_model(), 1, engine);
+        Lab lab(make_exact_model(), machine::Code::bare, engine);
         auto& cpu = lab.cpu();
         auto& channel = lab.soft();
         cpu.start("waits", Priority::high, [&] {
@@ -102,7 +102,7 @@ TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
 TEST_F(Engines, WhatABodyThrowsEndsTheRun) {
   for (const auto engine : ALL_KINDS)
     EXPECT_THROW(isolated([&]() -> std::string {
-                   Lab lab(make_exact_model(), 1, engine);
+                   Lab lab(make_exact_model(), machine::Code::bare, engine);
                    auto& cpu = lab.cpu();
                    cpu.start("waits", Priority::low, [&] { lab.soft().in(); });
                    cpu.start("throws", Priority::high, [] { throw std::runtime_error("so"); });
@@ -116,7 +116,7 @@ TEST_F(Engines, HaveTheSameStacks) {
   for (const auto engine : ALL_KINDS) {
     const auto sum = isolated([&] {
       int sum = 0;
-      Lab lab(make_exact_model(), 1, engine);
+      Lab lab(make_exact_model(), machine::Code::bare, engine);
       lab.cpu().start("deep", Priority::low, [&] {
         volatile char room[100 * 1024];
         for (std::size_t i = 0; i < sizeof room; i += 1024) room[i] = 1;

@@ -90,7 +90,7 @@ std::string check(Recorder& seen, const machine::Machine& machine) {
 }
 
 std::string run(const Plan& plan, const Model& model, bool observed, std::string& wrong) {
-  Lab lab(model, 3);
+  Lab lab(model, machine::Code::compiled);
   Recorder recorder;
   build_machine(lab, plan);
   std::deque<std::string> logs;

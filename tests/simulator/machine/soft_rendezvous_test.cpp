@@ -124,9 +124,10 @@ TEST(SoftRendezvous, OfNoBytes) {
 }
 
 TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
-  const Model model = make_exact_model();
+  Model model = make_exact_model();
+  model.software.occam_factor = 2.5;
   const auto found = isolated_numbers([&] {
-    Lab lab(model, 2.5);
+    Lab lab(model, machine::Code::compiled);
     double end = 0;
     auto& channel = lab.soft();
     Processor& cpu = lab.cpu();

@@ -158,7 +158,9 @@ TEST(AltTimes, SoftwareFactorMultipliesInstructionsOnly) {
   const Model model = make_complete_model();
   const auto cost = [&](double factor) {
     return isolated_numbers([&] {
-             Lab lab(model, factor);
+             Model its = model;
+             its.software.occam_factor = factor;
+             Lab lab(its, machine::Code::compiled);
              double end = 0;
              Processor& cpu = lab.cpu();
              auto& channel = lab.soft();

@@ -211,10 +211,12 @@ TEST(Misuse, LinksJoinDifferentProcessors) {
                    auto& a = lab.cpu();
                    lab.machine.connect(a, a);
                  });
-  expect_failure(misuse_of("cpu 0", 0), {"cpu 0 and cpu 1 are joined already"}, [](Lab& lab) {
-    auto& a = lab.cpu();
-    lab.machine.connect(a, lab.neighbour(a));
-  });
+  expect_failure(misuse_of("cpu 0", 0), {"2 of the links that join cpu 0 and cpu 1: found 2"},
+                 [](Lab& lab) {
+                   auto &a = lab.cpu(), &b = lab.neighbour(a);
+                   lab.machine.connect(a, b);
+                   lab.machine.link(a, b, 2);
+                 });
   expect_failure(misuse_of("cpu 0", 0), {"cpu 0 would have more than four links"}, [](Lab& lab) {
     auto& hub = lab.cpu();
     for (int i = 0; i < 5; ++i) lab.neighbour(hub);
@@ -260,8 +262,10 @@ static_assert(!CanCharge<std::int64_t> && !CanCharge<double>);
 static_assert(!CanChargeWithoutBraces<int> && !CanChargeWithoutBraces<double>);
 
 TEST(Charge, TakesCyclesOrADuration) {
-  const auto found = isolated_numbers([] {
-    Lab lab(make_exact_model(), 3);  // the factor is that of compiled instructions alone
+  Model model = make_exact_model();
+  model.software.occam_factor = 3;  // of compiled instructions alone
+  const auto found = isolated_numbers([&] {
+    Lab lab(model, machine::Code::compiled);
     Numbers ends;
     lab.cpu().start("Alice", Priority::high, [&] {
       this_process().charge(Cycles{100});

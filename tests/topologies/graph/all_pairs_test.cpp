@@ -1,5 +1,6 @@
 #include "topologies/graph/all_pairs.hpp"
 
+#include <map>
 #include <numeric>
 
 #include "tests/topologies/support.hpp"
@@ -10,9 +11,11 @@
 namespace topologies {
 namespace {
 
-// Every message walked, always by the lowest port to a processor that is nearer.
+// Every message walked, always to the neighbour on the lowest port that is nearer; over several
+// links to it in turn.
 AllPairs walk_all_pairs(const Topology& t) {
   const auto around = neighbours(t);
+  std::map<std::pair<int, int>, std::size_t> sent;
   AllPairs all;
   all.load.resize(t.links.size());
   for (int to = 0; to < t.processors; ++to) {
@@ -23,8 +26,12 @@ AllPairs walk_all_pairs(const Topology& t) {
       for (int at = from; at != to;) {
         const auto hop = std::ranges::find_if(
             around[at], [&](const auto& n) { return distance[n.processor] < distance[at]; });
-        ++all.load[hop->link][at > hop->processor];
-        at = hop->processor;
+        const int next = hop->processor;
+        std::vector<int> links;
+        for (const auto& n : around[at])
+          if (n.processor == next) links.push_back(n.link);
+        ++all.load[links[sent[{at, next}]++ % links.size()]][at > next];
+        at = next;
       }
     }
   }

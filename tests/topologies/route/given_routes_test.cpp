@@ -38,6 +38,17 @@ TEST(TopologyGivenRoutes, AreForBothWaysAndForThoseOnTheWay) {
   EXPECT_EQ(walk(ring, routes, 3, 1), walk(ring, make_routes(ring), 3, 1));
 }
 
+TEST(TopologyGivenRoutes, GoOneWayThereAndAnotherBack) {
+  const auto ring = make_topology("ring:6");
+  for (const auto& rows : {"0,3,0-1-2-3\n3,0,3-4-5-0\n", "3,0,3-4-5-0\n0,3,0-1-2-3\n"}) {
+    const auto routes = read_routes(ring, COLUMNS + rows, "r.csv");
+    EXPECT_EQ(walk(ring, routes, 0, 3), (Path{0, 1, 2, 3}));
+    EXPECT_EQ(walk(ring, routes, 3, 0), (Path{3, 4, 5, 0}));
+    EXPECT_EQ(walk(ring, routes, 1, 3), (Path{1, 2, 3}));
+    EXPECT_EQ(walk(ring, routes, 4, 0), (Path{4, 5, 0}));
+  }
+}
+
 TEST(TopologyGivenRoutes, WithoutAnyAreTheShortest) {
   const auto t = make_topology("mesh:3x4");
   const auto shortest = make_routes(t);
@@ -63,8 +74,7 @@ TEST(TopologyGivenRoutes, OfRandomPathsAllArrive) {
     Topology tree{"tree", t.processors, 0, {}, {}, {}};
     for (const auto& link : links)
       if (plain_distances(tree, link.a.processor)[link.b.processor] < 0) tree.links.push_back(link);
-    std::ranges::sort(tree.links, {},
-                      [](const auto& l) { return std::pair(l.a.processor, l.b.processor); });
+    sort_links(tree);
     const auto along_tree = make_routes(tree);
     std::string text = COLUMNS;
     std::vector<Path> given;
@@ -100,7 +110,9 @@ TEST(TopologyGivenRoutes, MistakesAreNamedWithTheirLine) {
             "r.csv:4: the path 1-0-5-4-3 leads from 1 to 3 by 0, but that of line 2, 0-1-2-3, by "
             "2; "
             "expected one way from a processor to an end"},
-           {"0,3,0-1-2-3\n3,0,3-4-5-0\n", "r.csv:3: the path 3-4-5-0 leads from 3 to 0 by 4"}}) {
+           {"0,3,0-1-2-3\n4,0,4-3-2-1-0\n3,0,3-4-5-0\n",
+            "r.csv:4: the path 3-4-5-0 leads from 3 to 0 by 4"},
+           {"0,3,0-1-2\n", "r.csv:2: found the path 0-1-2, expected one from 0 to 3"}}) {
     const auto told = rejection([&, rows = rows] { read_routes(ring, COLUMNS + rows, "r.csv"); });
     EXPECT_NE(told.find(message), std::string::npos) << rows << told;
   }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/topologies/support.hpp"
+#include "topologies/graph/grid.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 
@@ -84,7 +85,7 @@ Topology random_machine(unsigned seed) {
     while (free_port(t, at) < 0) at = (at + 1) % t.processors;
     t.links.push_back({{at, free_port(t, at)}, {t.processors++, 1}});
   }
-  std::ranges::sort(t.links, {}, [](auto& l) { return std::pair(l.a.processor, l.b.processor); });
+  sort_links(t);
   return t;
 }
 
@@ -163,7 +164,9 @@ bool closes_cycle_plainly(const Topology& t, const RoutingTable& routes, const T
 
 void expect_cycle_as_walked(const Topology& t) {
   const auto tree = make_tree_links(t);
-  for (const auto& routes : {make_routes(t), make_up_down_routes(t)})
+  std::vector all{make_routes(t), make_up_down_routes(t)};
+  if (t.shape.form == Shape::Form::grid && find_grid(t)) all.push_back(make_xy_routes(t));
+  for (const auto& routes : all)
     EXPECT_EQ(closes_cycle(t, routes, tree), closes_cycle_plainly(t, routes, tree)) << t.name;
 }
 

@@ -1,6 +1,18 @@
 // The network: processors and links coloured by their loads, messages that move, what is cut.
 import { fit, loadColour, style, watchSize, widthOf } from "/colour.js";
 
+// How far each link runs beside the straight line between its ends: 0, or with others -1/2 and 1/2,
+// and so on.
+function asides(links) {
+  const nth = [], count = new Map();
+  for (const [a, b] of links) {
+    const key = a < b ? `${a} ${b}` : `${b} ${a}`;
+    nth.push([key, count.get(key) ?? 0, a < b ? 1 : -1]);
+    count.set(key, nth.at(-1)[1] + 1);
+  }
+  return nth.map(([key, n, side]) => side * (n - (count.get(key) - 1) / 2));
+}
+
 export class Machine {
   constructor(canvas, outline, onChoose) {
     Object.assign(this, { canvas, outline, onChoose });
@@ -40,8 +52,17 @@ export class Machine {
     this.draw();
   }
 
+  // The two ends of a link on the canvas. Links that join the same two run side by side.
+  ends(link, { unit, place }) {
+    const [a, b] = this.outline.links[link].map((id) => place(this.outline.processors[id]));
+    this.aside ??= asides(this.outline.links);
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]), off = 0.2 * unit * this.aside[link];
+    const x = -off * (b[1] - a[1]) / length, y = off * (b[0] - a[0]) / length;
+    return [[a[0] + x, a[1] + y], [b[0] + x, b[1] + y]];
+  }
+
   draw() {
-    const { unit, height, place } = this.layout();
+    const layout = this.layout(), { unit, height, place } = layout;
     const { context, width } = fit(this.canvas, height);
     context.clearRect(0, 0, width, height);
     const { processors, links } = this.outline, state = this.state;
@@ -50,8 +71,8 @@ export class Machine {
     const cycle = state?.deadlock?.processors ?? [], waits = new Set(cycle);
     const thick = Math.max(1, unit / 18);
     context.setLineDash([]);
-    links.forEach(([a, b], i) => {
-      const [ax, ay] = place(processors[a]), [bx, by] = place(processors[b]);
+    links.forEach((_, i) => {
+      const [[ax, ay], [bx, by]] = this.ends(i, layout);
       const mid = [(ax + bx) / 2, (ay + by) / 2];
       [[ax, ay, 2 * i], [bx, by, 2 * i + 1]].forEach(([x, y, direction]) => {
         const share = (state?.links[direction] ?? 0) / 1000;
@@ -76,7 +97,7 @@ export class Machine {
     });
     context.setLineDash([]);
     const radius = Math.min(22, unit * 0.3);
-    this.drawMessages(context, place, radius, Math.max(1.5, unit / 16));
+    this.drawMessages(context, layout, radius, Math.max(1.5, unit / 16));
     this.drawCycle(context, cycle, place, radius);
     context.textAlign = "center";
     context.textBaseline = "middle";
@@ -98,7 +119,8 @@ export class Machine {
       if (radius < 9) return;
       context.fillStyle = share > 0.5 ? style("paper") : style("ink");
       context.font = `${Math.round(radius * 0.75)}px system-ui, sans-serif`;
-      context.fillText(processor.name.match(/\d+$/)?.[0] ?? processor.name.slice(0, 2), x, y);
+      const name = processor.name.match(/^(?:worker|p)(\d+)$/)?.[1] ?? processor.name;
+      context.fillText(name, x, y, 1.9 * radius);
       const ready = state?.queues[i] ?? 0;
       if (ready > 0) {
         context.fillStyle = style("ink");
@@ -117,13 +139,13 @@ export class Machine {
 
   // Messages under way: a dot each, on the right of the link as the message goes, where as much of
   // the way is behind it as of the message has passed.
-  drawMessages(context, place, radius, size) {
-    const { processors, links } = this.outline, moving = this.state?.moving ?? [];
+  drawMessages(context, layout, radius, size) {
+    const moving = this.state?.moving ?? [];
     context.fillStyle = style("high");
     for (let i = 0; i < moving.length; i += 2) {
-      const link = links[moving[i] >> 1], [from, to] = moving[i] % 2 ? [link[1], link[0]] : link;
-      const { ax, ay, length, ux, uy, margin } =
-        this.way(place(processors[from]), place(processors[to]), radius);
+      const ends = this.ends(moving[i] >> 1, layout);
+      const [from, to] = moving[i] % 2 ? [ends[1], ends[0]] : ends;
+      const { ax, ay, length, ux, uy, margin } = this.way(from, to, radius);
       const at = margin + (length - 2 * margin) * moving[i + 1] / 1000;
       context.beginPath();
       context.arc(ax + at * ux - 1.2 * size * uy, ay + at * uy + 1.2 * size * ux, size, 0, 7);
@@ -164,7 +186,8 @@ export class Machine {
 
   // The processor or link under the pointer.
   find(event) {
-    const { unit, place } = this.layout(), box = this.canvas.getBoundingClientRect();
+    const layout = this.layout(), { unit, place } = layout;
+    const box = this.canvas.getBoundingClientRect();
     const x = event.clientX - box.left, y = event.clientY - box.top;
     const { processors, links } = this.outline;
     const near = processors.findIndex((p) => {
@@ -172,8 +195,8 @@ export class Machine {
       return Math.hypot(px - x, py - y) < Math.max(6, Math.min(22, unit * 0.3) + 2);
     });
     if (near >= 0) return { processor: near };
-    const link = links.findIndex(([a, b]) => {
-      const [ax, ay] = place(processors[a]), [bx, by] = place(processors[b]);
+    const link = links.findIndex((_, i) => {
+      const [[ax, ay], [bx, by]] = this.ends(i, layout);
       const along = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) /
         ((bx - ax) ** 2 + (by - ay) ** 2);
       return along > 0 && along < 1 &&

@@ -1,0 +1,32 @@
+#pragma once
+// Costs on a machine whose processors may be of different models.
+#include <deque>
+#include <functional>
+#include <utility>
+
+#include "simulator/machine/machine.hpp"
+
+namespace kernels {
+
+/// A cost, or several, that each model of processor has its own of: made once for each.
+template <class T>
+class ByModel {
+ public:
+  using Make = std::function<T(const machine::Model&)>;
+  /// Tries `make` on a model at once: it throws BadInput for what that lacks.
+  ByModel(const machine::Model& model, Make make) : make_(std::move(make)) { make_(model); }
+
+  /// The cost on the processor of this_process(). The reference stays valid.
+  const T& here() const {
+    const auto& model = machine::this_process().processor().model();
+    for (const auto& [known, cost] : known_)
+      if (known == &model) return cost;
+    return known_.emplace_back(&model, make_(model)).second;
+  }
+
+ private:
+  Make make_;
+  mutable std::deque<std::pair<const machine::Model*, T>> known_;
+};
+
+}  // namespace kernels

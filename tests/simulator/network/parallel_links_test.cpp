@@ -1,0 +1,83 @@
+// Routers where several links join two neighbours.
+#include <gtest/gtest.h>
+
+#include "simulator/network/store_and_forward.hpp"
+#include "tests/simulator/network/router_support.hpp"
+
+namespace network {
+namespace {
+
+topologies::Topology pair_joined_by(int links) {
+  topologies::Topology pair{"pair", 2, 0, {}, {}, {}};
+  for (int port = 0; port < links; ++port) pair.links.push_back({{0, port}, {1, port}});
+  return pair;
+}
+
+constexpr int CLIENTS = 4;
+constexpr std::uint64_t BYTES = 100'000, MESSAGES = 8;
+
+// Seconds in which each of the processes of one processor sends one of the other its messages,
+// which must come in order.
+std::string time_of(int links, Method method) {
+  return isolated([&] {
+    Params params;
+    params.method = method;
+    params.longest = BYTES;
+    params.processes = {{1, 2, 4, 8}, {1, 2, 4, 8}};
+    Bench bench(pair_joined_by(links), params, {}, 16 << 20);
+    double end = 0;
+    std::string wrong;
+    const auto start = [&](int id, int n, const std::function<void(Client&)>& body) {
+      bench.machine.processors()[static_cast<std::size_t>(id)]->start(
+          "application", occam::Priority::low,
+          [&bench, id, n, body] { body(bench.network->client(id, n)); });
+    };
+    for (int n = 0; n < CLIENTS; ++n) {
+      start(0, n, [n](Client& client) {
+        for (std::uint64_t i = 0; i < MESSAGES; ++i) {
+          auto message = make_message({1, n}, i, i % 2 ? BYTES : 4);
+          message.from.process = n;
+          client.send(message);
+        }
+      });
+      start(1, n, [&](Client& client) {
+        for (std::uint64_t i = 0; i < MESSAGES; ++i)
+          if (client.receive().number != i) wrong = "out of order";
+        end = std::max(end, occam::this_process().now().value);
+      });
+    }
+    bench.machine.run();
+    return wrong.empty() ? fmt::format("{}", end) : wrong;
+  });
+}
+
+// The acyclic method's inputs work side by side: with the four streams on two links it takes half
+// the time, or three quarters where three of them share one. Chalmers' and Green's routers input
+// one message at a time, whatever the links.
+TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
+  for (const Method method : METHODS) {
+    const double one = std::stod(time_of(1, method)), two = std::stod(time_of(2, method));
+    EXPECT_LT(two / one, method == Method::acyclic ? 0.76 : 1.01) << static_cast<int>(method);
+    EXPECT_GT(two / one, method == Method::acyclic ? 0.49 : 0.98) << static_cast<int>(method);
+  }
+}
+
+TEST(ParallelLinks, TakeMessagesToAllOnce) {
+  for (const Method method : METHODS)
+    EXPECT_EQ(isolated([&] {
+                Params params;
+                params.method = method;
+                Bench bench(pair_joined_by(3), params);
+                int got = 0;
+                bench.start_sink(1, [&](const Message&) { ++got; });
+                bench.start(0, [&](Client& client) {
+                  for (int i = 0; i < 10; ++i) client.send(make_message(make_global(0)));
+                });
+                bench.machine.run();
+                return fmt::format("{}", got);
+              }),
+              "10");
+}
+
+}  // namespace
+}  // namespace network
