@@ -138,8 +138,8 @@ int Node::choose_link(const Message& message, int port) const {
   const int links = routing->links_beside(id, port);
   if (links == 1) return port;
   std::uint64_t mixed = 0;
-  for (const int part : {message.from.processor, message.from.process, message.to.processor,
-                         message.to.process})
+  for (const int part :
+       {message.from.processor, message.from.process, message.to.processor, message.to.process})
     mixed = base::random_at(mixed, static_cast<std::uint64_t>(part));
   for (auto turns = mixed % static_cast<std::uint64_t>(links); turns > 0; --turns)
     port = routing->beside(id, port);
