@@ -133,6 +133,8 @@ ExperimentFile spread(const ExperimentFile& file) {
         spec.entries = found->second;
       };
       draw(point.experiment.model);
+      point.experiment.links = machine::Links::direct;  // the same to rounding, in half the time
+      point.experiment.processes = machine::Processes::fibers;
       for (auto& other : point.experiment.others) draw(other.model);
       point.at.push_back({"machine", std::to_string(machine + 1)});
       all.points.push_back(std::move(point));

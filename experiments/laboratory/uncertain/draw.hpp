@@ -31,8 +31,8 @@ Entries draw_machine(const std::string& model, const Entries& set,
 /// The entries that are drawn at some point of the file, in the order of the models.
 std::vector<std::string> drawn_entries(const ExperimentFile& file);
 
-/// The file's points, and behind them those of machine 1, 2, ... in the same order; the file itself
-/// if it draws none.
+/// The file's points, and behind them those of machine 1, 2, ... in the same order, on the engine
+/// "direct"; the file itself if it draws none.
 ExperimentFile spread(const ExperimentFile& file);
 
 }  // namespace laboratory
