@@ -49,6 +49,17 @@ class Reader {
   std::size_t row_;
 };
 
+// "X matters most: ± 2 % (the median of 6 rows); then Y ± 1 %, Z ± 0.5 %".
+std::string tell_weights(const std::vector<Weight>& weights) {
+  constexpr std::size_t MOST_TOLD = 5;
+  auto text = fmt::format("{} matters most: ± {:.2g} %{}", weights[0].entry,
+                          100 * std::abs(weights[0].share), of_rows(weights[0].rows));
+  for (std::size_t i = 1; i < std::min(MOST_TOLD, weights.size()); ++i)
+    text += fmt::format("{}{} ± {:.2g} %", i == 1 ? "; then " : ", ", weights[i].entry,
+                        100 * std::abs(weights[i].share));
+  return text;
+}
+
 void each_of(const Table& table, const std::string& column, auto visit) {
   for (std::size_t row = 0; row < table.rows.size(); ++row)
     if (const Reader reader(table, row); reader.text("column") == column) visit(reader);
@@ -175,8 +186,7 @@ std::vector<std::string> tell_sureness(const SurenessTables& sureness,
     if (weights.empty())
       text += "; no single assumption stands out among so few machines";
     else
-      text += fmt::format("; of the assumptions, {} matters most: ± {:.2g} %{}", weights[0].entry,
-                          100 * std::abs(weights[0].share), of_rows(weights[0].rows));
+      text += "; of the assumptions, " + tell_weights(weights);
     sentences.push_back(std::move(text));
   }
   return sentences;

@@ -49,8 +49,8 @@ struct Weight {
 /// Those that are among the strongest in most rows first, and of them the strongest.
 std::vector<Weight> weigh(const SurenessTables& sureness, const std::string& column);
 
-/// A sentence for each of these columns that has intervals: how wide they are, and which entry
-/// matters most.
+/// A sentence for each of these columns that has intervals: how wide they are, and which entries
+/// matter most, five at most.
 std::vector<std::string> tell_sureness(const SurenessTables& sureness,
                                        const std::vector<std::string>& columns);
 
