@@ -118,8 +118,9 @@ export class Machine {
       if (stopped.has(i)) this.cross(context, x, y, radius);
       if (radius < 9) return;
       context.fillStyle = share > 0.5 ? style("paper") : style("ink");
-      context.font = `${Math.round(radius * 0.75)}px system-ui, sans-serif`;
       const name = processor.name.match(/^(?:worker|p)(\d+)$/)?.[1] ?? processor.name;
+      const fitting = 3.4 * radius / name.length;  // letters are about half as wide as high
+      context.font = `${Math.max(8, Math.min(0.75 * radius, fitting))}px system-ui, sans-serif`;
       context.fillText(name, x, y, 1.9 * radius);
       const ready = state?.queues[i] ?? 0;
       if (ready > 0) {
