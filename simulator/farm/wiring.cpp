@@ -32,7 +32,8 @@ Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Pro
 topologies::Topology free_root_port(topologies::Topology topology) {
   const auto all = topologies::neighbours(topology)[topology.root];
   if (topologies::free_port(topology, topology.root) >= 0) return topology;
-  // Of several links to one neighbour the others go on.
+  // A link that has another beside it is given up first, since that one goes on: it comes last
+  // here.
   auto around = all;
   std::ranges::stable_partition(around, [&](const auto& n) {
     return std::ranges::count(all, n.processor, &topologies::Neighbour::processor) == 1;

@@ -40,8 +40,7 @@ struct Workers {
 
 /// The topology with a port free at its root, for the coordinator: a root with four links (a torus)
 /// gives up one of several links to one neighbour, else the link on its highest port that the
-/// machine stays connected without. Throws
-/// base::BadInput if there is none.
+/// machine stays connected without. Throws base::BadInput if there is none.
 topologies::Topology free_root_port(topologies::Topology topology);
 
 /// Adds the workers' processors, each with its program, and joins them. The coordinator's link goes

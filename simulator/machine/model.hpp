@@ -34,8 +34,8 @@ struct Entry {
   std::string source;
   std::string where;  ///< "my.toml:4: link.one_way_rate"
   std::optional<Range> range = {};
-  /// Of a calibrated entry: a formula over entries, in proportion to this one, whose value the
-  /// published cells fix; empty where they fix the entry itself.
+  /// What the published cells of a calibrated entry fix: a formula over entries whose value is in
+  /// proportion to this one. Empty where they fix the entry itself.
   std::string holds = {};
 };
 

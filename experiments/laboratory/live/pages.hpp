@@ -45,8 +45,9 @@ struct Pages {
   std::shared_ptr<const std::string> dumped_;
 };
 
-/// Is counted among the strangers as long as it is there. When there are too many the oldest is
-/// closed: who comes with a token finds room, unless as many others come before it is shown.
+/// A connection that has not shown the page's token yet: it is counted as long as it is there. When
+/// there are too many the oldest is closed, so that a new one finds room. A page is shut out only
+/// if that many others connect before it shows its token.
 class Stranger {
  public:
   Stranger(Pages& pages, std::function<void()> close);

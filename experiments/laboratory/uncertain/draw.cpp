@@ -22,7 +22,7 @@ bool is_set(const Entries& set, const std::string& key) {
   return std::ranges::find(set, key, &Entries::value_type::first) != set.end();
 }
 
-// Of an entry, on every machine the same.
+// The number that an entry's draws begin with: a hash of its name, the same on every host.
 std::uint64_t number_of(const std::string& entry) {
   return std::stoull(hash_of(entry).substr(0, 16), nullptr, 16);
 }

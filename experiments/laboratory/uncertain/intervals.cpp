@@ -157,16 +157,24 @@ std::vector<Influence> find_influences(const std::vector<double>& results,
   return influences;
 }
 
+Table start_table(const Table& table, std::initializer_list<const char*> columns) {
+  const auto axes = static_cast<std::ptrdiff_t>(table.axes);
+  Table made{.columns = {table.columns.begin(), table.columns.begin() + axes},
+             .axes = table.axes,
+             .rows = {}};
+  made.columns.insert(made.columns.end(), columns.begin(), columns.end());
+  return made;
+}
+
+std::vector<Value> take_axes(const Table& table, std::size_t row) {
+  const auto& cells = table.rows[row];
+  return {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(table.axes)};
+}
+
 Table make_intervals_table(const Table& table, const std::vector<Interval>& intervals) {
-  Table made;
-  made.columns.assign(table.columns.begin(),
-                      table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
-  made.axes = table.axes;
-  for (const char* column : {"column", "value", "p5", "p50", "p95"})
-    made.columns.emplace_back(column);
+  Table made = start_table(table, {"column", "value", "p5", "p50", "p95"});
   for (const auto& interval : intervals) {
-    const auto& row = table.rows[interval.row];
-    std::vector<Value> cells(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(table.axes));
+    auto cells = take_axes(table, interval.row);
     cells.emplace_back(table.columns[interval.column]);
     for (const double number : {interval.value, interval.low, interval.median, interval.high})
       cells.emplace_back(number);

@@ -1,5 +1,6 @@
 #pragma once
 // How sure results are: where they lie over many machines, and which number decides it.
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ struct Interval {
   std::vector<double> machines;  ///< the result on each
 };
 
-/// Of every numeric cell that is no axis, where all machines have it and not all have the same.
-/// Rows are matched by their axes. `machines` holds a table for each machine.
+/// Finds the interval of each numeric cell that is no axis, that all machines have and that is not
+/// the same on all. `machines` holds a table for each; their rows are matched by their axes.
 std::vector<Interval> find_intervals(const Table& table, const std::vector<Table>& machines);
 
 /// How much one entry decides of a result.
@@ -35,6 +36,11 @@ struct Influence {
 std::vector<Influence> find_influences(const std::vector<double>& results,
                                        const std::vector<std::string>& entries,
                                        const std::vector<std::vector<double>>& quantiles);
+
+/// A table without rows: the axes of `table`, and these columns behind them.
+Table start_table(const Table& table, std::initializer_list<const char*> columns);
+/// The cells of a row's axes.
+std::vector<Value> take_axes(const Table& table, std::size_t row);
 
 /// intervals.csv: a line for each, the axes first.
 Table make_intervals_table(const Table& table, const std::vector<Interval>& intervals);

@@ -96,18 +96,13 @@ Sureness find_sureness(const ExperimentFile& file, const Table& table, const Res
 namespace {
 
 Table make_assumptions_table(const Table& table, const Sureness& sureness) {
-  Table made;
-  made.columns.assign(table.columns.begin(),
-                      table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
-  made.axes = table.axes;
-  for (const char* column : {"column", "entry", "swing", "standard_error", "rank_correlation"})
-    made.columns.emplace_back(column);
+  Table made =
+      start_table(table, {"column", "entry", "swing", "standard_error", "rank_correlation"});
   for (const auto& interval : sureness.intervals) {
     const auto influences =
         find_influences(interval.machines, sureness.entries, sureness.quantiles);
     for (const auto& influence : influences) {
-      const auto& row = table.rows[interval.row];
-      std::vector<Value> cells(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(table.axes));
+      auto cells = take_axes(table, interval.row);
       cells.emplace_back(table.columns[interval.column]);
       cells.emplace_back(influence.entry);
       for (const double number : {influence.swing, influence.error, influence.correlation})
