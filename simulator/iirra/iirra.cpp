@@ -44,7 +44,7 @@ std::vector<int> find_parents(const topologies::Topology& topology, const Places
                 "found green, but the display, processor {}, is between the coordinator and other "
                 "workers in the spanning tree of {}: expected another method, or iirra.display = "
                 "\"far\"",
-                places.display, topology.name);
+                describe_processor(topology, places.display), topology.name);
   return tree.parent;
 }
 

@@ -162,6 +162,7 @@ void add_commands(CLI::App& app) {
                      &merge_results);
   add_folder_command(app, "report", "make plots and report.html of results again", &report_results);
   add_verify_command(app);
+  add_compare_command(app);
   add_model_command(app);
   add_columns_command(app);
 }

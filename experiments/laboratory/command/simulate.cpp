@@ -11,6 +11,7 @@
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
+#include "experiments/laboratory/judge/cover.hpp"
 #include "experiments/laboratory/judge/ranking.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/points/origin.hpp"

@@ -201,35 +201,6 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
   return results;
 }
 
-void check_cover(std::vector<CheckResult>& results, const Table& table,
-                 const SurenessTables& sureness) {
-  for (auto& result : results) {
-    if (result.check.has_bounds()) continue;
-    CheckResult::Covered covered;
-    const bool is_column = table.find(result.check.of).has_value();
-    for (const auto& point : result.points) {
-      if (point.kind == Kind::calibrated) continue;
-      auto interval = find_interval(sureness, table, point.row, result.check.of);
-      if (!interval && is_column)
-        interval.emplace(point.simulated, point.simulated);  // on all machines
-      if (!interval) continue;
-      ++covered.points;
-      covered.inside += interval->first <= point.expected && point.expected <= interval->second;
-    }
-    const auto& asked = result.check.covers;
-    if (covered.points == 0) {
-      if (!asked || result.points.empty()) continue;
-      result.notes.push_back(
-          fmt::format("covers: no point of {} has an interval and is predicted", result.check.of));
-      result.verdict = Verdict::fails;
-      continue;
-    }
-    result.covered = covered;
-    const double share = static_cast<double>(covered.inside) / static_cast<double>(covered.points);
-    if (asked && share < *asked) result.verdict = Verdict::fails;
-  }
-}
-
 std::string summarize(const CheckResult& result, const Table& table) {
   const Check& check = result.check;
   if (result.verdict == Verdict::unmatched)
@@ -251,6 +222,9 @@ std::string summarize(const CheckResult& result, const Table& table) {
     line +=
         fmt::format("; {} of {} where nine of ten machines are", covered->inside, covered->points);
     if (check.covers) line += fmt::format(" (at least {:g} %)", 100 * *check.covers);
+    if (const auto& own = covered->with_own_error)
+      line += fmt::format(", {} with the model's own error (± {:.2g} %)", own->inside,
+                          100 * own->half_width);
   }
   return line;
 }

@@ -40,9 +40,16 @@ struct CheckResult {
   std::size_t worst = 0;                    ///< index into `points`
   double mean = 0;                          ///< mean of the errors' sizes
   std::optional<Predicted> predicted = {};  ///< where the check says which points are calibrated
+  /// So many of them lie in intervals that have the model's own error too, and how wide these are,
+  /// as a share of what is simulated (the median of the points). See cover.hpp.
+  struct WithOwnError {
+    std::size_t inside = 0;
+    double half_width = 0;
+  };
   /// Where machines were drawn: of so many points with intervals so many are in theirs.
   struct Covered {
     std::size_t inside = 0, points = 0;
+    std::optional<WithOwnError> with_own_error = {};
   };
   std::optional<Covered> covered = {};
   std::vector<std::string> notes = {};
@@ -51,11 +58,6 @@ struct CheckResult {
 /// The results of all checks of a plan; the table has all points. Throws as check_names does.
 std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile& file,
                                      const Table& table);
-
-/// Counts the points whose expected values lie in their intervals; checks that ask that more do
-/// fail.
-void check_cover(std::vector<CheckResult>& results, const Table& table,
-                 const SurenessTables& sureness);
 
 /// "ok      NAME: latency_s at 7 points, worst error 0.2 % (within 1 %) at bytes = 1"
 std::string summarize(const CheckResult& result, const Table& table);

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/judge/cover.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"

@@ -1,7 +1,6 @@
 #include "experiments/laboratory/uncertain/sureness.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/table/statistics.hpp"
 #include "experiments/laboratory/uncertain/draw.hpp"
 
 namespace laboratory {
@@ -17,11 +17,6 @@ namespace laboratory {
 namespace {
 
 constexpr const char *INTERVALS = "intervals.csv", *ASSUMPTIONS = "assumptions.csv";
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return gsl_stats_median_from_sorted_data(values.data(), 1, values.size());
-}
 
 std::string of_rows(std::size_t rows) {
   return rows > 1 ? fmt::format(" (the median of {} rows)", rows) : "";
@@ -158,7 +153,7 @@ std::vector<Weight> weigh(const SurenessTables& sureness, const std::string& col
       shares[row.text("entry")].push_back(row.number("swing") / 2 / value->second);
   });
   std::vector<Weight> weights;
-  for (const auto& [entry, all] : shares) weights.push_back({entry, median(all), all.size()});
+  for (const auto& [entry, all] : shares) weights.push_back({entry, find_median(all), all.size()});
   std::ranges::stable_sort(weights, std::greater(), [](const Weight& weight) {
     return std::pair(weight.rows, std::abs(weight.share));
   });
@@ -176,7 +171,7 @@ std::vector<std::string> tell_sureness(const SurenessTables& sureness,
     });
     if (widths.empty()) continue;
     auto text = fmt::format("{}: ± {:.2g} % on nine of ten machines{}", column,
-                            100 * median(widths), of_rows(widths.size()));
+                            100 * find_median(widths), of_rows(widths.size()));
     const auto weights = weigh(sureness, column);
     if (weights.empty())
       text += "; no single assumption stands out among so few machines";

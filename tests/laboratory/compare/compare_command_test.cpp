@@ -1,0 +1,84 @@
+// tlab compare: what it says of results, and what it refuses.
+#include "experiments/laboratory/table/table.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+
+namespace laboratory {
+namespace {
+
+const std::string FARM =
+    "[network]\n[scene]\nobjects = 20\n[image]\nwidth = 16\nheight = 12\n[sweep]\nworkers = [1, "
+    "3]\n";
+
+struct Compare : testing::Test {
+  Compare() { write_file(folder.path / "e.toml", FARM); }
+  Outcome run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"run", "e.toml"});
+    return tlab(folder.path, std::move(arguments));
+  }
+  Outcome compare(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "compare");
+    return tlab(folder.path, std::move(arguments));
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(Compare, NamesSettingsModelsAndRatios) {
+  ASSERT_EQ(run({"-o", "x/slow"}).exit_code, 0);
+  ASSERT_EQ(run({"-o", "y/fast", "--set", "machine.model=t805-30", "--set", "image.ambient=0.2"})
+                .exit_code,
+            0);
+  const auto outcome = compare({"x/slow", "y/fast/", "-o", "c.html"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const auto* text :
+       {"slow: tlab run e.toml\n", "machine.model  t805-25  t805-30", "image.ambient", "cpu.clock",
+        "25000000  30000000", "time_s: fast is 0.8", "the same in all runs: rays",
+        "time_s at each point:"})
+    EXPECT_TRUE(contains(outcome.out, text)) << text << "\n" << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "image.width"));
+  const auto page = read_file(folder.path / "c.html");
+  for (const auto* text : {"<title>slow and fast</title>", "cpu.clock", "fast / slow", "<svg"})
+    EXPECT_TRUE(contains(page, text)) << text;
+  ASSERT_EQ(compare({"x/slow", "y/fast/", "-o", "d.html"}).exit_code, 0);
+  EXPECT_EQ(page, read_file(folder.path / "d.html"));
+}
+
+TEST_F(Compare, SeedsAreSamples) {
+  for (const auto* topology : {"tree", "line"})
+    ASSERT_EQ(run({"-o", topology, "--set", fmt::format("network.topology={}", topology), "--set",
+                   "sweep.seed=[1,2,3]"})
+                  .exit_code,
+              0);
+  const auto outcome = compare({"tree", "line", "--columns", "time_s,rays", "-o", "c.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "line / tree, 95 %")) << outcome.out;
+  const auto table = parse_csv(read_file(folder.path / "c.csv"), "c.csv");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "tree", "line",
+                                                     "line / tree", "line / tree, 95 %"}));
+  ASSERT_EQ(table.rows.size(), 4u);  // two results at two points
+  // One worker has no network: the same times for each seed, and the interval is a point.
+  EXPECT_EQ(as_number(table.rows[0][4]), 1.0);
+  EXPECT_EQ(to_string(table.rows[0][5]), "1 to 1");
+}
+
+TEST_F(Compare, RefusesWhatCannotBeCompared) {
+  ASSERT_EQ(run({"-o", "a"}).exit_code, 0);
+  ASSERT_EQ(run({"-o", "b", "--set", "sweep.workers=[2,4]"}).exit_code, 0);
+  ASSERT_EQ(run({"-o", "c", "--set", "scene.objects=10"}).exit_code, 0);
+  const auto expect = [&](std::vector<std::string> arguments, const std::string& text) {
+    const auto outcome = compare(std::move(arguments));
+    EXPECT_EQ(outcome.exit_code, 2) << text;
+    EXPECT_TRUE(contains(outcome.err, text)) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "o.html"));
+  };
+  expect({"a"}, "found 1 folder, expected two or more");
+  expect({"a", "./a/"}, "found ./a/ twice");
+  expect({"a", "none"}, "none: no results of tlab run");
+  expect({"a", "b", "-o", "o.html"}, "workers is 2, 4 in b");
+  expect({"a", "c", "--columns", "tme_s", "-o", "o.html"}, "the nearest is \"time_s\"");
+  expect({"a", "c", "-o", "o.txt"}, "ends with .html or .csv");
+  write_file(folder.path / "c/run.json", "{\"file\": 3}");
+  expect({"a", "c", "-o", "o.html"}, "c/run.json");
+}
+
+}  // namespace
+}  // namespace laboratory
