@@ -101,4 +101,24 @@ std::string escape_xml(std::string_view text) {
   return escaped;
 }
 
+std::string first_comment(std::string_view text) {
+  std::string comment;
+  for (auto line : split(text, '\n')) {
+    line = trim(line);
+    const std::size_t marker = line.starts_with("//") ? 2 : line.starts_with('#') ? 1 : 0;
+    if (marker == 0) break;
+    if (!comment.empty()) comment += ' ';
+    comment += trim(line.substr(marker));
+  }
+  auto end = comment.find(". ");
+  const auto is_initial = [&] {  // "R. Cook"
+    return end != comment.npos && end > 1 && comment[end - 2] == ' ' &&
+           std::isupper(static_cast<unsigned char>(comment[end - 1]));
+  };
+  while (is_initial()) end = comment.find(". ", end + 1);
+  comment.resize(std::min(end, comment.size()));
+  if (comment.ends_with('.')) comment.pop_back();
+  return comment;
+}
+
 }  // namespace base

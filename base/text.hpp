@@ -45,4 +45,7 @@ std::string blank_controls(std::string_view text, char instead = ' ');
 /// hold, all but line ends, tabs and DEL, become U+FFFD.
 std::string escape_xml(std::string_view text);
 
+/// The first sentence of the comment that a file begins with, in lines with # or //; "" without.
+std::string first_comment(std::string_view text);
+
 }  // namespace base

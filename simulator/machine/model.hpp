@@ -128,6 +128,8 @@ Model override_model(std::string_view name,
                      const std::vector<std::pair<std::string, std::string>>& entries,
                      std::string_view origin);
 std::vector<std::string> builtin_models();
+/// The sentence that its file begins with. Throws BadInput for an unknown name.
+std::string describe_builtin(std::string_view name);
 
 std::string to_text(double value);         ///< whole numbers in full
 std::string describe(const Model& model);  ///< a table of every entry

@@ -456,4 +456,11 @@ std::vector<std::string> builtin_models() {
   return names;
 }
 
+std::string describe_builtin(std::string_view name) {
+  for (const auto& [known, text] : BUILTIN_MODELS)
+    if (known == name) return base::first_comment(text);
+  throw base::BadInput(
+      fmt::format("unknown model \"{}\"{}", name, base::suggest(name, builtin_models())));
+}
+
 }  // namespace machine

@@ -50,5 +50,13 @@ TEST(Text, Utf8IsWhatTheStandardSays) {
   EXPECT_EQ(measure_utf8("\xe2\x82\xac)"), 3u);
 }
 
+TEST(Text, FirstCommentIsASentence) {
+  EXPECT_EQ(first_comment("# A room. It has a window.\nquad"), "A room");
+  EXPECT_EQ(first_comment("// One\n// and two.\nx"), "One and two");
+  EXPECT_EQ(first_comment("# After R. L. Cook. Then"), "After R. L. Cook");
+  EXPECT_EQ(first_comment("v\n# late"), "");
+  EXPECT_EQ(first_comment(""), "");
+}
+
 }  // namespace
 }  // namespace base

@@ -45,6 +45,9 @@ void add_compare_command(CLI::App& app) {
   command->add_option("--columns", o->columns, "results to compare [what is asked for most]")
       ->delimiter(',');
   command->add_option("-o,--output", o->output, "write a page, .html, or all ratios, .csv");
+  command->footer(
+      "Examples:\n  tlab compare results/tree results/mesh\n  tlab compare a b -o a-b.html "
+      "--columns time_s,speedup");
   command->callback([o] { compare(*o); });
 }
 

@@ -222,6 +222,7 @@ void add_live_command(CLI::App& app) {
       "--record", o->record,
       "the session as an experiment file [results/EXPERIMENT's name-live.toml, or -live2 ...]");
   command->add_option("-o,--output", o->output, "results folder [results/the recording's name]");
+  command->footer("Examples:\n  tlab live experiments/live.toml");
   command->callback([o] { watch_run(*o); });
 }
 

@@ -235,6 +235,9 @@ void add_radiosity_command(CLI::App& app) {
   bind_options(*command, base::select(radiosity::display_fields(), {"gamma"}), o->display);
   command->add_option("--stats", o->stats,
                       "write counts of patches, rays and work to this JSON file");
+  command->footer(
+      "Examples:\n  tlab radiosity experiments/scenes/window.room -o window.png\n  tlab radiosity "
+      "experiments/scenes/cornell-tall.room -o tall.png --creases auto --refine 4");
   command->callback([o, command] {
     o->asks_display = command->count("--gamma") + command->count("--exposure") > 0;
     run(*o);

@@ -160,6 +160,9 @@ void add_render_command(CLI::App& app) {
   for (const char* one_sample : {"--progressive", "--preview"})
     for (const char* name : {"--pixel-samples", "--adaptive", "--samples-map"})
       command->get_option(name)->excludes(command->get_option(one_sample));
+  command->footer(
+      "Examples:\n  tlab render spheres:800 -o spheres.png --size 640x480\n  tlab render "
+      "experiments/scenes/still-life.nff -o still-life.png");
   command->callback([o] { render_scene(*o); });
 }
 

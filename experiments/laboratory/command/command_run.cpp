@@ -6,8 +6,6 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
-#include "experiments/laboratory/file/experiment.hpp"
-#include "simulator/programs/programs.hpp"
 
 namespace laboratory {
 namespace {
@@ -19,47 +17,6 @@ std::string check_seconds(const std::string& text) {
 }
 
 const CLI::Validator SECONDS([](std::string& text) { return check_seconds(text); }, "SECONDS");
-
-std::string describe_keys() {
-  std::string text =
-      "Keys of the experiment file (any but those of stage, order, fault, let and check can be an "
-      "axis\nof [sweep]):\n";
-  for (const auto& setting : settings())
-    text += fmt::format("  {:<30} {}\n", setting.key, setting.help);
-  return text;
-}
-
-std::string describe_field(const programs::Parameter& field, const std::string& key,
-                           const std::any& defaults) {
-  const auto kind = field.domain.kind;
-  std::string text = fmt::format("    {:<28} {}", key, field.help);
-  if (!field.unit.empty()) text += "; " + field.unit;
-  if (kind == base::Domain::Kind::choice)
-    text += fmt::format("; one of {}", fmt::join(field.domain.choices, ", "));
-  if (kind == base::Domain::Kind::whole || kind == base::Domain::Kind::number)
-    text += fmt::format("; {}{}..{}", kind == base::Domain::Kind::whole ? "whole, " : "",
-                        field.domain.low, field.domain.high);
-  if (kind == base::Domain::Kind::flag) text += "; true or false";
-  if (kind == base::Domain::Kind::file) text += "; a file";
-  if (!field.domain.is_required) text += fmt::format(" [{}]", to_text(field.get(defaults)));
-  return text + "\n";
-}
-
-std::string describe_programs() {
-  std::string text = "\nPrograms (program.name):\n";
-  for (const auto& program : programs::all_programs()) {
-    text += fmt::format("  {:<30} {}\n", program.name, program.help);
-    for (const auto& p : program.parameters)
-      text += describe_field(p, programs::key_of(p), program.defaults);
-    for (const auto& list : program.lists) {
-      text += fmt::format("    {:<28} {}\n", list.key, list.help);
-      const auto record = list.make_record();
-      for (const auto& field : list.fields)
-        text += describe_field(field, list.key + "." + field.name, record);
-    }
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -104,11 +61,11 @@ void add_run_command(CLI::App& app) {
                       "a file for what every processor and link did in the one point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
   command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
-  command->footer([] {  // is made when it is asked for, since it takes milliseconds
-    std::string text = describe_keys() + describe_programs();
-    text.pop_back();  // CLI11 adds the end of the last line
-    return text;
-  });
+  command->footer(
+      "Examples:\n  tlab run experiments/farm.toml --jobs 2\n  tlab run e.toml --set "
+      "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "
+      "--uncertain 64      # how sure the results are\n  tlab help farm                     # the "
+      "keys of a program; tlab help keys: of all");
   command->callback([o] {
     if (o->list) return list_points(*o);
     if (!o->points.empty()) return run_chosen_points(*o);

@@ -121,6 +121,9 @@ void add_verify_command(CLI::App& app) {
                   "results folder of one file, else the folder of all results [results]",
                   "key.path=value: replaces a key of each experiment");
   command->add_flag("--all", o->all, "show every point, and not only the worst of many");
+  command->footer(
+      "Examples:\n  tlab verify experiments/farm.toml\n  tlab verify experiments/thesis -o "
+      "results/thesis");
   command->callback([o] { verify(*o); });
 }
 

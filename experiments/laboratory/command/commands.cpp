@@ -12,6 +12,7 @@
 #include "base/message.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/patience.hpp"
@@ -50,6 +51,9 @@ void add_topology_command(CLI::App& app) {
   command->add_option("--routes", o->routes,
                       "measure these in place of the shortest: xy, or a CSV file from,to,path");
   command->add_option("-o,--output", o->output, "write to this file");
+  command->footer(
+      "Examples:\n  tlab topology torus:4x4\n  tlab topology tree:13 --format svg -o tree.svg\n  "
+      "tlab topology mesh:8x8 --routes xy");
   command->callback([o] {
     base::require(o->routes.empty() || o->format == "metrics", "--routes",
                   "found --format {}, expected metrics: others do not speak of routes", o->format);
@@ -74,6 +78,7 @@ void add_folder_command(CLI::App& app, const char* name, const char* help,
   auto* command = app.add_subcommand(name, help);
   auto folder = std::make_shared<std::string>();
   command->add_option("DIR", *folder, "a results folder")->required();
+  command->footer(fmt::format("Examples:\n  tlab {} results/farm", name));
   command->callback([folder, action] { action(*folder); });
 }
 
@@ -87,6 +92,8 @@ void add_model_command(CLI::App& app) {
                    fmt::format("{} or a model file", fmt::join(machine::builtin_models(), ", ")))
       ->required()
       ->expected(1, 2);
+  command->footer(
+      "Examples:\n  tlab model t805-25\n  tlab model t805-25 t800-20     # how they differ");
   command->callback([names] {
     const auto model = machine::load_model((*names)[0]);
     fmt::print("{}", names->size() == 1
@@ -95,18 +102,12 @@ void add_model_command(CLI::App& app) {
   });
 }
 
-void print_columns(const programs::Program& program, bool markdown) {
-  if (markdown)
-    fmt::print("### {}\n\n{}\n\n| column | what it is |\n| --- | --- |\n", program.name,
-               program.help);
-  else
-    fmt::print("{}: {}\n", program.name, program.help);
+std::string columns_in_markdown(const programs::Program& program) {
+  std::string text = fmt::format("### {}\n\n{}\n\n| column | what it is |\n| --- | --- |\n",
+                                 program.name, program.help);
   for (const auto& [name, help] : program.columns)
-    if (markdown)
-      fmt::print("| `{}` | {} |\n", name, help);
-    else
-      fmt::print("  {:<26} {}\n", name, help);
-  fmt::print("\n");
+    text += fmt::format("| `{}` | {} |\n", name, help);
+  return text;
 }
 
 void add_columns_command(CLI::App& app) {
@@ -119,11 +120,13 @@ void add_columns_command(CLI::App& app) {
   auto o = std::make_shared<Options>();
   command->add_option("PROGRAM", o->program, "farm, message, ... [all]");
   command->add_flag("--markdown", o->markdown, "as tables for the manual");
+  command->footer("Examples:\n  tlab columns farm");
   command->callback([o] {
     base::require(o->program.empty() || programs::find_program(o->program), "columns",
-                  "found {}, expected a program (tlab run --help)", o->program);
+                  "found {}, expected a program (tlab list programs)", o->program);
     for (const auto& program : programs::all_programs())
-      if (o->program.empty() || o->program == program.name) print_columns(program, o->markdown);
+      if (o->program.empty() || o->program == program.name)
+        fmt::print("{}\n", o->markdown ? columns_in_markdown(program) : describe_columns(program));
   });
 }
 
@@ -165,6 +168,7 @@ void add_commands(CLI::App& app) {
   add_compare_command(app);
   add_model_command(app);
   add_columns_command(app);
+  add_guide_commands(app);
 }
 
 int do_command(CLI::App& app, int argc, char** argv) {

@@ -11,6 +11,7 @@ void add_run_command(CLI::App& app);
 void add_live_command(CLI::App& app);
 void add_verify_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
+void add_guide_commands(CLI::App& app);  ///< list, help, init
 
 /// Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a
 /// check did not hold or a simulation broke down, 2 bad input or usage, 3 the simulated program

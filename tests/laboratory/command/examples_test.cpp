@@ -1,6 +1,7 @@
 // The examples and their guide: programs print exactly what the guide shows, in simulated times.
 #include <sys/wait.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -80,13 +81,17 @@ TEST(Examples, PrintWhatTheGuideShows) {
 
 TEST(Examples, GuideShowsTheirCode) {
   const auto guide = load_text(GUIDE);
-  std::string code = load_text(SOURCES / "tests/consumer/main.cpp");
+  std::string code =
+      load_text(SOURCES / "experiments/laboratory/guide/templates/program/NAME.cpp.in");
   for (const auto& file : fs::directory_iterator(EXAMPLES))
     if (file.path().extension() == ".cpp") code += load_text(file.path());
   const auto blocks = fenced(guide, "cpp");
   EXPECT_GE(blocks.size(), 5u);
   for (const auto& block : blocks) EXPECT_NE(code.find(block), std::string::npos) << block;
-  EXPECT_EQ(fenced(guide, "cmake").at(0), load_text(SOURCES / "tests/consumer/CMakeLists.txt"));
+  auto project =
+      load_text(SOURCES / "experiments/laboratory/guide/templates/program/CMakeLists.txt.in");
+  boost::replace_all(project, "NAME", "hello");
+  EXPECT_EQ(fenced(guide, "cmake").at(0), project);
 }
 
 TEST(Examples, HaveAtMost100Lines) {

@@ -1,0 +1,134 @@
+// tlab list, help and init: that they name what is there, and that what they make works.
+
+#include "base/text.hpp"
+#include "experiments/laboratory/guide/catalogue.hpp"
+#include "experiments/laboratory/guide/templates.hpp"
+#include "simulator/machine/model.hpp"
+#include "simulator/programs/programs.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace laboratory {
+namespace {
+
+std::vector<std::string> lines_of(const Outcome& outcome) {
+  std::vector<std::string> lines;
+  for (const auto line : base::split(outcome.out, '\n'))
+    if (!line.empty()) lines.emplace_back(line);
+  return lines;
+}
+
+TEST(Guide, NamesWhatCanBeNamed) {
+  const TemporaryFolder folder;
+  const auto names = [&](const char* kind) {
+    const auto outcome = tlab(folder.path, {"list", kind, "--names"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return lines_of(outcome);
+  };
+  for (const auto& program : names("programs")) EXPECT_TRUE(programs::find_program(program));
+  EXPECT_EQ(names("programs").size(), programs::all_programs().size());
+  for (const auto& model : names("models")) EXPECT_EQ(machine::load_model(model).name, model);
+  EXPECT_EQ(names("topologies").size(), topologies::generators().size());
+  const auto experiments = names("experiments");
+  EXPECT_GT(experiments.size(), 50u);
+  for (const auto& file : experiments) EXPECT_TRUE(std::filesystem::exists(file)) << file;
+  EXPECT_GT(names("scenes").size(), 20u);
+}
+
+TEST(Guide, EveryModelSaysWhatItIs) {
+  for (const auto& entry : make_catalogue("models", std::nullopt).entries)
+    EXPECT_TRUE(contains(entry.about, "IMS T")) << entry.name;
+}
+
+TEST(Guide, ListsAFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path / "in");
+  write_file(folder.path / "in/e.toml", "title = \"Mine\"\n");
+  write_file(folder.path / "in/broken.toml", "title = \n");
+  write_file(folder.path / "in/settings.toml", "x = 1\n");
+  const auto outcome = tlab(folder.path, {"list", "experiments", "in"});
+  EXPECT_EQ(outcome.out, "experiments (tlab run FILE):\n  in/e.toml  Mine\n");
+  const auto missing = tlab(folder.path, {"list", "scenes", "none"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_TRUE(contains(missing.err, "none: No such file")) << missing.err;
+  const auto unknown = tlab(folder.path, {"list", "topologys"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(contains(unknown.err, "the nearest is \"topologies\"")) << unknown.err;
+}
+
+TEST(Guide, HelpOnAProgramIsOfThatAlone) {
+  const TemporaryFolder folder;
+  const auto farm = tlab(folder.path, {"help", "farm"});
+  EXPECT_EQ(farm.exit_code, 0);
+  for (const auto* text : {"farm.max_cell", "stage.min_cell", "time_per_ray_ms"})
+    EXPECT_TRUE(contains(farm.out, text)) << text;
+  for (const auto* text : {"max_shots", "network.topology"})
+    EXPECT_FALSE(contains(farm.out, text)) << text;
+  EXPECT_TRUE(contains(tlab(folder.path, {"help", "run", "farm"}).out, "network.topology"));
+  EXPECT_TRUE(contains(tlab(folder.path, {"help", "merge"}).out, "Usage: tlab merge "));
+  const auto unknown = tlab(folder.path, {"help", "frm"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(contains(unknown.err, "the nearest is \"farm\"")) << unknown.err;
+}
+
+// The commands in a footer after "Examples:".
+TEST(Guide, EveryCommandHasExamples) {
+  const TemporaryFolder folder;
+  const auto help = tlab(folder.path, {"--help"}).out;
+  std::size_t commands = 0;
+  bool are_commands = false;
+  for (const auto line : base::split(help, '\n')) {
+    if (are_commands && !line.empty()) {
+      const auto name = std::string(line.substr(0, line.find(' ')));
+      EXPECT_TRUE(contains(tlab(folder.path, {name, "--help"}).out, "Examples:\n  tlab " + name))
+          << name;
+      ++commands;
+    }
+    are_commands = are_commands || line.starts_with("Subcommands");
+  }
+  EXPECT_GE(commands, 13u) << help;
+}
+
+struct Init : testing::TestWithParam<std::string> {};
+
+TEST_P(Init, MakesAnExperimentThatRuns) {
+  const TemporaryFolder folder;
+  const auto made = tlab(folder.path, {"init", "my-own", "--from", GetParam()});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  for (const auto& file : lines_of(made)) {
+    const auto text = read_file(folder.path / file);
+    EXPECT_FALSE(contains(text, "NAME")) << file;
+  }
+  if (GetParam() == "program") return;  // tests/consumer/run builds it
+  const auto outcome = tlab(folder.path, {"run", "my-own/my-own.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "results/my-own/report.html"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Templates, Init, testing::ValuesIn(template_names()),
+                         [](const auto& info) { return info.param; });
+
+TEST(InitRefuses, NamesThatAreThereOrNoNames) {
+  const TemporaryFolder folder;
+  write_file(folder.path / "there", "");
+  for (const auto& [name, text] : {std::pair("there", "there already"),
+                                   {"1st", "expected letters"},
+                                   {"a b", "expected letters"},
+                                   {"", "expected letters"},
+                                   {"..", "expected letters"},
+                                   {"no/where", "No such file"}}) {
+    const auto outcome = tlab(folder.path, {"init", name});
+    EXPECT_EQ(outcome.exit_code, 2) << name;
+    EXPECT_TRUE(contains(outcome.err, text)) << outcome.err;
+  }
+  const auto outcome = tlab(folder.path, {"init", "x", "--from", "fram"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "the nearest is \"farm\"")) << outcome.err;
+  std::size_t files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path))
+    files += file.path().filename() != "there";
+  EXPECT_EQ(files, 0u);
+}
+
+}  // namespace
+}  // namespace laboratory
