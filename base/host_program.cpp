@@ -102,7 +102,8 @@ std::string run_program(const HostProgram& program) {
                     program.name, program.remedy));
   const Scratch input(program.input), output, errors;
   Child child(process::exe = path, process::args = program.arguments,
-              (process::std_in < input.get()), (process::std_out > output.get()),
+              (process::std_in < input.get()),
+              (process::std_out > (program.shows_output ? stdout : output.get())),
               (process::std_err > errors.get()));
   if (const int exit_code = child.wait(); exit_code != 0)
     throw std::runtime_error(fmt::format("{}: {} failed (exit code {}): {}", program.purpose,

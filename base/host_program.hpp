@@ -1,5 +1,6 @@
 #pragma once
-// Programs of the host that tlab starts: Graphviz, gnuplot. The only door to Boost.Process.
+// Programs of the host that tlab starts: Graphviz, gnuplot, a pager. The only door to
+// Boost.Process.
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ struct HostProgram {
   std::string input = {};              ///< what it reads on standard input
   std::string purpose;                 ///< begins what is said of failures: "topology ring:4"
   std::string remedy;                  ///< where it is not installed: "install graphviz"
+  bool shows_output = false;           ///< it prints where tlab prints, and "" is returned
 };
 
 /// Runs the program to its end and returns what it prints on standard output. When tlab ends

@@ -450,17 +450,4 @@ Model override_model(std::string_view name,
   return complete(std::move(model), origin);
 }
 
-std::vector<std::string> builtin_models() {
-  std::vector<std::string> names;
-  for (const auto& [name, text] : BUILTIN_MODELS) names.emplace_back(name);
-  return names;
-}
-
-std::string describe_builtin(std::string_view name) {
-  for (const auto& [known, text] : BUILTIN_MODELS)
-    if (known == name) return base::first_comment(text);
-  throw base::BadInput(
-      fmt::format("unknown model \"{}\"{}", name, base::suggest(name, builtin_models())));
-}
-
 }  // namespace machine

@@ -5,29 +5,44 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/compare/comparison.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
-#include "experiments/laboratory/report/run_report.hpp"
 
 namespace laboratory {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct CompareOptions {
   std::vector<std::string> folders, columns;
   std::string output;
 };
 
-void compare(const CompareOptions& o) {
-  const bool is_page = o.output.ends_with(".html");
-  base::require(o.output.empty() || is_page || o.output.ends_with(".csv"), "--output",
+// Refuses what is neither a page nor a table, what cannot be written, and a file of the results.
+void check_target(const CompareOptions& o) {
+  base::require(o.output.ends_with(".html") || o.output.ends_with(".csv"), "--output",
                 "found {}, expected a name that ends with .html or .csv", o.output);
+  base::check_can_save(o.output);
+  const auto within = fs::weakly_canonical(fs::absolute(o.output)).parent_path();
+  for (const auto& folder : o.folders)
+    base::require(within != fs::weakly_canonical(fs::absolute(folder)), "--output",
+                  "found {}, expected a file outside of the results that are compared", o.output);
+}
+
+void compare(const CompareOptions& o) {
+  if (!o.output.empty()) check_target(o);
   const auto comparison = compare_runs(o.folders, o.columns);
   fmt::print("{}", to_text(comparison));
   if (o.output.empty()) return;
   std::vector<std::string> undrawn;
-  base::save_whole(o.output, is_page ? to_page(comparison, undrawn)
-                                     : to_csv(guard_formulas(to_table(comparison))));
+  base::save_whole(
+      o.output, o.output.ends_with(".html")
+                    ? to_page(comparison, undrawn)
+                    : to_csv(guard_formulas(list_ratios(comparison.matched, comparison.columns))));
   for (const auto& failure : undrawn) complain(failure);
-  throw_undrawn(undrawn.size(), o.output);
+  if (!undrawn.empty())
+    throw Failure(fmt::format("{} drawing(s) failed; the rest is in {}", undrawn.size(), o.output),
+                  EXIT_HOST);
 }
 
 }  // namespace
@@ -38,11 +53,12 @@ void add_compare_command(CLI::App& app) {
   auto o = std::make_shared<CompareOptions>();
   command
       ->add_option("DIR", o->folders,
-                   "results folders; the others are measured by the first. Runs that differ in "
-                   "seeds alone are samples")
+                   "results folders, two or more; the others are compared with the first. Rows "
+                   "that differ in the seed alone are samples")
       ->required()
-      ->expected(1, 1000);
-  command->add_option("--columns", o->columns, "results to compare [what is asked for most]")
+      ->expected(1, 1000)
+      ->option_text("... REQUIRED");
+  command->add_option("--columns", o->columns, "results to compare [those of the usual table]")
       ->delimiter(',');
   command->add_option("-o,--output", o->output, "write a page, .html, or all ratios, .csv");
   command->footer(

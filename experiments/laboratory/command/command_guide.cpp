@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
@@ -24,17 +25,19 @@ struct ListOptions {
 };
 
 void list(const ListOptions& o) {
+  const bool has_files = o.kind.empty() || o.kind == "experiments" || o.kind == "scenes";
+  base::require(o.folder.empty() || has_files, "list",
+                "found the folder {} with {}, expected one with experiments or scenes alone",
+                o.folder, o.kind);
   const auto folder = o.folder.empty() ? find_experiments() : std::optional<fs::path>(o.folder);
   std::string text;
-  for (const auto& kind : catalogue_kinds()) {
-    if (!o.kind.empty() && o.kind != kind) continue;
+  for (const auto& kind : o.kind.empty() ? catalogue_kinds() : std::vector{o.kind}) {
     const auto catalogue = make_catalogue(kind, folder);
     if (o.names)
       for (const auto& entry : catalogue.entries) text += entry.name + "\n";
     else
       text += (text.empty() ? "" : "\n") + to_text(catalogue);
   }
-  if (text.empty()) make_catalogue(o.kind, folder);  // refuses an unknown kind
   print_paged(text);
 }
 
@@ -50,31 +53,36 @@ void add_list_command(CLI::App& app) {
   command->callback([o] { list(*o); });
 }
 
-// The help on what these words name: a command, a program, or the keys of the experiment file.
+// The help on a command, on a program, on both where they have one name, or on all keys.
+std::string find_help(const CLI::App& app, const std::string& word) {
+  if (word == "keys") return describe_keys() + "\n" + describe_programs();
+  std::string text;
+  std::set<std::string> known{"keys"};
+  for (const auto* command : app.get_subcommands({})) {
+    known.insert(command->get_name());
+    if (command->get_name() == word) text += command->help("tlab");
+  }
+  for (const auto& program : programs::all_programs()) {
+    known.insert(program.name);
+    if (program.name != word) continue;
+    if (!text.empty()) text += "\nThe program, in an experiment file:\n";
+    text += fmt::format("{}\nResults of {}", describe_program(program), describe_columns(program));
+  }
+  if (text.empty())
+    throw base::BadInput(fmt::format("help: found \"{}\"{}", word,
+                                     base::suggest(word, {known.begin(), known.end()})));
+  return text;
+}
+
 std::string find_help(const CLI::App& app, const std::vector<std::string>& words) {
   if (words.empty()) return app.help();
-  std::string text;
-  std::vector<std::string> known{"keys"};
-  for (const auto* command : app.get_subcommands({})) known.push_back(command->get_name());
-  for (const auto& program : programs::all_programs()) known.push_back(program.name);
-  const bool is_run = words.size() == 2 && words[0] == "run";
-  for (const auto& word : words) {
-    const auto* program = programs::find_program(word);
-    const auto commands =
-        app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
-    if (program)
-      text +=
-          fmt::format("{}\nResults of {}", describe_program(*program), describe_columns(*program));
-    else if (is_run && word == "run")
-      text += describe_keys() + "\n";
-    else if (!commands.empty())
-      text += commands[0]->help("tlab");
-    else if (word == "keys")
-      text += describe_keys() + "\n" + describe_programs();
-    else
-      throw base::BadInput(fmt::format("help: found \"{}\"{}", word, base::suggest(word, known)));
-  }
-  return text;
+  if (words.size() == 1) return find_help(app, words[0]);
+  const auto* program = programs::find_program(words[1]);
+  base::require(words[0] == "run" && program, "help",
+                "found \"{} {}\", expected a command, a program, keys, or run and a program",
+                words[0], words[1]);
+  return fmt::format("{}\n{}\nThe program:\n{}", find_help(app, "run"), describe_keys(),
+                     describe_program(*program));
 }
 
 void add_help_command(CLI::App& app) {
@@ -82,7 +90,9 @@ void add_help_command(CLI::App& app) {
       "help",
       "help on a command, a program (farm, radiosity ...), or the keys of experiment files");
   auto words = std::make_shared<std::vector<std::string>>();
-  command->add_option("TOPIC", *words, "a command; a program; run PROGRAM; keys")->expected(0, 2);
+  command->add_option("TOPIC", *words, "a command; a program; run PROGRAM; keys")
+      ->expected(0, 2)
+      ->option_text("...");
   command->footer(
       "Examples:\n  tlab help run\n  tlab help farm        # its keys and its results\n  tlab help "
       "run farm    # with the keys that all programs have\n  tlab help keys        # all keys of "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <regex>
 #include <sstream>
 #include <system_error>
 
@@ -142,6 +143,12 @@ void check_command(const CLI::App& app, int argc, char** argv) {
 // Help that is the same whenever the same is asked: CLI11 names the options that one excludes in
 // the order of their places in memory.
 class Help : public CLI::Formatter {
+  // Several words of one kind are "DIR ..." and not "DIR(1x)".
+  std::string make_option_usage(const CLI::Option* option) const override {
+    const auto text = Formatter::make_option_usage(option);
+    return std::regex_replace(text, std::regex("\\(\\d+x\\)(\\.\\.\\.)?"), " ...");
+  }
+
   std::string make_option_opts(const CLI::Option* option) const override {
     std::string text = Formatter::make_option_opts(option);
     const std::string excludes = "Excludes:";

@@ -38,61 +38,75 @@ struct Told {
 };
 
 Told tell_results(const Comparison& c) {
-  const auto tables = tables_of(c.runs);
   Told told;
   Texts same;
   for (const auto& column : c.columns) {
     Texts sentences;
     bool differs = false;
-    for (std::size_t r = 1; r < c.runs.size(); ++r)
-      if (const auto spread = find_spread(tables, c.matched, r, column)) {
-        sentences.push_back(tell_spread(tables, c.matched, r, column, *spread));
-        differs = differs || !spread->is_same();
-      }
-    if (!differs && !sentences.empty()) same.push_back(column);
-    if (!differs) continue;
-    told.differing.push_back(column);
-    told.sentences.insert(told.sentences.end(), sentences.begin(), sentences.end());
+    for (std::size_t r = 1; r < c.runs.size(); ++r) {
+      const auto spread = find_spread(c.matched, r, column);
+      sentences.push_back(tell_spread(c.matched, r, column, spread));
+      differs = differs || !spread.is_same();
+    }
+    if (differs) {
+      told.differing.push_back(column);
+      told.sentences.insert(told.sentences.end(), sentences.begin(), sentences.end());
+    } else {
+      same.push_back(column);
+    }
   }
   if (told.differing.empty()) told.differing.push_back(c.columns[0]);
   if (!same.empty()) told.sentences.push_back("the same in all runs: " + join_texts(same, ", "));
   return told;
 }
 
-// Rows that not all runs have, and runs that did not come to their end.
+// What is not compared, and why.
 Texts note_gaps(const Comparison& c) {
   Texts notes;
   for (std::size_t r = 0; r < c.runs.size(); ++r) {
+    const auto& simulation = c.runs[r].simulation;
+    const auto rows = simulation.table.rows.size();
+    if (const auto finished = c.matched.runs[r].table.rows.size(); finished < rows)
+      notes.push_back(
+          fmt::format("left out: {} of {} rows of {}, of points that did not come to "
+                      "their end",
+                      rows - finished, rows, c.runs[r].name));
     if (c.matched.left_out[r] > 0)
-      notes.push_back(fmt::format("{} of {} rows of {} are of points that not all runs have",
-                                  c.matched.left_out[r], c.runs[r].simulation.table.rows.size(),
-                                  c.runs[r].name));
-    if (!c.runs[r].simulation.complete)
-      notes.push_back(fmt::format("{}: {}", c.runs[r].name, c.runs[r].simulation.ended));
+      notes.push_back(fmt::format("left out: {} of {} rows of {}, of points that not all runs have",
+                                  c.matched.left_out[r], rows, c.runs[r].name));
+    if (!simulation.complete)
+      notes.push_back(fmt::format("{}: {}", c.runs[r].name, simulation.ended));
   }
   return notes;
 }
 
-// How many times the first run's a result is, over the points; with bands where there are seeds.
-std::vector<Plot> plot_ratio(const Comparison& c, const std::string& column) {
-  const auto tables = tables_of(c.runs);
-  const auto name = fmt::format("{}, times that of {}", column, c.runs[0].name);
-  Table table = stack_runs(tables, c.matched, {});
+// By how many times a result differs from the first run's, over the points; with bands where there
+// are intervals.
+std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& column) {
+  const auto name =
+      fmt::format("{}, times that of {}", without_unit(make_label(column)), matched.runs[0].name);
+  Table table = stack_runs(matched, {});
   table.columns.push_back(name);
-  table.rows.erase(table.rows.begin(),
-                   table.rows.begin() + static_cast<std::ptrdiff_t>(c.matched.points.size()));
+  const auto count = matched.points.size();
+  table.rows.erase(table.rows.begin(), table.rows.begin() + static_cast<std::ptrdiff_t>(count));
   std::vector<std::pair<double, double>> bands;
+  double least = 1, most = 1;  // of the scale: 1, where nothing differs, is always in sight
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& point = c.matched.points[i % c.matched.points.size()];
-    const auto ratio =
-        find_ratio(tables, c.matched, point, 1 + i / c.matched.points.size(), column);
+    const auto ratio = find_ratio(matched, matched.points[i % count], 1 + i / count, column);
     auto& cell = table.rows[i].emplace_back();
     if (ratio) cell = ratio->value;
     bands.push_back(ratio && ratio->interval ? *ratio->interval : NO_BAND);
+    if (!ratio) continue;
+    const auto [low, high] = ratio->interval.value_or(std::pair(ratio->value, ratio->value));
+    least = std::min(least, low);
+    most = std::max(most, high);
   }
   auto plots = make_plots(table, {name});
   for (auto& plot : plots) {
     plot.name = "ratio";
+    const double margin = std::max(0.001, 0.05 * (most - least));
+    plot.y_min = least - margin;
+    plot.y_max = most + margin;
     for (auto& series : plot.series) {
       const bool has_bands = std::ranges::all_of(
           series.rows, [&](std::size_t row) { return std::isfinite(bands[row].first); });
@@ -129,12 +143,8 @@ Texts name_runs(const Comparison& c) {
 
 Comparison compare_runs(const Texts& folders, const Texts& columns) {
   Comparison c{.runs = load_runs(folders), .matched = {}, .columns = columns};
-  const auto tables = tables_of(c.runs);
-  c.matched = match_points(tables);
-  if (c.matched.points.empty())
-    throw base::BadInput(fmt::format("compare: {} and {} have no point in common", c.runs[0].folder,
-                                     c.runs[1].folder));
-  const auto common = common_results(tables);
+  c.matched = match_points(make_tables(c.runs));
+  const auto common = find_common_results(c.matched.runs);
   for (const auto& column : columns)
     if (std::ranges::find(common, column) == common.end())
       throw base::BadInput(fmt::format("--columns: {} is no number that all runs have{}", column,
@@ -155,36 +165,14 @@ std::string to_text(const Comparison& c) {
     if (!table.rows.empty()) text += "\n" + title + ":\n" + to_text(table);
   };
   add_lines(name_runs(c));
-  add_table("Settings that differ", differing_settings(c.runs));
-  add_table("Entries of the machine models that differ", differing_entries(c.runs));
+  add_table("Settings that differ", find_differing_settings(c.runs));
+  add_table("Entries of the machine models that differ", find_differing_entries(c.runs));
   text += "\n";
   const auto told = tell_results(c);
   add_lines(note_gaps(c));
   add_lines(told.sentences);
-  add_table(told.differing[0] + " at each point",
-            compare_column(tables_of(c.runs), c.matched, told.differing[0]));
+  add_table(told.differing[0] + " at each point", compare_column(c.matched, told.differing[0]));
   return text;
-}
-
-Table to_table(const Comparison& c) {
-  Table all;
-  for (const auto& column : c.columns) {
-    const auto tables = tables_of(c.runs);
-    Table table = compare_column(tables, c.matched, column);
-    for (std::size_t i = 0; i < c.runs.size(); ++i)
-      table.columns[table.axes + i] = c.runs[i].name;  // without the result's name
-    if (all.columns.empty()) {
-      all.columns = table.columns;
-      all.axes = table.axes + 1;
-      all.columns.insert(all.columns.begin(), "result");
-    }
-    for (auto& row : table.rows) {
-      row.insert(row.begin(), Value(column));
-      row.resize(all.columns.size());
-      all.rows.push_back(std::move(row));
-    }
-  }
-  return all;
 }
 
 std::string to_page(const Comparison& c, Texts& undrawn) {
@@ -196,14 +184,13 @@ std::string to_page(const Comparison& c, Texts& undrawn) {
   const auto told = tell_results(c);
   page.findings = told.sentences;
   page.notes = note_gaps(c);
-  const auto tables = tables_of(c.runs);
-  page.answers.push_back({"Settings that differ", {}, {differing_settings(c.runs)}});
+  page.answers.push_back({"Settings that differ", {}, {find_differing_settings(c.runs)}});
   page.answers.push_back(
-      {"Entries of the machine models that differ", {}, {differing_entries(c.runs)}});
+      {"Entries of the machine models that differ", {}, {find_differing_entries(c.runs)}});
   for (const auto& column : told.differing)
-    page.answers.push_back({column, {}, {compare_column(tables, c.matched, column)}});
-  page.table = stack_runs(tables, c.matched, c.columns);
-  for (const auto& plot : plot_ratio(c, told.differing[0])) draw(page, undrawn, plot, {});
+    page.answers.push_back({column, {}, {compare_column(c.matched, column)}});
+  page.table = stack_runs(c.matched, c.columns);
+  for (const auto& plot : plot_ratio(c.matched, told.differing[0])) draw(page, undrawn, plot, {});
   for (const auto& plot : make_plots(page.table, told.differing))
     draw(page, undrawn, plot, make_plot_data(plot, page.table));
   page.command = join_texts(name_runs(c), "\n");

@@ -1,32 +1,30 @@
 #pragma once
-// Two runs or more side by side: for a terminal, as a table and as a page.
+// Two runs or more side by side, for a terminal and as a page.
 #include <string>
 #include <vector>
 
+#include "experiments/laboratory/compare/ratios.hpp"
 #include "experiments/laboratory/compare/runs.hpp"
 
 namespace laboratory {
 
-/// What is compared: runs over the same points, the first of which the others are measured by.
+/// Runs over the same points; the others are compared with the first.
 struct Comparison {
   std::vector<ComparedRun> runs;
-  Matched matched;
-  std::vector<std::string> columns;  ///< results to compare, at least one
+  MatchedRuns matched;
+  std::vector<std::string> columns;  ///< the results to compare, at least one
 };
 
-/// `columns`: what to compare; none: what the first run's program is usually asked for. Throws what
-/// load_runs and match_points throw, and BadInput for runs without a point in common and for a
-/// column that is no number in all of them.
+/// `columns`: the results to compare; none: those of the first run's usual table. Throws what
+/// load_runs and match_points throw, and BadInput for a column that is no number in all runs.
 Comparison compare_runs(const std::vector<std::string>& folders,
                         const std::vector<std::string>& columns);
 
-/// What differs in settings and models, how much each result does, and the first one at each point.
+/// For a terminal: the settings and entries of models that differ, a sentence on each result, and
+/// the first result that differs at each point.
 std::string to_text(const Comparison& comparison);
 
-/// compare.csv: a row for each result and point, as compare_column.
-Table to_table(const Comparison& comparison);
-
-/// The page, in the layout of reports. Plots that fail are named in it and in `undrawn`.
+/// The page, in the layout of reports. Plots that fail are named in it and added to `undrawn`.
 std::string to_page(const Comparison& comparison, std::vector<std::string>& undrawn);
 
 }  // namespace laboratory

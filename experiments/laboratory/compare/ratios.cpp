@@ -5,161 +5,92 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
-#include "base/errors.hpp"
-#include "experiments/laboratory/table/axis_values.hpp"
 #include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
 namespace {
 
-using Texts = std::vector<std::string>;
+using Numbers = std::vector<double>;
+using Rows = std::vector<std::size_t>;
 
-bool contains(const Texts& texts, const std::string& text) {
-  return std::ranges::find(texts, text) != texts.end();
-}
-
-Texts axes_of(const Table& table) {
-  return {table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes)};
-}
-
-std::size_t count_values(const Table& table, const std::string& axis) {
-  return distinct(table, all_rows(table), *table.find(axis)).size();
-}
-
-bool is_axis(const Table& table, const std::string& name) {
-  const auto column = table.find(name);
-  return column && *column < table.axes;
-}
-
-// The axes by which points are told apart.
-Texts choose_axes(const std::vector<NamedTable>& runs) {
-  Texts chosen;
-  for (const auto& run : runs)
-    for (const auto& axis : axes_of(run.table)) {
-      if (is_seed(axis) || contains(chosen, axis)) continue;
-      bool varies = false;
-      const NamedTable* without = nullptr;
-      for (const auto& other : runs)
-        if (is_axis(other.table, axis))
-          varies = varies || count_values(other.table, axis) > 1;
-        else
-          without = &other;
-      if (!varies) continue;
-      if (without)
-        throw base::BadInput(
-            fmt::format("{}: found the axis {} with several values, which {} does "
-                        "not have: expected runs over the same axes",
-                        run.name, axis, without->name));
-      chosen.push_back(axis);
-    }
-  return chosen;
-}
-
-// The cells of these axes as one text; numbers as numbers.
-Texts key_of(const Table& table, std::size_t row, const Texts& axes) {
-  Texts key;
-  for (const auto& axis : axes) {
-    const auto& cell = table.rows[row][*table.find(axis)];
-    const auto number = as_number(cell);
-    key.push_back(number ? to_string(to_cell(*number)) : to_string(cell));
+// The numbers of a column in these rows; none where a cell is no number.
+std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
+                                    const std::string& column) {
+  Numbers numbers;
+  const auto c = *table.find(column);
+  for (const auto row : rows) {
+    const auto number = as_number(table.rows[row][c]);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
   }
-  return key;
-}
-
-using Groups = std::map<Texts, std::vector<std::size_t>>;
-
-std::string name_point(const Texts& axes, const Texts& values) {
-  Texts parts;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    parts.push_back(fmt::format("{} = {}", axes[i], values[i]));
-  return join_texts(parts, ", ");
-}
-
-[[noreturn]] void throw_apart(const std::vector<NamedTable>& runs, const Texts& axes) {
-  Texts values;
-  for (const auto& axis : axes)
-    for (const auto& run : runs) {
-      Texts taken;
-      for (const auto& value : distinct(run.table, all_rows(run.table), *run.table.find(axis)))
-        taken.push_back(to_string(value));
-      values.push_back(fmt::format("{} is {} in {}", axis, join_texts(taken, ", "), run.name));
-    }
-  throw base::BadInput(fmt::format("found no point that all runs have ({}), expected some",
-                                   join_texts(values, "; ")));
-}
-
-std::optional<double> number_at(const Table& table, std::size_t row, const std::string& column) {
-  const auto c = table.find(column);
-  return c ? as_number(table.rows[row][*c]) : std::nullopt;
-}
-
-std::vector<double> numbers_at(const NamedTable& run, const std::vector<std::size_t>& rows,
-                               const std::string& column) {
-  std::vector<double> numbers;
-  for (const auto row : rows)
-    if (const auto number = number_at(run.table, row, column)) numbers.push_back(*number);
   return numbers;
 }
 
-std::vector<double> logs_of(const std::vector<double>& numbers) {
-  std::vector<double> logs;
-  for (const double number : numbers) logs.push_back(std::log(number));
-  return logs;
+// The logarithms of the numbers; none where a number is infinite or not above 0.
+std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std::string& column) {
+  auto numbers = find_numbers(table, rows, column);
+  if (!numbers) return std::nullopt;
+  for (double& number : *numbers) {
+    if (!std::isfinite(number) || number <= 0) return std::nullopt;
+    number = std::log(number);
+  }
+  return numbers;
 }
 
-struct Estimate {
-  double mean, half_width;
-};
-
-Estimate estimate(double mean, double standard_error, double degrees) {
-  return {mean, standard_error == 0 ? 0 : student_t(0.975, degrees) * standard_error};
+// The result of a run at a point: of several samples the geometric mean, or the arithmetic one
+// where that does not exist.
+Value find_value(const MatchedRuns& matched, const MatchedRuns::Point& point, std::size_t run,
+                 const std::string& column) {
+  const Table& table = matched.runs[run].table;
+  const auto& rows = point.rows[run];
+  if (rows.size() == 1) return table.rows[rows[0]][*table.find(column)];
+  if (const auto logs = find_logs(table, rows, column)) return std::exp(find_mean(*logs));
+  if (const auto numbers = find_numbers(table, rows, column)) return find_mean(*numbers);
+  return {};
 }
 
-Estimate estimate_pairs(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> differences;
+double half_width(double standard_error, double degrees_of_freedom) {
+  return standard_error == 0 ? 0 : student_t(0.975, degrees_of_freedom) * standard_error;
+}
+
+double half_width_of_pairs(const Numbers& a, const Numbers& b) {
+  Numbers differences;
   for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(b[i] - a[i]);
   const auto n = static_cast<double>(a.size());
-  return estimate(find_mean(differences), find_deviation(differences) / std::sqrt(n), n - 1);
+  return half_width(find_deviation(differences) / std::sqrt(n), n - 1);
 }
 
-Estimate estimate_apart(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto squared = [](const std::vector<double>& x) {
-    return find_variance(x) / static_cast<double>(x.size());
-  };
-  const double va = squared(a), vb = squared(b);
-  const double degrees =
-      (va + vb) * (va + vb) /
-      (va * va / static_cast<double>(a.size() - 1) + vb * vb / static_cast<double>(b.size() - 1));
-  return estimate(find_mean(b) - find_mean(a), std::sqrt(va + vb), degrees);
+// Welch's test
+double half_width_apart(const Numbers& a, const Numbers& b) {
+  const auto na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
+  const double va = find_variance(a) / na, vb = find_variance(b) / nb;
+  const double degrees = (va + vb) * (va + vb) / (va * va / (na - 1) + vb * vb / (nb - 1));
+  return half_width(std::sqrt(va + vb), degrees);
 }
 
-// The rows of both with the same seeds side by side; none where a seed is in one of them alone.
-std::optional<std::vector<std::size_t>> pair_seeds(const Table& a, const Table& b,
-                                                   const std::vector<std::size_t>& rows_a,
-                                                   const std::vector<std::size_t>& rows_b,
-                                                   const Texts& seeds) {
-  if (rows_a.size() != rows_b.size()) return std::nullopt;
-  for (const auto& seed : seeds)
-    if (!is_axis(a, seed) || !is_axis(b, seed)) return std::nullopt;
-  std::map<Texts, std::size_t> by_seed;
-  for (const auto row : rows_b) by_seed[key_of(b, row, seeds)] = row;
-  std::vector<std::size_t> paired;
+// The rows of b in the order of a's seeds; none where a seed is in one of them alone.
+std::optional<Rows> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
+                               const Rows& rows_b, const std::string& seed) {
+  const auto seed_a = a.find(seed), seed_b = b.find(seed);
+  if (!seed_a || !seed_b || rows_a.size() != rows_b.size()) return std::nullopt;
+  std::map<std::string, std::size_t> row_of;
+  for (const auto row : rows_b) row_of[to_string(b.rows[row][*seed_b])] = row;
+  Rows paired;
   for (const auto row : rows_a) {
-    const auto found = by_seed.find(key_of(a, row, seeds));
-    if (found == by_seed.end()) return std::nullopt;
+    const auto found = row_of.find(to_string(a.rows[row][*seed_a]));
+    if (found == row_of.end()) return std::nullopt;
     paired.push_back(found->second);
   }
   return paired;
 }
 
-Value make_mean(const NamedTable& run, const std::vector<std::size_t>& rows,
-                const std::string& column) {
-  const auto numbers = numbers_at(run, rows, column);
-  if (numbers.empty()) return {};
-  return numbers.size() == 1 ? run.table.rows[rows[0]][*run.table.find(column)]
-                             : Value(find_mean(numbers));
+// Whether two cells are the same, but for rounding.
+bool is_near(const Value& a, const Value& b) {
+  const auto x = as_number(a), y = as_number(b);
+  if (!x || !y) return is_same(a, b);
+  if (!std::isfinite(*x) || !std::isfinite(*y)) return is_same(a, b);
+  return std::abs(*x - *y) <= 1e-12 * std::max(std::abs(*x), std::abs(*y));
 }
 
 std::string format_interval(const Ratio& ratio) {
@@ -169,149 +100,86 @@ std::string format_interval(const Ratio& ratio) {
 
 }  // namespace
 
-bool is_seed(const std::string& axis) { return axis == "seed" || axis.ends_with("_seed"); }
-
-Matched match_points(const std::vector<NamedTable>& runs) {
-  Matched matched{.axes = choose_axes(runs), .points = {}, .seeds = {}, .left_out = {}};
-  std::vector<Groups> groups(runs.size());
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    for (std::size_t row = 0; row < runs[r].table.rows.size(); ++row)
-      groups[r][key_of(runs[r].table, row, matched.axes)].push_back(row);
-    for (const auto& axis : axes_of(runs[r].table))
-      if (is_seed(axis) && !contains(matched.seeds, axis)) matched.seeds.push_back(axis);
-  }
-  matched.left_out.resize(runs.size());
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    for (const auto& [key, rows] : groups[r]) {
-      const bool everywhere =
-          std::ranges::all_of(groups, [&](const Groups& g) { return g.contains(key); });
-      if (!everywhere) matched.left_out[r] += rows.size();
-    }
-  std::set<Texts> taken;
-  const Table& first = runs[0].table;
-  for (std::size_t row = 0; row < first.rows.size(); ++row) {
-    const auto key = key_of(first, row, matched.axes);
-    if (!taken.insert(key).second) continue;
-    Matched::Point point;
-    for (const auto& axis : matched.axes) point.at.push_back(first.rows[row][*first.find(axis)]);
-    for (const auto& g : groups)
-      if (const auto found = g.find(key); found != g.end()) point.rows.push_back(found->second);
-    if (point.rows.size() == runs.size()) matched.points.push_back(std::move(point));
-  }
-  if (matched.points.empty()) throw_apart(runs, matched.axes);
-  return matched;
-}
-
-std::optional<Ratio> find_ratio(const std::vector<NamedTable>& runs, const Matched& matched,
-                                const Matched::Point& point, std::size_t run,
-                                const std::string& column) {
-  const auto& rows_a = point.rows[0];
-  const auto paired =
-      pair_seeds(runs[0].table, runs[run].table, rows_a, point.rows[run], matched.seeds);
-  const auto& rows_b = paired ? *paired : point.rows[run];
-  const auto a = numbers_at(runs[0], rows_a, column), b = numbers_at(runs[run], rows_b, column);
-  const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
-  if (a.size() < rows_a.size() || b.size() < rows_b.size() ||
-      !std::ranges::all_of(a, is_positive) || !std::ranges::all_of(b, is_positive))
-    return std::nullopt;
-  Ratio ratio{.samples = std::min(a.size(), b.size())};
-  if (a.size() == 1 && b.size() == 1) {
-    ratio.value = b[0] / a[0];
-    return ratio;
-  }
-  const auto logs_a = logs_of(a), logs_b = logs_of(b);
-  ratio.value = std::exp(find_mean(logs_b) - find_mean(logs_a));
-  if (ratio.samples < 2) return ratio;
-  const auto found = paired ? estimate_pairs(logs_a, logs_b) : estimate_apart(logs_a, logs_b);
-  ratio.interval = {std::exp(found.mean - found.half_width),
-                    std::exp(found.mean + found.half_width)};
+std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
+                                std::size_t run, const std::string& column) {
+  const Table &first = matched.runs[0].table, &other = matched.runs[run].table;
+  const auto paired = pair_seeds(first, other, point.rows[0], point.rows[run], matched.seed);
+  const auto a = find_logs(first, point.rows[0], column);
+  const auto b = find_logs(other, paired ? *paired : point.rows[run], column);
+  if (!a || !b) return std::nullopt;
+  const double middle = find_mean(*b) - find_mean(*a);
+  Ratio ratio{std::exp(middle)};
+  if (std::min(a->size(), b->size()) < 2) return ratio;
+  const double half = paired ? half_width_of_pairs(*a, *b) : half_width_apart(*a, *b);
+  ratio.interval = {std::exp(middle - half), std::exp(middle + half)};
   return ratio;
 }
 
-Table compare_column(const std::vector<NamedTable>& runs, const Matched& matched,
-                     const std::string& column) {
-  Table table{.columns = matched.axes, .axes = matched.axes.size(), .rows = {}};
-  bool has_intervals = false;
-  std::vector<std::vector<std::optional<Ratio>>> ratios;
-  for (const auto& point : matched.points) {
-    auto& row = ratios.emplace_back();
-    for (std::size_t r = 1; r < runs.size(); ++r) {
-      row.push_back(find_ratio(runs, matched, point, r, column));
-      has_intervals = has_intervals || (row.back() && row.back()->interval);
-    }
-  }
-  for (const auto& run : runs) table.columns.push_back(fmt::format("{}: {}", run.name, column));
-  for (std::size_t r = 1; r < runs.size(); ++r) {
-    table.columns.push_back(fmt::format("{} / {}", runs[r].name, runs[0].name));
-    if (has_intervals) table.columns.push_back(table.columns.back() + ", 95 %");
-  }
-  for (std::size_t p = 0; p < matched.points.size(); ++p) {
-    const auto& point = matched.points[p];
-    auto& row = table.rows.emplace_back(point.at);
-    for (std::size_t r = 0; r < runs.size(); ++r)
-      row.push_back(make_mean(runs[r], point.rows[r], column));
-    for (const auto& ratio : ratios[p]) {
-      auto& value = row.emplace_back();
-      if (ratio) value = ratio->value;
-      if (!has_intervals) continue;
-      auto& interval = row.emplace_back();
-      if (ratio) interval = format_interval(*ratio);
-    }
-  }
-  return table;
-}
-
-std::optional<Spread> find_spread(const std::vector<NamedTable>& runs, const Matched& matched,
-                                  std::size_t run, const std::string& column) {
+Spread find_spread(const MatchedRuns& matched, std::size_t run, const std::string& column) {
   Spread spread;
-  double logs = 0;
+  Numbers logs;
   for (const auto& point : matched.points) {
-    const auto ratio = find_ratio(runs, matched, point, run, column);
-    if (!ratio) continue;
-    logs += std::log(ratio->value);
-    if (spread.points == 0 || ratio->value < spread.least) {
-      spread.least = ratio->value;
+    const bool is_equal =
+        is_near(find_value(matched, point, 0, column), find_value(matched, point, run, column));
+    const auto ratio = find_ratio(matched, point, run, column);
+    if (!ratio) {
+      if (is_equal) continue;
+      if (spread.others++ == 0) spread.other = &point;
+      continue;
+    }
+    const double value = is_equal ? 1 : ratio->value;
+    if (spread.points == 0 || value < spread.least) {
+      spread.least = value;
       spread.least_at = &point;
     }
-    if (spread.points == 0 || ratio->value > spread.most) {
-      spread.most = ratio->value;
+    if (spread.points == 0 || value > spread.most) {
+      spread.most = value;
       spread.most_at = &point;
     }
     ++spread.points;
+    logs.push_back(std::log(value));
     if (!ratio->interval) continue;
-    ++spread.with_interval;
-    spread.surely_less += ratio->interval->second < 1;
-    spread.surely_more += ratio->interval->first > 1;
+    ++spread.intervals;
+    spread.below += ratio->interval->second < 1;
+    spread.above += ratio->interval->first > 1;
   }
-  if (spread.points == 0) return std::nullopt;
-  spread.mean = std::exp(logs / static_cast<double>(spread.points));
+  if (!logs.empty()) spread.mean = std::exp(find_mean(logs));
   return spread;
 }
 
-std::string tell_spread(const std::vector<NamedTable>& runs, const Matched& matched,
-                        std::size_t run, const std::string& column, const Spread& spread) {
-  const auto name = [&](double ratio, const Matched::Point& point) {
-    auto text = fmt::format("{:.4g}", ratio);
-    if (!matched.axes.empty())
-      text +=
-          " at " + name_point(matched.axes, key_of(runs[0].table, point.rows[0][0], matched.axes));
-    return text;
+std::string tell_spread(const MatchedRuns& matched, std::size_t run, const std::string& column,
+                        const Spread& spread) {
+  constexpr double NEXT_TO_NOTHING = 1e-4;
+  const auto& first = matched.runs[0].name;
+  const auto& name = matched.runs[run].name;
+  const auto at = [&](const MatchedRuns::Point& point) {
+    return matched.axes.empty() ? std::string() : " at " + name_point(matched, point);
   };
-  if (spread.is_same())
-    return fmt::format("{}: {} is the same as {}", column, runs[run].name, runs[0].name);
-  std::string text =
-      fmt::format("{}: {} is {:.4g} of {}", column, runs[run].name, spread.mean, runs[0].name);
-  if (spread.points > 1)
-    text += fmt::format(" (geometric mean of {} points; {} to {})", spread.points,
-                        name(spread.least, *spread.least_at), name(spread.most, *spread.most_at));
-  if (spread.with_interval > 0)
-    text += fmt::format("; by its seeds surely less (95 %) at {}, surely more at {} of {} points",
-                        spread.surely_less, spread.surely_more, spread.with_interval);
+  if (spread.is_same()) return fmt::format("{}: {} is the same as {}", column, name, first);
+  std::string text = column + ": ";
+  if (spread.points > 0 && 1 - spread.least < NEXT_TO_NOTHING &&
+      spread.most - 1 < NEXT_TO_NOTHING) {
+    text += fmt::format("{} is within 0.01 % of {}", name, first);
+  } else if (spread.points > 0) {
+    text += fmt::format("{} is {:.4g} times {}", name, spread.mean, first);
+    if (spread.points > 1)
+      text += fmt::format(" (geometric mean of {} points; {:.4g}{} to {:.4g}{})", spread.points,
+                          spread.least, at(*spread.least_at), spread.most, at(*spread.most_at));
+  }
+  if (spread.intervals > 0)
+    text += fmt::format("; the interval of 95 % is below 1 at {} and above 1 at {} of {} points",
+                        spread.below, spread.above, spread.intervals);
+  if (spread.others > 0)
+    text +=
+        fmt::format("{}{} differs from {} at {} point(s) without a ratio: {} and {}{}",
+                    spread.points > 0 ? "; " : "", name, first, spread.others,
+                    to_string(find_value(matched, *spread.other, 0, column)),
+                    to_string(find_value(matched, *spread.other, run, column)), at(*spread.other));
   return text;
 }
 
-std::vector<std::string> common_results(const std::vector<NamedTable>& runs) {
-  Texts columns;
+std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs) {
+  std::vector<std::string> columns;
   for (const auto& column : runs[0].table.columns) {
     const bool everywhere = std::ranges::all_of(runs, [&](const NamedTable& run) {
       const auto c = run.table.find(column);
@@ -322,17 +190,73 @@ std::vector<std::string> common_results(const std::vector<NamedTable>& runs) {
   return columns;
 }
 
-Table stack_runs(const std::vector<NamedTable>& runs, const Matched& matched,
-                 const std::vector<std::string>& columns) {
+Table compare_column(const MatchedRuns& matched, const std::string& column) {
+  const auto& runs = matched.runs;
+  std::vector<std::optional<Ratio>> ratios;  // by point, then by run
+  for (const auto& point : matched.points)
+    for (std::size_t r = 1; r < runs.size(); ++r)
+      ratios.push_back(find_ratio(matched, point, r, column));
+  const bool has_intervals =
+      std::ranges::any_of(ratios, [](const auto& ratio) { return ratio && ratio->interval; });
+
+  Table table{.columns = matched.axes, .axes = matched.axes.size(), .rows = {}};
+  for (const auto& run : runs) table.columns.push_back(fmt::format("{}: {}", run.name, column));
+  for (std::size_t r = 1; r < runs.size(); ++r) {
+    table.columns.push_back(fmt::format("{} / {}", runs[r].name, runs[0].name));
+    if (has_intervals) table.columns.push_back(table.columns.back() + ", 95 %");
+  }
+  auto ratio = ratios.begin();
+  for (const auto& point : matched.points) {
+    auto& row = table.rows.emplace_back(point.at);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      row.push_back(find_value(matched, point, r, column));
+    for (std::size_t r = 1; r < runs.size(); ++r, ++ratio) {
+      auto& value = row.emplace_back();
+      if (*ratio) value = (*ratio)->value;
+      if (!has_intervals) continue;
+      auto& interval = row.emplace_back();
+      if (*ratio) interval = format_interval(**ratio);
+    }
+  }
+  return table;
+}
+
+Table list_ratios(const MatchedRuns& matched, const std::vector<std::string>& columns) {
+  Table table{.columns = {"result"}, .axes = 2 + matched.axes.size(), .rows = {}};
+  table.columns.insert(table.columns.end(), matched.axes.begin(), matched.axes.end());
+  for (const auto* column : {"run", "value", "first", "ratio", "low", "high"})
+    table.columns.emplace_back(column);
+  for (const auto& column : columns)
+    for (const auto& point : matched.points)
+      for (std::size_t r = 1; r < matched.runs.size(); ++r) {
+        auto& row = table.rows.emplace_back();
+        row.emplace_back(column);
+        row.insert(row.end(), point.at.begin(), point.at.end());
+        row.emplace_back(matched.runs[r].name);
+        row.push_back(find_value(matched, point, r, column));
+        row.push_back(find_value(matched, point, 0, column));
+        const auto ratio = find_ratio(matched, point, r, column);
+        row.resize(table.columns.size());
+        const auto last = row.size() - 1;
+        if (ratio) row[last - 2] = ratio->value;
+        if (ratio && ratio->interval) {
+          row[last - 1] = ratio->interval->first;
+          row[last] = ratio->interval->second;
+        }
+      }
+  return table;
+}
+
+Table stack_runs(const MatchedRuns& matched, const std::vector<std::string>& columns) {
   Table table{.columns = {"run"}, .axes = 1 + matched.axes.size(), .rows = {}};
   table.columns.insert(table.columns.end(), matched.axes.begin(), matched.axes.end());
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
-  for (std::size_t r = 0; r < runs.size(); ++r)
+  for (std::size_t r = 0; r < matched.runs.size(); ++r)
     for (const auto& point : matched.points) {
       auto& row = table.rows.emplace_back();
-      row.emplace_back(runs[r].name);
+      row.emplace_back(matched.runs[r].name);
       row.insert(row.end(), point.at.begin(), point.at.end());
-      for (const auto& column : columns) row.push_back(make_mean(runs[r], point.rows[r], column));
+      for (const auto& column : columns) row.push_back(find_value(matched, point, r, column));
     }
   return table;
 }

@@ -1,83 +1,62 @@
 #pragma once
-// Results of several runs, point by point: how many times the first run's the others' are.
+// How many times the first run's results those of other runs are.
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "experiments/laboratory/table/table.hpp"
+#include "experiments/laboratory/compare/matching.hpp"
 
 namespace laboratory {
 
-/// The results of a run, and what it is called.
-struct NamedTable {
-  std::string name;
-  Table table;
-};
-
-/// The points that several runs have in common. Runs that differ in nothing but their seeds are
-/// samples of one point.
-struct Matched {
-  std::vector<std::string> axes;  ///< of all runs, without seeds and those with one value in each
-  /// Of a point, for each run the rows of its table: one, or one for each seed.
-  struct Point {
-    std::vector<Value> at;  ///< of `axes`
-    std::vector<std::vector<std::size_t>> rows;
-  };
-  std::vector<Point> points;          ///< in the order of the first run
-  std::vector<std::string> seeds;     ///< the axes of seeds, of all runs
-  std::vector<std::size_t> left_out;  ///< of each run: rows whose points some other has not
-};
-
-/// Whether an axis is a seed: "seed", or one that ends with "_seed".
-bool is_seed(const std::string& axis);
-
-/// Throws BadInput for an axis that takes several values in one run and is none of another's, and
-/// for runs without a point in common.
-Matched match_points(const std::vector<NamedTable>& runs);
-
-/// A result of one run in comparison with the first run's.
+/// A result of one run at one point, divided by the first run's.
 struct Ratio {
-  double value = 0;  ///< of the means; with seeds the geometric mean of the ratios
-  /// Where it is with 95 %, by Student's t on logarithms: of pairs with one seed where all seeds
-  /// are in both runs, else by Welch. None for fewer than two samples in one of them.
+  double value = 0;  ///< with several seeds the ratio of the geometric means
+  /// The interval of 95 % around it, by Student's t on logarithms: of the pairs with the same seed
+  /// where both runs have the same seeds, else by Welch's test. None where a run has one sample.
   std::optional<std::pair<double, double>> interval = {};
-  std::size_t samples = 0;  ///< the fewer of both
 };
 
-/// None where a sample is missing, is no number or not above zero.
-std::optional<Ratio> find_ratio(const std::vector<NamedTable>& runs, const Matched& matched,
-                                const Matched::Point& point, std::size_t run,
-                                const std::string& column);
+/// The ratio at a point; none where a sample of either run is no number, infinite or not above 0.
+std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
+                                std::size_t run, const std::string& column);
 
-/// A row for each point: the axes; the result of each run, "NAME: COLUMN", the mean over seeds; and
-/// of each but the first "NAME / FIRST", with seeds also its interval, "0.97 to 1.02".
-Table compare_column(const std::vector<NamedTable>& runs, const Matched& matched,
-                     const std::string& column);
-
-/// The ratios of one run at all points that have one.
+/// The ratios of one run at all points.
 struct Spread {
-  std::size_t points = 0;  ///< at least one
+  std::size_t points = 0;  ///< those that have a ratio; where there are none, the next five mean
+                           ///< nothing
   double mean = 0;         ///< geometric
   double least = 0, most = 0;
-  const Matched::Point *least_at = nullptr, *most_at = nullptr;
-  std::size_t with_interval = 0, surely_less = 0, surely_more = 0;  ///< points: intervals below 1,
-                                                                    ///< above 1
-  bool is_same() const { return least == 1 && most == 1; }
-};
-/// None where no point has a ratio. Points to those of `matched`.
-std::optional<Spread> find_spread(const std::vector<NamedTable>& runs, const Matched& matched,
-                                  std::size_t run, const std::string& column);
+  const MatchedRuns::Point *least_at = nullptr, *most_at = nullptr;
+  std::size_t intervals = 0;  ///< points whose ratio has an interval,
+  std::size_t below = 0;      ///< those of them whose interval ends below 1,
+  std::size_t above = 0;      ///< and those whose interval begins above 1
+  std::size_t others = 0;     ///< points without a ratio at which the two runs differ
+  const MatchedRuns::Point* other = nullptr;  ///< the first of them
 
-/// "time_s: b is 0.833 of a (geometric mean of 6 points; 0.83 at workers = 1 to ...)"
-std::string tell_spread(const std::vector<NamedTable>& runs, const Matched& matched,
-                        std::size_t run, const std::string& column, const Spread& spread);
+  bool is_same() const { return (points == 0 || (least == 1 && most == 1)) && others == 0; }
+};
+/// It points into `matched`.
+Spread find_spread(const MatchedRuns& matched, std::size_t run, const std::string& column);
+
+/// "time_s: b is 0.83 times a (geometric mean of 6 points; 0.81 at workers = 1 to 0.84 at ...)"
+std::string tell_spread(const MatchedRuns& matched, std::size_t run, const std::string& column,
+                        const Spread& spread);
 
 /// The numeric columns that are results in every run.
-std::vector<std::string> common_results(const std::vector<NamedTable>& runs);
+std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs);
 
-/// All points, a row for each run and point: the axes "run" and those of `matched`, then these
-/// columns, means over seeds.
-Table stack_runs(const std::vector<NamedTable>& runs, const Matched& matched,
-                 const std::vector<std::string>& columns);
+/// A table for people, a row for each point: the axes; the result of each run, "NAME: COLUMN", with
+/// several seeds the mean; and for each run but the first the ratio, "NAME / FIRST", and where some
+/// point has one its interval, "0.97 to 1.02".
+Table compare_column(const MatchedRuns& matched, const std::string& column);
+
+/// A table for programs, a row for each result, point and run but the first: "result", the axes,
+/// "run", "value", "first" (the first run's value), "ratio", "low" and "high" (of the interval).
+Table list_ratios(const MatchedRuns& matched, const std::vector<std::string>& columns);
+
+/// A table with a row for each run and point: the axes, of which "run" is the first, and these
+/// columns.
+Table stack_runs(const MatchedRuns& matched, const std::vector<std::string>& columns);
 
 }  // namespace laboratory

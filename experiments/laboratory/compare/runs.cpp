@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/origin.hpp"
+#include "experiments/laboratory/points/results.hpp"
 
 namespace laboratory {
 namespace {
@@ -15,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 using Texts = std::vector<std::string>;
+
+constexpr const char* BY_DEFAULT = "by default";  // where nothing says what the default is
 
 // The parts of a path, without "." and an empty last one.
 Texts parts_of(const std::string& folder) {
@@ -45,17 +50,29 @@ Texts find_names(const Texts& folders) {
   return names;
 }
 
+std::vector<RecordedModel> read_models(const nlohmann::ordered_json& json) {
+  std::vector<RecordedModel> models;
+  for (const auto& of_model : json) {
+    auto& model = models.emplace_back();
+    model.name = of_model.at("name").get<std::string>();
+    for (const auto& [key, entry] : of_model.at("entries").items())
+      model.entries[key] = {entry.at("value").get<double>(), entry.at("unit").get<std::string>()};
+  }
+  return models;
+}
+
 ComparedRun load_run(const std::string& folder, const std::string& name) {
   const auto file = fs::path(folder) / "run.json";
   const Origin origin = load_origin(folder, "run.json");
   try {
-    ComparedRun run{.folder = folder,
-                    .name = name,
-                    .command = command_line(origin.options),
-                    .simulation = load_simulation(folder, origin.file),
-                    .record = nlohmann::ordered_json::parse(base::read_text(file))};
-    run.record.erase("points");
-    return run;
+    const auto json = nlohmann::ordered_json::parse(base::read_text(file));
+    return {.folder = folder,
+            .name = name,
+            .command = command_line(origin.options),
+            .version = json.at("tlab").get<std::string>(),
+            .simulation = load_simulation(folder, origin.file),
+            .models = read_models(json.at("models")),
+            .inputs = json.at("inputs").get<std::map<std::string, std::string>>()};
   } catch (const nlohmann::json::exception& error) {
     throw make_damaged(file, error);
   } catch (const base::BadInput& error) {
@@ -70,15 +87,16 @@ std::string unquote(const std::string& text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-// What a key is where the file says nothing of it.
+// The value of a key of which the file says nothing.
 std::string default_of(const ExperimentFile& file, const std::string& key) {
   const Experiment& e = file.points[0].experiment;
+  if (key == "program.name") return e.program->name;
   if (key == "machine.model") return e.model.source.text;
   if (key == "network.topology") return e.topology.text;
   if (key == "network.workers") return std::to_string(e.workers);
   for (const auto& p : e.program->parameters)
     if (programs::key_of(p) == key) return base::to_text(p.get(e.params));
-  return "by default";
+  return BY_DEFAULT;
 }
 
 std::string value_of(const ExperimentFile& file, const std::string& key) {
@@ -109,17 +127,52 @@ Table start(Texts columns, const std::vector<ComparedRun>& runs) {
   return table;
 }
 
-// What a run's models say of each entry, with its unit.
-std::map<std::string, std::pair<std::string, std::string>> find_entries(const ComparedRun& run,
-                                                                        bool with_model) {
-  std::map<std::string, std::pair<std::string, std::string>> entries;
-  for (const auto& model : run.record.at("models"))
-    for (const auto& [key, entry] : model.at("entries").items()) {
-      const auto name = model.at("name").get<std::string>();
-      entries[with_model ? fmt::format("{}: {}", name, key) : key] = {
-          to_string(to_cell(entry.at("value").get<double>())), entry.at("unit").get<std::string>()};
+// The names of a run's models, and of those that all runs have.
+Texts names_of(const ComparedRun& run) {
+  Texts names;
+  for (const auto& model : run.models) names.push_back(model.name);
+  return names;
+}
+
+Texts find_shared_models(const std::vector<ComparedRun>& runs) {
+  Texts shared = names_of(runs[0]);
+  for (const auto& run : runs)
+    std::erase_if(shared, [names = names_of(run)](const auto& name) {
+      return std::ranges::find(names, name) == names.end();
+    });
+  return shared;
+}
+
+// Adds the entries in which these models, one of each run, differ.
+void add_entries(Table& table, const std::string& prefix,
+                 const std::vector<const RecordedModel*>& models) {
+  std::map<std::string, std::string> units;
+  for (const auto* model : models)
+    for (const auto& [key, entry] : model->entries) units[key] = entry.unit;
+  for (const auto& [key, unit] : units) {
+    Texts values;
+    for (const auto* model : models) {
+      const auto entry = model->entries.find(key);
+      values.push_back(entry == model->entries.end() ? "none"
+                                                     : to_string(to_cell(entry->second.value)));
     }
-  return entries;
+    add_row(table, {prefix + key, unit}, values);
+  }
+}
+
+// Makes an axis, in front of the others: of the column of that name, or of a key's one value.
+void add_axis(Table& table, const std::string& axis, const std::string& value) {
+  const auto column = table.find(axis);
+  const auto move = [&](auto& cells, auto otherwise) {
+    if (column) {
+      otherwise = std::move(cells[*column]);
+      cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(*column));
+    }
+    cells.insert(cells.begin(), std::move(otherwise));
+  };
+  for (auto& row : table.rows) move(row, unquote_number(value));
+  move(table.columns, axis);
+  ++table.axes;
 }
 
 }  // namespace
@@ -128,69 +181,81 @@ std::vector<ComparedRun> load_runs(const Texts& folders) {
   base::require(folders.size() >= 2, "compare", "found {} folder, expected two or more",
                 folders.size());
   for (std::size_t i = 0; i < folders.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      base::require(parts_of(folders[i]) != parts_of(folders[k]), "compare",
+    for (std::size_t k = 0; k < i; ++k) {
+      std::error_code ignored;
+      base::require(!fs::equivalent(folders[i], folders[k], ignored), "compare",
                     "found {} twice, expected different results", folders[i]);
+    }
   const auto names = find_names(folders);
   std::vector<ComparedRun> runs;
   for (std::size_t i = 0; i < folders.size(); ++i) runs.push_back(load_run(folders[i], names[i]));
   return runs;
 }
 
-std::vector<NamedTable> tables_of(const std::vector<ComparedRun>& runs) {
+std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs) {
   std::vector<NamedTable> tables;
-  for (const auto& run : runs) tables.push_back({run.name, run.simulation.table});
+  for (const auto& run : runs) {
+    Table table = run.simulation.table;
+    std::erase_if(table.rows, [&](const auto& row) { return !is_complete_row(table, row); });
+    table.points.clear();  // a row is no longer known by its number
+    for (const auto& other : runs) {
+      const auto& file = other.simulation.file;
+      for (std::size_t i = 0; i < file.axes.size(); ++i) {
+        const auto& axis = file.axes[i];
+        const auto column = table.find(axis);
+        const bool is_there = column ? *column < table.axes : !other.simulation.table.find(axis);
+        const auto value = value_of(run.simulation.file, file.axis_keys[i]);
+        if (!is_there && (column || value != BY_DEFAULT)) add_axis(table, axis, value);
+      }
+    }
+    tables.push_back({run.name, std::move(table)});
+  }
   return tables;
 }
 
-Table differing_settings(const std::vector<ComparedRun>& runs) {
+Table find_differing_settings(const std::vector<ComparedRun>& runs) {
   Table table = start({"setting"}, runs);
-  const auto each = [&](auto find) {
+  const auto add = [&](const std::string& name, auto value) {
     Texts values;
-    for (const auto& run : runs) values.push_back(find(run));
-    return values;
+    for (const auto& run : runs) values.push_back(value(run));
+    add_row(table, {name}, values);
   };
-  add_row(table, {"tlab"},
-          each([](const ComparedRun& run) { return run.record.value("tlab", "unknown"); }));
-  Texts keys;
+  add("tlab", [](const ComparedRun& run) { return run.version; });
+  std::set<std::string> keys{"program.name"}, paths;
   for (const auto& run : runs) {
     const auto& file = run.simulation.file;
-    for (const auto& key : file.axis_keys) keys.push_back(key);
-    for (const auto& [key, _] : file.settings) keys.push_back(key);
+    keys.insert(file.axis_keys.begin(), file.axis_keys.end());
+    for (const auto& [key, value] : file.settings) keys.insert(key);
+    for (const auto& [path, hash] : run.inputs) paths.insert(path);
   }
-  std::ranges::sort(keys);
-  keys.erase(std::ranges::unique(keys).begin(), keys.end());
   for (const auto& key : keys)
-    add_row(table, {key},
-            each([&](const ComparedRun& run) { return value_of(run.simulation.file, key); }));
-  Texts inputs;
-  for (const auto& run : runs)
-    for (const auto& [path, _] : run.record.at("inputs").items())
-      if (std::ranges::find(inputs, path) == inputs.end()) inputs.push_back(path);
-  for (const auto& path : inputs)
-    add_row(table, {"content of " + path}, each([&](const ComparedRun& run) {
-              return run.record.at("inputs").value(path, "not read");
-            }));
+    add(key, [&](const ComparedRun& run) { return value_of(run.simulation.file, key); });
+  for (const auto& path : paths)
+    add("content of " + path, [&](const ComparedRun& run) {
+      const auto input = run.inputs.find(path);
+      return input == run.inputs.end() ? "not read" : input->second;
+    });
   return table;
 }
 
-Table differing_entries(const std::vector<ComparedRun>& runs) {
+Table find_differing_entries(const std::vector<ComparedRun>& runs) {
   Table table = start({"entry", "unit"}, runs);
-  const bool with_model = std::ranges::any_of(
-      runs, [](const ComparedRun& run) { return run.record.at("models").size() > 1; });
-  std::vector<std::map<std::string, std::pair<std::string, std::string>>> entries;
-  for (const auto& run : runs) entries.push_back(find_entries(run, with_model));
-  std::map<std::string, std::string> units;
-  for (const auto& of_run : entries)
-    for (const auto& [key, entry] : of_run) units[key] = entry.second;
-  for (const auto& [key, unit] : units) {
-    Texts values;
-    for (const auto& of_run : entries) {
-      const auto entry = of_run.find(key);
-      values.push_back(entry == of_run.end() ? "none" : entry->second.first);
-    }
-    add_row(table, {key, unit}, values);
+  const auto take = [&](auto choose) {
+    std::vector<const RecordedModel*> models;
+    for (const auto& run : runs) models.push_back(&*choose(run.models));
+    return models;
+  };
+  if (std::ranges::all_of(runs, [](const ComparedRun& run) { return run.models.size() == 1; })) {
+    add_entries(table, "", take([](const auto& models) { return models.begin(); }));
+    return table;
   }
+  Texts names;
+  for (const auto& run : runs) names.push_back(join_texts(names_of(run), ", "));
+  add_row(table, {"models", ""}, names);
+  for (const auto& name : find_shared_models(runs))
+    add_entries(table, name + ": ", take([&](const auto& models) {
+                  return std::ranges::find(models, name, &RecordedModel::name);
+                }));
   return table;
 }
 

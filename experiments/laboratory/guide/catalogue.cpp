@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
@@ -19,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using Entries = std::vector<Catalogue::Entry>;
-
-constexpr std::size_t LONGEST = 1 << 20;  // no experiment and no scene that comes with us is longer
 
 // The files below a folder with one of these endings, in the order of their names; as they are
 // spelled from the current folder where they are in it.
@@ -41,8 +40,18 @@ std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::
   return files;
 }
 
+// The beginning of a file, where its first comment is; "" where it cannot be read.
+std::string read_beginning(const fs::path& file) {
+  std::string text(4096, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
+  return text;
+}
+
 // The title of an experiment; none for another file in TOML, or one that cannot be read.
 std::optional<std::string> find_title(const fs::path& file) try {
+  constexpr std::size_t LONGEST = 1 << 20;
   const auto table = base::parse_toml(base::read_text(file, LONGEST), file.string());
   return table["title"].value<std::string>();
 } catch (const base::BadInput&) {
@@ -51,8 +60,9 @@ std::optional<std::string> find_title(const fs::path& file) try {
 
 Entries list_experiments(const std::optional<fs::path>& folder) {
   Entries entries;
-  for (const auto& file : folder ? find_files(*folder, {".toml"}) : std::vector<fs::path>{})
-    if (const auto title = find_title(file)) entries.push_back({file.string(), *title});
+  if (folder)
+    for (const auto& file : find_files(*folder, {".toml"}))
+      if (const auto title = find_title(file)) entries.push_back({file.string(), *title});
   return entries;
 }
 
@@ -83,7 +93,7 @@ Entries list_scenes(const std::optional<fs::path>& folder) {
                   {"room:L", "a room with a glass table, a window and L lights"}};
   if (folder)
     for (const auto& file : find_files(*folder, {".nff", ".room", ".obj"}))
-      entries.push_back({file.string(), base::first_comment(base::read_text(file, LONGEST))});
+      entries.push_back({file.string(), base::first_comment(read_beginning(file))});
   return entries;
 }
 
@@ -137,8 +147,9 @@ std::string to_text(const Catalogue& catalogue) {
   for (const auto& entry : catalogue.entries) width = std::max(width, entry.name.size());
   std::string text = fmt::format("{} ({}):\n", catalogue.kind, catalogue.use);
   for (const auto& [name, about] : catalogue.entries)
-    text += about.empty() ? fmt::format("  {}\n", name)
-                          : fmt::format("  {:<{}}  {}\n", name, width, about);
+    text += about.empty() ? fmt::format("  {}\n", base::blank_controls(name))
+                          : fmt::format("  {:<{}}  {}\n", base::blank_controls(name), width,
+                                        base::blank_controls(about));
   return text;
 }
 

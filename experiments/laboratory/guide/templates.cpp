@@ -19,32 +19,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* TOKEN = "NAME";
+constexpr const char* TOKEN = "MINE";
 
-// "farm" of "farm/NAME.toml"
+// "farm" of "farm/MINE.toml"
 std::string template_of(std::string_view path) {
   return std::string(path.substr(0, path.find('/')));
 }
 
 void check_name(const fs::path& name) {
   const auto last = name.filename().string();
-  base::require(std::regex_match(last, std::regex("[A-Za-z][A-Za-z0-9_-]*")), "init",
-                "found the name \"{}\", expected letters, digits, - and _, beginning with a letter",
+  base::require(std::regex_match(last, std::regex("[A-Za-z][A-Za-z0-9_-]{0,99}")), "init",
+                "found the name \"{}\", expected at most 100 letters, digits, - and _, beginning "
+                "with a letter",
                 last);
   base::require(!fs::exists(fs::symlink_status(name)), "init",
                 "found {}, which is there already, expected a new name", name.string());
+  const auto parent = name.parent_path();
+  base::require(parent.empty() || fs::is_directory(parent), "init",
+                "found {} in {}, which is no folder, expected a folder", last, parent.string());
 }
 
 std::string rename_in(std::string_view text, const std::string& called) {
   return boost::replace_all_copy(std::string(text), TOKEN, called);
 }
 
-void write_files(const fs::path& folder, const std::string& called, const std::string& from) {
-  fs::create_directory(folder);
+struct File {
+  fs::path path;  // in the folder that is made
+  std::string text;
+};
+
+std::vector<File> make_files(const std::string& from, const std::string& called) {
+  std::vector<File> files;
   for (const auto& [path, text] : TEMPLATE_FILES)
     if (template_of(path) == from)
-      base::save_whole(folder / rename_in(path.substr(from.size() + 1), called),
-                       rename_in(text, called));
+      files.push_back({rename_in(path.substr(from.size() + 1), called), rename_in(text, called)});
+  return files;
 }
 
 }  // namespace
@@ -61,9 +70,10 @@ std::vector<fs::path> start_from_template(const fs::path& name, const std::strin
   const auto known = template_names();
   if (std::ranges::find(known, from) == known.end())
     throw base::BadInput(fmt::format("--from: found \"{}\"{}", from, base::suggest(from, known)));
-  check_name(name);
-  const auto called = name.filename().string();
-  const auto working = name.parent_path() / base::make_partial_name(called, "partial", getpid());
+  const auto folder = name.has_filename() ? name : name.parent_path();  // "mine/" is "mine"
+  check_name(folder);
+  const auto called = folder.filename().string();
+  const auto working = folder.parent_path() / base::make_partial_name(called, "partial", getpid());
   const auto remove = [working] {
     std::error_code ignored;
     fs::remove_all(working, ignored);
@@ -71,16 +81,17 @@ std::vector<fs::path> start_from_template(const fs::path& name, const std::strin
   const base::Undo undo(remove);
   std::vector<fs::path> made;
   try {
-    write_files(working, called, from);
-    check_name(name);  // it may have come meanwhile
-    fs::rename(working, name);
+    fs::create_directory(working);
+    for (const auto& file : make_files(from, called)) {
+      base::save_whole(working / file.path, file.text);
+      made.push_back(folder / file.path);
+    }
+    check_name(folder);  // it may have come meanwhile
+    fs::rename(working, folder);
   } catch (...) {
     remove();
     throw;
   }
-  for (const auto& [path, text] : TEMPLATE_FILES)
-    if (template_of(path) == from)
-      made.push_back(name / rename_in(path.substr(from.size() + 1), called));
   return made;
 }
 

@@ -223,8 +223,8 @@ std::string summarize(const CheckResult& result, const Table& table) {
         fmt::format("; {} of {} where nine of ten machines are", covered->inside, covered->points);
     if (check.covers) line += fmt::format(" (at least {:g} %)", 100 * *check.covers);
     if (const auto& own = covered->with_own_error)
-      line += fmt::format(", {} with the model's own error (± {:.2g} %)", own->inside,
-                          100 * own->half_width);
+      line += fmt::format(", {} with the model's own error ({:+.2g} ± {:.2g} %)", own->inside,
+                          100 * own->mean, 100 * own->half_width);
   }
   return line;
 }

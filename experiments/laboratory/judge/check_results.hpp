@@ -40,11 +40,12 @@ struct CheckResult {
   std::size_t worst = 0;                    ///< index into `points`
   double mean = 0;                          ///< mean of the errors' sizes
   std::optional<Predicted> predicted = {};  ///< where the check says which points are calibrated
-  /// So many of them lie in intervals that have the model's own error too, and how wide these are,
-  /// as a share of what is simulated (the median of the points). See cover.hpp.
+  /// How many of them lie in intervals that have the model's own error too (cover.hpp); and, as
+  /// shares of what is simulated, how far these intervals are moved and how wide they are, each the
+  /// median of the points.
   struct WithOwnError {
     std::size_t inside = 0;
-    double half_width = 0;
+    double mean = 0, half_width = 0;
   };
   /// Where machines were drawn: of so many points with intervals so many are in theirs.
   struct Covered {

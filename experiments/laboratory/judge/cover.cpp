@@ -36,17 +36,19 @@ std::vector<Case> find_cases(const CheckResult& result, const Table& table,
   return cases;
 }
 
-// The machines' interval, and at right angles to it the model's own error.
-Range widen(const Case& it, const OwnError& error) {
+// The interval around what the model says as it stands, moved by the mean of its own error. Its
+// half width is that of the machines' interval and that of the own error, added in squares, since
+// the one has nothing to do with the other.
+Range make_range_with(const OwnError& error, const Case& it) {
   const double simulated = it.point->simulated;
-  const double own = std::abs(simulated) * error.half_width;
-  const double moved = simulated * (1 + error.mean);
-  return {moved - std::hypot(simulated - it.machines.first, own),
-          moved + std::hypot(it.machines.second - simulated, own)};
+  const double middle = simulated * (1 + error.mean);
+  const double half =
+      std::hypot((it.machines.second - it.machines.first) / 2, simulated * error.half_width);
+  return {middle - half, middle + half};
 }
 
 std::optional<CheckResult::WithOwnError> cover_with_own_error(const std::vector<Case>& cases) {
-  std::vector<double> errors, half_widths;
+  std::vector<double> errors, half_widths, means;
   for (const auto& it : cases)
     errors.push_back((it.point->expected - it.point->simulated) / it.point->simulated);
   if (!std::ranges::all_of(errors, [](double error) { return std::isfinite(error); })) return {};
@@ -56,11 +58,13 @@ std::optional<CheckResult::WithOwnError> cover_with_own_error(const std::vector<
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     const auto own = find_own_error(others);
     if (!own) return {};
-    const Range range = widen(cases[i], *own);
+    const Range range = make_range_with(*own, cases[i]);
+    means.push_back(own->mean);
     covered.inside += contains(range, cases[i].point->expected);
     half_widths.push_back((range.second - range.first) / 2 / std::abs(cases[i].point->simulated));
   }
   covered.half_width = find_median(half_widths);
+  covered.mean = find_median(means);
   return covered;
 }
 

@@ -7,19 +7,21 @@
 
 namespace laboratory {
 
-/// The error of the model itself, which no number of it can mend.
+/// The error that the model has whatever its numbers are, as a share of what is simulated:
+/// (expected - simulated) / simulated. At another point it is expected to lie, in nine cases of
+/// ten, between mean - half_width and mean + half_width.
 struct OwnError {
-  double mean;        ///< of (expected - simulated) / simulated
-  double half_width;  ///< nine of ten further points have theirs within so much of the mean
+  double mean, half_width;
 };
 
-/// From the errors at other points: Student's interval for one point more. None for fewer than
-/// three.
+/// Estimates it from the errors at some points: Student's prediction interval for one point more.
+/// None for fewer than three errors.
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
-/// Counts the points whose expected values lie in their intervals; checks that ask that more do
-/// fail. Where errors are relative, counts them again for intervals that are moved and made wider
-/// by the model's own error, which for each point the check's other points tell.
+/// Counts for each check the predicted points whose expected value lies where nine of ten machines
+/// are; a check whose `covers` asks for more of them fails. Where errors are relative, counts them
+/// again in intervals that have the model's own error too: it is estimated for each point from the
+/// other points of the check, moves the interval of that point, and makes it wider.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const SurenessTables& sureness);
 

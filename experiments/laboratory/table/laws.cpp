@@ -1,7 +1,6 @@
 #include "experiments/laboratory/table/laws.hpp"
 
 #include <gsl/gsl_blas.h>
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_multifit_nlinear.h>
@@ -12,6 +11,7 @@
 #include <memory>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
 namespace {
@@ -39,7 +39,7 @@ Points choose_points(const std::vector<double>& n, const std::vector<double>& sp
 
 Estimate make_estimate(const std::string& name, double value, double variance, std::size_t free) {
   const double error = std::sqrt(std::max(0.0, variance));
-  const double t = gsl_cdf_tdist_Pinv(0.975, static_cast<double>(free));
+  const double t = student_t(0.975, static_cast<double>(free));
   return {name, value, error, value - t * error, value + t * error};
 }
 

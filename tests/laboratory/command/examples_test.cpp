@@ -82,7 +82,7 @@ TEST(Examples, PrintWhatTheGuideShows) {
 TEST(Examples, GuideShowsTheirCode) {
   const auto guide = load_text(GUIDE);
   std::string code =
-      load_text(SOURCES / "experiments/laboratory/guide/templates/program/NAME.cpp.in");
+      load_text(SOURCES / "experiments/laboratory/guide/templates/program/MINE.cpp.in");
   for (const auto& file : fs::directory_iterator(EXAMPLES))
     if (file.path().extension() == ".cpp") code += load_text(file.path());
   const auto blocks = fenced(guide, "cpp");
@@ -90,7 +90,7 @@ TEST(Examples, GuideShowsTheirCode) {
   for (const auto& block : blocks) EXPECT_NE(code.find(block), std::string::npos) << block;
   auto project =
       load_text(SOURCES / "experiments/laboratory/guide/templates/program/CMakeLists.txt.in");
-  boost::replace_all(project, "NAME", "hello");
+  boost::replace_all(project, "MINE", "hello");
   EXPECT_EQ(fenced(guide, "cmake").at(0), project);
 }
 

@@ -1,4 +1,6 @@
 // tlab compare: what it says of results, and what it refuses.
+#include <nlohmann/json.hpp>
+
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 
@@ -52,12 +54,45 @@ TEST_F(Compare, SeedsAreSamples) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "line / tree, 95 %")) << outcome.out;
   const auto table = parse_csv(read_file(folder.path / "c.csv"), "c.csv");
-  EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "tree", "line",
-                                                     "line / tree", "line / tree, 95 %"}));
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "run", "value", "first",
+                                                     "ratio", "low", "high"}));
   ASSERT_EQ(table.rows.size(), 4u);  // two results at two points
   // One worker has no network: the same times for each seed, and the interval is a point.
-  EXPECT_EQ(as_number(table.rows[0][4]), 1.0);
-  EXPECT_EQ(to_string(table.rows[0][5]), "1 to 1");
+  for (std::size_t column = 5; column < 8; ++column)
+    EXPECT_EQ(as_number(table.rows[0][column]), 1.0);
+}
+
+TEST_F(Compare, RunsThatAreTheSameAreSaidToBe) {
+  ASSERT_EQ(run({"-o", "a"}).exit_code, 0);
+  std::filesystem::copy(folder.path / "a", folder.path / "b",
+                        std::filesystem::copy_options::recursive);
+  const auto outcome = compare({"a", "b", "-o", "c.html"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "the same in all runs: rays, time_s")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "differ")) << outcome.out;
+}
+
+// Points that were cut short are no results.
+TEST_F(Compare, LeavesOutWhatDidNotComeToItsEnd) {
+  ASSERT_EQ(run({"-o", "a"}).exit_code, 0);
+  const auto table = parse_csv(read_file(folder.path / "a/results.csv"), "a");
+  const auto time = *as_number(table.rows[1][*table.find("time_s")]);
+  run({"-o", "b", "--until", fmt::format("{}", 1.5 * time)});  // enough for three workers alone
+  const auto outcome = compare({"a", "b"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "left out: 1 of 2 rows of b")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "the same in all runs: rays, time_s")) << outcome.out;
+}
+
+// A sweep over models has the point of a run with one model.
+TEST_F(Compare, AnAxisOfOneRunIsASettingOfAnother) {
+  ASSERT_EQ(run({"-o", "one"}).exit_code, 0);
+  ASSERT_EQ(run({"-o", "two", "--set", "sweep.model=[\"t805-25\",\"t805-30\"]"}).exit_code, 0);
+  const auto outcome = compare({"one", "two"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "left out: 2 of 4 rows of two")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "t805-25, t805-30")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "the same in all runs: rays, time_s")) << outcome.out;
 }
 
 TEST_F(Compare, RefusesWhatCannotBeCompared) {
@@ -76,8 +111,17 @@ TEST_F(Compare, RefusesWhatCannotBeCompared) {
   expect({"a", "b", "-o", "o.html"}, "workers is 2, 4 in b");
   expect({"a", "c", "--columns", "tme_s", "-o", "o.html"}, "the nearest is \"time_s\"");
   expect({"a", "c", "-o", "o.txt"}, "ends with .html or .csv");
-  write_file(folder.path / "c/run.json", "{\"file\": 3}");
-  expect({"a", "c", "-o", "o.html"}, "c/run.json");
+  expect({"a", "c", "-o", "a/report.html"}, "outside of the results");
+  expect({"a", "c", "-o", "no/o.html"}, "no/o.html");
+  std::filesystem::create_directory_symlink("a", folder.path / "alias");
+  expect({"a", "alias"}, "found alias twice");
+  auto json = nlohmann::ordered_json::parse(read_file(folder.path / "c/run.json"));
+  for (const auto* key : {"models", "inputs", "tlab", "points", "set"}) {
+    auto damaged = json;
+    damaged[key] = 3;
+    write_file(folder.path / "c/run.json", damaged.dump());
+    expect({"a", "c", "-o", "o.html"}, "c/run.json");
+  }
 }
 
 }  // namespace

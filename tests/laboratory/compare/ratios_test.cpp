@@ -34,10 +34,9 @@ double find_coverage(int first_seed_of_b, double common_noise) {
         return mean * std::exp(common.at(std::size_t(seed)) + noise(random));
       };
     };
-    const std::vector<NamedTable> runs{make_run("a", 1, 5, 0, draw(1)),
-                                       make_run("b", 1, 5, first_seed_of_b, draw(1.3))};
-    const auto matched = match_points(runs);
-    const auto ratio = find_ratio(runs, matched, matched.points.at(0), 1, "t").value();
+    const auto matched = match_points(
+        {make_run("a", 1, 5, 0, draw(1)), make_run("b", 1, 5, first_seed_of_b, draw(1.3))});
+    const auto ratio = find_ratio(matched, matched.points.at(0), 1, "t").value();
     inside += ratio.interval->first <= 1.3 && 1.3 <= ratio.interval->second;
   }
   return inside / double(TRIALS);
@@ -49,45 +48,97 @@ TEST(Ratios, IntervalsHoldTheRatioNineteenTimesOfTwenty) {
 }
 
 TEST(Ratios, WithoutSeedsAreThoseOfThePoints) {
-  const std::vector<NamedTable> runs{make_run("a", 4, 1, 1, [](int w, int) { return 12.0 / w; }),
-                                     make_run("b", 4, 1, 1, [](int w, int) { return 6.0 * w; })};
-  const auto matched = match_points(runs);
+  const auto matched = match_points({make_run("a", 4, 1, 1, [](int w, int) { return 12.0 / w; }),
+                                     make_run("b", 4, 1, 1, [](int w, int) { return 6.0 * w; })});
   ASSERT_EQ(matched.points.size(), 4u);
-  const auto table = compare_column(runs, matched, "t");
+  const auto table = compare_column(matched, "t");
   EXPECT_EQ(table.columns, (std::vector<std::string>{"workers", "a: t", "b: t", "b / a"}));
   for (std::size_t i = 0; i < 4; ++i) {
     const auto w = double(i + 1);
     EXPECT_DOUBLE_EQ(*as_number(table.rows[i][3]), w * w / 2);
   }
-  const auto spread = find_spread(runs, matched, 1, "t").value();
+  const auto spread = find_spread(matched, 1, "t");
   EXPECT_DOUBLE_EQ(spread.least, 0.5);
   EXPECT_DOUBLE_EQ(spread.most, 8);
   EXPECT_DOUBLE_EQ(spread.mean, std::pow(24.0, 0.5) / 2);
-  EXPECT_EQ(tell_spread(runs, matched, 1, "t", spread),
-            "t: b is 2.449 of a (geometric mean of 4 points; 0.5 at workers = 1 to 8 at workers = "
-            "4)");
+  EXPECT_EQ(tell_spread(matched, 1, "t", spread),
+            "t: b is 2.449 times a (geometric mean of 4 points; 0.5 at workers = 1 to 8 at workers "
+            "= 4)");
 }
 
 TEST(Ratios, PointsOfOneRunAloneAreLeftOut) {
   const auto one = [](int, int) { return 1.0; };
-  const std::vector<NamedTable> runs{make_run("a", 5, 2, 1, one), make_run("b", 3, 2, 1, one)};
-  const auto matched = match_points(runs);
+  const auto matched = match_points({make_run("a", 5, 2, 1, one), make_run("b", 3, 2, 1, one)});
   EXPECT_EQ(matched.points.size(), 3u);
   EXPECT_EQ(matched.left_out, (std::vector<std::size_t>{4, 0}));
-  EXPECT_TRUE(find_spread(runs, matched, 1, "t").value().is_same());
+  EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
 }
 
+// What has no ratio is told of, and never called the same.
 TEST(Ratios, NothingIsDividedByNothing) {
   for (const double nothing : {0.0, -1.0, double(NAN), double(INFINITY)}) {
-    const std::vector<NamedTable> runs{make_run("a", 1, 1, 1, [&](int, int) { return nothing; }),
-                                       make_run("b", 1, 1, 1, [](int, int) { return 1.0; })};
-    const auto matched = match_points(runs);
-    EXPECT_FALSE(find_ratio(runs, matched, matched.points[0], 1, "t")) << nothing;
+    const auto matched =
+        match_points({make_run("a", 3, 1, 1, [&](int w, int) { return w == 2 ? nothing : 1.0; }),
+                      make_run("b", 3, 1, 1, [](int, int) { return 1.0; })});
+    EXPECT_FALSE(find_ratio(matched, matched.points[1], 1, "t")) << nothing;
+    const auto spread = find_spread(matched, 1, "t");
+    EXPECT_EQ(spread.points, 2u);
+    EXPECT_EQ(spread.others, 1u);
+    EXPECT_FALSE(spread.is_same()) << nothing;
+    EXPECT_NE(tell_spread(matched, 1, "t", spread).find("without a ratio"), std::string::npos);
+  }
+  const auto zero = [](int, int) { return 0.0; };
+  const auto matched = match_points({make_run("a", 3, 1, 1, zero), make_run("b", 3, 1, 1, zero)});
+  EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
+}
+
+// Each number stands under its own heading, whichever results have intervals.
+TEST(Ratios, AreListedAsNumbers) {
+  auto a = make_run("a", 1, 3, 1, [](int, int s) { return double(s); });
+  auto b = make_run("b", 1, 3, 1, [](int, int s) { return 2.0 * s; });
+  auto c = make_run("c", 1, 3, 1, [](int, int s) { return 3.0 * s; });
+  for (auto* run : {&a, &b, &c}) {
+    run->table.columns.push_back("zero");
+    for (auto& row : run->table.rows) row.push_back(Value(0.0));
+  }
+  const auto table = list_ratios(match_points({a, b, c}), {"zero", "t"});
+  EXPECT_EQ(table.columns,
+            (std::vector<std::string>{"result", "run", "value", "first", "ratio", "low", "high"}));
+  ASSERT_EQ(table.rows.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& row = table.rows[i];
+    EXPECT_EQ(to_string(row[0]), i < 2 ? "zero" : "t");
+    EXPECT_EQ(to_string(row[1]), i % 2 == 0 ? "b" : "c");
+    if (i < 2) {
+      for (std::size_t column = 4; column < 7; ++column) EXPECT_EQ(to_string(row[column]), "");
+    } else {
+      const double ratio = i == 2 ? 2 : 3;  // of every pair, and so surely
+      EXPECT_NEAR(*as_number(row[2]), ratio * std::cbrt(6), 1e-12);
+      EXPECT_NEAR(*as_number(row[3]), std::cbrt(6), 1e-12);
+      for (std::size_t column = 4; column < 7; ++column)
+        EXPECT_NEAR(*as_number(row[column]), ratio, 1e-9);
+    }
+  }
+}
+
+// What two runs are to each other does not depend on a third one.
+TEST(Ratios, AreThoseOfTwoRuns) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 0.1);
+  const auto draw = [&](int, int) { return std::exp(noise(random)); };
+  const auto a = make_run("a", 2, 4, 1, draw), b = make_run("b", 2, 4, 1, draw);
+  const auto c = make_run("c", 2, 3, 10, draw);
+  const auto two = match_points({a, b}), three = match_points({a, b, c});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto alone = find_ratio(two, two.points[i], 1, "t").value();
+    const auto beside = find_ratio(three, three.points[i], 1, "t").value();
+    EXPECT_EQ(alone.value, beside.value);
+    EXPECT_EQ(alone.interval, beside.interval);
   }
 }
 
 // An axis with one value in each run tells no points apart, whatever the values are.
-TEST(Ratios, AnAxisWithOneValueIsNoPoint) {
+TEST(Matching, AnAxisWithOneValueIsNoPoint) {
   auto a = make_run("a", 2, 1, 1, [](int, int) { return 1.0; });
   auto b = a;
   for (auto* run : {&a, &b}) {
@@ -101,21 +152,46 @@ TEST(Ratios, AnAxisWithOneValueIsNoPoint) {
   EXPECT_EQ(matched.points.size(), 2u);
 }
 
-TEST(Ratios, RunsOverOtherAxesAreRefused) {
+std::string refusal_of(const std::vector<NamedTable>& runs) {
+  try {
+    match_points(runs);
+  } catch (const base::BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Matching, RunsOverOtherAxesAreRefused) {
   const auto one = [](int, int) { return 1.0; };
   auto a = make_run("a", 2, 1, 1, one), b = make_run("b", 2, 1, 1, one);
   b.table.columns[0] = "objects";
-  EXPECT_THROW(match_points({a, b}), base::BadInput);
+  EXPECT_EQ(refusal_of({a, b}),
+            "found the axis workers with several values in a, but not in b: expected runs over the "
+            "same axes");
   auto far = make_run("far", 2, 1, 1, one);
   for (auto& row : far.table.rows) row[0] = Value(std::get<std::int64_t>(row[0]) + 10);
-  try {
-    match_points({a, far});
-    FAIL();
-  } catch (const base::BadInput& error) {
-    EXPECT_STREQ(error.what(),
-                 "found no point that all runs have (workers is 1, 2 in a; workers is 11, 12 in "
-                 "far), expected some");
-  }
+  EXPECT_EQ(refusal_of({a, far}),
+            "found no point that all runs have (workers is 1, 2 in a; workers is 11, 12 in far), "
+            "expected some");
+}
+
+// Crossed seeds would count a sample several times; coupled ones are samples like others.
+TEST(Matching, OneSeedTellsSamplesApart) {
+  auto run = make_run("a", 1, 2, 1, [](int, int) { return 1.0; });
+  run.table.columns.insert(run.table.columns.begin(), "seed");
+  ++run.table.axes;
+  const auto rows = run.table.rows;
+  run.table.rows.clear();
+  for (int seed : {1, 2})
+    for (auto row : rows) {
+      row.insert(row.begin(), Value(std::int64_t(seed)));
+      run.table.rows.push_back(row);
+    }
+  EXPECT_EQ(refusal_of({run, run}),
+            "found two seeds with several values, seed and farm_seed, in a: expected one, whose "
+            "values are samples");
+  std::erase_if(run.table.rows, [](const auto& row) { return row[0] != row[2]; });
+  EXPECT_EQ(match_points({run, run}).points.at(0).rows[0].size(), 2u);
 }
 
 }  // namespace

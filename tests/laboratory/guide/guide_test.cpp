@@ -48,6 +48,12 @@ TEST(Guide, ListsAFolder) {
   write_file(folder.path / "in/settings.toml", "x = 1\n");
   const auto outcome = tlab(folder.path, {"list", "experiments", "in"});
   EXPECT_EQ(outcome.out, "experiments (tlab run FILE):\n  in/e.toml  Mine\n");
+  std::string scene = "# A large\x1b[31m one.\n";
+  scene.resize(2 << 20, ' ');
+  write_file(folder.path / "in/large.obj", scene);
+  EXPECT_TRUE(contains(tlab(folder.path, {"list", "scenes", "in"}).out,
+                       "in/large.obj  A large [31m one\n"));
+  EXPECT_EQ(tlab(folder.path, {"list", "programs", "in"}).exit_code, 2);
   const auto missing = tlab(folder.path, {"list", "scenes", "none"});
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_TRUE(contains(missing.err, "none: No such file")) << missing.err;
@@ -66,6 +72,10 @@ TEST(Guide, HelpOnAProgramIsOfThatAlone) {
     EXPECT_FALSE(contains(farm.out, text)) << text;
   EXPECT_TRUE(contains(tlab(folder.path, {"help", "run", "farm"}).out, "network.topology"));
   EXPECT_TRUE(contains(tlab(folder.path, {"help", "merge"}).out, "Usage: tlab merge "));
+  const auto both = tlab(folder.path, {"help", "radiosity"}).out;  // a command and a program
+  for (const auto* text : {"Usage: tlab radiosity", "program.max_shots"})
+    EXPECT_TRUE(contains(both, text)) << text;
+  EXPECT_EQ(tlab(folder.path, {"help", "render", "farm"}).exit_code, 2);
   const auto unknown = tlab(folder.path, {"help", "frm"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(contains(unknown.err, "the nearest is \"farm\"")) << unknown.err;
@@ -89,15 +99,15 @@ TEST(Guide, EveryCommandHasExamples) {
   EXPECT_GE(commands, 13u) << help;
 }
 
-struct Init : testing::TestWithParam<std::string> {};
+struct InitFrom : testing::TestWithParam<std::string> {};
 
-TEST_P(Init, MakesAnExperimentThatRuns) {
+TEST_P(InitFrom, MakesAnExperimentThatRuns) {
   const TemporaryFolder folder;
   const auto made = tlab(folder.path, {"init", "my-own", "--from", GetParam()});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   for (const auto& file : lines_of(made)) {
     const auto text = read_file(folder.path / file);
-    EXPECT_FALSE(contains(text, "NAME")) << file;
+    EXPECT_FALSE(contains(text, "MINE")) << file;
   }
   if (GetParam() == "program") return;  // tests/consumer/run builds it
   const auto outcome = tlab(folder.path, {"run", "my-own/my-own.toml"});
@@ -105,18 +115,23 @@ TEST_P(Init, MakesAnExperimentThatRuns) {
   EXPECT_TRUE(std::filesystem::exists(folder.path / "results/my-own/report.html"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Templates, Init, testing::ValuesIn(template_names()),
+INSTANTIATE_TEST_SUITE_P(Templates, InitFrom, testing::ValuesIn(template_names()),
                          [](const auto& info) { return info.param; });
+
+TEST(Init, TakesANameWithASlash) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(tlab(folder.path, {"init", "mine/"}).out, "mine/mine.toml\n");
+}
 
 TEST(InitRefuses, NamesThatAreThereOrNoNames) {
   const TemporaryFolder folder;
   write_file(folder.path / "there", "");
   for (const auto& [name, text] : {std::pair("there", "there already"),
-                                   {"1st", "expected letters"},
-                                   {"a b", "expected letters"},
-                                   {"", "expected letters"},
-                                   {"..", "expected letters"},
-                                   {"no/where", "No such file"}}) {
+                                   {"1st", "100 letters"},
+                                   {"a b", "100 letters"},
+                                   {"", "100 letters"},
+                                   {"..", "100 letters"},
+                                   {"no/where", "expected a folder"}}) {
     const auto outcome = tlab(folder.path, {"init", name});
     EXPECT_EQ(outcome.exit_code, 2) << name;
     EXPECT_TRUE(contains(outcome.err, text)) << outcome.err;

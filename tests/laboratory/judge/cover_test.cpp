@@ -25,9 +25,9 @@ TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   EXPECT_FALSE(find_own_error({0.1, 0.2}));
 }
 
-// A column t over six workers; on nine of ten machines it is within a tenth of what it is.
+// A column t over workers. On nine of ten machines it is between `low` and `high` times what it is.
 struct Sure {
-  explicit Sure(std::vector<double> expected) {
+  explicit Sure(std::vector<double> expected, double low = 0.9, double high = 1.1) {
     Sureness sureness;
     sureness.machines = 19;
     CheckResult result;
@@ -36,7 +36,7 @@ struct Sure {
     for (std::size_t row = 0; row < expected.size(); ++row) {
       const double t = 100.0 / double(row + 1);
       table.rows.push_back({Value(std::int64_t(row + 1)), Value(t)});
-      sureness.intervals.push_back({row, 1, t, 0.9 * t, t, 1.1 * t, {0.9 * t, t, 1.1 * t}});
+      sureness.intervals.push_back({row, 1, t, low * t, t, high * t, {low * t, t, high * t}});
       result.points.push_back({.row = row, .simulated = t, .expected = expected[row] * t});
     }
     results = {result};
@@ -60,6 +60,24 @@ TEST(Cover, OwnErrorMovesTheInterval) {
   const auto own = sure.covered().with_own_error.value();
   EXPECT_EQ(own.inside, 6u);
   EXPECT_NEAR(own.half_width, 0.1, 1e-9);
+  EXPECT_NEAR(own.mean, 0.2, 1e-9);
+}
+
+// Two errors that have nothing to do with each other are added in squares.
+TEST(Cover, OwnErrorIsAddedInSquares) {
+  const std::vector<double> others = {0.95, 1.05, 0.95, 1.05, 0.95, 1.05};
+  const auto own = find_own_error({0.05, -0.05, 0.05, -0.05, 0.05}).value();
+  const Sure sure(others);
+  EXPECT_NEAR(sure.covered().with_own_error.value().half_width, std::hypot(0.1, own.half_width),
+              1e-9);
+}
+
+// Machines that are all above the model as it stands make its interval no wider than they are
+// apart.
+TEST(Cover, MachinesBesideTheModelAreNoWiderThanTheyAre) {
+  const Sure sure({1, 1, 1, 1}, 1.2, 1.4);
+  EXPECT_EQ(sure.covered().inside, 0u);
+  EXPECT_NEAR(sure.covered().with_own_error.value().half_width, 0.1, 1e-9);
 }
 
 // A point among others is judged by them alone: the one that is twice as much stays outside, and
