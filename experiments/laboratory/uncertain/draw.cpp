@@ -44,6 +44,24 @@ std::string spell_value(const machine::Entry& entry, double number, bool is_shar
   return fmt::format("\"({}) * {}\"", entry.formula, number);
 }
 
+// The share of its value that an entry takes on the machine `set` so that what it holds keeps the
+// value that it has `before`. What is held is a straight line over the entry, found from two
+// points.
+double fit_to_held(const machine::Entry& entry, const machine::Model& before, Entries set,
+                   const std::function<machine::Model(const Entries&)>& make) {
+  const auto where = entry.where + ": holds";
+  const double held = eval(before, entry.holds, where);
+  const double at_one = eval(make(set), entry.holds, where);
+  set.emplace_back(entry.key, spell_value(entry, 2, /*is_share=*/true));
+  const double slope = eval(make(set), entry.holds, where) - at_one;
+  const double share = 1 + (held - at_one) / slope;
+  base::require(slope > 0 && share > 0, where,
+                "expected a formula that grows with {}, and of which the other entries alone do "
+                "not exceed what is held",
+                entry.key);
+  return share;
+}
+
 }  // namespace
 
 std::vector<double> draw_quantiles(std::uint64_t seed, const std::string& entry,
@@ -82,13 +100,11 @@ Entries draw_machine(const std::string& model, const Entries& set,
     else
       fitted.emplace_back(&entry, number);
   }
-  // In proportion to what they hold.
-  const auto after = make(drawn);
+  const Entries unfitted = drawn;
   for (const auto& [entry, number] : fitted) {
-    const auto where = entry->where + ": holds";
-    const double held = eval(before, entry->holds, where) / eval(after, entry->holds, where);
     const double drawn_share = entry->range->is_share ? number : number / entry->value;
-    drawn.emplace_back(entry->key, spell_value(*entry, held * drawn_share, /*is_share=*/true));
+    const double share = fit_to_held(*entry, before, unfitted, make) * drawn_share;
+    drawn.emplace_back(entry->key, spell_value(*entry, share, /*is_share=*/true));
   }
   return drawn;
 }

@@ -1,14 +1,18 @@
 // Machines drawn from what the numbers of a model may be.
 #include "experiments/laboratory/uncertain/draw.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
+#include "base/errors.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/machine/model.hpp"
+#include "tests/support/files.hpp"
 
 namespace laboratory {
 namespace {
@@ -61,22 +65,45 @@ TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
             std::string::npos);
 }
 
-// Whatever the operations cost, what a calibrated cell fixes stays.
+// Whatever the operations cost, what a calibrated cell fixes stays, once the share is taken away
+// that the entry itself is drawn with.
 TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   const auto before = machine::load_model("t805-25");
   for (std::size_t machine = 0; machine < 16; ++machine) {
-    const auto drawn = draw_machine("t805-25", {}, [&](const std::string& entry) {
-      return entry.starts_with("scale.") ? 0.5 : draw_quantiles(9, entry, 16)[machine];
+    auto drawn = draw_machine("t805-25", {}, [&](const std::string& entry) {
+      return draw_quantiles(9, entry, 16)[machine];
     });
-    const auto after = machine::override_model("t805-25", drawn, "test");
-    for (const auto* key : {"scale.intersection", "scale.central"}) {
-      const auto& holds = entry_of(before, key).holds;
-      ASSERT_NE(holds, "");
-      const auto& range = *entry_of(before, key).range;
-      EXPECT_NEAR(eval(after, holds, "") / eval(before, holds, ""), find_in(range, 0.5), 1e-9)
+    for (const auto* key : {"scale.intersection", "scale.central", "scale.router"}) {
+      const auto& entry = entry_of(before, key);
+      ASSERT_NE(entry.holds, "");
+      const double drawn_share = find_in(*entry.range, draw_quantiles(9, key, 16)[machine]);
+      const auto after = machine::override_model("t805-25", drawn, "test");
+      const double fitted = entry_of(after, key).value / drawn_share;
+      auto refitted = drawn;
+      std::ranges::find(refitted, key, &Entries::value_type::first)->second =
+          fmt::format("{}", fitted);
+      const auto cell = machine::override_model("t805-25", refitted, "test");
+      EXPECT_NEAR(eval(cell, entry.holds, "") / eval(before, entry.holds, ""), 1, 1e-9)
           << key << ", machine " << machine;
     }
   }
+}
+
+// What else is in the cell may not exceed it, whatever the entry.
+TEST(Draw, WhatCannotBeHeldIsRefused) {
+  const auto draw = [](const std::string& holds) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.path / "a.toml";
+    std::ofstream(path) << R"(name = "a"
+base = "t805-25"
+[scale]
+router = { value = 6, unit = "1", provenance = "calibrated", source = "x", low = "95 %", high = "105 %", why = "y", holds = ")"
+                        << holds << "\" }\n";
+    return draw_machine(path.string(), {}, [](const std::string&) { return 0.9; });
+  };
+  EXPECT_THROW(draw("operation.procedure"), base::BadInput);
+  EXPECT_THROW(draw("0.001 * scale.router + operation.procedure"), base::BadInput);
+  EXPECT_NO_THROW(draw("scale.router * operation.procedure + operation.element"));
 }
 
 TEST(Draw, SpreadsTheFileOverTheMachines) {
