@@ -1,5 +1,8 @@
 // Trace Event Format: "X" is a slice, "s" and "f" the ends of an arrow, "M" a name or a place among
 // the others; times are in microseconds.
+#include <map>
+#include <utility>
+
 #include "simulator/observe/trace_output.hpp"
 
 namespace observe {
@@ -66,9 +69,14 @@ class ChromeFile {
       name_process(numbers_.processor(i), i + 1, trace_.processors[i]);
       name_track(numbers_.processor(i), numbers_.cpu(i), "CPU");
     }
-    for (std::size_t i = 0; i < trace_.links.size(); ++i)
-      name_track(numbers_.processor(trace_.links[i].from), numbers_.link(i),
-                 "link to " + trace_.processors[trace_.links[i].to]);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> between;
+    for (std::size_t i = 0; i < trace_.links.size(); ++i) {
+      const auto [from, to] = trace_.links[i];
+      const int number = ++between[{from, to}];
+      name_track(numbers_.processor(from), numbers_.link(i),
+                 "link to " + trace_.processors[to] +
+                     (number == 1 ? "" : fmt::format(" ({})", number)));
+    }
     const auto title = trace_.title.empty() ? "run" : trace_.title;
     name_process(numbers_.window(), 0, title);
     name_track(numbers_.window(), numbers_.window(), "window");

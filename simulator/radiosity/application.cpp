@@ -33,6 +33,14 @@ Kernels::Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const
   if (params.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
+// A colour is copied by a block move of its words, from an address in a table to the next place, or
+// the other way.
+MessageWork::MessageWork(const machine::Model& model)
+    : identification(kernels::message_costs(model)),
+      colour_copied{get_instruction(model, "move_setup").value +
+                    static_cast<std::int64_t>(get_bytes(model, "colour") / 4) *
+                        model.channel.copy_word.value} {}
+
 Application::Application(const Common& common, const Node& node)
     : common_(common), node_(node), state_(make_state(common.mesh, common.params.solve.sends)) {}
 
@@ -94,7 +102,7 @@ void Application::shoot(const Shot& shot) {
   charge(kernels.settle, state_, kernels.scratch, [this, shot](State& state, Work& work) {
     settle(common_.mesh, shot, node_.share.patches, common_.params.solve.mean, state, work);
   });
-  charged_.emplace_back();
+  charged_s_.emplace_back();
 }
 
 // Sends others what they need of its vertices.
@@ -143,7 +151,7 @@ void Application::shoot_at_shared(const Shot& shot) {
                                     scale);
   light({common_.mesh, common_.params.solve.factor, &reader}, shot, state_, work);
   reader.charge(work);
-  charged_.back() += reader.charged();
+  note_charged(reader.charged());
   work_ += work;
 }
 
@@ -161,23 +169,32 @@ void Application::charge(kernels::KernelCost& cost, Changed& state, Changed& scr
                          Kernel kernel) {
   const Cycles before = cost.charged();
   work_ += cost(state, scratch, kernel);
-  charged_.back() += Cycles{cost.charged().value - before.value};
+  note_charged({cost.charged().value - before.value});
+}
+
+void Application::note_charged(Cycles cycles) {
+  kernel_cycles_ += cycles;
+  const auto& cpu = machine::this_process().processor().model().cpu;
+  charged_s_.back() += static_cast<double>(cycles.value) / cpu.clock.value;
 }
 
 // Charges a message's identification, and the colours that go into it or out of it.
-void Application::charge_message(Cycles identification, const AmpMessage::Content& content) {
+void Application::charge_message(Cycles kernels::MessageCosts::*identification,
+                                 const AmpMessage::Content& content) {
   const auto colours = static_cast<std::int64_t>(count_colours(content));
-  machine::this_process().charge(identification + colours * common_.colour_copied);
+  const MessageWork& work = common_.messages.here();
+  machine::this_process().charge(work.identification.*identification +
+                                 colours * work.colour_copied);
 }
 
 Message Application::wait_message() {
   Message message = node_.manager ? node_.manager->serve_at_once() : node_.client->receive();
-  charge_message(common_.message_read, read(message));
+  charge_message(&kernels::MessageCosts::read, read(message));
   return message;
 }
 
 void Application::send(network::Address to, AmpMessage::Content content) {
-  charge_message(common_.message_made, content);
+  charge_message(&kernels::MessageCosts::made, content);
   const auto length = common_.bytes.of(content);
   node_.client->send({.to = to,
                       .from = {.process = AMP_PROCESS},

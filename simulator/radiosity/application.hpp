@@ -10,6 +10,7 @@
 //     receive
 //     others ! border, others ? border
 //     settle
+#include "simulator/kernels/by_model.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/radiosity/messages.hpp"
 #include "simulator/radiosity/radiosity.hpp"
@@ -27,6 +28,13 @@ struct Kernels {
   radiosity::State scratch;
 };
 
+/// What a process does around a message, beside its router.
+struct MessageWork {
+  explicit MessageWork(const machine::Model& model);
+  kernels::MessageCosts identification;
+  Cycles colour_copied;  ///< into a message, or out of it
+};
+
 /// What all processes know.
 struct Common {
   const radiosity::Mesh& mesh;
@@ -35,8 +43,7 @@ struct Common {
   Kernels& kernels;
   std::optional<shared_memory::SceneItems> items;  ///< where geometry is shared
   int root = 0;
-  Cycles message_made, message_read;  ///< by an application
-  Cycles colour_copied;               ///< into a message, or out of it
+  kernels::ByModel<MessageWork> messages;
 };
 
 /// A processor's place in the tree, and its way to the network.
@@ -58,15 +65,17 @@ class Application {
   const Node& node() const { return node_; }
   const radiosity::State& state() const { return state_; }
   const renderer::Work& work() const { return work_; }
-  /// Cycles charged, by shot.
-  const std::vector<Cycles>& charged() const { return charged_; }
+  Cycles kernel_cycles() const { return kernel_cycles_; }
+  /// Seconds that its kernels take, by shot.
+  const std::vector<double>& charged_s() const { return charged_s_; }
 
  protected:
   /// The best of its own patches and of all below.
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
-  void charge_message(Cycles identification, const AmpMessage::Content& content);
+  void charge_message(Cycles kernels::MessageCosts::*identification,
+                      const AmpMessage::Content& content);
   void send(network::Address to, AmpMessage::Content content);
 
   const Common& common_;
@@ -82,11 +91,13 @@ class Application {
   void give();
   void wait_for_borders();
   void keep(const network::Message& message);
+  void note_charged(Cycles cycles);
   template <class Changed, class Kernel>
   void charge(kernels::KernelCost& cost, Changed& state, Changed& scratch, Kernel kernel);
 
   renderer::Work work_;
-  std::vector<Cycles> charged_{1};
+  Cycles kernel_cycles_{};
+  std::vector<double> charged_s_ = {0};
   // Messages that came before they were waited for, of children and of those that share vertices.
   std::vector<Candidate> candidates_;
   std::vector<network::Message> borders_;

@@ -196,6 +196,7 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
   machine.solve = params.room.light.solve;
   machine.cycles_per_host_s = setup.cycles_per_host_s;
   machine.engine = setup.engine;
+  machine.others = setup.others;
   if (setup.cycles_per_host_s)
     machine.draw = [&](const Frame& frame) { draw(params, view, mesh, frame); };
   machine.watch = setup.watch;
@@ -242,7 +243,7 @@ programs::Program make_radiosity() {
        .help =
            "progressive radiosity as in AMP: the brightest patch is found by a reduction, sent to "
            "all, and received where the patches are; pictures of it",
-       .uses = {.network = true, .timed = true},
+       .uses = {.network = true, .timed = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run,

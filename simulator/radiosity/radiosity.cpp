@@ -10,13 +10,6 @@ using radiosity::Mesh;
 
 namespace {
 
-// A colour is copied by a block move of its words, from an address in a table to the next place, or
-// the other way.
-Cycles copy_of_colour(const machine::Model& model) {
-  const auto words = static_cast<std::int64_t>(get_bytes(model, "colour") / 4);
-  return {get_instruction(model, "move_setup").value + words * model.channel.copy_word.value};
-}
-
 std::uint64_t geometry_bytes(const machine::Model& model, const Mesh& mesh) {
   return kernels::scene_bytes(model, mesh.blockers);
 }
@@ -49,22 +42,22 @@ network::Params network_params(const Common& common, const shared_memory::DataPa
   return params;
 }
 
-// Cycles charged in all rounds: to the processor with most to do in each, and on average.
+// Seconds charged in all rounds: to the processor with most to do in each, and on average.
 struct Rounds {
   double most = 0, mean = 0;
 };
 
 Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications) {
   Rounds sum;
-  std::size_t rounds = applications[0]->charged().size();
+  std::size_t rounds = applications[0]->charged_s().size();
   for (const auto& application : applications)
-    rounds = std::min(rounds, application->charged().size());
+    rounds = std::min(rounds, application->charged_s().size());
   for (std::size_t round = 0; round < rounds; ++round) {
     double most = 0, all = 0;
     for (const auto& application : applications) {
-      const auto cycles = static_cast<double>(application->charged()[round].value);
-      most = std::max(most, cycles);
-      all += cycles;
+      const double seconds = application->charged_s()[round];
+      most = std::max(most, seconds);
+      all += seconds;
     }
     sum.most += most;
     sum.mean += all / static_cast<double>(applications.size());
@@ -73,10 +66,9 @@ Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications)
 }
 
 // The loss of all processors over `time_s`.
-Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params,
+Loss eval_loss(const radiosity::Mesh& mesh, const Params& params,
                const std::vector<std::unique_ptr<Application>>& applications, double time_s) {
   const Rounds rounds = sum_rounds(applications);
-  const double time = time_s * model.cpu.clock.value;
   // Points that are lit in a shot: vertices, and with Simpson's rule centres.
   const std::size_t centres =
       params.solve.mean == radiosity::Mean::simpson ? mesh.patches.size() : 0;
@@ -85,10 +77,10 @@ Loss eval_loss(const machine::Model& model, const radiosity::Mesh& mesh, const P
   const double once =
       static_cast<double>(mesh.vertices.size() + centres) / static_cast<double>(done);
   Loss loss;
-  loss.useful = rounds.mean * once / time;
-  loss.repeated = rounds.mean * (1 - once) / time;
-  loss.unequal = (rounds.most - rounds.mean) / time;
-  loss.messages = 1 - rounds.most / time;
+  loss.useful = rounds.mean * once / time_s;
+  loss.repeated = rounds.mean * (1 - once) / time_s;
+  loss.unequal = (rounds.most - rounds.mean) / time_s;
+  loss.messages = 1 - rounds.most / time_s;
   return loss;
 }
 
@@ -96,8 +88,7 @@ class Amp {
  public:
   Amp(const machine::Model& model, const topologies::Topology& topology, const Mesh& mesh,
       const Params& params)
-      : model_(model),
-        mesh_(mesh),
+      : mesh_(mesh),
         params_(params),
         kernels_(model, mesh, params),
         common_{mesh,
@@ -106,17 +97,17 @@ class Amp {
                 kernels_,
                 {},
                 topology.root,
-                get_compiled(model, "message_made"),
-                get_compiled(model, "message_read"),
-                copy_of_colour(model)},
+                {model, [](const machine::Model& its) { return MessageWork(its); }}},
         machine_(model, machine::Code::compiled, params.engine) {
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
     auto shares = distribute(mesh, topology.processors, params.distribution);
     if (params.exchange) exchange_borders(shares, mesh.vertices.size());
     const auto data = data_params(model, mesh, params, topology.root);
     for (int id = 0; id < topology.processors; ++id) {
-      auto& processor = machine_.add_processor(name_of(topology, id, fmt::format("p{}", id)),
-                                               get_bytes(model, "worker_memory"));
+      auto& processor = machine_.add_processor(
+          name_of(topology, id, fmt::format("p{}", id)),
+          get_bytes(programs::model_of(params.others, id, model), "worker_memory"), {},
+          programs::find_model(params.others, id));
       kernels::load_program(processor);
     }
     network_.emplace(machine_,
@@ -173,9 +164,11 @@ class Amp {
   }
 
   void allocate(const Node& node) {
-    auto& memory = machine_.processors()[node.id]->memory();
+    auto& processor = *machine_.processors()[node.id];
+    const auto& model = processor.model();
+    auto& memory = processor.memory();
     const auto room = [&](std::uint64_t count, const char* record, const char* what) {
-      memory.allocate(count * get_bytes(model_, record), what, {});
+      memory.allocate(count * get_bytes(model, record), what, {});
     };
     room(node.share.patches.size(), "radiosity_patch", "its patches");
     if (params_.solve.sends == radiosity::Sends::corners)
@@ -185,7 +178,7 @@ class Amp {
     for (const Border& border : node.share.in) told += border.vertices.size();
     room(told, "colour", "what others tell it of theirs");
     if (!memory_)
-      memory.allocate(geometry_bytes(model_, mesh_), "the faces and their hierarchy", {});
+      memory.allocate(geometry_bytes(model, mesh_), "the faces and their hierarchy", {});
     if (node.id == common_.root) room(mesh_.vertices.size(), "colour", "the display's vertices");
   }
 
@@ -215,10 +208,10 @@ class Amp {
     result.shots = root_->shots();
     result.frames = root_->frames();
     result.total_s = result.frames.empty() ? machine_.now().value : result.frames.back().at_s;
-    result.loss = eval_loss(model_, mesh_, params_, applications_, result.time_s);
+    result.loss = eval_loss(mesh_, params_, applications_, result.time_s);
     for (const auto& application : applications_) {
       result.work += application->work();
-      for (const auto cycles : application->charged()) result.kernel_cycles += cycles;
+      result.kernel_cycles += application->kernel_cycles();
       result.vertices_done_max = std::max<std::uint64_t>(result.vertices_done_max,
                                                          application->node().share.vertices.size());
     }
@@ -230,7 +223,6 @@ class Amp {
     return result;
   }
 
-  const machine::Model& model_;
   const Mesh& mesh_;
   const Params& params_;
   Kernels kernels_;

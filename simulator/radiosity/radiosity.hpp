@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 
+#include "simulator/declare/other_models.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/observe/watch.hpp"
@@ -38,6 +39,7 @@ struct Params {
   double cache_percent = 0;
   /// Kernels are charged the host time they take, times this; else their counts.
   std::optional<double> cycles_per_host_s;
+  programs::OtherModels others = {};
   machine::EngineParams engine = {};
   /// Draws the picture of a frame, if it is to be charged the host time that it takes: it counts no
   /// operations.

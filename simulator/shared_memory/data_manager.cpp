@@ -93,9 +93,10 @@ DataCosts::DataCosts(const machine::Model& model)
 void DataManager::take(Message message) {
   if (message.to.process != DATA_PROCESS) return others_.push_back(std::move(message));
   if (message.returned != network::Returned::no)
-    throw machine::Fault(this_process().name(), this_process().own_time(),
-                         fmt::format("a request for data of processor {} came back: {}",
-                                     client_.processor(), to_string(message.returned)));
+    throw machine::Fault(
+        this_process().name(), this_process().own_time(),
+        fmt::format("a request for data of {} came back: {}", this_process().processor().name(),
+                    to_string(message.returned)));
   occam::case_of(
       static_cast<const DataMessage&>(*message.contents),
       [&](const DataRequest& request) {

@@ -185,7 +185,7 @@ base::Columns<Measured> make_columns() {
 Program make_router_load() {
   return make_program<Params, Measured>({.name = "router_load",
                                          .help = "random messages at a rate, up to saturation",
-                                         .uses = {.network = true, .routes = true},
+                                         .uses = {.network = true, .routes = true, .others = true},
                                          .fields = make_fields(),
                                          .columns = make_columns(),
                                          .run = &run});

@@ -66,8 +66,9 @@ bool contains(const std::vector<int>& processors, int processor) {
 
 class Account {
  public:
-  Account(const network::Routing& routing, const std::vector<Planned>& plan)
-      : routing_(routing), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
+  Account(const network::Routing& routing, const RouterMachine& on,
+          const std::vector<Planned>& plan)
+      : routing_(routing), on_(on), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
 
   // Something has broken: routes change, and an InPathTo message may be answered anywhere.
   void expect_any_route() { all_on_the_way_ = true; }
@@ -140,13 +141,15 @@ class Account {
     }
     for (const auto& [pair, numbers] : lost) {
       result.lost += numbers.size();
-      notes.push_back(fmt::format("lost from p{} to p{}: {} message(s), number {}", pair.first,
-                                  pair.second, numbers.size(), fmt::join(numbers, ", ")));
+      notes.push_back(fmt::format("lost from {} to {}: {} message(s), number {}",
+                                  on_[pair.first].name(), on_[pair.second].name(), numbers.size(),
+                                  fmt::join(numbers, ", ")));
     }
   }
 
   bool all_on_the_way_ = false;
   const network::Routing& routing_;
+  const RouterMachine& on_;
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
@@ -189,7 +192,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto plan = make_plan(setup.topology.processors, params);
   // Links that are cut change the network's own routing.
   const network::Routing before = routing_of(setup, params.routers.method);
-  Account account(before, plan);
+  Account account(before, on, plan);
   on.on_failure([&account](const machine::Failure&) { account.expect_any_route(); });
   on.start_all([&](Client& client) { live(client, plan, account); });
   run_machine(setup, on, on.view());

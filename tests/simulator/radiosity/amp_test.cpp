@@ -167,6 +167,30 @@ TEST(Amp, SharedGeometryGivesTheSameSolution) {
       });
 }
 
+// All of another model make another machine; some of them compute the same, and the rest wait.
+TEST(Amp, ProcessorsOfOtherModels) {
+  const Mesh mesh = make_room(1, 3);
+  for (const double cache_percent : {0., 30.}) {
+    Params params = make_params(3);
+    params.cache_percent = cache_percent;
+    params.engine = {machine::Links::direct, machine::Processes::fibers};
+    const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
+    Params some = params, all = params;
+    for (const int id : {1, 3}) some.others.emplace(id, slow);
+    for (int id = 0; id < 5; ++id) all.others.emplace(id, slow);
+    const auto quick_run = run("ring:5", mesh, params);
+    const auto mixed_run = run("ring:5", mesh, some);
+    const auto slow_run = run("ring:5", mesh, params, "t800-20");
+    EXPECT_TRUE(are_equal(mixed_run.frames.back(), solve(mesh, params.solve)));
+    EXPECT_EQ(run("ring:5", mesh, all).time_s, slow_run.time_s);
+    EXPECT_GT(mixed_run.time_s, quick_run.time_s);
+    EXPECT_LE(mixed_run.time_s, 1.01 * slow_run.time_s);
+    if (cache_percent == 0) {
+      EXPECT_GT(mixed_run.loss.unequal, quick_run.loss.unequal);
+    }
+  }
+}
+
 TEST(Amp, RefusesWhatCannotBe) {
   const Mesh mesh = make_room(0, 1);
   const auto refusal = [&](const std::string& topology, const Params& params) {
