@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -45,6 +46,16 @@ void add_run_command(CLI::App& app) {
           [o](const std::string& seed) { o->overrides.push_back("uncertain.seed=" + seed); },
           "of the draws [1]")
       ->needs(machines);
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--columns",
+          [o](const std::vector<std::string>& names) {
+            o->overrides.push_back(
+                fmt::format("report.columns=[\"{}\"]", fmt::join(names, "\", \"")));
+          },
+          COLUMNS_HELP)
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
   command

@@ -12,6 +12,7 @@
 #include "base/errors.hpp"
 #include "base/message.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
@@ -160,6 +161,21 @@ class Help : public CLI::Formatter {
   }
 };
 
+void add_report_command(CLI::App& app) {
+  auto* command = app.add_subcommand("report", "make plots and report.html of results again");
+  struct Options {
+    std::string folder;
+    std::vector<std::string> columns;
+  };
+  auto o = std::make_shared<Options>();
+  command->add_option("DIR", o->folder, "folder of results")->required();
+  command->add_option("--columns", o->columns, COLUMNS_HELP)
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->footer("Examples:\n  tlab report results/farm --columns time_s,speedup");
+  command->callback([o] { report_results(o->folder, o->columns); });
+}
+
 void add_commands(CLI::App& app) {
   app.set_version_flag("--version", fmt::format("tlab {}", VERSION));
   app.require_subcommand(1);
@@ -170,7 +186,7 @@ void add_commands(CLI::App& app) {
   add_live_command(app);
   add_folder_command(app, "merge", "write the results of points that `run --point` has recorded",
                      &merge_results);
-  add_folder_command(app, "report", "make plots and report.html of results again", &report_results);
+  add_report_command(app);
   add_verify_command(app);
   add_compare_command(app);
   add_model_command(app);

@@ -56,6 +56,11 @@ void check_output(const std::string& output, const std::vector<std::string>& end
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others);
 
+/// What --columns is, of the commands that show the results of a run.
+inline constexpr const char* COLUMNS_HELP =
+    "results that the table shows beside the axes, or all [those that the file asks about, and "
+    "what fits]";
+
 /// Makes the folder that an option names, unless it is there. Throws CLI::ValidationError.
 void make_folder(const std::string& option, const std::string& path);
 

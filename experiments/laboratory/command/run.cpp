@@ -15,6 +15,7 @@
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/singles.hpp"
+#include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
 #include "experiments/laboratory/uncertain/draw.hpp"
 #include "experiments/laboratory/uncertain/sureness.hpp"
@@ -66,10 +67,12 @@ void print_paths(const fs::path& output, const std::set<std::string>& images) {
 
 void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
-  fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, shown_columns(s.file, s.table)));
+  const auto view = choose_view(s.file, s.table);
+  fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, view, output_width()));
+  for (const auto& sentence : view.unknown) fmt::print("note: {}\n", sentence);
   print_notes(s);
   if (const auto sure = load_sureness(output))
-    for (const auto& sentence : tell_sureness(*sure, shown_columns(s.file, s.table)))
+    for (const auto& sentence : tell_sureness(*sure, fit_columns(s.table, view, output_width())))
       fmt::print("{}\n", sentence);
   if (const auto rankings = load_rankings(output))
     for (const auto& sentence : tell_rankings(*rankings)) fmt::print("{}\n", sentence);

@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
+#include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/gnuplot.hpp"
 #include "experiments/laboratory/report/plot.hpp"
 #include "experiments/laboratory/report/plot_data.hpp"
@@ -24,7 +25,7 @@ constexpr std::pair<double, double> NO_BAND = {NAN, NAN};
 // What the first run's program is usually asked for, as far as all have it.
 Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
   const auto& first = runs[0].simulation;
-  const auto shown = shown_columns(first.file, first.table);
+  const auto shown = choose_view(first.file, first.table).columns;
   Texts columns;
   for (const auto& column : shown)
     if (std::ranges::find(common, column) != common.end()) columns.push_back(column);

@@ -77,7 +77,8 @@ struct BestSpec {
 
 /// [report]
 struct ReportSpec {
-  std::string networks = "none";  ///< drawn with their load: "all", "largest" or "none"
+  std::string networks = "none";          ///< drawn with their load: "all", "largest" or "none"
+  std::vector<std::string> columns = {};  ///< of the table that is shown, beside the axes; "all"
 };
 
 }  // namespace laboratory

@@ -236,6 +236,9 @@ const Bindings<ReportSpec>& report_bindings() {
   static const Bindings<ReportSpec> all = {
       bind_name("networks", &ReportSpec::networks, NETWORKS,
                 "networks of a farm to draw with their load: all, largest or none"),
+      bind_key(
+          "columns", &ReportSpec::columns,
+          "results that the table shows beside the axes, or [\"all\"]; all are in results.csv"),
   };
   return all;
 }

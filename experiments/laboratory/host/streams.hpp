@@ -1,5 +1,6 @@
 #pragma once
 // Standard input, output and error, whatever they are connected to.
+#include <cstddef>
 #include <string_view>
 
 namespace laboratory {
@@ -20,6 +21,9 @@ void print_line(std::string_view text);
 
 /// Prints a line that begins with "tlab: ", as print_line does.
 void complain(std::string_view text);
+
+/// How many characters a line of standard output takes: of its terminal, or else 120.
+std::size_t output_width();
 
 /// Throws std::system_error where something that was printed cannot be written.
 void flush_output();

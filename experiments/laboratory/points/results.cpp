@@ -237,11 +237,16 @@ Table make_table(const ExperimentFile& file, const Results& results) {
   return table;
 }
 
-std::vector<std::string> first_result(const ExperimentFile& file, const Table& table) {
+std::set<std::string> input_names(const ExperimentFile& file, const Table& table) {
   std::set<std::string> inputs{"topology", "processors", "workers"};
   for (std::size_t c = 0; c < table.axes; ++c) inputs.insert(table.columns[c]);
   for (const auto* program : programs_of(file))
     for (const auto& p : program->parameters) inputs.insert(p.name);
+  return inputs;
+}
+
+std::vector<std::string> first_result(const ExperimentFile& file, const Table& table) {
+  const auto inputs = input_names(file, table);
   for (const auto& column : table.columns)
     if (!inputs.contains(column)) return {column};
   return {};

@@ -1,5 +1,7 @@
 #pragma once
 // From the points of a sweep to one table.
+#include <set>
+
 #include "experiments/laboratory/points/point_result.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
@@ -36,6 +38,9 @@ void add_speedups(Table& table, const std::string& processors);
 
 /// Fills serial_karp_flatt and serial_gustafson (laws.hpp) for every speed-up.
 void add_serial_fractions(Table& table, const std::string& processors);
+
+/// The names of columns that are inputs: the axes, the network's, and the programs' parameters.
+std::set<std::string> input_names(const ExperimentFile& file, const Table& table);
 
 /// The first column of such a table that is a result and not an input as well; none if all are.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);

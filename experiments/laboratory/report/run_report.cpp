@@ -17,6 +17,7 @@
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/exhibit.hpp"
 #include "experiments/laboratory/report/findings.hpp"
 #include "experiments/laboratory/report/gnuplot.hpp"
@@ -349,20 +350,16 @@ std::string title_of(const ExperimentFile& file) {
   return title.empty() ? fs::path(file.path).stem().string() : title;
 }
 
-std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table) {
-  if (!is_farm(file)) return table.columns;
-  return choose_columns(
-      table, {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency", "cpu_busy_worker_mean",
-              "cpu_busy_coordinator", "cpu_busy_database", "link_busy_max", "bottleneck"});
-}
-
 Texts write_report(const fs::path& folder, const RunOptions& options, const Simulation& s) {
   Texts undrawn;
   Report report;
   report.title = title_of(s.file);
   report.question = s.file.points[0].experiment.question;
   report.table = s.table;
-  report.shown_columns = shown_columns(s.file, s.table);
+  auto view = choose_view(s.file, s.table);
+  report.shown_columns = std::move(view.columns);
+  report.constants = std::move(view.constants);
+  append(report.notes, view.unknown);
   report.load_columns = load_columns(s.file, s.table);
   report.points = load_loads(folder, s);
   report.facts = make_facts(s);
@@ -402,8 +399,9 @@ void throw_undrawn(std::size_t undrawn, const std::string& results) {
                   EXIT_HOST);
 }
 
-void report_results(const std::string& results) {
-  const Origin origin = load_origin(results, "run.json");
+void report_results(const std::string& results, const Texts& columns) {
+  Origin origin = load_origin(results, "run.json");
+  if (!columns.empty()) origin.file.report.columns = columns;
   ResultsFolder folder(results);
   Texts undrawn;
   try {

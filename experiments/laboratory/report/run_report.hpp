@@ -23,13 +23,10 @@ void throw_undrawn(std::size_t undrawn, const std::string& results);
 /// Does so again for the results of an earlier run, and prints where the page is. Throws
 /// base::BadInput, with the file, where the folder holds no results or damaged ones; Failure, when
 /// everything is written, where a drawing failed.
-void report_results(const std::string& folder);
+/// `columns` takes the place of the file's [report] columns unless it is empty.
+void report_results(const std::string& folder, const std::vector<std::string>& columns);
 
 /// The title of the experiment, else the name of its file.
 std::string title_of(const ExperimentFile& file);
-
-/// The columns of the printed table: for the farm the axes and what answers most questions, for
-/// other programs all.
-std::vector<std::string> shown_columns(const ExperimentFile& file, const Table& table);
 
 }  // namespace laboratory

@@ -1,0 +1,150 @@
+#include "experiments/laboratory/points/view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "base/message.hpp"
+#include "base/text.hpp"
+#include "experiments/laboratory/file/expression.hpp"
+
+namespace laboratory {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+constexpr const char* ENDED = "ended";
+
+bool contains(const Texts& texts, const std::string& text) {
+  return std::ranges::find(texts, text) != texts.end();
+}
+
+// What an expression names, and what the definitions that it names do.
+void add_names(const ExperimentFile& file, const std::string& expression,
+               std::set<std::string>& into) {
+  for (const auto& name : Expression(expression, "").names()) {
+    if (!into.insert(name).second) continue;
+    const auto definition = std::ranges::find(file.definitions, name, &Definition::name);
+    if (definition != file.definitions.end()) add_names(file, definition->formula, into);
+  }
+}
+
+// The names that the file's figures, checks and questions are about.
+std::set<std::string> find_asked(const ExperimentFile& file) {
+  std::set<std::string> names;
+  for (const auto& check : file.checks) add_names(file, check.of, names);
+  for (const auto& plot : file.plots)
+    for (const auto& y : plot.y) add_names(file, y, names);
+  for (const auto& best : file.bests) add_names(file, best.of, names);
+  return names;
+}
+
+// The one value that a column has in all rows.
+std::optional<std::string> find_constant(const Table& table, std::size_t column) {
+  const auto& first = table.rows.at(0)[column];
+  const auto is_first = [&](const auto& row) { return is_same(row[column], first); };
+  if (!std::ranges::all_of(table.rows, is_first)) return {};
+  return to_string(first);
+}
+
+TableView choose_named(const ExperimentFile& file, const Table& table) {
+  TableView view;
+  const auto& names = file.report.columns;
+  if (names == Texts{"all"}) {
+    view.columns = table.columns;
+  } else {
+    view.columns.assign(table.columns.begin(),
+                        table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
+    for (const auto& name : names)
+      if (!table.find(name))
+        view.unknown.push_back(
+            fmt::format("no column \"{}\"{}", name, base::suggest(name, table.columns)));
+      else if (!contains(view.columns, name))
+        view.columns.push_back(name);
+  }
+  view.least = view.columns.size();
+  return view;
+}
+
+}  // namespace
+
+TableView choose_view(const ExperimentFile& file, const Table& table) {
+  if (!file.report.columns.empty() || table.rows.empty()) return choose_named(file, table);
+  static const Texts OF_THE_FARM = {"rays",
+                                    "time_s",
+                                    "time_per_ray_ms",
+                                    "speedup",
+                                    "efficiency",
+                                    "cpu_busy_worker_mean",
+                                    "cpu_busy_coordinator",
+                                    "cpu_busy_database",
+                                    "link_busy_max",
+                                    "bottleneck"};
+  TableView view;
+  const auto inputs = input_names(file, table);
+  const auto asked = find_asked(file);
+  Texts first, others;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& name = table.columns[c];
+    const auto constant = find_constant(table, c);
+    if (c < table.axes) {
+      view.columns.push_back(name);
+    } else if (constant == "") {
+      continue;  // does not apply to any point
+    } else if (inputs.contains(name)) {
+      if (constant)
+        view.constants.emplace_back(name, *constant);
+      else
+        view.columns.push_back(name);
+    } else if (asked.contains(name)) {
+      first.push_back(name);
+    } else if (name == ENDED) {
+      if (constant != "done") first.push_back(name);
+    } else if (!is_farm(file) || contains(OF_THE_FARM, name)) {
+      others.push_back(name);
+    }
+  }
+  view.columns.insert(view.columns.end(), first.begin(), first.end());
+  view.least = view.columns.size();
+  view.columns.insert(view.columns.end(), others.begin(), others.end());
+  return view;
+}
+
+std::vector<std::string> fit_columns(const Table& table, const TableView& view, std::size_t width) {
+  constexpr std::size_t GAP = 2;
+  Texts fitting;
+  std::size_t taken = 0;
+  for (const auto& name : view.columns) {
+    const auto cells = format_column(table, *table.find(name));
+    std::size_t widest = width_of(name);
+    for (const auto& cell : cells) widest = std::max(widest, width_of(cell));
+    taken += (fitting.empty() ? 0 : GAP) + widest;
+    if (fitting.size() >= view.least && taken > width) break;
+    fitting.push_back(name);
+  }
+  return fitting;
+}
+
+std::string to_text(const Table& table, const TableView& view, std::size_t width) {
+  std::string text, line;
+  for (const auto& [name, value] : view.constants) {
+    const auto item = fmt::format("{} = {}", name, base::blank_controls(value, '?'));
+    if (!line.empty() && width_of(line) + width_of(", ,") + width_of(item) > width) {
+      text += line + ",\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : ", ") + item;
+  }
+  if (!line.empty()) text += line + "\n\n";
+  const auto columns = fit_columns(table, view, width);
+  text += to_text(table, columns);
+  const auto others = table.columns.size() - columns.size() - view.constants.size();
+  if (others > 0)
+    text += fmt::format("{} more {} in results.csv; --columns NAME,... or all shows {}\n", others,
+                        others == 1 ? "column is" : "columns are", others == 1 ? "it" : "them");
+  return text;
+}
+
+}  // namespace laboratory
