@@ -3,8 +3,8 @@
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/refinement_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/picture/refinement_file.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/image/image.hpp"
 #include "tests/fuzz/kinds.hpp"

@@ -10,7 +10,7 @@
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/show/adapt.hpp"

@@ -11,14 +11,15 @@
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/host/temporary_folder.hpp"
 #include "experiments/laboratory/live/recording.hpp"
 #include "experiments/laboratory/live/server.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
@@ -86,24 +87,16 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
 // user of the computer may read. Only its owner may read the file, which goes with this object.
 class Doorway {
  public:
+  /// Throws std::system_error where no folder can be made.
   explicit Doorway(const std::string& address) {
-    std::string folder = (fs::temp_directory_path() / "tlab-live-XXXXXX").string();
-    if (!mkdtemp(folder.data())) return;
-    folder_ = folder;
-    std::ofstream(folder_ / "live.html")
-        << fmt::format("<meta http-equiv=\"refresh\" content=\"0;url={}\">\n", address);
+    std::ofstream(file()) << fmt::format("<meta http-equiv=\"refresh\" content=\"0;url={}\">\n",
+                                         address);
   }
-  ~Doorway() {
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
-  }
-  Doorway(const Doorway&) = delete;
-  Doorway& operator=(const Doorway&) = delete;
 
-  std::string file() const { return (folder_ / "live.html").string(); }
+  std::string file() const { return (folder_.path() / "live.html").string(); }
 
  private:
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 // Whoever has no browser opens the address by hand.

@@ -5,8 +5,8 @@
 
 #include "base/text.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
 namespace {

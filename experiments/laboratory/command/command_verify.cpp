@@ -8,11 +8,11 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
 namespace {

@@ -12,7 +12,6 @@
 #include "base/errors.hpp"
 #include "base/message.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
@@ -20,8 +19,9 @@
 #include "experiments/laboratory/host/patience.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
+#include "experiments/laboratory/options/options.hpp"
+#include "experiments/laboratory/picture/picture_commands.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
-#include "simulator/machine/model.hpp"
 #include "simulator/programs/programs.hpp"
 #include "topologies/draw/drawing.hpp"
 #include "topologies/files/formats.hpp"
@@ -82,26 +82,6 @@ void add_folder_command(CLI::App& app, const char* name, const char* help,
   command->add_option("DIR", *folder, "a results folder")->required();
   command->footer(fmt::format("Examples:\n  tlab {} results/farm", name));
   command->callback([folder, action] { action(*folder); });
-}
-
-void add_model_command(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "model",
-      "print a machine model, every parameter with unit and provenance; or how two differ");
-  auto names = std::make_shared<std::vector<std::string>>();
-  command
-      ->add_option("NAME", *names,
-                   fmt::format("{} or a model file", fmt::join(machine::builtin_models(), ", ")))
-      ->required()
-      ->expected(1, 2);
-  command->footer(
-      "Examples:\n  tlab model t805-25\n  tlab model t805-25 t800-20     # how they differ");
-  command->callback([names] {
-    const auto model = machine::load_model((*names)[0]);
-    fmt::print("{}", names->size() == 1
-                         ? machine::describe(model)
-                         : machine::describe_difference(model, machine::load_model((*names)[1])));
-  });
 }
 
 std::string columns_in_markdown(const programs::Program& program) {

@@ -60,12 +60,19 @@ Cases find_cases(const Table& answers) {
   return cases;
 }
 
-// "mesh on 5, line on 1": those first that are best on most.
+// "mesh on 5, line on 1, others on 3": the three that are best on most.
 std::string describe_others(const std::map<std::string, std::size_t>& others) {
   std::vector<std::pair<std::string, std::size_t>> sorted(others.begin(), others.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);
+  constexpr std::size_t MOST = 3;
   std::vector<std::string> parts;
-  for (const auto& [name, count] : sorted) parts.push_back(fmt::format("{} on {}", name, count));
+  std::size_t rest = 0;
+  for (const auto& [name, count] : sorted)
+    if (parts.size() < MOST)
+      parts.push_back(fmt::format("{} on {}", name, count));
+    else
+      rest += count;
+  if (rest > 0) parts.push_back(fmt::format("others on {}", rest));
   return join_texts(parts, ", ");
 }
 

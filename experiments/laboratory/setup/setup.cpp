@@ -48,9 +48,21 @@ Topology make_network(const Experiment& experiment) {
 
 }  // namespace
 
+// It takes some ten milliseconds, as long as a short run: the last one is kept, unless it comes
+// from a file, which may change.
 machine::Model make_model(const ModelSpec& spec) {
-  if (spec.entries.empty()) return machine::load_model(spec.source.path);
-  return machine::override_model(spec.source.path, spec.entries, "[model]");
+  thread_local std::string known;
+  thread_local machine::Model last;
+  const auto key = model_key(spec);
+  if (key == known) return last;
+  auto model = spec.entries.empty()
+                   ? machine::load_model(spec.source.path)
+                   : machine::override_model(spec.source.path, spec.entries, "[model]");
+  if (!spec.source.path.ends_with(".toml")) {
+    last = model;
+    known = key;
+  }
+  return model;
 }
 
 std::string model_key(const ModelSpec& spec) {

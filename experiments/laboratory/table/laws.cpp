@@ -1,16 +1,13 @@
 #include "experiments/laboratory/table/laws.hpp"
 
-#include <gsl/gsl_blas.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_fit.h>
-#include <gsl/gsl_multifit_nlinear.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <memory>
+#include <stdexcept>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/table/least_squares.hpp"
 #include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
@@ -73,68 +70,6 @@ std::optional<Fit> fit_share(const std::string& law, const std::string& minimise
   return make_share_fit(law, minimised, count, serial, variance, squares);
 }
 
-using Residual = std::function<double(double parameter, std::size_t i)>;
-
-struct FittedParameter {
-  double value = 0, variance = 0;
-  double squares = 0;  // sum of the squared residuals
-};
-
-constexpr std::size_t MAX_STEPS = 200;
-constexpr double TOLERANCE = 1e-10;
-
-int eval_residuals(const gsl_vector* parameter, void* data, gsl_vector* out) {
-  const auto& residual = *static_cast<const Residual*>(data);
-  for (std::size_t i = 0; i < out->size; ++i) {
-    const double value = residual(gsl_vector_get(parameter, 0), i);
-    if (!std::isfinite(value)) return GSL_EDOM;
-    gsl_vector_set(out, i, value);
-  }
-  return GSL_SUCCESS;
-}
-
-// While it lives, the library does not end the program at an error, as it does by default.
-struct QuietErrors {
-  gsl_error_handler_t* before = gsl_set_error_handler_off();
-  ~QuietErrors() { gsl_set_error_handler(before); }
-};
-
-// Finds the parameter at which the sum of the squares of `residual(parameter, i)`, i from 0 to
-// points - 1, is least, iterated from `start`; at least two points. The variance is that of the
-// residuals, over points - 1, carried through the slope there. None where the iteration does not
-// settle.
-std::optional<FittedParameter> fit_curve(std::size_t points, double start,
-                                         const Residual& residual) {
-  const QuietErrors quiet;
-  Residual copy = residual;
-  gsl_multifit_nlinear_fdf problem{};
-  problem.f = eval_residuals;
-  problem.n = points;
-  problem.p = 1;
-  problem.params = &copy;
-  const auto parameters = gsl_multifit_nlinear_default_parameters();
-  const std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)>
-      work(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, points, 1),
-           gsl_multifit_nlinear_free);
-  const std::unique_ptr<gsl_matrix, void (*)(gsl_matrix*)> covariance(gsl_matrix_alloc(1, 1),
-                                                                      gsl_matrix_free);
-  gsl_vector_view at = gsl_vector_view_array(&start, 1);
-  int info = 0;
-  if (gsl_multifit_nlinear_init(&at.vector, &problem, work.get()) != GSL_SUCCESS) return {};
-  const int status = gsl_multifit_nlinear_driver(MAX_STEPS, TOLERANCE, TOLERANCE, 0, nullptr,
-                                                 nullptr, &info, work.get());
-  // Without progress the start, or a step on the way, was as good as it gets.
-  if (status != GSL_SUCCESS && status != GSL_ENOPROG) return {};
-  FittedParameter found{gsl_vector_get(gsl_multifit_nlinear_position(work.get()), 0), 0, 0};
-  gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work.get()), 0, covariance.get());
-  const gsl_vector* residuals = gsl_multifit_nlinear_residual(work.get());
-  gsl_blas_ddot(residuals, residuals, &found.squares);
-  found.variance =
-      gsl_matrix_get(covariance.get(), 0, 0) * found.squares / static_cast<double>(points - 1);
-  if (!std::isfinite(found.value) || !std::isfinite(found.variance)) return {};
-  return found;
-}
-
 }  // namespace
 
 double amdahl_speedup(double serial, double n) { return 1 / (serial + (1 - serial) / n); }
@@ -173,14 +108,22 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
   double start = 0;
   for (std::size_t i = 0; i < points.n.size(); ++i)
     start += *serial_gustafson(points.n[i], points.speedup[i]) / double(points.n.size());
-  const auto found =
-      fit_curve(points.n.size(), std::clamp(start, 0.01, 0.9), [&](double serial, std::size_t i) {
-        return (sun_ni_speedup(serial, points.n[i], points.growth[i]) - points.speedup[i]) /
-               points.n[i];
-      });
-  if (!found) return std::nullopt;
-  return make_share_fit("Sun-Ni", "efficiency", points.n.size(), found->value, found->variance,
-                        found->squares);
+  const auto residuals = [&](const std::vector<double>& serial) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.n.size(); ++i)
+      values.push_back(
+          (sun_ni_speedup(serial[0], points.n[i], points.growth[i]) - points.speedup[i]) /
+          points.n[i]);
+    return values;
+  };
+  try {
+    constexpr double STEP = 1e-5;
+    const auto fit = fit_least_squares(residuals, {std::clamp(start, 0.01, 0.9)}, {STEP});
+    return make_share_fit("Sun-Ni", "efficiency", points.n.size(), fit.parameters[0],
+                          fit.errors[0] * fit.errors[0], fit.squares);
+  } catch (const std::runtime_error&) {  // it does not settle
+    return std::nullopt;
+  }
 }
 
 std::optional<Fit> fit_log(const std::vector<double>& x, const std::vector<double>& y) {

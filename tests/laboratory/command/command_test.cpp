@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 

@@ -1,13 +1,13 @@
-#include "experiments/laboratory/command/render_frames.hpp"
+#include "experiments/laboratory/picture/render_frames.hpp"
 
 #include <cmath>
 #include <filesystem>
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/image/animation.hpp"
 

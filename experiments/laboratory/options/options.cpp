@@ -1,4 +1,4 @@
-#include "experiments/laboratory/command/options.hpp"
+#include "experiments/laboratory/options/options.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,10 +1,10 @@
-#include "experiments/laboratory/command/render_preview.hpp"
+#include "experiments/laboratory/picture/render_preview.hpp"
 
 #include <fmt/ranges.h>
 
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "renderer/files/nff.hpp"
 
 namespace laboratory {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "experiments/laboratory/command/command_progressive.hpp"
+#include "experiments/laboratory/picture/progressive_options.hpp"
 
 namespace laboratory {
 

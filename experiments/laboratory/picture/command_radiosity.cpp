@@ -4,10 +4,10 @@
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/options/options.hpp"
+#include "experiments/laboratory/picture/picture_commands.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/light/solve.hpp"

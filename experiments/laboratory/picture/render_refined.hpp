@@ -1,7 +1,7 @@
 #pragma once
 // tlab render in an order of pixels, that may be stopped and gone on with: options and body.
 
-#include "experiments/laboratory/command/command_progressive.hpp"
+#include "experiments/laboratory/picture/progressive_options.hpp"
 #include "renderer/progressive/refinement.hpp"
 #include "renderer/trace/render.hpp"
 

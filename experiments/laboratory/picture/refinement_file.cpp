@@ -1,4 +1,4 @@
-#include "experiments/laboratory/command/refinement_file.hpp"
+#include "experiments/laboratory/picture/refinement_file.hpp"
 
 #include <bit>
 #include <cstring>

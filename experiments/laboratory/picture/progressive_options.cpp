@@ -1,11 +1,11 @@
-#include "experiments/laboratory/command/command_progressive.hpp"
+#include "experiments/laboratory/picture/progressive_options.hpp"
 
 #include <filesystem>
 
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/options.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/progressive/progressive.hpp"
 

@@ -1,4 +1,4 @@
-#include "experiments/laboratory/command/render_refined.hpp"
+#include "experiments/laboratory/picture/render_refined.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/command/options.hpp"
-#include "experiments/laboratory/command/refinement_file.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/options/options.hpp"
+#include "experiments/laboratory/picture/refinement_file.hpp"
 
 namespace laboratory {
 namespace {

@@ -1,0 +1,263 @@
+#include "experiments/laboratory/calibrate/calibration.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "base/errors.hpp"
+#include "base/message.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/file/schema.hpp"
+#include "experiments/laboratory/host/temporary_folder.hpp"
+#include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
+#include "experiments/laboratory/table/least_squares.hpp"
+#include "experiments/laboratory/table/statistics.hpp"
+#include "simulator/machine/model.hpp"
+
+namespace laboratory {
+namespace {
+
+using base::require;
+using Texts = std::vector<std::string>;
+
+ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) {
+  Texts overrides = {"check=[]", "plot=[]", "best=[]", "run.engine=direct"};
+  const auto model = task.model.ends_with(".toml")
+                         ? std::filesystem::absolute(task.model).string()
+                         : task.model;  // files are found from the experiment's folder
+  overrides.push_back(fmt::format("machine.model=\"{}\"", model));
+  overrides.push_back("sweep=" + sweep);
+  if (!task.experiment.empty()) return load_experiment(task.experiment, overrides);
+  return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
+}
+
+// What was measured, and under which settings.
+struct Measurements {
+  Table settings;  ///< the keys of each measurement
+  std::vector<double> values;
+  std::string column;
+  Texts unused;
+};
+
+bool is_key(const CalibrationTask& task, const std::string& column) {
+  const auto file = read_task(task, "{}");
+  try {
+    name_axis(column, {file.points[0].experiment.program}, task.measurements);
+    return true;
+  } catch (const base::BadInput&) {
+    return false;
+  }
+}
+
+bool is_result(const CalibrationTask& task, const std::string& column) {
+  const auto file = read_task(task, "{}");
+  return std::ranges::any_of(file.points[0].experiment.program->columns,
+                             [&](const auto& result) { return result.name == column; });
+}
+
+Measurements read_measurements(const CalibrationTask& task) {
+  const auto& file = task.measurements;
+  const auto table = parse_csv(base::read_text(file), file);
+  Measurements read;
+  std::vector<std::size_t> keys;
+  std::optional<std::size_t> measured;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& name = table.columns[c];
+    if (is_result(task, name)) {
+      require(!measured, file, "found the results {} and {}, expected one", read.column, name);
+      measured = c;
+      read.column = name;
+    } else if (is_key(task, name)) {
+      keys.push_back(c);
+      read.settings.columns.push_back(name);
+    } else {
+      read.unused.push_back(name);
+    }
+  }
+  const auto experiment = read_task(task, "{}").points[0].experiment;
+  require(measured.has_value(), file,
+          "found the columns {}, expected one of a result of the program {} (tlab columns {})",
+          join_texts(table.columns, ", "), experiment.program->name, experiment.program->name);
+  require(!keys.empty(), file,
+          "found the columns {}, expected one or more that are keys of the experiment (tlab help "
+          "{})",
+          join_texts(table.columns, ", "), experiment.program->name);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto& row = table.rows[r];
+    const auto value = as_number(unquote_number(row[*measured]));
+    require(value && std::isfinite(*value) && *value > 0, file,
+            "measurement {}: {}: found {}, expected a number above 0", r + 1, read.column,
+            to_string(row[*measured]));
+    read.values.push_back(*value);
+    auto& setting = read.settings.rows.emplace_back();
+    for (const auto key : keys) setting.push_back(unquote_number(row[key]));
+  }
+  require(read.values.size() > task.entries.size(), file,
+          "found {} measurement(s) for {} entries, expected more than entries", read.values.size(),
+          task.entries.size());
+  return read;
+}
+
+std::string spell(const Value& value) {
+  return std::holds_alternative<std::string>(value) ? fmt::format("\"{}\"", to_string(value))
+                                                    : to_string(value);
+}
+
+// The settings as axes that go together; repeated ones once. `which` says the point of each.
+std::string make_sweep(const Table& settings, std::vector<std::size_t>& which) {
+  Texts points;
+  for (const auto& row : settings.rows) {
+    Texts cells;
+    for (const auto& cell : row) cells.push_back(spell(cell));
+    const auto point =
+        settings.columns.size() == 1 ? cells[0] : fmt::format("[{}]", fmt::join(cells, ", "));
+    const auto known = std::ranges::find(points, point);
+    which.push_back(static_cast<std::size_t>(known - points.begin()));
+    if (known == points.end()) points.push_back(point);
+  }
+  return fmt::format("{{\"{}\" = [{}]}}", fmt::join(settings.columns, ", "),
+                     fmt::join(points, ", "));
+}
+
+// The experiment at each setting, on the model with some entries changed.
+class Runs {
+ public:
+  Runs(const CalibrationTask& task, const Measurements& measured)
+      : column_(measured.column), file_(read_task(task, make_sweep(measured.settings, which_))) {
+    for (const auto& point : file_.points) check_point(point.experiment);
+  }
+
+  /// What the model gives for each measurement.
+  std::vector<double> eval(const Texts& entries, const std::vector<double>& values) const {
+    Results results;
+    ExperimentFile changed = file_;
+    for (auto& point : changed.points) {
+      for (std::size_t i = 0; i < entries.size(); ++i)
+        point.experiment.model.entries.emplace_back(entries[i], fmt::format("{}", values[i]));
+      results.push_back(run_point(point, {}, images_.path()));
+    }
+    const auto table = make_table(changed, results);
+    std::vector<double> given;
+    for (const auto point : which_) {
+      const auto found = as_number(table.rows[table.row_of(point)][*table.find(column_)]);
+      require(found && *found > 0, name_of(file_.points[point]),
+              "the model gives no {} above 0 there", column_);
+      given.push_back(*found);
+    }
+    return given;
+  }
+
+ private:
+  std::vector<std::size_t> which_;
+  std::string column_;
+  ExperimentFile file_;
+  TemporaryFolder images_;
+};
+
+const machine::Entry& find_entry(const machine::Model& model, const std::string& key) {
+  const auto found = std::ranges::find(model.entries, key, &machine::Entry::key);
+  if (found == model.entries.end()) {
+    Texts known;
+    for (const auto& entry : model.entries) known.push_back(entry.key);
+    base::refuse("--entries", "found {}, which {} does not have{}", key, model.name,
+                 base::did_you_mean(key, known));
+  }
+  require(found->value > 0, "--entries", "found {}, which is {}, expected one above 0", key,
+          found->value);
+  return *found;
+}
+
+std::string describe_undetermined(const Undetermined& error, const CalibrationTask& task) {
+  if (error.parameters.size() == 1)
+    return fmt::format("found nothing that depends on {}", task.entries[error.parameters[0]]);
+  return fmt::format("found nothing that tells {} from {}: both change all of them alike",
+                     task.entries[error.parameters[0]], task.entries[error.parameters[1]]);
+}
+
+Table compare(const Measurements& measured, const std::vector<double>& given) {
+  Table table = measured.settings;
+  table.axes = table.columns.size();
+  for (const char* what : {"measured", "fitted"})
+    table.columns.push_back(fmt::format("{} {}", what, measured.column));
+  table.columns.push_back("error %");
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    auto& row = table.rows[i];
+    row.emplace_back(measured.values[i]);
+    row.emplace_back(given[i]);
+    row.emplace_back(100 * (given[i] / measured.values[i] - 1));
+  }
+  return table;
+}
+
+}  // namespace
+
+Calibration calibrate(const CalibrationTask& task) {
+  const auto model = machine::load_model(task.model);
+  std::vector<const machine::Entry*> entries;
+  for (const auto& key : task.entries) {
+    require(std::ranges::count(task.entries, key) == 1, "--entries", "found {} twice", key);
+    entries.push_back(&find_entry(model, key));
+  }
+  require(!entries.empty(), "--entries", "found none, expected those that are to be fitted");
+  const auto measured = read_measurements(task);
+  const Runs runs(task, measured);
+  // All parameters are of one size, or the steps are not: entries in units of their value, but for
+  // few cycles, to which the machine rounds.
+  constexpr double LEAST_CYCLES = 1000, STEP = 0.02, LEAST = 1e-6;
+  std::vector<double> start, units;
+  for (const auto* entry : entries) {
+    units.push_back(entry->unit == "cycles" ? std::max(entry->value, LEAST_CYCLES) : entry->value);
+    start.push_back(entry->value / units.back());
+  }
+  const auto scale = [&](const std::vector<double>& parameters) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      values.push_back(units[i] * std::max(parameters[i], LEAST));
+    return values;
+  };
+  const auto residuals = [&](const std::vector<double>& parameters) {
+    auto given = runs.eval(task.entries, scale(parameters));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      given[i] = std::log(given[i] / measured.values[i]);
+    return given;
+  };
+  try {
+    const auto fit = fit_least_squares(residuals, start, std::vector<double>(entries.size(), STEP));
+    Calibration found;
+    found.column = measured.column;
+    found.unused = measured.unused;
+    const auto count = static_cast<double>(measured.values.size());
+    found.rms = std::sqrt(fit.squares / count);
+    const double t = student_t(0.975, count - static_cast<double>(entries.size()));
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const double value = units[i] * fit.parameters[i], half = t * units[i] * fit.errors[i];
+      found.entries.push_back({entries[i]->key, entries[i]->unit, entries[i]->value, value,
+                               value - half, value + half});
+    }
+    found.compared = compare(measured, runs.eval(task.entries, scale(fit.parameters)));
+    return found;
+  } catch (const Undetermined& error) {
+    base::refuse(task.measurements, "{}", describe_undetermined(error, task));
+  }
+}
+
+std::string to_text(const Calibration& c) {
+  Table entries{
+      .columns = {"entry", "before", "fitted", "95 % from", "to", "unit"}, .axes = 1, .rows = {}};
+  for (const auto& e : c.entries)
+    entries.rows.push_back({e.key, fmt::format("{:.6g}", e.before), fmt::format("{:.6g}", e.value),
+                            fmt::format("{:.6g}", e.low), fmt::format("{:.6g}", e.high), e.unit});
+  std::string text = fmt::format("{}\n{}\nroot mean square of the errors: {:.2g} %\n",
+                                 to_text(entries), to_text(c.compared), 100 * c.rms);
+  if (!c.unused.empty())
+    text +=
+        fmt::format("not used: {}, which no key or result is called\n", join_texts(c.unused, ", "));
+  return text;
+}
+
+}  // namespace laboratory

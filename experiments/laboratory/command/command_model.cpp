@@ -1,0 +1,106 @@
+// tlab model: what a machine model says, a model of one's own, and its fit to measurements.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "base/errors.hpp"
+#include "base/whole_file.hpp"
+#include "experiments/laboratory/calibrate/calibration.hpp"
+#include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/host/patience.hpp"
+#include "simulator/machine/model.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ModelOptions {
+  std::vector<std::string> names;
+  bool is_new = false;
+  std::string base = "t805-25";
+  CalibrationTask fit;
+  std::string output;
+};
+
+// The name that a model file gives its model: its own, without the ending.
+std::string stem_of(const std::string& file) {
+  base::require(file.ends_with(".toml"), "--output", "found {}, expected a name that ends in .toml",
+                file);
+  return fs::path(file).stem().string();
+}
+
+void begin_model(const ModelOptions& o) {
+  base::require(o.names.size() == 1, "--new", "found {} names, expected one", o.names.size());
+  const auto name = o.names[0].ends_with(".toml") ? o.names[0] : o.names[0] + ".toml";
+  base::require(!fs::exists(name), name, "is there already");
+  base::save_whole(name, make_model_file(o.base, stem_of(name)));
+  fmt::print("model    {}\n", name);
+}
+
+void fit_model(ModelOptions o) {
+  base::require(o.names.size() == 1, "--fit", "found {} models, expected one", o.names.size());
+  o.fit.model = o.names[0];
+  const auto name = o.output.empty() ? "" : stem_of(o.output);
+  const auto found = [&] {
+    const Patience patience("model --fit " + o.fit.measurements);
+    return calibrate(o.fit);
+  }();
+  fmt::print("{}", to_text(found));
+  if (o.output.empty()) return;
+  base::save_whole(o.output, to_model_file(found, o.fit, name));
+  fmt::print("model    {}\n", o.output);
+}
+
+void print_models(const ModelOptions& o) {
+  const auto model = machine::load_model(o.names[0]);
+  fmt::print("{}", o.names.size() == 1
+                       ? machine::describe(model)
+                       : machine::describe_difference(model, machine::load_model(o.names[1])));
+}
+
+}  // namespace
+
+void add_model_command(CLI::App& app) {
+  auto* command = app.add_subcommand("model",
+                                     "print a machine model, every parameter with unit and "
+                                     "provenance; how two differ; begin one, or fit it");
+  auto o = std::make_shared<ModelOptions>();
+  command
+      ->add_option("NAME", o->names,
+                   fmt::format("{} or a model file", fmt::join(machine::builtin_models(), ", ")))
+      ->required()
+      ->expected(1, 2);
+  auto* begins =
+      command->add_flag("--new", o->is_new, "write NAME.toml, a model of one's own to fill in");
+  command->add_option("--base", o->base, "the model that it begins from")
+      ->needs(begins)
+      ->capture_default_str();
+  auto* fits =
+      command->add_option("--fit", o->fit.measurements,
+                          "a CSV file of measurements: columns of keys, and of one result");
+  fits->excludes(begins);
+  command->add_option("--entries", o->fit.entries, "entries of the model that are fitted to them")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs(fits);
+  fits->needs("--entries");
+  command
+      ->add_option("--by", o->fit.experiment,
+                   "the experiment that was measured [the program message: bytes, latency_s]")
+      ->needs(fits);
+  command->add_option("-o,--output", o->output, "write the fitted model, .toml")->needs(fits);
+  command->footer(
+      "Examples:\n  tlab model t805-25\n  tlab model t805-25 t800-20     # how they differ\n  tlab "
+      "model mine --new --base t805-25\n  tlab model t805-25 --fit latencies.csv --entries "
+      "link.one_way_20,channel.operands -o mine.toml");
+  command->callback([o] {
+    if (o->is_new) return begin_model(*o);
+    if (!o->fit.measurements.empty()) return fit_model(*o);
+    print_models(*o);
+  });
+}
+
+}  // namespace laboratory

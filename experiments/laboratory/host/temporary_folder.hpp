@@ -1,0 +1,21 @@
+#pragma once
+// A folder that only its owner may look into, and that goes away with its object.
+#include <filesystem>
+
+namespace laboratory {
+
+class TemporaryFolder {
+ public:
+  /// Throws std::system_error where none can be made.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace laboratory
