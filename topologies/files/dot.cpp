@@ -187,7 +187,9 @@ RawGraph read_raw(const std::string& text, const std::string& name) {
     try {
       return read_raw<boost::undirectedS>(text);
     } catch (const boost::directed_graph_error&) {
-      return read_raw<boost::directedS>(text);
+      auto raw = read_raw<boost::directedS>(text);
+      raw.has_arrows = true;
+      return raw;
     }
   } catch (const std::exception& error) {
     throw base::BadInput(fmt::format("{}: malformed DOT: {}", name, error.what()));

@@ -30,6 +30,7 @@ std::string format_metrics(const Topology& topology, const Metrics& m) {
   row("processors", m.processors);
   row("root", describe_processor(topology, topology.root));
   row("links", m.links);
+  if (topology.has_arrows) row("arrows", "read as links, which go both ways");
   row("links per processor", degree);
   row("diameter", m.diameter);
   row("mean distance", fmt::format("{:.4f}", m.mean_distance));

@@ -78,6 +78,7 @@ RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
                          attributes.find(edge, {"port_a", "tailport"}),
                          attributes.find(edge, {"port_b", "headport"})});
   }
+  raw.has_arrows = std::string_view(graph.attribute("edgedefault").value()) == "directed";
   // The root is given by its name or by its id.
   raw.root = attributes.find(graph, {"root"});
   const auto by_id = vertices.find(raw.root);

@@ -105,6 +105,7 @@ Topology make_topology(const RawGraph& graph, const std::string& name) {
                   "blanks at its ends",
                   base::quote(vertex.name));
   Topology topology{name, static_cast<int>(graph.vertices.size()), 0, {}, {}, {}};
+  topology.has_arrows = graph.has_arrows;
   const auto processor = number_vertices(graph, topology);
   const int root = find_root(graph, name);
   if (root >= 0) topology.root = processor[root];

@@ -22,6 +22,7 @@ struct RawGraph {
   std::vector<RawVertex> vertices;  ///< as first named in the file
   std::vector<RawEdge> edges;       ///< as in the file
   std::string root;                 ///< name of a vertex, empty when absent
+  bool has_arrows = false;          ///< whether the graph is a directed one
 };
 
 /// Makes a topology by the rules of formats.hpp; it has passed `check`. Throws BadInput that begins

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "topologies/graph/bisection.hpp"
 #include "topologies/graph/search.hpp"
 
 namespace topologies {
@@ -98,6 +99,8 @@ Metrics eval_metrics(const Topology& topology) {
   metrics.bisection_width = topology.bisection_width;
   if (!metrics.bisection_width && is_tree(topology))
     metrics.bisection_width = eval_tree_bisection(topology);
+  if (!metrics.bisection_width && topology.processors <= MOST_BISECTED)
+    metrics.bisection_width = eval_bisection(topology);
   return metrics;
 }
 

@@ -31,7 +31,8 @@ struct Metrics {
 };
 
 /// Measures a topology that passes `check`, in O(processors) memory and the time of eval_all_pairs.
-/// The bisection is the generator's, or exact for any wiring without cycles, or absent.
+/// The bisection is the generator's, or exact for any wiring without cycles and for up to 32
+/// processors, or absent.
 Metrics eval_metrics(const Topology& topology);
 
 }  // namespace topologies

@@ -43,7 +43,8 @@ struct Topology {
   /// Number of C004 link switches on each link, keyed by its two processors, lower first; links not
   /// listed have none.
   std::map<std::pair<int, int>, int> switches = {};
-  Shape shape = {};  ///< unknown for a topology from a file
+  Shape shape = {};         ///< unknown for a topology from a file
+  bool has_arrows = false;  ///< its file is of a directed graph; links go both ways all the same
 };
 
 /// Whether the wiring has no cycles; it must be connected.

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
+#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -12,6 +15,7 @@
 #include "base/errors.hpp"
 #include "base/message.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/command/completion.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
@@ -31,6 +35,23 @@
 namespace laboratory {
 namespace {
 
+// What a file's ending says where nothing else does; they may not contradict each other.
+std::string choose_format(const std::string& asked, const std::string& file) {
+  static const std::map<std::string, std::string> ENDINGS = {
+      {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
+  const auto ending = std::filesystem::path(file).extension().string();
+  const auto said = ENDINGS.find(ending);
+  if (said == ENDINGS.end()) {
+    static const std::set<std::string> PICTURES = {".png", ".pdf", ".jpg", ".jpeg", ".webp"};
+    base::require(!PICTURES.contains(ending), "-o " + file,
+                  "found a name for a picture that is not drawn, expected .svg");
+    return asked.empty() ? "metrics" : asked;
+  }
+  base::require(asked.empty() || asked == said->second, "-o " + file,
+                "found a name for {}, expected one for {}", said->second, asked);
+  return said->second;
+}
+
 void add_topology_command(CLI::App& app) {
   using Write = std::string (*)(const topologies::Topology&);
   static const std::vector<std::pair<std::string, Write>> FORMATS = {
@@ -40,16 +61,16 @@ void add_topology_command(CLI::App& app) {
       {"svg", topologies::to_svg},
       {"csv", topologies::to_csv}};
   struct Options {
-    std::string spec, format = "metrics", routes, output;
+    std::string spec, format, routes, output;
   };
   auto* command = app.add_subcommand("topology", "print the metrics of a topology, or export it");
   auto o = std::make_shared<Options>();
   std::string forms;
   for (const auto& g : topologies::generators()) forms += g.form + ", ";
   command->add_option("SPEC", o->spec, forms + "or a .dot, .gv or .graphml file")->required();
-  command->add_option("--format", o->format, "what to print")
-      ->check(CLI::IsMember(FORMATS))
-      ->capture_default_str();
+  command
+      ->add_option("--format", o->format, "what to print [metrics, or what the file's ending says]")
+      ->check(CLI::IsMember(FORMATS));
   command->add_option("--routes", o->routes,
                       "measure these in place of the shortest: xy, or a CSV file from,to,path");
   command->add_option("-o,--output", o->output, "write to this file");
@@ -57,6 +78,7 @@ void add_topology_command(CLI::App& app) {
       "Examples:\n  tlab topology torus:4x4\n  tlab topology tree:13 --format svg -o tree.svg\n  "
       "tlab topology mesh:8x8 --routes xy");
   command->callback([o] {
+    o->format = choose_format(o->format, o->output);
     base::require(o->routes.empty() || o->format == "metrics", "--routes",
                   "found --format {}, expected metrics: others do not speak of routes", o->format);
     const auto format =
@@ -157,7 +179,7 @@ void add_report_command(CLI::App& app) {
 }
 
 void add_commands(CLI::App& app) {
-  app.set_version_flag("--version", fmt::format("tlab {}", VERSION));
+  app.set_version_flag("--version", describe_version());
   app.require_subcommand(1);
   add_topology_command(app);
   add_render_command(app);
@@ -172,6 +194,7 @@ void add_commands(CLI::App& app) {
   add_model_command(app);
   add_columns_command(app);
   add_guide_commands(app);
+  add_completion_command(app);
 }
 
 int do_command(CLI::App& app, int argc, char** argv) {

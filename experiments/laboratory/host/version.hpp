@@ -1,7 +1,11 @@
 #pragma once
+#include <string>
 
 namespace laboratory {
 
 constexpr const char* VERSION = TLAB_VERSION;  // the project's, from CMake
+
+/// "tlab 0.1.0 (commit 1a2b3c4)": with the commit that was built, where it was a clone's.
+std::string describe_version();
 
 }  // namespace laboratory

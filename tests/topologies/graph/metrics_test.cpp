@@ -2,8 +2,11 @@
 
 #include <bit>
 #include <cmath>
+#include <random>
 
+#include "base/errors.hpp"
 #include "tests/topologies/support.hpp"
+#include "topologies/graph/bisection.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
 
@@ -118,10 +121,33 @@ TEST(TopologyBisection, IsTheLeastOfAllHalvings) {
   }
 }
 
-TEST(TopologyBisection, IsUnknownWhenTheGeneratorDoesNotTellAndThereAreCycles) {
-  auto t = make_ring(5);
+// Random wirings of up to 16 processors against every way to halve them; of 32 against what is
+// known of grids and cubes.
+TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
+  const std::uint64_t seed = 20261125;
+  std::mt19937_64 random(seed);
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = 2 + static_cast<int>(random() % 15);
+    Topology t{"random", n, 0, {}, {}, {}};
+    for (int p = 1; p < n; ++p) {
+      const int links = 1 + static_cast<int>(random() % 3);
+      for (int i = 0; i < links; ++i)  // also several between two
+        t.links.push_back({{static_cast<int>(random() % static_cast<unsigned>(p)), 0}, {p, 0}});
+    }
+    EXPECT_EQ(eval_bisection(t), brute_bisection(t)) << "seed " << seed << ", trial " << trial;
+  }
+  for (const auto* spec :
+       {"mesh:4x8", "mesh:5x6", "torus:4x8", "torus:5x5", "ring:32", "tree:31"}) {
+    const auto t = make_topology(spec);
+    EXPECT_EQ(eval_bisection(t), eval_metrics(t).bisection_width) << spec;
+  }
+}
+
+TEST(TopologyBisection, IsUnknownOfManyWhereTheGeneratorDoesNotTellAndThereAreCycles) {
+  auto t = make_ring(MOST_BISECTED + 1);
   t.bisection_width.reset();
   EXPECT_FALSE(eval_metrics(t).bisection_width);
+  EXPECT_THROW(eval_bisection(t), base::BadInput);
 }
 
 // All-to-all load, counted by walking every route.

@@ -1,0 +1,13 @@
+# Writes the commit that is built, for `tlab --version`, into FILE; nothing where the sources are no
+# clone. The file is only touched where it changes.
+execute_process(COMMAND git -C ${SOURCE} rev-parse --short HEAD
+                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(commit)
+  execute_process(COMMAND git -C ${SOURCE} status --porcelain --untracked-files=no
+                  OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  string(PREPEND commit "commit ")
+  if(changes)
+    string(APPEND commit ", with changes")
+  endif()
+endif()
+configure_file(${SOURCE}/experiments/laboratory/host/commit.hpp.in ${FILE} @ONLY)

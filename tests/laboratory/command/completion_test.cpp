@@ -1,0 +1,67 @@
+// What shells complete: commands, options, names.
+#include "experiments/laboratory/command/completion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+
+#include "base/text.hpp"
+#include "base/whole_file.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+
+namespace laboratory {
+namespace {
+
+using test::TemporaryFolder;
+
+std::string script_for(const std::string& shell) {
+  const TemporaryFolder folder;
+  const auto made = tlab(folder.path, {"completion", shell});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return made.out;
+}
+
+// Every option of every command, as its help has them.
+TEST(Completion, KnowsAllCommandsAndOptions) {
+  const TemporaryFolder folder;
+  const auto script = script_for("bash"), zsh = script_for("zsh"), fish = script_for("fish");
+  const std::regex option("--[a-z-]+");
+  for (const std::string command :
+       {"topology", "render", "radiosity", "run", "live", "merge", "report", "verify", "compare",
+        "model", "columns", "list", "help", "init", "completion"}) {
+    auto help = tlab(folder.path, {command, "--help"}).out;
+    help = help.substr(0, help.find("Examples:"));
+    for (auto found = std::sregex_iterator(help.begin(), help.end(), option);
+         found != std::sregex_iterator(); ++found) {
+      EXPECT_NE(script.find(found->str()), std::string::npos) << command << " " << found->str();
+      EXPECT_NE(zsh.find("'" + found->str() + "["), std::string::npos) << command;
+      EXPECT_NE(fish.find("-l " + found->str().substr(2)), std::string::npos) << command;
+    }
+    EXPECT_NE(fish.find(" -a " + command + " "), std::string::npos);
+    EXPECT_NE(zsh.find("    '" + command + ":"), std::string::npos);
+  }
+  EXPECT_EQ(tlab(folder.path, {"completion", "tcsh"}).exit_code, 2);
+}
+
+// What bash offers for a line of which the last word is begun.
+std::string complete(const std::filesystem::path& folder, const std::string& line) {
+  std::ofstream(folder / "try.sh") << "source ./tlab.bash\nCOMP_WORDS=(" << line
+                                   << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tlab\n"
+                                      "echo \"${COMPREPLY[@]}\" > offered\n";
+  const auto command = "cd '" + folder.string() + "' && bash try.sh";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return std::string(base::trim(base::read_text(folder / "offered")));
+}
+
+TEST(Completion, BashOffersWhatBeginsSo) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "tlab.bash") << script_for("bash");
+  EXPECT_EQ(complete(folder.path, "tlab ver"), "verify");
+  EXPECT_EQ(complete(folder.path, "tlab run --time"), "--timeline");
+  EXPECT_EQ(complete(folder.path, "tlab merge try"), "try.sh") << "else files";
+}
+
+}  // namespace
+}  // namespace laboratory

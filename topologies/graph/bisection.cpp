@@ -1,0 +1,84 @@
+#include "topologies/graph/bisection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "base/errors.hpp"
+#include "topologies/graph/search.hpp"
+
+namespace topologies {
+namespace {
+
+using Set = std::uint32_t;
+
+// Puts one processor after the other on one of two sides, the nearest to those before first, and
+// turns back where the links that are cut already, and those that must be, are as many as in the
+// best halves so far.
+class Halves {
+ public:
+  explicit Halves(const Topology& topology)
+      : count_(topology.processors), larger_((topology.processors + 1) / 2) {
+    const auto search = make_search(topology, topology.root);
+    std::array<int, MOST_BISECTED> place{};
+    for (int i = 0; i < count_; ++i) place[static_cast<std::size_t>(search.order[i])] = i;
+    for (const auto& [a, b] : topology.links) {
+      const auto from = place[static_cast<std::size_t>(a.processor)];
+      const auto to = place[static_cast<std::size_t>(b.processor)];
+      links_[from].push_back(to);
+      links_[to].push_back(from);
+    }
+    fewest_ = static_cast<int>(topology.links.size()) + 1;
+  }
+
+  int find() {
+    put(0, {}, 0);
+    return fewest_;
+  }
+
+ private:
+  int count_links(int of, Set into) const {
+    return static_cast<int>(
+        std::ranges::count_if(links_[of], [&](int other) { return (into >> other & 1U) != 0; }));
+  }
+
+  // Links that are cut wherever the rest goes: each of the rest is on one side.
+  int bound(int next, const std::array<Set, 2>& sides) const {
+    int least = 0;
+    for (int rest = next; rest < count_; ++rest)
+      least += std::min(count_links(rest, sides[0]), count_links(rest, sides[1]));
+    return least;
+  }
+
+  void put(int next, const std::array<Set, 2>& sides, int cut) {
+    if (next == count_) {
+      fewest_ = std::min(fewest_, cut);
+      return;
+    }
+    if (cut + bound(next, sides) >= fewest_) return;
+    const int cut_on_first = count_links(next, sides[1]),
+              cut_on_second = count_links(next, sides[0]);
+    const int better = cut_on_second < cut_on_first ? 1 : 0;
+    for (const int side : {better, 1 - better}) {
+      if (std::popcount(sides[side]) == larger_) continue;
+      if (next == 0 && side == 1) continue;  // the sides are alike
+      auto grown = sides;
+      grown[side] |= Set{1} << next;
+      put(next + 1, grown, cut + (side == 0 ? cut_on_first : cut_on_second));
+    }
+  }
+
+  int count_, larger_, fewest_ = 0;
+  std::array<std::vector<int>, MOST_BISECTED> links_;  // by place in the order
+};
+
+}  // namespace
+
+int eval_bisection(const Topology& topology) {
+  base::require(topology.processors <= MOST_BISECTED, topology.name,
+                "found {} processors, expected at most {}", topology.processors, MOST_BISECTED);
+  return Halves(topology).find();
+}
+
+}  // namespace topologies
