@@ -234,13 +234,14 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
       {{"pugixml"}, std::regex("topologies/files/graphml\\.cpp")},
       {{"CLI/"},
-       std::regex("(experiments|tests)/laboratory/(command|options|picture)/.*|tests/(fuzz|reference)/main\\.cpp")},
+       std::regex("(experiments|tests)/laboratory/(command|options|picture)/.*|tests/"
+                  "(fuzz|reference)/main\\.cpp")},
       {{"muParser"}, std::regex("base/formula\\.cpp")},
       {{"toml++/"}, std::regex("base/toml\\.[ch]pp|experiments/laboratory/.*")},
       {{"kainjow/"}, std::regex("experiments/laboratory/report/(report|plot_script)\\.cpp")},
       {{"gsl/"},
-       std::regex(
-           "experiments/laboratory/(table/(growth|laws|least_squares|statistics)|uncertain/intervals)\\.cpp")},
+       std::regex("experiments/laboratory/(table/(growth|laws|least_squares|statistics)|uncertain/"
+                  "intervals)\\.cpp")},
       {{"xxhash"}, std::regex("experiments/laboratory/host/hash\\.cpp")},
       {{"nlohmann/"}, std::regex("experiments/laboratory/.*|tests/laboratory/.*")},
       {{"benchmark/"}, std::regex("tests/benchmarks/.*")},

@@ -73,9 +73,9 @@ class ChromeFile {
     for (std::size_t i = 0; i < trace_.links.size(); ++i) {
       const auto [from, to] = trace_.links[i];
       const int number = ++between[{from, to}];
-      name_track(numbers_.processor(from), numbers_.link(i),
-                 "link to " + trace_.processors[to] +
-                     (number == 1 ? "" : fmt::format(" ({})", number)));
+      name_track(
+          numbers_.processor(from), numbers_.link(i),
+          "link to " + trace_.processors[to] + (number == 1 ? "" : fmt::format(" ({})", number)));
     }
     const auto title = trace_.title.empty() ? "run" : trace_.title;
     name_process(numbers_.window(), 0, title);

@@ -125,10 +125,6 @@ data make_drawings(const std::vector<Report::Drawing>& drawings, const std::stri
   return list;
 }
 
-data make_fact(const std::pair<std::string, std::string>& fact) {
-  return object{{"name", fact.first}, {"value", fact.second}};
-}
-
 data make_results(const Report& report) {
   auto table = report.table;
   std::vector<std::string> notes;
@@ -142,8 +138,6 @@ data make_results(const Report& report) {
   };
   data results = make_columns(report.shown_columns);
   const bool has_loads = !report.load_columns.empty();
-  results["has_constants"] = !report.constants.empty();
-  results["constants"] = make_list(report.constants, make_fact);
   results["loads"] = has_loads ? make_columns(report.load_columns) : data(false);
   results["csv"] = to_data_uri("text/csv", to_csv(report.table));
   results["columns"] = std::to_string(report.table.columns.size());
@@ -166,6 +160,10 @@ data make_image(const Report::Image& image) {
                 {"width", std::to_string(size.width * factor)},
                 {"height", std::to_string(size.height * factor)},
                 {"factor", factor > 1 ? data(std::to_string(factor)) : data(false)}};
+}
+
+data make_fact(const std::pair<std::string, std::string>& fact) {
+  return object{{"name", fact.first}, {"value", fact.second}};
 }
 
 data make_entry(const Report::ModelRow& row) {

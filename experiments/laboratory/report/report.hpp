@@ -44,7 +44,6 @@ struct Report {
   std::vector<Part> answers;                               ///< an answer is left out if it is empty
   Table table;                                             ///< whole, as a download in the page
   std::vector<std::string> shown_columns;                  ///< of the table in the page; none: all
-  std::vector<std::pair<std::string, std::string>> constants;  ///< columns of one value, above it
   std::vector<PointLoads> points;         ///< those of the table, told on a click; none: not told
   std::vector<std::string> load_columns;  ///< of a second, folded table; none: no such table
   std::vector<Part> checks;               ///< the heading says whether the check holds, how well

@@ -358,7 +358,6 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   report.table = s.table;
   auto view = choose_view(s.file, s.table);
   report.shown_columns = std::move(view.columns);
-  report.constants = std::move(view.constants);
   append(report.notes, view.unknown);
   report.load_columns = load_columns(s.file, s.table);
   report.points = load_loads(folder, s);

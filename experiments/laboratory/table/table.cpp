@@ -27,7 +27,8 @@ std::string choose_format(const Table& table, std::size_t column) {
   }
   if (largest == 0) return "{:.1f}";
   if (table.columns[column].ends_with('%') && largest >= 0.1 && largest < 1e5) return "{:.2f}";
-  if (largest > (largest < 1 ? 1e2 : 1e3) * smallest || largest >= 1e9 || largest < 1e-4) return "{:.4g}";
+  if (largest > (largest < 1 ? 1e2 : 1e3) * smallest || largest >= 1e9 || largest < 1e-4)
+    return "{:.4g}";
   const int digits_before = static_cast<int>(std::floor(std::log10(largest))) + 1;
   return fmt::format("{{:.{}f}}", std::max(0, 4 - digits_before));
 }
