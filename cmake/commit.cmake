@@ -1,7 +1,11 @@
 # Writes the commit that is built, for `tlab --version`, into FILE; nothing where the sources are no
 # clone. The file is only touched where it changes.
-execute_process(COMMAND git -C ${SOURCE} rev-parse --short HEAD
-                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+execute_process(COMMAND git -C ${SOURCE} rev-parse --show-toplevel
+                OUTPUT_VARIABLE clone OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(clone STREQUAL SOURCE)
+  execute_process(COMMAND git -C ${SOURCE} rev-parse --short HEAD
+                  OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
 if(commit)
   execute_process(COMMAND git -C ${SOURCE} status --porcelain --untracked-files=no
                   OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

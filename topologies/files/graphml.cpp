@@ -66,7 +66,9 @@ RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
     base::require(names.insert(raw.vertices.back().name).second, file,
                   "two vertices are called \"{}\"", raw.vertices.back().name);
   }
+  const bool points = std::string_view(graph.attribute("edgedefault").value()) == "directed";
   for (const auto& edge : graph.children("edge")) {
+    raw.has_arrows |= edge.attribute("directed").as_bool(points);
     const auto find_vertex = [&](const char* key) {
       const auto id = require_attribute(edge, key, file);
       const auto found = vertices.find(id);
@@ -78,7 +80,6 @@ RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
                          attributes.find(edge, {"port_a", "tailport"}),
                          attributes.find(edge, {"port_b", "headport"})});
   }
-  raw.has_arrows = std::string_view(graph.attribute("edgedefault").value()) == "directed";
   // The root is given by its name or by its id.
   raw.root = attributes.find(graph, {"root"});
   const auto by_id = vertices.find(raw.root);

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <tuple>
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
+#include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/host/temporary_folder.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
@@ -25,15 +27,29 @@ namespace {
 using base::require;
 using Texts = std::vector<std::string>;
 
+// The experiment, with its sweep replaced. Model files are found from its folder.
 ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) {
-  Texts overrides = {"check=[]", "plot=[]", "best=[]", "run.engine=direct"};
   const auto model = task.model.ends_with(".toml")
                          ? std::filesystem::absolute(task.model).string()
-                         : task.model;  // files are found from the experiment's folder
-  overrides.push_back(fmt::format("machine.model=\"{}\"", model));
-  overrides.push_back("sweep=" + sweep);
+                         : task.model;
+  const Texts overrides = {"check=[]", "plot=[]", "best=[]", "run.engine=direct",
+                           "machine.model=" + spell_text(model), "sweep=" + sweep};
   if (!task.experiment.empty()) return load_experiment(task.experiment, overrides);
   return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
+}
+
+// What the experiment says of the machine would be lost in the model, and axes that were not
+// measured in the fit.
+void check_experiment(const CalibrationTask& task, const Texts& columns) {
+  if (task.experiment.empty()) return;
+  const auto file = load_experiment(task.experiment, {});
+  for (const auto& axis : file.axes)
+    require(std::ranges::find(columns, axis) != columns.end(), task.measurements,
+            "found no column {}, which is an axis of {}", axis, task.experiment);
+  for (const auto& point : file.points)
+    require(point.experiment.model.entries.empty() && point.experiment.others.empty(),
+            task.experiment,
+            "found [model] or [[processor]], expected the machine as {} has it", task.model);
 }
 
 // What was measured, and under which settings.
@@ -44,49 +60,44 @@ struct Measurements {
   Texts unused;
 };
 
-bool is_key(const CalibrationTask& task, const std::string& column) {
-  const auto file = read_task(task, "{}");
+bool is_key(const programs::Program& program, const std::string& column) {
   try {
-    name_axis(column, {file.points[0].experiment.program}, task.measurements);
+    name_axis(column, {&program}, "");
     return true;
   } catch (const base::BadInput&) {
     return false;
   }
 }
 
-bool is_result(const CalibrationTask& task, const std::string& column) {
-  const auto file = read_task(task, "{}");
-  return std::ranges::any_of(file.points[0].experiment.program->columns,
-                             [&](const auto& result) { return result.name == column; });
-}
-
 Measurements read_measurements(const CalibrationTask& task) {
   const auto& file = task.measurements;
   const auto table = parse_csv(base::read_text(file), file);
+  check_experiment(task, table.columns);
+  const auto& program = *read_task(task, "{}").points[0].experiment.program;
   Measurements read;
   std::vector<std::size_t> keys;
   std::optional<std::size_t> measured;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& name = table.columns[c];
-    if (is_result(task, name)) {
+    if (std::ranges::find(program.columns, name, &programs::ColumnHelp::name) !=
+        program.columns.end()) {
       require(!measured, file, "found the results {} and {}, expected one", read.column, name);
       measured = c;
       read.column = name;
-    } else if (is_key(task, name)) {
+    } else if (is_key(program, name)) {
       keys.push_back(c);
       read.settings.columns.push_back(name);
     } else {
       read.unused.push_back(name);
     }
   }
-  const auto experiment = read_task(task, "{}").points[0].experiment;
   require(measured.has_value(), file,
           "found the columns {}, expected one of a result of the program {} (tlab columns {})",
-          join_texts(table.columns, ", "), experiment.program->name, experiment.program->name);
+          join_texts(table.columns, ", "), program.name, program.name);
   require(!keys.empty(), file,
           "found the columns {}, expected one or more that are keys of the experiment (tlab help "
           "{})",
-          join_texts(table.columns, ", "), experiment.program->name);
+          join_texts(table.columns, ", "), program.name);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const auto& row = table.rows[r];
     const auto value = as_number(unquote_number(row[*measured]));
@@ -104,7 +115,7 @@ Measurements read_measurements(const CalibrationTask& task) {
 }
 
 std::string spell(const Value& value) {
-  return std::holds_alternative<std::string>(value) ? fmt::format("\"{}\"", to_string(value))
+  return std::holds_alternative<std::string>(value) ? spell_text(to_string(value))
                                                     : to_string(value);
 }
 
@@ -133,7 +144,8 @@ class Runs {
   }
 
   /// What the model gives for each measurement.
-  std::vector<double> eval(const Texts& entries, const std::vector<double>& values) const {
+  const std::vector<double>& eval(const Texts& entries, const std::vector<double>& values) {
+    if (values == values_) return given_;
     Results results;
     ExperimentFile changed = file_;
     for (auto& point : changed.points) {
@@ -142,14 +154,15 @@ class Runs {
       results.push_back(run_point(point, {}, images_.path()));
     }
     const auto table = make_table(changed, results);
-    std::vector<double> given;
+    given_.clear();
     for (const auto point : which_) {
       const auto found = as_number(table.rows[table.row_of(point)][*table.find(column_)]);
       require(found && *found > 0, name_of(file_.points[point]),
               "the model gives no {} above 0 there", column_);
-      given.push_back(*found);
+      given_.push_back(*found);
     }
-    return given;
+    values_ = values;
+    return given_;
   }
 
  private:
@@ -157,6 +170,7 @@ class Runs {
   std::string column_;
   ExperimentFile file_;
   TemporaryFolder images_;
+  std::vector<double> values_, given_;  // of the last call
 };
 
 const machine::Entry& find_entry(const machine::Model& model, const std::string& key) {
@@ -187,9 +201,9 @@ Table compare(const Measurements& measured, const std::vector<double>& given) {
   table.columns.push_back("error %");
   for (std::size_t i = 0; i < given.size(); ++i) {
     auto& row = table.rows[i];
-    row.emplace_back(measured.values[i]);
-    row.emplace_back(given[i]);
-    row.emplace_back(100 * (given[i] / measured.values[i] - 1));
+    row.emplace_back(fmt::format("{:.4g}", measured.values[i]));
+    row.emplace_back(fmt::format("{:.4g}", given[i]));
+    row.emplace_back(fmt::format("{:+.2f}", 100 * (given[i] / measured.values[i] - 1)));
   }
   return table;
 }
@@ -205,29 +219,31 @@ Calibration calibrate(const CalibrationTask& task) {
   }
   require(!entries.empty(), "--entries", "found none, expected those that are to be fitted");
   const auto measured = read_measurements(task);
-  const Runs runs(task, measured);
-  // All parameters are of one size, or the steps are not: entries in units of their value, but for
-  // few cycles, to which the machine rounds.
-  constexpr double LEAST_CYCLES = 1000, STEP = 0.02, LEAST = 1e-6;
-  std::vector<double> start, units;
-  for (const auto* entry : entries) {
-    units.push_back(entry->unit == "cycles" ? std::max(entry->value, LEAST_CYCLES) : entry->value);
-    start.push_back(entry->value / units.back());
-  }
-  const auto scale = [&](const std::vector<double>& parameters) {
+  Runs runs(task, measured);
+  // Logarithms: entries are above 0, and most act in proportion.
+  constexpr double MOST_FACTOR = 1e4, SHARE = 0.02, CYCLES = 20;
+  std::vector<double> start;
+  for (const auto* entry : entries) start.push_back(std::log(entry->value));
+  const auto to_values = [&](const std::vector<double>& logarithms) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      values.push_back(units[i] * std::max(parameters[i], LEAST));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      values.push_back(std::exp(std::clamp(logarithms[i], start[i] - std::log(MOST_FACTOR),
+                                           start[i] + std::log(MOST_FACTOR))));
     return values;
   };
-  const auto residuals = [&](const std::vector<double>& parameters) {
-    auto given = runs.eval(task.entries, scale(parameters));
+  const auto residuals = [&](const std::vector<double>& logarithms) {
+    auto given = runs.eval(task.entries, to_values(logarithms));
     for (std::size_t i = 0; i < given.size(); ++i)
       given[i] = std::log(given[i] / measured.values[i]);
     return given;
   };
+  // The machine rounds to cycles.
+  const auto step = [&](std::size_t i, double logarithm) {
+    const double value = std::exp(logarithm);
+    return std::log1p(entries[i]->unit == "cycles" ? std::max(SHARE, CYCLES / value) : SHARE);
+  };
   try {
-    const auto fit = fit_least_squares(residuals, start, std::vector<double>(entries.size(), STEP));
+    const auto fit = fit_least_squares(residuals, start, step);
     Calibration found;
     found.column = measured.column;
     found.unused = measured.unused;
@@ -235,14 +251,21 @@ Calibration calibrate(const CalibrationTask& task) {
     found.rms = std::sqrt(fit.squares / count);
     const double t = student_t(0.975, count - static_cast<double>(entries.size()));
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      const double value = units[i] * fit.parameters[i], half = t * units[i] * fit.errors[i];
-      found.entries.push_back({entries[i]->key, entries[i]->unit, entries[i]->value, value,
-                               value - half, value + half});
+      const auto& [key, unit, before] =
+          std::tie(entries[i]->key, entries[i]->unit, entries[i]->value);
+      const double value = std::exp(fit.parameters[i]), factor = std::exp(t * fit.errors[i]);
+      require(std::isfinite(factor) && std::abs(fit.parameters[i] - start[i]) < std::log(MOST_FACTOR),
+              task.measurements, "found no {} that meets them, up to {:g} times its value", key,
+              MOST_FACTOR);
+      found.entries.push_back({key, unit, before, value, value / factor, value * factor});
     }
-    found.compared = compare(measured, runs.eval(task.entries, scale(fit.parameters)));
+    found.compared = compare(measured, runs.eval(task.entries, to_values(fit.parameters)));
     return found;
   } catch (const Undetermined& error) {
     base::refuse(task.measurements, "{}", describe_undetermined(error, task));
+  } catch (const Unsettled&) {
+    base::refuse(task.measurements, "found no values of {} that meet them best: the fit does not settle",
+                 join_texts(task.entries, ", "));
   }
 }
 

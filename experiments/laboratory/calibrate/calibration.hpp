@@ -34,17 +34,19 @@ struct Calibration {
 /// of their ratios: measurements are taken for equally good in per cent. Every setting is run on
 /// the engine "direct". Throws base::BadInput, with the file or the entry, for fewer measurements
 /// than entries and one more, measurements that are not above 0, an entry that the model does not
-/// have or whose value is not above 0, and one that the measurements do not determine.
+/// have or whose value is not above 0, one that the measurements do not determine, and an experiment
+/// that changes the machine or has axes that were not measured.
 Calibration calibrate(const CalibrationTask& task);
 
 /// For people: the entries, how well they fit, and each measurement.
 std::string to_text(const Calibration& calibration);
 
-/// A model file with the fitted entries, calibrated, each with its interval as its range.
+/// What the model file `file` holds: the fitted entries, calibrated, each with its interval as its
+/// range.
 std::string to_model_file(const Calibration& calibration, const CalibrationTask& task,
-                          const std::string& name);
+                          const std::string& file);
 
-/// The beginning of a model of one's own: all entries of `base` as comments, by section.
-std::string make_model_file(const std::string& base, const std::string& name);
+/// The beginning of a model of one's own, `file`: all entries of `base` as comments, by section.
+std::string make_model_file(const std::string& base, const std::string& file);
 
 }  // namespace laboratory

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include "base/text.hpp"
 #include "experiments/laboratory/calibrate/calibration.hpp"
+#include "experiments/laboratory/file/values.hpp"
 #include "simulator/machine/model.hpp"
 
 namespace laboratory {
@@ -16,19 +19,21 @@ std::pair<std::string, std::string> split_key(const std::string& key) {
   return {key.substr(0, dot), key.substr(dot + 1)};
 }
 
-std::string quote(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + '"';
+// The base as the file can name it: a model file from its own folder.
+std::string name_base(const std::string& base, const std::string& file) {
+  if (!base.ends_with(".toml")) return base;
+  namespace fs = std::filesystem;
+  return fs::relative(fs::absolute(base), fs::absolute(file).parent_path()).string();
 }
+
+// In a comment, which ends with its line.
+std::string plain(const std::string& text) { return base::blank_controls(text, '?'); }
 
 }  // namespace
 
 std::string to_model_file(const Calibration& calibration, const CalibrationTask& task,
-                          const std::string& name) {
+                          const std::string& file) {
+  const auto name = std::filesystem::path(file).stem().string();
   const auto source =
       fmt::format("fitted to {} measurements of {} in {}", calibration.compared.rows.size(),
                   calibration.column, task.measurements);
@@ -36,7 +41,8 @@ std::string to_model_file(const Calibration& calibration, const CalibrationTask&
       "# {}, with what was fitted to measurements (tlab model --fit): they are met within {:.2g} "
       "%,\n"
       "# root mean square.\nname = {}\nbase = {}\n",
-      task.model, 100 * calibration.rms, quote(name), quote(task.model));
+      plain(task.model), 100 * calibration.rms, spell_text(name),
+      spell_text(name_base(task.model, file)));
   std::string section;
   auto entries = calibration.entries;
   std::ranges::stable_sort(entries, {}, [](const auto& e) { return split_key(e.key).first; });
@@ -47,12 +53,13 @@ std::string to_model_file(const Calibration& calibration, const CalibrationTask&
         "{} = {{ value = {}, unit = {}, provenance = \"calibrated\", source = {}, low = {}, high = "
         "{}, "
         "why = \"the 95 % interval of the fit\" }}\n",
-        entry, e.value, quote(e.unit), quote(source), e.low, e.high);
+        entry, e.value, spell_text(e.unit), spell_text(source), e.low, e.high);
   }
   return text;
 }
 
-std::string make_model_file(const std::string& base, const std::string& name) {
+std::string make_model_file(const std::string& base, const std::string& file) {
+  const auto name = std::filesystem::path(file).stem().string();
   const auto model = machine::load_model(base);
   std::string text = fmt::format(
       "# A machine like {0}, but for what is said here. Take the # from a line that you know "
@@ -65,19 +72,19 @@ std::string make_model_file(const std::string& base, const std::string& name) {
       "#   source      where the value is from, so that others find it\n"
       "# and where it is not known better low, high and why, from which tlab run --uncertain "
       "draws.\n"
-      "#     tlab model {1}.toml              # every number\n"
-      "#     tlab model {1}.toml {0}      # what differs\n"
-      "# In an experiment: machine.model = \"{1}.toml\"\n"
+      "#     tlab model {1}              # every number\n"
+      "#     tlab model {1} {0}      # what differs\n"
+      "# In an experiment: machine.model = \"{1}\"\n"
       "name = {2}\nbase = {3}\n",
-      base, name, quote(name), quote(base));
+      plain(base), plain(file), spell_text(name), spell_text(name_base(base, file)));
   std::string section;
   for (const auto& entry : model.entries) {
     const auto [its, last] = split_key(entry.key);
     if (its != section) text += fmt::format("\n# [{}]\n", section = its);
     text +=
         fmt::format("# {} = {{ value = {}, unit = {}, provenance = \"{}\", source = {} }}\n", last,
-                    entry.formula.empty() ? fmt::format("{}", entry.value) : quote(entry.formula),
-                    quote(entry.unit), machine::to_string(entry.provenance), quote(entry.source));
+                    entry.formula.empty() ? fmt::format("{}", entry.value) : spell_text(entry.formula),
+                    spell_text(entry.unit), machine::to_string(entry.provenance), spell_text(entry.source));
   }
   return text;
 }

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
@@ -10,6 +12,7 @@
 #include "experiments/laboratory/calibrate/calibration.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/host/patience.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "simulator/machine/model.hpp"
 
 namespace laboratory {
@@ -25,32 +28,40 @@ struct ModelOptions {
   std::string output;
 };
 
-// The name that a model file gives its model: its own, without the ending.
-std::string stem_of(const std::string& file) {
-  base::require(file.ends_with(".toml"), "--output", "found {}, expected a name that ends in .toml",
-                file);
-  return fs::path(file).stem().string();
+// A file of a name that can be a model's: letters, digits, - and _, and no built-in one's.
+void check_model_file(const std::string& file) {
+  const auto name = fs::path(file).stem().string();
+  const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) || c == '-' || c == '_';
+  });
+  base::require(file.ends_with(".toml") && is_name, file,
+                "expected a file NAME.toml of letters, digits, - and _");
+  const auto known = machine::builtin_models();
+  base::require(std::ranges::find(known, name) == known.end(), file,
+                "found the name of a model that is there already");
 }
 
 void begin_model(const ModelOptions& o) {
   base::require(o.names.size() == 1, "--new", "found {} names, expected one", o.names.size());
-  const auto name = o.names[0].ends_with(".toml") ? o.names[0] : o.names[0] + ".toml";
-  base::require(!fs::exists(name), name, "is there already");
-  base::save_whole(name, make_model_file(o.base, stem_of(name)));
-  fmt::print("model    {}\n", name);
+  const auto file = o.names[0].ends_with(".toml") ? o.names[0] : o.names[0] + ".toml";
+  check_model_file(file);
+  base::require(!fs::exists(file), file, "is there already");
+  base::save_whole(file, make_model_file(o.base, file));
+  fmt::print("model    {}\n", file);
 }
 
 void fit_model(ModelOptions o) {
   base::require(o.names.size() == 1, "--fit", "found {} models, expected one", o.names.size());
   o.fit.model = o.names[0];
-  const auto name = o.output.empty() ? "" : stem_of(o.output);
+  if (!o.output.empty()) check_model_file(o.output);
+  for (auto& entry : o.fit.entries) entry = trim_name(entry);
   const auto found = [&] {
     const Patience patience("model --fit " + o.fit.measurements);
     return calibrate(o.fit);
   }();
   fmt::print("{}", to_text(found));
   if (o.output.empty()) return;
-  base::save_whole(o.output, to_model_file(found, o.fit, name));
+  base::save_whole(o.output, to_model_file(found, o.fit, o.output));
   fmt::print("model    {}\n", o.output);
 }
 

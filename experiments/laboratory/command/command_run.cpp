@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
@@ -50,8 +51,9 @@ void add_run_command(CLI::App& app) {
       ->add_option_function<std::vector<std::string>>(
           "--columns",
           [o](const std::vector<std::string>& names) {
-            o->overrides.push_back(
-                fmt::format("report.columns=[\"{}\"]", fmt::join(names, "\", \"")));
+            std::vector<std::string> texts;
+            for (const auto& name : names) texts.push_back(spell_text(trim_name(name)));
+            o->overrides.push_back(fmt::format("report.columns=[{}]", fmt::join(texts, ", ")));
           },
           COLUMNS_HELP)
       ->delimiter(',')

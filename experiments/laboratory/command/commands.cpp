@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <filesystem>
 #include <map>
 #include <regex>
-#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -39,12 +39,13 @@ namespace {
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
       {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
-  const auto ending = std::filesystem::path(file).extension().string();
+  auto ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto said = ENDINGS.find(ending);
   if (said == ENDINGS.end()) {
-    static const std::set<std::string> PICTURES = {".png", ".pdf", ".jpg", ".jpeg", ".webp"};
-    base::require(!PICTURES.contains(ending), "-o " + file,
-                  "found a name for a picture that is not drawn, expected .svg");
+    base::require(!asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
+                  "found an ending that says no format, expected .svg, .dot, .gv, .graphml or .csv, "
+                  "or --format");
     return asked.empty() ? "metrics" : asked;
   }
   base::require(asked.empty() || asked == said->second, "-o " + file,
@@ -175,7 +176,8 @@ void add_report_command(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->footer("Examples:\n  tlab report results/farm --columns time_s,speedup");
-  command->callback([o] { report_results(o->folder, o->columns); });
+  command->callback([o] { for (auto& name : o->columns) name = trim_name(name);
+    report_results(o->folder, o->columns); });
 }
 
 void add_commands(CLI::App& app) {

@@ -65,7 +65,7 @@ _tlab() {{
   else
     case ${{COMP_WORDS[1]}} in
 {}    esac
-    COMPREPLY=($(compgen -W "$words" -- "$word") $(compgen -f -- "$word"))
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")
   fi
 }}
 complete -o filenames -F _tlab tlab

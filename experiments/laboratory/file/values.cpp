@@ -1,5 +1,7 @@
 #include "experiments/laboratory/file/values.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 
 #include "base/message.hpp"
@@ -123,6 +125,11 @@ void for_each_key(const toml::table& file,
         visit(fmt::format("{}.{}", dotted, entry.str()), value);
     }
   }
+}
+
+// JSON's escapes are TOML's too.
+std::string spell_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace laboratory

@@ -19,6 +19,9 @@
 
 namespace laboratory {
 
+/// A text as TOML spells it, in quotes.
+std::string spell_text(const std::string& text);
+
 using base::to_toml;
 
 /// A value and where it stands.

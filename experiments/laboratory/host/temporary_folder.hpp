@@ -1,6 +1,10 @@
 #pragma once
-// A folder that only its owner may look into, and that goes away with its object.
+// A folder that only its owner may look into, and that goes away with its object, or when a signal
+// ends the program.
 #include <filesystem>
+#include <optional>
+
+#include "base/early_end.hpp"
 
 namespace laboratory {
 
@@ -16,6 +20,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
+  std::optional<base::Undo> undo_;
 };
 
 }  // namespace laboratory

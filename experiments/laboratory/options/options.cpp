@@ -46,6 +46,12 @@ std::string check_folder_name(const std::string& name) {
 
 }  // namespace
 
+std::string trim_name(const std::string& name) {
+  const auto trimmed = std::string(base::trim(name));
+  if (trimmed.empty()) throw CLI::ValidationError("", "found an empty name in a list");
+  return trimmed;
+}
+
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set) {
   options.jobs = std::max(1u, std::thread::hardware_concurrency());

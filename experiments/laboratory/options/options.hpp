@@ -56,6 +56,10 @@ void check_output(const std::string& output, const std::vector<std::string>& end
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others);
 
+/// A name of a list with commas, without blanks around it. Throws CLI::ValidationError for an empty
+/// one.
+std::string trim_name(const std::string& name);
+
 /// What --columns is, of the commands that show the results of a run.
 inline constexpr const char* COLUMNS_HELP =
     "results that the table shows beside the axes, or all [those that the file asks about, and "

@@ -52,7 +52,7 @@ std::optional<std::string> find_constant(const Table& table, std::size_t column)
 TableView choose_named(const ExperimentFile& file, const Table& table) {
   TableView view;
   const auto& names = file.report.columns;
-  if (names == Texts{"all"}) {
+  if (contains(names, "all")) {
     view.columns = table.columns;
   } else {
     view.columns.assign(table.columns.begin(),
@@ -64,6 +64,9 @@ TableView choose_named(const ExperimentFile& file, const Table& table) {
       else if (!contains(view.columns, name))
         view.columns.push_back(name);
   }
+  const auto ended = table.find(ENDED);
+  if (ended && find_constant(table, *ended) != "done" && !contains(view.columns, ENDED))
+    view.columns.push_back(ENDED);
   view.least = view.columns.size();
   return view;
 }
@@ -71,7 +74,7 @@ TableView choose_named(const ExperimentFile& file, const Table& table) {
 }  // namespace
 
 TableView choose_view(const ExperimentFile& file, const Table& table) {
-  if (!file.report.columns.empty() || table.rows.empty()) return choose_named(file, table);
+  if (!file.report.columns.empty()) return choose_named(file, table);
   static const Texts OF_THE_FARM = {"rays",
                                     "time_s",
                                     "time_per_ray_ms",

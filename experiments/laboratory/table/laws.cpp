@@ -118,7 +118,8 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
   };
   try {
     constexpr double STEP = 1e-5;
-    const auto fit = fit_least_squares(residuals, {std::clamp(start, 0.01, 0.9)}, {STEP});
+    const auto fit = fit_least_squares(residuals, {std::clamp(start, 0.01, 0.9)},
+                                       [](std::size_t, double) { return STEP; });
     return make_share_fit("Sun-Ni", "efficiency", points.n.size(), fit.parameters[0],
                           fit.errors[0] * fit.errors[0], fit.squares);
   } catch (const std::runtime_error&) {  // it does not settle

@@ -34,7 +34,7 @@ std::vector<double> to_values(const gsl_vector& vector) {
 // What the library calls, and what was thrown there: an exception may not pass through it.
 struct Problem {
   const Residuals& residuals;
-  const std::vector<double>& steps;
+  const Step& step;
   std::exception_ptr thrown = {};
 
   void rethrow() const {
@@ -60,10 +60,10 @@ int eval_jacobian(const gsl_vector* at, void* problem_of, gsl_matrix* into) {
   auto& problem = *static_cast<Problem*>(problem_of);
   try {
     for (std::size_t p = 0; p < at->size; ++p) {
-      const double step = problem.steps[p];
       auto below = to_values(*at), above = below;
+      const double step = problem.step(p, above[p]);
       above[p] += step;
-      if (below[p] > step) below[p] -= step;
+      below[p] -= step;
       const auto low = problem.residuals(below), high = problem.residuals(above);
       for (std::size_t i = 0; i < low.size(); ++i)
         gsl_matrix_set(into, i, p, (high[i] - low[i]) / (above[p] - below[p]));
@@ -95,8 +95,9 @@ void require_determined(const gsl_matrix& jacobian) {
 }  // namespace
 
 LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<double>& start,
-                               const std::vector<double>& steps) {
-  const std::size_t count = residuals(start).size();
+                               const Step& step) {
+  const auto first = residuals(start);
+  const std::size_t count = first.size();
   if (start.empty() || count <= start.size())
     throw std::invalid_argument("expected more residuals than parameters");
   const QuietErrors quiet;
@@ -104,7 +105,7 @@ LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<dou
   const Workspace work(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, count, start.size()),
       gsl_multifit_nlinear_free);
-  Problem problem{residuals, steps};
+  Problem problem{residuals, step};
   gsl_multifit_nlinear_fdf function{};
   function.f = eval_residuals;
   function.df = eval_jacobian;
@@ -115,16 +116,18 @@ LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<dou
   int status = gsl_multifit_nlinear_init(&at.vector, &function, work.get());
   problem.rethrow();
   const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(work.get());
-  if (status == GSL_SUCCESS) {
-    require_determined(*jacobian);
+  if (status == GSL_SUCCESS) require_determined(*jacobian);
+  const bool is_met = std::ranges::all_of(first, [](double value) { return value == 0; });
+  if (status == GSL_SUCCESS && !is_met) {
     int why = 0;
     status = gsl_multifit_nlinear_driver(MOST_STEPS, TOLERANCE, TOLERANCE, 0, nullptr, nullptr,
                                          &why, work.get());
     problem.rethrow();
+    require_determined(*jacobian);
   }
   // Without progress the start, or a step on the way, was as good as it gets.
   if (status != GSL_SUCCESS && status != GSL_ENOPROG)
-    throw std::runtime_error("the iteration does not settle");
+    throw Unsettled();
   const Matrix covariances(gsl_matrix_alloc(start.size(), start.size()), gsl_matrix_free);
   gsl_multifit_nlinear_covar(jacobian, 0, covariances.get());
 

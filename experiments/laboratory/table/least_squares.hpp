@@ -16,6 +16,11 @@ struct Undetermined : std::runtime_error {
   std::vector<std::size_t> parameters;  ///< which
 };
 
+/// The iteration finds no least squares.
+struct Unsettled : std::runtime_error {
+  Unsettled() : std::runtime_error("the iteration does not settle") {}
+};
+
 struct LeastSquares {
   std::vector<double> parameters;
   /// Their standard errors, if the residuals are independent and of one spread.
@@ -24,14 +29,14 @@ struct LeastSquares {
   double squares = 0;  ///< sum of the squared residuals
 };
 
+/// How far a derivative looks either way of a parameter's value: wide enough for a model that rounds.
+using Step = std::function<double(std::size_t parameter, double value)>;
 using Residuals = std::function<std::vector<double>(const std::vector<double>& parameters)>;
 
 /// The parameters near `start` at which the squares of the residuals are least (Levenberg and
-/// Marquardt). Derivatives are taken over `steps` either way, only upwards where a step down would
-/// pass zero; they should be wide enough for a model that rounds. Throws std::invalid_argument
-/// unless there are more residuals than parameters, Undetermined, std::runtime_error where the
-/// iteration does not settle, and what `residuals` throws.
+/// Marquardt). Throws std::invalid_argument unless there are more residuals than parameters,
+/// Undetermined, at the start and where it ends, Unsettled, and what `residuals` throws.
 LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<double>& start,
-                               const std::vector<double>& steps);
+                               const Step& step);
 
 }  // namespace laboratory

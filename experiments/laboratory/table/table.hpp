@@ -52,8 +52,8 @@ std::string make_label(std::string_view column);
 std::string without_unit(const std::string& label);
 
 /// The cells of one column for people. Doubles share one precision: four significant digits of the
-/// largest, or of each where the column spans more than three decades, of numbers below 1
-/// two.
+/// largest, or of each where the column spans more than three decades, or
+/// two where all are below 1.
 std::vector<std::string> format_column(const Table& table, std::size_t column);
 
 /// The indices of the columns to show, of all columns where `shown` is empty. Throws BadInput, with

@@ -108,6 +108,27 @@ TEST(Calibration, RefusesWhatCannotBeFitted) {
   EXPECT_TRUE(contains(told("bytes,latency_s\n-4,1\n8,2\n", "link.one_way_20"), "bytes"));
 }
 
+// Wherever the fit begins, and however bad the measurements are: entries stay above 0, and what is
+// written is a model.
+TEST(Calibration, FarStartsAndBadMeasurements) {
+  const TemporaryFolder folder;
+  const auto fit = [&](const std::string& csv, const std::string& entries) {
+    std::ofstream(folder.path / "m.csv") << "bytes,latency_s\n" + csv;
+    std::filesystem::remove(folder.path / "mine.toml");
+    const auto run = tlab(folder.path, {"model", "t805-25", "--fit", "m.csv", "--entries", entries,
+                                        "-o", "mine.toml"});
+    if (run.exit_code != 0) return run.err;
+    const auto read = tlab(folder.path, {"model", "mine.toml"});
+    EXPECT_EQ(read.exit_code, 0) << read.err;
+    return std::string();
+  };
+  EXPECT_EQ(fit("4,30e-6\n400,426e-6\n4000,2251e-6\n", "link.one_way_20,channel.operands"), "")
+      << "they do not agree";
+  EXPECT_EQ(fit("40,5e-4\n400,4.1e-3\n4000,4e-2\n", "link.one_way_20"), "") << "16 times slower";
+  EXPECT_NE(fit("40,5e-1\n400,4.1\n4000,40\n", "channel.blocked"), "") << "out of reach";
+  EXPECT_FALSE(std::filesystem::exists(folder.path / "mine.toml"));
+}
+
 // As it begins it is its base; with every # taken away, too.
 TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   const TemporaryFolder folder;
@@ -126,6 +147,13 @@ TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   EXPECT_NE(text.find("\n[link]\n"), std::string::npos);
   EXPECT_EQ(values(machine::parse_model(text, "all")), values(base));
   EXPECT_EQ(tlab(folder.path, {"model", "mine", "--new"}).exit_code, 2) << "it is there";
+  for (const std::string name : {"", "t805-25", "a\nb", "a b"})
+    EXPECT_EQ(tlab(folder.path, {"model", name, "--new"}).exit_code, 2) << name;
+  // On a base in another folder.
+  std::filesystem::create_directory(folder.path / "sub");
+  ASSERT_EQ(tlab(folder.path, {"model", "sub/ours", "--new", "--base", "mine.toml"}).exit_code, 0);
+  const auto read = tlab(folder.path, {"model", "sub/ours.toml"});
+  EXPECT_EQ(read.exit_code, 0) << read.err;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ std::string script_for(const std::string& shell) {
 TEST(Completion, KnowsAllCommandsAndOptions) {
   const TemporaryFolder folder;
   const auto script = script_for("bash"), zsh = script_for("zsh"), fish = script_for("fish");
-  const std::regex option("--[a-z-]+");
+  const std::regex option("\n  (?:-[a-z],)?(--[a-z-]+)");
   for (const std::string command :
        {"topology", "render", "radiosity", "run", "live", "merge", "report", "verify", "compare",
         "model", "columns", "list", "help", "init", "completion"}) {
@@ -35,9 +35,11 @@ TEST(Completion, KnowsAllCommandsAndOptions) {
     help = help.substr(0, help.find("Examples:"));
     for (auto found = std::sregex_iterator(help.begin(), help.end(), option);
          found != std::sregex_iterator(); ++found) {
-      EXPECT_NE(script.find(found->str()), std::string::npos) << command << " " << found->str();
-      EXPECT_NE(zsh.find("'" + found->str() + "["), std::string::npos) << command;
-      EXPECT_NE(fish.find("-l " + found->str().substr(2)), std::string::npos) << command;
+      const auto own = script.substr(script.find("      " + command + ") words=\""));
+      EXPECT_NE(own.substr(0, own.find('\n')).find(found->str(1)), std::string::npos)
+          << command << " " << found->str(1);
+      EXPECT_NE(zsh.find("'" + found->str(1) + "["), std::string::npos) << command;
+      EXPECT_NE(fish.find("-l " + found->str(1).substr(2)), std::string::npos) << command;
     }
     EXPECT_NE(fish.find(" -a " + command + " "), std::string::npos);
     EXPECT_NE(zsh.find("    '" + command + ":"), std::string::npos);
@@ -49,7 +51,7 @@ TEST(Completion, KnowsAllCommandsAndOptions) {
 std::string complete(const std::filesystem::path& folder, const std::string& line) {
   std::ofstream(folder / "try.sh") << "source ./tlab.bash\nCOMP_WORDS=(" << line
                                    << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tlab\n"
-                                      "echo \"${COMPREPLY[@]}\" > offered\n";
+                                      "printf '%s\\n' \"${COMPREPLY[@]}\" > offered\n";
   const auto command = "cd '" + folder.string() + "' && bash try.sh";
   EXPECT_EQ(std::system(command.c_str()), 0);
   return std::string(base::trim(base::read_text(folder / "offered")));
@@ -61,6 +63,8 @@ TEST(Completion, BashOffersWhatBeginsSo) {
   EXPECT_EQ(complete(folder.path, "tlab ver"), "verify");
   EXPECT_EQ(complete(folder.path, "tlab run --time"), "--timeline");
   EXPECT_EQ(complete(folder.path, "tlab merge try"), "try.sh") << "else files";
+  std::ofstream(folder.path / "a b.toml");
+  EXPECT_EQ(complete(folder.path, "tlab merge a"), "a b.toml") << "one name";
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ namespace {
 // y = a + x / b at some x, in the logarithm.
 const std::vector<double> X = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
 
+Step steps(const std::vector<double>& all) {
+  return [all](std::size_t parameter, double) { return all.at(parameter); };
+}
+
 Residuals line_residuals(const std::vector<double>& y, double grain = 0) {
   return [y, grain](const std::vector<double>& p) {
     std::vector<double> residuals;
@@ -33,7 +37,7 @@ TEST(LeastSquares, IntervalsHoldTheirNumber) {
   for (int trial = 0; trial < TRIALS; ++trial) {
     std::vector<double> y;
     for (const double x : X) y.push_back((20 + x / 1.7) * std::exp(noise(random)));
-    const auto fit = fit_least_squares(line_residuals(y), {10, 1}, {0.01, 0.01});
+    const auto fit = fit_least_squares(line_residuals(y), {10, 1}, steps({0.01, 0.01}));
     const double t = student_t(0.975, double(X.size()) - 2);
     for (int p = 0; p < 2; ++p)
       inside[p] += std::abs(fit.parameters[p] - (p == 0 ? 20 : 1.7)) <= t * fit.errors[p];
@@ -45,7 +49,7 @@ TEST(LeastSquares, IntervalsHoldTheirNumber) {
 TEST(LeastSquares, StepsAreWiderThanARoundingModels) {
   std::vector<double> y;
   for (const double x : X) y.push_back(20 + x / 1.7);
-  const auto fit = fit_least_squares(line_residuals(y, 0.5), {3, 1}, {5, 0.1});
+  const auto fit = fit_least_squares(line_residuals(y, 0.5), {3, 1}, steps({2.5, 0.1}));
   EXPECT_NEAR(fit.parameters[0], 20, 0.5);
   EXPECT_NEAR(fit.parameters[1], 1.7, 0.02);
 }
@@ -53,7 +57,7 @@ TEST(LeastSquares, StepsAreWiderThanARoundingModels) {
 TEST(LeastSquares, SaysWhatIsUndetermined) {
   const auto which = [](const Residuals& residuals) {
     try {
-      fit_least_squares(residuals, {1, 1}, {0.1, 0.1});
+      fit_least_squares(residuals, {1, 1}, steps({0.1, 0.1}));
     } catch (const Undetermined& error) {
       return error.parameters;
     }
@@ -69,15 +73,23 @@ TEST(LeastSquares, SaysWhatIsUndetermined) {
   EXPECT_EQ(which([](const V& p) { return V{p[0] - 2, p[1] - 3, p[0] + p[1] - 4}; }), Which{9});
 }
 
+TEST(LeastSquares, WhatIsMetAtTheStartIsTheAnswer) {
+  std::vector<double> y;
+  for (const double x : X) y.push_back(20 + x / 1.7);
+  const auto fit = fit_least_squares(line_residuals(y), {20, 1.7}, steps({0.01, 0.01}));
+  EXPECT_EQ(fit.parameters, (std::vector<double>{20, 1.7}));
+  EXPECT_EQ(fit.squares, 0);
+}
+
 TEST(LeastSquares, NeedsMoreResidualsThanParametersAndPassesOnWhatIsThrown) {
   const auto as_many = [](const std::vector<double>& p) { return p; };
-  EXPECT_THROW(fit_least_squares(as_many, {1, 1}, {0.1, 0.1}), std::invalid_argument);
+  EXPECT_THROW(fit_least_squares(as_many, {1, 1}, steps({0.1, 0.1})), std::invalid_argument);
   int calls = 0;
   const auto fails = [&](const std::vector<double>& p) {
     if (++calls > 3) throw std::domain_error("no");
     return std::vector<double>{p[0], 1, 2};
   };
-  EXPECT_THROW(fit_least_squares(fails, {1}, {0.1}), std::domain_error);
+  EXPECT_THROW(fit_least_squares(fails, {1}, steps({0.1})), std::domain_error);
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ router = { value = 6, unit = "1", provenance = "calibrated", source = "x", low =
     return draw_machine(path.string(), {}, [](const std::string&) { return 0.9; });
   };
   EXPECT_THROW(draw("operation.procedure"), base::BadInput);
+  EXPECT_THROW(draw("scale.router * scale.router * operation.procedure"), base::BadInput);
   EXPECT_THROW(draw("0.001 * scale.router + operation.procedure"), base::BadInput);
   EXPECT_NO_THROW(draw("scale.router * operation.procedure + operation.element"));
 }
