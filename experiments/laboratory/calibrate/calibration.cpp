@@ -29,11 +29,14 @@ using Texts = std::vector<std::string>;
 
 // The experiment, with its sweep replaced. Model files are found from its folder.
 ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) {
-  const auto model = task.model.ends_with(".toml")
-                         ? std::filesystem::absolute(task.model).string()
-                         : task.model;
-  const Texts overrides = {"check=[]", "plot=[]", "best=[]", "run.engine=direct",
-                           "machine.model=" + spell_text(model), "sweep=" + sweep};
+  const auto model =
+      task.model.ends_with(".toml") ? std::filesystem::absolute(task.model).string() : task.model;
+  const Texts overrides = {"check=[]",
+                           "plot=[]",
+                           "best=[]",
+                           "run.engine=direct",
+                           "machine.model=" + spell_text(model),
+                           "sweep=" + sweep};
   if (!task.experiment.empty()) return load_experiment(task.experiment, overrides);
   return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
 }
@@ -48,8 +51,8 @@ void check_experiment(const CalibrationTask& task, const Texts& columns) {
             "found no column {}, which is an axis of {}", axis, task.experiment);
   for (const auto& point : file.points)
     require(point.experiment.model.entries.empty() && point.experiment.others.empty(),
-            task.experiment,
-            "found [model] or [[processor]], expected the machine as {} has it", task.model);
+            task.experiment, "found [model] or [[processor]], expected the machine as {} has it",
+            task.model);
 }
 
 // What was measured, and under which settings.
@@ -254,9 +257,10 @@ Calibration calibrate(const CalibrationTask& task) {
       const auto& [key, unit, before] =
           std::tie(entries[i]->key, entries[i]->unit, entries[i]->value);
       const double value = std::exp(fit.parameters[i]), factor = std::exp(t * fit.errors[i]);
-      require(std::isfinite(factor) && std::abs(fit.parameters[i] - start[i]) < std::log(MOST_FACTOR),
-              task.measurements, "found no {} that meets them, up to {:g} times its value", key,
-              MOST_FACTOR);
+      require(
+          std::isfinite(factor) && std::abs(fit.parameters[i] - start[i]) < std::log(MOST_FACTOR),
+          task.measurements, "found no {} that meets them, up to {:g} times its value", key,
+          MOST_FACTOR);
       found.entries.push_back({key, unit, before, value, value / factor, value * factor});
     }
     found.compared = compare(measured, runs.eval(task.entries, to_values(fit.parameters)));
@@ -264,7 +268,8 @@ Calibration calibrate(const CalibrationTask& task) {
   } catch (const Undetermined& error) {
     base::refuse(task.measurements, "{}", describe_undetermined(error, task));
   } catch (const Unsettled&) {
-    base::refuse(task.measurements, "found no values of {} that meet them best: the fit does not settle",
+    base::refuse(task.measurements,
+                 "found no values of {} that meet them best: the fit does not settle",
                  join_texts(task.entries, ", "));
   }
 }

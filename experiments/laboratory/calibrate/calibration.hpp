@@ -34,8 +34,8 @@ struct Calibration {
 /// of their ratios: measurements are taken for equally good in per cent. Every setting is run on
 /// the engine "direct". Throws base::BadInput, with the file or the entry, for fewer measurements
 /// than entries and one more, measurements that are not above 0, an entry that the model does not
-/// have or whose value is not above 0, one that the measurements do not determine, and an experiment
-/// that changes the machine or has axes that were not measured.
+/// have or whose value is not above 0, one that the measurements do not determine, and an
+/// experiment that changes the machine or has axes that were not measured.
 Calibration calibrate(const CalibrationTask& task);
 
 /// For people: the entries, how well they fit, and each measurement.

@@ -81,10 +81,10 @@ std::string make_model_file(const std::string& base, const std::string& file) {
   for (const auto& entry : model.entries) {
     const auto [its, last] = split_key(entry.key);
     if (its != section) text += fmt::format("\n# [{}]\n", section = its);
-    text +=
-        fmt::format("# {} = {{ value = {}, unit = {}, provenance = \"{}\", source = {} }}\n", last,
-                    entry.formula.empty() ? fmt::format("{}", entry.value) : spell_text(entry.formula),
-                    spell_text(entry.unit), machine::to_string(entry.provenance), spell_text(entry.source));
+    text += fmt::format(
+        "# {} = {{ value = {}, unit = {}, provenance = \"{}\", source = {} }}\n", last,
+        entry.formula.empty() ? fmt::format("{}", entry.value) : spell_text(entry.formula),
+        spell_text(entry.unit), machine::to_string(entry.provenance), spell_text(entry.source));
   }
   return text;
 }

@@ -43,9 +43,10 @@ std::string choose_format(const std::string& asked, const std::string& file) {
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto said = ENDINGS.find(ending);
   if (said == ENDINGS.end()) {
-    base::require(!asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
-                  "found an ending that says no format, expected .svg, .dot, .gv, .graphml or .csv, "
-                  "or --format");
+    base::require(
+        !asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
+        "found an ending that says no format, expected .svg, .dot, .gv, .graphml or .csv, "
+        "or --format");
     return asked.empty() ? "metrics" : asked;
   }
   base::require(asked.empty() || asked == said->second, "-o " + file,
@@ -176,8 +177,10 @@ void add_report_command(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->footer("Examples:\n  tlab report results/farm --columns time_s,speedup");
-  command->callback([o] { for (auto& name : o->columns) name = trim_name(name);
-    report_results(o->folder, o->columns); });
+  command->callback([o] {
+    for (auto& name : o->columns) name = trim_name(name);
+    report_results(o->folder, o->columns);
+  });
 }
 
 void add_commands(CLI::App& app) {

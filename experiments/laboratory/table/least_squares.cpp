@@ -126,8 +126,7 @@ LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<dou
     require_determined(*jacobian);
   }
   // Without progress the start, or a step on the way, was as good as it gets.
-  if (status != GSL_SUCCESS && status != GSL_ENOPROG)
-    throw Unsettled();
+  if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw Unsettled();
   const Matrix covariances(gsl_matrix_alloc(start.size(), start.size()), gsl_matrix_free);
   gsl_multifit_nlinear_covar(jacobian, 0, covariances.get());
 

@@ -29,7 +29,8 @@ struct LeastSquares {
   double squares = 0;  ///< sum of the squared residuals
 };
 
-/// How far a derivative looks either way of a parameter's value: wide enough for a model that rounds.
+/// How far a derivative looks either way of a parameter's value: wide enough for a model that
+/// rounds.
 using Step = std::function<double(std::size_t parameter, double value)>;
 using Residuals = std::function<std::vector<double>(const std::vector<double>& parameters)>;
 

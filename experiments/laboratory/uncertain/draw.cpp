@@ -58,10 +58,11 @@ double fit_to_held(const machine::Entry& entry, const machine::Model& before, En
   set.back().second = spell_value(entry, share, /*is_share=*/true);
   const bool is_line =
       slope > 0 && share > 0 && std::abs(eval(make(set), entry.holds, where) / held - 1) < 1e-9;
-  base::require(is_line, where,
-                "expected a formula that is a straight line over {}, and of which the other entries alone do "
-                "not exceed what is held",
-                entry.key);
+  base::require(
+      is_line, where,
+      "expected a formula that is a straight line over {}, and of which the other entries alone do "
+      "not exceed what is held",
+      entry.key);
   return share;
 }
 
