@@ -30,12 +30,13 @@ struct Calibration {
   std::vector<std::string> unused;  ///< columns that are no key and no result
 };
 
-/// The entries at which the model gives what was measured, with the least squares of the logarithms
-/// of their ratios: measurements are taken for equally good in per cent. Every setting is run on
-/// the engine "direct". Throws base::BadInput, with the file or the entry, for fewer measurements
-/// than entries and one more, measurements that are not above 0, an entry that the model does not
-/// have or whose value is not above 0, one that the measurements do not determine, and an
-/// experiment that changes the machine or has axes that were not measured.
+/// The entries at which the model comes nearest to what was measured. The squares of the logarithms
+/// of their ratios are least: measurements are taken for equally good in per cent. Every setting is
+/// run on the engine "direct". Throws base::BadInput, with the file or the entry, for
+///   - no more measurements than entries, or one that is not above 0;
+///   - an entry that the model does not have, or whose value is not above 0;
+///   - entries that the measurements do not determine;
+///   - an experiment that changes the machine, or has axes without a column.
 Calibration calibrate(const CalibrationTask& task);
 
 /// For people: the entries, how well they fit, and each measurement.

@@ -34,8 +34,8 @@ struct ComparedRun {
 /// results or damaged ones.
 std::vector<ComparedRun> load_runs(const std::vector<std::string>& folders);
 
-/// The tables of the runs, without the rows of points that did not come to their end. An axis of
-/// one run whose key another run sets once is an axis of the other table too.
+/// The tables of the runs, without the rows of points that did not come to their end. What
+/// is an axis in one of them is an axis in all: where a run sets that key once, with one value.
 std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs);
 
 /// A table with a row for each difference between the experiments: "setting", then a column for

@@ -1,8 +1,7 @@
 #include "experiments/laboratory/file/values.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
+#include <sstream>
 
 #include "base/message.hpp"
 
@@ -127,9 +126,13 @@ void for_each_key(const toml::table& file,
   }
 }
 
-// JSON's escapes are TOML's too.
 std::string spell_text(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  using enum toml::format_flags;
+  const toml::value<std::string> value(text);
+  std::ostringstream spelled;
+  spelled << toml::toml_formatter(value, toml::toml_formatter::default_flags &
+                                             ~(allow_literal_strings | allow_multi_line_strings));
+  return spelled.str();
 }
 
 }  // namespace laboratory

@@ -19,9 +19,9 @@ struct OwnError {
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
 /// Counts for each check the predicted points whose expected value lies where nine of ten machines
-/// are; a check whose `covers` asks for more of them fails. Where errors are relative, counts them
-/// again in intervals that have the model's own error too: it is estimated for each point from the
-/// other points of the check, moves the interval of that point, and makes it wider.
+/// are. A check fails if they are a smaller share than its `covers`. Where errors are relative it
+/// counts a second time, with wider intervals: a point's is moved and widened by the model's own
+/// error, which the other points of the check tell.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const SurenessTables& sureness);
 

@@ -43,7 +43,8 @@ std::set<std::string> find_asked(const ExperimentFile& file) {
 
 // The one value that a column has in all rows.
 std::optional<std::string> find_constant(const Table& table, std::size_t column) {
-  const auto& first = table.rows.at(0)[column];
+  if (table.rows.empty()) return {};
+  const auto& first = table.rows[0][column];
   const auto is_first = [&](const auto& row) { return is_same(row[column], first); };
   if (!std::ranges::all_of(table.rows, is_first)) return {};
   return to_string(first);

@@ -9,8 +9,8 @@
 namespace laboratory {
 
 struct TableView {
-  /// Of the table, each once: axes, inputs that vary and are no axes, what the file asks about,
-  /// further results.
+  /// In this order: the axes; other inputs that vary; results that the file asks about; other
+  /// results.
   std::vector<std::string> columns;
   std::size_t least = 0;  ///< so many of them are shown however narrow the terminal is
   /// Inputs that are the same in all rows, with their value.

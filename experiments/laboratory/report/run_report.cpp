@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
@@ -113,8 +114,6 @@ Facts make_facts(const Simulation& s) {
   return facts;
 }
 
-std::string quote(const std::string& text) { return "\"" + text + "\""; }
-
 // A parameter's value as the file spells it.
 std::string spell(const programs::Parameter& p, const std::any& params) {
   const auto value = p.get(params);
@@ -123,7 +122,7 @@ std::string spell(const programs::Parameter& p, const std::any& params) {
   const bool is_text = std::holds_alternative<std::string>(value) ||
                        (std::holds_alternative<base::Source>(value) && text != "none");
   if (std::holds_alternative<std::vector<double>>(value)) return "[" + text + "]";
-  return is_text ? quote(text) : text;
+  return is_text ? spell_text(text) : text;
 }
 
 // The experiment as TOML, and in comments what it leaves to defaults.
@@ -138,13 +137,13 @@ std::string make_settings(const ExperimentFile& file) {
   for (const auto& point : file.points) {
     const Experiment& e = point.experiment;
     if (!known.insert(e.program).second) continue;
-    add("machine.model", quote(e.model.source.text));
+    add("machine.model", spell_text(e.model.source.text));
     if (e.program->uses.network) {
-      add("network.topology", quote(e.topology.text));
+      add("network.topology", spell_text(e.topology.text));
       if (!has_own_workers(e)) add("network.workers", std::to_string(e.workers));
       add("network.switches", std::to_string(e.switches));
     }
-    if (e.program->uses.timed) add("run.cost", quote(e.is_timed ? "timed" : "counted"));
+    if (e.program->uses.timed) add("run.cost", spell_text(e.is_timed ? "timed" : "counted"));
     for (const auto& p : e.program->parameters)
       if (!is_void(e, p)) add(programs::key_of(p), spell(p, e.params));
   }
@@ -404,13 +403,16 @@ void report_results(const std::string& results, const Texts& columns) {
   ResultsFolder folder(results);
   Texts undrawn;
   try {
+    const auto simulation = load_simulation(results, origin.file);
+    if (!columns.empty())
+      for (const auto& sentence : choose_view(simulation.file, simulation.table).unknown)
+        base::refuse("--columns", "{}", sentence);
     folder.fill([&] {
       carry_files(results, folder.working());
       carry_files(results / fs::path("points"), folder.working() / "points");
       carry_records(results, folder.working());
       carry_files(results / lone_records_folder(), folder.working() / lone_records_folder());
-      undrawn =
-          write_report(folder.working(), origin.options, load_simulation(results, origin.file));
+      undrawn = write_report(folder.working(), origin.options, simulation);
     });
   } catch (const nlohmann::json::exception& error) {
     throw make_damaged(fs::path(results) / "run.json", error);

@@ -23,7 +23,8 @@ void throw_undrawn(std::size_t undrawn, const std::string& results);
 /// Does so again for the results of an earlier run, and prints where the page is. Throws
 /// base::BadInput, with the file, where the folder holds no results or damaged ones; Failure, when
 /// everything is written, where a drawing failed.
-/// `columns` takes the place of the file's [report] columns unless it is empty.
+/// `columns` takes the place of the file's [report] columns unless it is empty; unknown ones are
+/// refused.
 void report_results(const std::string& folder, const std::vector<std::string>& columns);
 
 /// The title of the experiment, else the name of its file.
