@@ -6,10 +6,8 @@
 #include <functional>
 
 #include "base/text.hpp"
-#include "base/whole_file.hpp"
-#include "renderer/files/scene_target.hpp"
+#include "renderer/files/statements.hpp"
 #include "renderer/files/tokens.hpp"
-#include "renderer/scene/generators.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace renderer {
@@ -17,31 +15,10 @@ namespace renderer {
 namespace {
 
 constexpr int MAX_VERTICES = 1 << 24;
-constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000, MAX_TIME = 1e6,
-                 MAX_COORDINATE = 1e6;
-
-// The first words of a comment.
-struct Words {
-  std::string_view name, second, third;
-};
-Words split(std::string_view comment) {
-  const auto take = [&] {
-    constexpr std::string_view BLANKS = " \t\r\v\f";
-    const auto end = std::min(comment.find_first_of(BLANKS), comment.size());
-    const std::string_view word = comment.substr(0, end);
-    comment.remove_prefix(std::min(comment.find_first_not_of(BLANKS, end), comment.size()));
-    return word;
-  };
-  const auto name = take(), second = take();
-  return {name, second, take()};
-}
+constexpr double MAX_TIME = 1e6;
 
 // How a comment that is a statement goes on after its name. Others are prose.
 bool always(const Words&) { return true; }
-bool has_number(const Words& words) { return parse_number(words.second).has_value(); }
-bool has_shape(const Words& words) {
-  return (words.second == "rect" || words.second == "sphere") && parse_number(words.third);
-}
 bool has_file(const Words& words) {
   return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {
     return words.second.ends_with(ending) && (words.third.empty() || words.third.starts_with('#'));
@@ -56,10 +33,11 @@ bool has_picture(const Words& words) {
 }
 
 class Reader {
+  using Knows = NffTarget::Knows;
+
  public:
   Reader(std::string_view text, const std::string& name, NffTarget& target)
-      : tokens_(text, name, target.is_room() ? &is_statement<true> : &is_statement<false>),
-        target_(target) {}
+      : tokens_(text, name, statements_of(target.knows())), target_(target) {}
 
   void read() {
     while (!tokens_.peek().empty()) read_statement();
@@ -72,8 +50,9 @@ class Reader {
     using Read = void (*)(Reader&);
     constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
         {"v", [](Reader& r) { r.read_view(); }},
-        {"b", [](Reader& r) { r.target_.set_background(r.take_colour("the background")); }},
-        {"l", [](Reader& r) { r.read_light(); }},
+        {"b",
+         [](Reader& r) { r.target_.set_background(take_colour(r.tokens_, "the background")); }},
+        {"l", [](Reader& r) { r.read_light(false); }},
         {"f", [](Reader& r) { r.read_surface(); }},
         {"s", [](Reader& r) { r.read_sphere(); }},
         {"p", [](Reader& r) { r.read_corners(false); }},
@@ -83,8 +62,8 @@ class Reader {
     if (tokens_.take_if("#")) return read_comment();
     require_polygon(name);
     const Read read = tokens_.take_choice(
-        STATEMENTS, target_.is_room() ? "a statement: v, b, l, f, # emit, p or pp"
-                                      : "a statement: v, b, l, f, s, p, pp or c");
+        STATEMENTS, target_.knows() == Knows::rooms ? "a statement: v, b, l, f, # emit, p or pp"
+                                                    : "a statement: v, b, l, f, s, p, pp or c");
     target_.line = tokens_.line();
     if (name == "s" || name == "p" || name == "pp" || name == "c") require_surface(name);
     read(*this);
@@ -105,7 +84,7 @@ class Reader {
         {"move", false, &has_number, [](Reader& r) { r.read_move(); }},
         {"path", false, &has_file, [](Reader& r) { r.read_path(); }},
         {"camera", false, &has_file, [](Reader& r) { r.read_camera(); }},
-        {"light", false, &has_shape, [](Reader& r) { r.read_area_light(); }},
+        {"light", false, &has_light_shape, [](Reader& r) { r.read_light(true); }},
         {"gloss", false, &has_number, [](Reader& r) { r.read_spread("# gloss", &Surface::gloss); }},
         {"translucent", false, &has_number,
          [](Reader& r) { r.read_spread("# translucent", &Surface::translucency); }},
@@ -114,12 +93,18 @@ class Reader {
     return COMMENTS;
   }
 
-  template <bool IS_ROOM>
+  template <Knows KNOWS>
   static bool is_statement(std::string_view comment) {
-    const Words words = split(comment);
+    const Words words = first_words(comment);
     return std::ranges::any_of(comments(), [&](const Comment& known) {
-      return known.name == words.name && known.is_of_rooms == IS_ROOM && known.goes_on(words);
+      return known.name == words.name &&
+             KNOWS != (known.is_of_rooms ? Knows::scenes : Knows::rooms) && known.goes_on(words);
     });
+  }
+  static Tokens::IsStatement statements_of(Knows knows) {
+    return knows == Knows::scenes  ? &is_statement<Knows::scenes>
+           : knows == Knows::rooms ? &is_statement<Knows::rooms>
+                                   : &is_statement<Knows::both>;
   }
 
   void read_comment() {
@@ -148,74 +133,14 @@ class Reader {
                    fmt::format("found '{}', expected a surface ('f') before it", statement));
   }
 
-  Rgb take_colour(std::string_view what) {
-    const auto take = [&] { return tokens_.take_number(what, 0, MAX_COLOUR); };
-    const double r = take(), g = take();
-    return {r, g, take()};
-  }
-
   void read_view() {
     require_first("v", view_line_);
-    const View view = take_view();
+    const View view = take_view(tokens_);
     tell([&] { target_.set_view(view); });
   }
 
-  View take_view() {
-    View view;
-    const std::pair<std::string_view, std::function<void()>> settings[] = {
-        {"from", [&] { view.from = tokens_.take_vec("from"); }},
-        {"at", [&] { view.at = tokens_.take_vec("at"); }},
-        {"up", [&] { view.up = tokens_.take_vec("up"); }},
-        {"angle", [&] { view.angle = tokens_.take_number("angle", 0, 180); }},
-        {"hither", [&] { view.hither = tokens_.take_number("hither", 0, MAX_NUMBER); }},
-        {"resolution", [&] {
-           view.width = tokens_.take_count("the resolution's width", 1, MAX_SIDE);
-           view.height = tokens_.take_count("the resolution's height", 1, MAX_SIDE);
-         }}};
-    constexpr std::size_t REQUIRED = 4;  // hither and resolution have defaults
-    bool seen[std::size(settings)] = {};
-    for (;;) {
-      const auto* setting = std::ranges::find(settings, tokens_.peek(),
-                                              [](const auto& named) { return named.first; });
-      if (setting == std::end(settings)) break;
-      if (std::exchange(seen[setting - settings], true))
-        tokens_.fail_next("each of the view's settings once");
-      tokens_.take();
-      setting->second();
-    }
-    for (std::size_t i = 0; i < REQUIRED; ++i)
-      if (!seen[i]) tokens_.fail_next(fmt::format("the view's '{}'", settings[i].first));
-    return view;
-  }
-
-  void read_light() {
-    Light light;
-    light.at = tokens_.take_vec("the light's position");
-    end_light(light);
-  }
-
-  void read_area_light() {
-    Light light;
-    const bool is_sphere = tokens_.take() == "sphere";
-    light.shape = is_sphere ? LightShape::sphere : LightShape::rectangle;
-    light.at = tokens_.take_vec("the light's middle");
-    if (is_sphere) {
-      light.radius = tokens_.take_number("the light's radius", 0, MAX_NUMBER);
-      tell([&] { require(light.radius > 0, "a light of radius 0", "a radius > 0"); });
-    } else {
-      light.u = tokens_.take_vec("the light's first half edge");
-      light.v = tokens_.take_vec("the light's second half edge");
-      tell([&] {
-        require(length(cross(light.u, light.v)) > 1e-9 * length(light.u) * length(light.v),
-                "a light without area", "half edges that are not parallel, and not of length 0");
-      });
-    }
-    end_light(light);
-  }
-
-  void end_light(const Light& light) {
-    std::optional<Rgb> colour;
-    if (tokens_.continues()) colour = take_colour("the light's colour");
+  void read_light(bool has_area) {
+    const auto [light, colour] = has_area ? take_area_light(tokens_) : take_light(tokens_);
     tell([&] { target_.add_light(light, colour); });
   }
 
@@ -329,7 +254,7 @@ class Reader {
 
   void read_surface() {
     Surface& s = surface_ = {};
-    s.colour = take_colour("the surface's colour");
+    s.colour = take_colour(tokens_, "the surface's colour");
     s.kd = tokens_.take_number("Kd", 0, 1);
     s.ks = tokens_.take_number("Ks", 0, 1);
     s.shine = tokens_.take_number("Shine", 0, MAX_SHINE);
@@ -387,33 +312,6 @@ class Reader {
 
 void read_nff(std::string_view text, const std::string& name, NffTarget& target) {
   Reader(text, name, target).read();
-}
-
-Scene parse_nff(std::string_view text, const std::string& name, int frame) {
-  SceneTarget target(name);
-  read_nff(text, name, target);
-  return target.make_scene(frame);
-}
-
-std::vector<std::string> find_files(const std::string& nff) {
-  SceneTarget target(nff);
-  read_nff(base::read_text(nff), nff, target);
-  return target.files();
-}
-
-Scene load_scene(const std::string& source, int frame) {
-  if (source.ends_with(".nff")) return parse_nff(base::read_text(source), source, frame);
-  std::vector<std::string> forms;
-  for (const auto& [name, number, least, most, make] : GENERATORS) {
-    const auto prefix = fmt::format("{}:", name);
-    forms.push_back(prefix + std::string(number));
-    if (!source.starts_with(prefix)) continue;
-    if (const auto n = base::parse_number<int>(source.substr(prefix.size()))) return make(*n);
-    throw base::BadInput(fmt::format("found scene {}, expected {} with {} from {} to {}",
-                                     base::quote(source), forms.back(), number, least, most));
-  }
-  throw base::BadInput(fmt::format("found scene {}, expected a generator ({}) or a file (.nff)",
-                                   base::quote(source), fmt::join(forms, ", ")));
 }
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes by name: made by a generator, or from E. Haines's Neutral File Format (SPD 3.x):
+// E. Haines's Neutral File Format (SPD 3.x):
 //
 //   v  from X Y Z  at X Y Z  up X Y Z  angle DEGREES  [hither D]  [resolution W H]     required
 //   b R G B                                            background, black by default
@@ -48,20 +48,6 @@
 
 namespace renderer {
 
-/// A generator with its number, such as "spheres:800" or "hills:20000", or the path of an .nff
-/// file. BadInput as parse_nff(), if the file cannot be read, and for anything else, naming what is
-/// valid.
-Scene load_scene(const std::string& source, int frame = 0);
-
-/// Reads an NFF scene as it is in a frame of an animation: objects and view are where they are when
-/// the shutter opens, at the time frame + T0, and move evenly to where they are when it closes, at
-/// frame + T1. Other files that it names are looked for beside `name`. BadInput "name:line: found
-/// ..., expected ...".
-Scene parse_nff(std::string_view text, const std::string& name, int frame = 0);
-
-/// Paths of the further files that an .nff file names, in its order. BadInput as load_scene().
-std::vector<std::string> find_files(const std::string& nff);
-
 /// When the shutter opens and closes, in frames after the frame's own time.
 struct Shutter {
   double open = 0, close = 0;
@@ -79,8 +65,10 @@ struct Motion {
 class NffTarget {
  public:
   virtual ~NffTarget() = default;
-  /// A room has `# emit R G B`, and none of the other statements in comments.
-  virtual bool is_room() const { return false; }
+  /// Whether it knows rooms, which have `# emit R G B`, and scenes, which have the other statements
+  /// in comments.
+  enum class Knows : std::uint8_t { scenes, rooms, both };
+  virtual Knows knows() const { return Knows::scenes; }
 
   virtual void set_view(const View& view) = 0;
   virtual void set_background(const Rgb&) {}

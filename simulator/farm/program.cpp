@@ -1,6 +1,6 @@
 #include "simulator/farm/program.hpp"
 
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/farm/measured.hpp"
 #include "simulator/tracing/looks.hpp"

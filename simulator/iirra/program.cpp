@@ -1,6 +1,6 @@
 #include "simulator/iirra/program.hpp"
 
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/iirra/measured.hpp"
 #include "simulator/tracing/looks.hpp"

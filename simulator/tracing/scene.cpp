@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 
 namespace tracing {
 
@@ -19,8 +19,9 @@ bool has_own_objects(const SceneChoice& scene) { return scene.source.text != "sp
 base::Fields<SceneChoice> scene_fields() {
   using D = base::Declare<SceneChoice>;
   return {
-      D::source("scene.source", &SceneChoice::source,
-                "spheres, as many as scene.objects; spheres:200 or hills:20000; or an NFF file"),
+      D::source(
+          "scene.source", &SceneChoice::source,
+          "spheres, as many as scene.objects; spheres:200 or hills:20000; or an .nff or .obj file"),
       D::whole("scene.objects", &SceneChoice::objects, 1, 1e9, "", "spheres in a generated scene")};
 }
 

@@ -5,7 +5,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/picture/refinement_file.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/image/image.hpp"
 #include "tests/fuzz/kinds.hpp"
 

@@ -1,6 +1,9 @@
 #include "base/whole_file.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/files/path.hpp"
+#include "renderer/files/write_nff.hpp"
+#include "renderer/files/write_obj.hpp"
+#include "renderer/meshes/read_mesh.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/room/check.hpp"
 #include "tests/fuzz/kinds.hpp"
@@ -15,8 +18,31 @@ std::string name_scene(const std::string& ending) { return place_of(SCENES + "/f
 
 void read_nff(const std::string& text) {
   const std::string name = name_scene(".nff");
-  renderer::parse_nff(text, name);
-  renderer::parse_nff(text, name, 1);
+  renderer::parse_scene(text, name);
+  renderer::parse_scene(text, name, 1);
+}
+
+// A scene, and what it says as NFF, which says the same when it is read again.
+void read_obj(const std::string& text) {
+  const std::string name = name_scene(".obj");
+  const auto write = [](const std::string& read, const std::string& as) {
+    renderer::NffText nff(place_of(SCENES));
+    renderer::read_scene(read, as, nff);
+    return nff.text();
+  };
+  const std::string nff = write(text, name);
+  expect_same("an OBJ as NFF, read again,",
+              read_again("an OBJ as NFF", [&] { return write(nff, name_scene(".nff")); }), nff);
+  renderer::parse_scene(text, name);
+}
+
+void read_mesh(const std::string& text, const std::string& ending) {
+  base::save_whole("fuzz" + ending, text);
+  renderer::LeftOut left_out;
+  renderer::ObjText obj("", "fuzz-mesh.mtl");
+  renderer::read_mesh("fuzz" + ending, obj, left_out);
+  base::save_whole("fuzz-mesh.mtl", obj.library());
+  read_again("a mesh as OBJ", [&] { return renderer::parse_scene(obj.text(), "fuzz-mesh.obj"); });
 }
 
 void read_path(const std::string& text) {
@@ -53,8 +79,10 @@ std::vector<Reader> scene_readers() {
       {"path", ".csv", {SCENES}, read_path},
       {"room", ".room", {SCENES}, [](const auto& text) { read_room(text, ".room"); }},
       {"nff-room", ".nff", {}, [](const auto& text) { read_room(text, ".nff"); }},
-      {"obj", ".obj", {SCENES}, [](const auto& text) { read_room(text, ".obj"); }},
+      {"obj", ".obj", {SCENES}, read_obj},
+      {"obj-room", ".obj", {SCENES}, [](const auto& text) { read_room(text, ".obj"); }},
       {"mtl", ".mtl", {SCENES}, read_mtl},
+      {"ply", ".ply", {"tests/fuzz/seeds"}, [](const auto& text) { read_mesh(text, ".ply"); }},
   };
 }
 

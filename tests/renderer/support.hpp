@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/errors.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/trace/render.hpp"
 #include "renderer/trace/shade.hpp"
 
@@ -41,7 +41,7 @@ struct Random {
   }
 };
 
-inline Scene parse(const std::string& text) { return parse_nff(text, "test.nff"); }
+inline Scene parse(const std::string& text) { return parse_scene(text, "test.nff"); }
 
 /// Two unit vectors at right angles to `n` and to each other.
 inline std::array<Vec, 2> make_plane(const Vec& n) {

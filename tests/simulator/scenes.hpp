@@ -2,13 +2,13 @@
 // Scenes that the tests of programs share.
 #include <random>
 
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 
 namespace test {
 
 /// Glass, a mirror, a floor and two lights: every kind of ray.
 inline renderer::Scene make_glass_scene() {
-  return renderer::parse_nff(
+  return renderer::parse_scene(
       "v\nfrom 0 -4 1.5\nat 0 0 0.3\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
       "b 0.2 0.4 0.7\nl 3 -4 5\nl -4 -2 3 0.5 0.4 0.3\n"
       "f 0.8 0.7 0.5 0.9 0 1 0 1\np 4\n-5 -5 -1\n5 -5 -1\n5 5 -1\n-5 5 -1\n"

@@ -10,6 +10,7 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/file/values.hpp"
+#include "experiments/laboratory/host/colour.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/options/options.hpp"
@@ -54,12 +55,12 @@ struct Count {
 
 void print_check(const CheckResult& check, const Table& table, bool all, Count& count) {
   ++(check.verdict == Verdict::holds ? count.hold : count.fail);
-  fmt::print("{}\n", summarize(check, table));
+  print_verdict(check, table);
   const auto most = all ? check.points.size() : MOST_SHOWN;
   if (!check.points.empty()) fmt::print("{}", to_text(make_check_table(check, table, most)));
   if (check.points.size() > most)
     fmt::print("the worst of {} points; --all shows every one\n", check.points.size());
-  for (const auto& note : check.notes) fmt::print("note: {}\n", note);
+  for (const auto& note : check.notes) print_note(note);
   fmt::print("\n");
 }
 

@@ -197,6 +197,7 @@ void add_commands(CLI::App& app) {
   add_verify_command(app);
   add_compare_command(app);
   add_model_command(app);
+  add_convert_command(app);
   add_columns_command(app);
   add_guide_commands(app);
   add_completion_command(app);

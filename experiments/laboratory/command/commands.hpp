@@ -10,6 +10,7 @@ void add_live_command(CLI::App& app);
 void add_verify_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_model_command(CLI::App& app);
+void add_convert_command(CLI::App& app);
 void add_guide_commands(CLI::App& app);  ///< list, help, init
 
 /// Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a

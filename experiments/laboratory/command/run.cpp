@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "experiments/laboratory/host/colour.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/host/streams.hpp"
@@ -43,7 +44,7 @@ void print_profile(const Simulation& s) {
 
 void print_notes(const Simulation& s) {
   const auto notes = notes_of(s.file, s.results);
-  for (const auto& note : notes | std::views::take(MOST_NOTES)) fmt::print("note: {}\n", note);
+  for (const auto& note : notes | std::views::take(MOST_NOTES)) print_note(note);
   if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
@@ -68,8 +69,9 @@ void print_paths(const fs::path& output, const std::set<std::string>& images) {
 void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
   const auto view = choose_view(s.file, s.table);
-  fmt::print("{}\n{}\n", title_of(s.file), to_text(s.table, view, output_width()));
-  for (const auto& sentence : view.unknown) fmt::print("note: {}\n", sentence);
+  fmt::print("{}\n{}\n", paint(title_of(s.file), Tone::heading),
+             to_text(s.table, view, output_width()));
+  for (const auto& sentence : view.unknown) print_note(sentence);
   print_notes(s);
   if (const auto sure = load_sureness(output))
     for (const auto& sentence : tell_sureness(*sure, fit_columns(s.table, view, output_width())))
@@ -77,11 +79,11 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   if (const auto rankings = load_rankings(output))
     for (const auto& sentence : tell_rankings(*rankings)) fmt::print("{}\n", sentence);
   if (s.file.uncertain.machines > 0 && !fs::exists(output / "intervals.csv"))
-    fmt::print("note: no intervals: fewer than {} machines have all their points\n",
-               LEAST_MACHINES);
+    print_note(
+        fmt::format("no intervals: fewer than {} machines have all their points", LEAST_MACHINES));
   if (s.left_out > 0)
-    fmt::print("note: {} of {} machines are left out: not all of their points came to an end\n",
-               s.left_out, s.file.uncertain.machines);
+    print_note(fmt::format("{} of {} machines are left out: not all of their points came to an end",
+                           s.left_out, s.file.uncertain.machines));
   if (options.profile && s.table.find("rays")) print_profile(s);
   for (const auto& [model, speed] : s.host_speeds)
     fmt::print(
@@ -94,6 +96,19 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   print_paths(output, list_images(s));
 }
 
+}  // namespace
+
+void print_verdict(const CheckResult& check, const Table& table) {
+  const auto tone = check.verdict == Verdict::holds   ? Tone::good
+                    : check.verdict == Verdict::fails ? Tone::bad
+                                                      : Tone::caution;
+  const auto line = summarize(check, table);
+  const auto word = std::string_view(line).substr(0, line.find_first_of(" "));
+  fmt::print("{}{}\n", paint(word, tone), line.substr(word.size()));
+}
+
+namespace {
+
 // Throws for what is wrong with results that have been written.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
@@ -104,8 +119,8 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
                     output),
         EXIT_INTERRUPTED);
   if (!s.checks.empty()) fmt::print("\n");
-  for (const auto& note : note_unknown_texts(plan, s.table)) fmt::print("note: {}\n", note);
-  for (const auto& check : s.checks) fmt::print("{}\n", summarize(check, s.table));
+  for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
+  for (const auto& check : s.checks) print_verdict(check, s.table);
   throw_failures(s.file, s.results, fmt::format("the others are in {}, marked incomplete", output));
   const auto failed = std::ranges::count(s.checks, Verdict::fails, &CheckResult::verdict);
   if (failed > 0)

@@ -24,6 +24,9 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
 /// this run is only named.
 void run_experiment(const RunOptions& options);
 
+/// Prints what came of a check, a line.
+void print_verdict(const CheckResult& check, const Table& table);
+
 /// Prints a line for each point, with tabs: number, key, axes, "there" or "missing".
 void list_points(const RunOptions& options);
 

@@ -13,6 +13,7 @@
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/judge/cover.hpp"
 #include "experiments/laboratory/judge/ranking.hpp"
+#include "experiments/laboratory/points/dictionary.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
@@ -74,6 +75,7 @@ void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
 
 void write_results(const fs::path& folder, const RunOptions& options, Simulation& s) {
   base::save_whole(folder / "results.csv", to_csv(s.table));
+  base::save_whole(folder / "results.schema.json", make_dictionary(s.file, s.table).dump(2) + "\n");
   if (!s.checks.empty())
     base::save_whole(folder / "checks.csv",
                      to_csv(guard_formulas(make_checks_csv(s.checks, s.table))));
@@ -106,7 +108,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
     carry_files(results / records_folder(), folder.working() / records_folder());
     place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
     keep_points_that_ran(s, plan);
-    s.table = make_table(s.file, s.results);
+    s.table = make_table(checks, s.file, s.results);
     s.checks = eval_checks(checks, s.file, s.table);
     if (file.uncertain.machines > 0 && !was_interrupted()) {
       const auto sureness = find_sureness(file, s.table, drawn);

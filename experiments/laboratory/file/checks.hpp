@@ -38,6 +38,16 @@ struct Check {
   bool is_absolute() const { return within_abs.has_value() || has_bounds(); }
 };
 
+/// One [[baseline]]: a column of how many times as fast each row is as another of the same sweep.
+struct BaselineSpec {
+  std::string name;           ///< of the column, "speedup_NAME"
+  std::string place;          ///< "e.toml:12: baseline \"NAME\""
+  std::string at;             ///< the row: AXIS = VALUE, ..., as in {COLUMN @ ...}
+  std::string of = "time_s";  ///< the column that is compared, its value there by the row's own
+
+  std::string column() const { return "speedup_" + name; }
+};
+
 enum class Law { none, amdahl, gustafson, sun_ni, log };
 
 /// One [[plot]]. Columns may also be names of [let] or expressions, as in a [[check]].

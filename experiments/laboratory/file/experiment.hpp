@@ -106,6 +106,7 @@ struct ExperimentFile {
   std::vector<Check> checks;            ///< [[check]]
   std::vector<PlotSpec> plots;          ///< [[plot]]
   std::vector<BestSpec> bests;          ///< [[best]]
+  std::vector<BaselineSpec> baselines;  ///< [[baseline]]
   ReportSpec report;                    ///< [report]
   Uncertain uncertain;                  ///< [uncertain]
 };

@@ -230,6 +230,18 @@ const Bindings<BestSpec>& best_bindings() {
   return all;
 }
 
+const Bindings<BaselineSpec>& baseline_bindings() {
+  using S = BaselineSpec;
+  static const Bindings<S> all = {
+      bind_key("name", &S::name, "of the column speedup_NAME that it adds to the results"),
+      bind_key("at", &S::at,
+               "the row that the others are compared with: AXIS = VALUE, ...; on other axes it is "
+               "the row's own"),
+      bind_key("of", &S::of, "what is compared, its value there by the row's own [time_s]"),
+  };
+  return all;
+}
+
 const Bindings<ReportSpec>& report_bindings() {
   static const base::Names<std::string> NETWORKS = {
       {"all", "all"}, {"largest", "largest"}, {"none", "none"}};
@@ -278,6 +290,13 @@ void check_complete(const BestSpec& s, const toml::table&) {
   for (const auto& axis : s.over)
     require(std::ranges::find(s.for_each, axis) == s.for_each.end() && axis != s.pays, s.place,
             "expected different axes in over, for_each and pays");
+}
+
+void check_complete(const BaselineSpec& s, const toml::table&) {
+  require(base::Formula::is_name(s.column()) && s.name.find('.') == std::string::npos, s.place,
+          "expected a name of letters, digits and _");
+  require(!s.at.empty(), s.place, "\"at\" is missing, expected AXIS = VALUE, ...");
+  require(!s.of.empty(), s.place, "found an empty \"of\", expected a column of the results");
 }
 
 // Reads the tables [[KEY]], each with its name and place.
@@ -331,6 +350,7 @@ void read_judgement(const toml::table& file, ExperimentFile& into) {
   with("check", [&](const Place& at) { into.checks = read_all(at, check_bindings()); });
   with("plot", [&](const Place& at) { into.plots = read_all(at, plot_bindings()); });
   with("best", [&](const Place& at) { into.bests = read_all(at, best_bindings()); });
+  with("baseline", [&](const Place& at) { into.baselines = read_all(at, baseline_bindings()); });
   with("report", [&](const Place& at) {
     if (!at.node.is_table()) at.refuse("a section");
     bind_all(into.report, report_bindings(), *at.node.as_table(), at);
@@ -356,6 +376,7 @@ std::vector<Setting> table_settings() {
   add_keys(all, "check", check_bindings());
   add_keys(all, "plot", plot_bindings());
   add_keys(all, "best", best_bindings());
+  add_keys(all, "baseline", baseline_bindings());
   add_keys(all, "report", report_bindings());
   add_keys(all, "uncertain", uncertain_bindings());
   return all;

@@ -105,8 +105,8 @@ void refuse_key(const Place& at, const std::vector<std::string>& known) {
 
 void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit) {
-  static constexpr std::array<std::string_view, 7> NOT_OF_A_POINT = {
-      "sweep", "let", "check", "plot", "best", "report", "uncertain"};
+  static constexpr std::array<std::string_view, 8> NOT_OF_A_POINT = {
+      "sweep", "let", "check", "plot", "best", "baseline", "report", "uncertain"};
   for (auto&& [section, content] : file) {
     const std::string name(section.str());
     if (std::ranges::find(NOT_OF_A_POINT, name) != NOT_OF_A_POINT.end()) continue;

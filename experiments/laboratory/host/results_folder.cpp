@@ -82,8 +82,9 @@ bool is_store(const fs::path& folder) {
 // Whether `tlab` writes files like this one into a results folder; others are not ours.
 bool is_result(const fs::path& entry) {
   static const std::vector<std::string> FILES{
-      "results.csv",   "checks.csv",      "fits.csv",     "best.csv", "pays.csv",   "growth.csv",
-      "intervals.csv", "assumptions.csv", "rankings.csv", "run.json", "report.html"};
+      "results.csv", "results.schema.json", "checks.csv",    "fits.csv",        "best.csv",
+      "pays.csv",    "growth.csv",          "intervals.csv", "assumptions.csv", "rankings.csv",
+      "run.json",    "report.html"};
   const auto name = entry.filename().string();
   if (fs::is_symlink(entry)) return false;
   if (is_of_desktop(entry)) return true;

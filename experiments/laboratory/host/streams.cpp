@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "base/message.hpp"
+#include "experiments/laboratory/host/colour.hpp"
 
 namespace laboratory {
 
@@ -33,12 +34,21 @@ void print_on_error(std::string_view text) {
   std::fflush(stderr);
 }
 
-void print_line(std::string_view text) {
+namespace {
+
+// On a terminal in the place of a progress bar.
+void print_behind(std::string_view head, std::string_view text) {
   const auto* const begin = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
-  print_on_error(fmt::format("{}{}\n", begin, base::make_readable(text)));
+  print_on_error(fmt::format("{}{}{}\n", begin, head, base::make_readable(text)));
 }
 
-void complain(std::string_view text) { print_line(fmt::format("tlab: {}", text)); }
+}  // namespace
+
+void print_line(std::string_view text) { print_behind("", text); }
+
+void complain(std::string_view text) {
+  print_behind(paint("tlab:", Tone::bad, stderr) + " ", text);
+}
 
 std::size_t output_width() {
   winsize size{};

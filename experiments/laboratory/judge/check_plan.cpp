@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <ranges>
 #include <tuple>
@@ -85,6 +86,7 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
     for (const auto* expression : all)
       if (*expression) visit(**expression);
   };
+  for (const auto& b : plan.baselines) visit(b.of);
   for (const auto& let : plan.lets) visit(let.formula);
   for (const auto& c : plan.comparisons)
     visit_all({&c.of, &c.formula, &c.at_least, &c.at_most, &c.where, &c.calibrated});
@@ -188,6 +190,9 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
 
 CheckPlan plan_checks(const ExperimentFile& file) {
   CheckPlan plan;
+  for (const auto& b : file.baselines)
+    plan.baselines.push_back(
+        {b.column(), Expression(fmt::format("{{{0} @ {1}}} / {0}", b.of, b.at), b.place)});
   plan.lets = sort_definitions(file.definitions);
   for (const auto& c : file.checks) {
     auto of = is_defined(file, c.of) ? compile(c.of, c.place, "of") : std::nullopt;
@@ -207,6 +212,23 @@ CheckPlan plan_checks(const ExperimentFile& file) {
         {best, Expression(best.of, best.place + ": of"), compile(best.where, best.place, "where")});
   if (!plan.lets.empty() || !plan.is_empty()) check_dotted_names(plan, file);
   return plan;
+}
+
+Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results) {
+  Table table = make_table(file, results);
+  for (const auto& [column, of] : plan.baselines) {
+    base::require(!table.find(column), of.place(), "there is a column {} already", column);
+    const Rows rows(file, table);
+    std::vector<std::optional<double>> values;
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      values.push_back(rows.is_complete(row) ? rows.eval(of, row) : std::nullopt);
+    table.columns.push_back(column);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      Value& cell = table.rows[row].emplace_back();
+      if (values[row] && std::isfinite(*values[row])) cell = *values[row];
+    }
+  }
+  return table;
 }
 
 Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table) {
@@ -229,7 +251,7 @@ Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file) {
     alone.axes = file.axes;
     alone.coupled = file.coupled;
     alone.points = {point};
-    const Table table = make_table(alone, {result});
+    const Table table = make_table(plan, alone, {result});
     check_names(plan, make_rows(plan, alone, table), 0);
   };
 }

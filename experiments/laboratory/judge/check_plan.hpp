@@ -33,18 +33,29 @@ struct CheckPlan {
     Expression of;
     std::optional<Expression> where = {};
   };
+  struct Baseline {
+    std::string column;
+    Expression of;
+  };
+  std::vector<Baseline> baselines;
   std::vector<Let> lets;  ///< each after those that it names
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;      ///< [[plot]]
   std::vector<Question> questions;  ///< [[best]]
 
-  bool is_empty() const { return comparisons.empty() && figures.empty() && questions.empty(); }
+  bool is_empty() const {
+    return baselines.empty() && comparisons.empty() && figures.empty() && questions.empty();
+  }
 };
 
 /// Throws base::BadInput for what is no expression, for definitions that need each other, for names
 /// with a dot that no point knows, and for a reference that cannot be read. Names without a dot may
 /// be columns, which are not known yet.
 CheckPlan plan_checks(const ExperimentFile& file);
+
+/// The table of results with a column for each [[baseline]], empty where a row lacks the one that
+/// it is compared with. Throws base::BadInput for names that are unknown.
+Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results);
 
 /// Every row with the plan's definitions. The file and the table must outlive it.
 Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table);

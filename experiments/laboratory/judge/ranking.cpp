@@ -49,7 +49,7 @@ ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& al
 using Cases = std::map<std::pair<std::string, std::string>, std::string>;
 
 Table answer(const CheckPlan& plan, const ExperimentFile& file, const Results& results) {
-  const Table table = make_table(file, results);
+  const Table table = make_table(plan, file, results);
   return make_best_csv(find_best(plan, make_rows(plan, file, table)));
 }
 

@@ -9,7 +9,7 @@
 #include "experiments/laboratory/picture/render_frames.hpp"
 #include "experiments/laboratory/picture/render_preview.hpp"
 #include "experiments/laboratory/picture/render_refined.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/trace/params.hpp"
 #include "renderer/trace/render.hpp"
 #include "renderer/trace/sampling.hpp"
@@ -133,7 +133,7 @@ void add_render_command(CLI::App& app) {
 
   command
       ->add_option("SCENE", o->scene,
-                   "an NFF file, spheres:N, hills:N (triangles) or room:L (lights)")
+                   "an .nff or .obj file, spheres:N, hills:N (triangles) or room:L (lights)")
       ->required();
   command->add_option("-o,--output", o->output, "the PNG image to write")->required();
   command->add_option("--size", o->size, "WxH in pixels [100x100]");

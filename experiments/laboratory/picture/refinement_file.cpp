@@ -8,7 +8,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/host/version.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 
 // The file: FIRST_LINE; "name: value" for each member of the identity; an empty line; the numbers
 // as the host has them, each list with its length before it; the hash of all that.
@@ -113,8 +113,8 @@ Identity identify(const std::string& scene, const renderer::Params& params, Orde
   Identity identity = {
       {"version", VERSION},
       {"byte order", std::endian::native == std::endian::little ? "little" : "big"},
-      scene.ends_with(".nff") ? std::pair("hash of the scene", hash_scene(scene))
-                              : std::pair("scene", scene)};
+      renderer::is_scene_file(scene) ? std::pair("hash of the scene", hash_scene(scene))
+                                     : std::pair("scene", scene)};
   for (const auto& field : renderer::param_fields())
     identity.emplace_back(field.name, base::to_text(field.get(params)));
   const auto order_of = renderer::progressive::order_field<Order>(std::identity{});

@@ -14,7 +14,7 @@ namespace laboratory {
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
 /// The program's version, what the scene is made of, the order and all parameters. A generator is
-/// what it is called; of an .nff file its bytes count, not its name, and so do those of the files
+/// what it is called; of a file its bytes count, not its name, and so do those of the files
 /// that it names.
 Identity identify(const std::string& scene, const renderer::Params& params,
                   renderer::progressive::Order order);

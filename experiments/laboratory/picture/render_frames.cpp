@@ -8,7 +8,7 @@
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/options/options.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/image/animation.hpp"
 
 namespace laboratory {

@@ -5,7 +5,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/options/options.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 
 namespace laboratory {
 

@@ -78,7 +78,7 @@ void name_image(const std::string& name, const std::vector<Coordinate>& distinct
   for (const auto& at : distinction) {
     const auto cell = to_value(at);
     const auto value = to_string(cell);
-    stem += "-" + (as_number(cell) ? value : fs::path(value).stem().string());
+    stem += "-" + (as_number(cell) ? at.axis + "-" + value : fs::path(value).stem().string());
     image.caption += fmt::format(", {} = {}", at.axis, value);
   }
   stem = make_stem(stem);

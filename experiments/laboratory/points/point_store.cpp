@@ -13,8 +13,7 @@
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "renderer/files/nff.hpp"
-#include "renderer/radiosity/files/load_room.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "simulator/machine/engine.hpp"
 
 namespace laboratory {
@@ -40,12 +39,10 @@ std::string describe_entries(const ModelSpec& spec) {
   return text;
 }
 
-// Finds the MTL files of an OBJ, and the files of paths of an NFF. What cannot be read is refused
-// elsewhere.
+// Finds the further files that a scene's file names. What cannot be read is refused elsewhere.
 std::vector<std::string> find_further_files(const std::string& path) {
   try {
-    if (path.ends_with(".obj")) return radiosity::load_room(path).libraries;
-    if (path.ends_with(".nff")) return renderer::find_files(path);
+    return renderer::find_files(path);
   } catch (const base::BadInput&) {
   }
   return {};

@@ -34,6 +34,7 @@ void add_names(const ExperimentFile& file, const std::string& expression,
 // The names that the file's figures, checks and questions are about.
 std::set<std::string> find_asked(const ExperimentFile& file) {
   std::set<std::string> names;
+  for (const auto& baseline : file.baselines) names.insert(baseline.column());
   for (const auto& check : file.checks) add_names(file, check.of, names);
   for (const auto& plot : file.plots)
     for (const auto& y : plot.y) add_names(file, y, names);

@@ -7,6 +7,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/judge/cover.hpp"
+#include "experiments/laboratory/points/dictionary.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -64,7 +65,7 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   ordered_json at = ordered_json::object();
   const auto& row = s.table.rows[s.table.row_of(i)];
   const auto axes = axis_columns(s.file);
-  for (std::size_t c = 0; c < axes.size(); ++c) at[axes[c]] = to_string(row[c]);
+  for (std::size_t c = 0; c < axes.size(); ++c) at[axes[c]] = to_json(row[c]);
   ordered_json point = {{"at", at}, {"record", s.records[i].string()}};
   auto record = to_json(load_record(folder / s.records[i]));
   for (const char* key : {"topology", "host", "ended", "message", "notes", "use", "kernels"})
@@ -115,8 +116,9 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
     s.results.push_back(std::move(result));
   }
   base::require(!s.results.empty(), "run.json", "damaged: found no points, expected some");
-  s.table = make_table(s.file, s.results);
-  s.checks = eval_checks(plan_checks(s.file), s.file, s.table);
+  const auto plan = plan_checks(s.file);
+  s.table = make_table(plan, s.file, s.results);
+  s.checks = eval_checks(plan, s.file, s.table);
   if (const auto sureness = load_sureness(folder)) check_cover(s.checks, s.table, *sureness);
   s.ended = run.at("ended").get<std::string>();
   s.complete = run.at("complete").get<bool>();

@@ -8,7 +8,7 @@
 
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "simulator/farm/farm.hpp"
 #include "simulator/radiosity/radiosity.hpp"
 #include "topologies/make/generators.hpp"

@@ -111,20 +111,36 @@ std::string join_texts(const std::vector<std::string>& texts, std::string_view s
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
-std::string make_label(std::string_view column) {
+namespace {
+
+struct Ending {
+  std::string_view ending, unit;
+};
+
+// The end of a column's name that is its unit; empty for none.
+Ending find_unit(std::string_view column) {
   static constexpr std::pair<std::string_view, std::string_view> UNITS[] = {
       {"_s", "s"},           {"_ms", "ms"},         {"_us", "µs"},       {"_ns", "ns"},
       {"_hz", "Hz"},         {"_mhz", "MHz"},       {"_bytes", "bytes"}, {"_kb", "kB"},
       {"_mb", "MB"},         {"_bits", "bits"},     {"_bit_s", "bit/s"}, {"_mbit", "Mbit/s"},
       {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}, {"_per_s", "1/s"}};
+  Ending found;
+  for (const auto& [end, unit] : UNITS)
+    if (column.ends_with(end) && end.size() > found.ending.size() && end.size() < column.size())
+      found = {end, unit};
+  return found;
+}
+
+}  // namespace
+
+std::string unit_of(std::string_view column) { return std::string(find_unit(column).unit); }
+
+std::string make_label(std::string_view column) {
   if (column == "speedup") return "speed-up";
   if (column == "serial_karp_flatt") return "serial fraction (Karp-Flatt)";
   if (column == "serial_gustafson") return "serial fraction (Gustafson)";
-  std::string_view unit, suffix;
-  for (const auto& [end, name] : UNITS)
-    if (column.ends_with(end) && end.size() > suffix.size() && end.size() < column.size())
-      suffix = end, unit = name;
-  std::string label(column.substr(0, column.size() - suffix.size()));
+  const auto [ending, unit] = find_unit(column);
+  std::string label(column.substr(0, column.size() - ending.size()));
   std::ranges::replace(label, '_', ' ');
   return unit.empty() ? label : fmt::format("{} [{}]", label, unit);
 }

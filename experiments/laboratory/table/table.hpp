@@ -48,6 +48,8 @@ std::string join_texts(const std::vector<std::string>& texts, std::string_view s
 
 /// A column's name for people, with its unit in brackets: "time_per_ray_ms" is "time per ray [ms]".
 std::string make_label(std::string_view column);
+/// That unit, or empty.
+std::string unit_of(std::string_view column);
 /// "time per ray" of "time per ray [ms]".
 std::string without_unit(const std::string& label);
 

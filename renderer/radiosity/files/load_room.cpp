@@ -1,11 +1,11 @@
 #include "renderer/radiosity/files/load_room.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "renderer/files/nff.hpp"
+#include "renderer/files/obj.hpp"
 #include "renderer/files/tokens.hpp"
 #include "renderer/radiosity/room/check.hpp"
 
@@ -190,7 +190,7 @@ struct RoomTarget : renderer::NffTarget {
   Material material;  // of the faces to come
   bool used = false;  // whether it is the last of the room's materials
 
-  bool is_room() const override { return true; }
+  Knows knows() const override { return Knows::rooms; }
   void set_view(const renderer::View& view) override { room.view = check_view(view); }
   void add_light(const renderer::Light&, const std::optional<Rgb>&) override {}
 
@@ -229,149 +229,47 @@ struct RoomTarget : renderer::NffTarget {
   }
 };
 
-// A reader of OBJ files of our own: tinyobjloader 2.0.0 reads "nan" as 0 and passes over what it
-// does not know, without a word and without a line.
+// Makes a room of an OBJ.
+struct ObjRoom : renderer::ObjTarget {
+  explicit ObjRoom(std::string file) : name(std::move(file)) {}
 
-// A material of an MTL file; its Ks counts if its `illum` makes it a mirror.
-struct Draft {
-  Material material;
-  Rgb specular;
-  int line;
-};
+  std::string name;  // of the file
+  Room room;
+  std::optional<std::uint32_t> material;  // of the faces to come
+  std::optional<renderer::View> view;
 
-void read_mtl_statement(Tokens& tokens, std::vector<Draft>& drafts) {
-  constexpr int MIRROR = 3, MAX_ILLUM = 10;  // MIRROR: reflection by ray tracing
-  const std::string_view name = tokens.take();
-  if (name == "newmtl") {
-    drafts.push_back({{}, {}, tokens.line()});
-    drafts.back().material.name = tokens.take_word("a name");
-    return tokens.end_line();
+  void add_library(const std::string& path) override { room.libraries.push_back(path); }
+  void add_material(const renderer::MtlMaterial& m) override {
+    const bool mirror = m.illum == renderer::ILLUM_REFLECTS;
+    room.materials.push_back({m.name, mirror ? m.specular : m.diffuse, m.emission, mirror});
+    check_material(room.materials.back());
   }
-  const bool known = name == "Kd" || name == "Ks" || name == "Ke" || name == "illum";
-  if (!known) return tokens.skip_line();
-  if (drafts.empty())
-    tokens.fail(tokens.line(), fmt::format("found '{}', expected 'newmtl' before it", name));
-  Draft& draft = drafts.back();
-  if (name == "illum")
-    draft.material.mirror = tokens.take_count("illum", 0, MAX_ILLUM) == MIRROR;
-  else if (name == "Kd")
-    draft.material.reflectance = tokens.take_rgb(name);
-  else if (name == "Ks")
-    draft.specular = tokens.take_rgb(name);
-  else
-    draft.material.emission = tokens.take_rgb(name);
-  tokens.end_line();
-}
+  void use_material(std::size_t index) override { material = static_cast<std::uint32_t>(index); }
+  void set_view(const renderer::View& said) override { view = said; }
 
-void read_mtl(const std::string& text, const std::string& path, std::vector<Material>& materials) {
-  Tokens tokens(text, path);
-  std::vector<Draft> drafts;
-  while (tokens.begin_line()) read_mtl_statement(tokens, drafts);
-  for (Draft& draft : drafts) {
-    if (draft.material.mirror) draft.material.reflectance = draft.specular;
-    add_material(tokens, draft.line, draft.material, materials);
-  }
-}
-
-class ObjReader {
- public:
-  ObjReader(std::string_view text, const std::string& path) : tokens_(text, path) {}
-
-  Room read() {
-    while (tokens_.begin_line()) read_statement();
-    at_place(tokens_.name(), [&] { check_light(room_); });
-    set_view();
-    return std::move(room_);
-  }
-
- private:
-  void read_statement() {
-    using Read = void (*)(ObjReader&);
-    constexpr auto skip = [](ObjReader& r) { r.tokens_.skip_line(); };
-    constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
-        {"v", [](ObjReader& r) { r.read_point(); }},
-        {"vn", [](ObjReader& r) { r.read_normal(); }},
-        {"f", [](ObjReader& r) { r.read_face(); }},
-        {"usemtl", [](ObjReader& r) { r.use_material(); }},
-        {"mtllib", [](ObjReader& r) { r.read_library(); }},
-        {"vt", skip},
-        {"g", skip},
-        {"o", skip},
-        {"s", skip}};
-    tokens_.take_choice(STATEMENTS, "a statement: v, vt, vn, f, g, o, s, usemtl or mtllib")(*this);
-  }
-
-  void read_point() {
-    points_.push_back(tokens_.take_vec("a vertex"));
-    tokens_.skip_line();  // a weight or a colour
-  }
-
-  void read_normal() {
-    normals_.push_back(tokens_.take_vec("a normal"));
-    tokens_.end_line();
-  }
-
-  void use_material() {
-    material_ = take_material(tokens_, room_, "files above");
-    tokens_.skip_line();
-  }
-
-  void read_library() {
-    do {
-      const auto folder = std::filesystem::path(tokens_.name()).parent_path();
-      const std::string path = (folder / tokens_.take_word("a file")).string();
-      std::string text;
-      tokens_.at_line(tokens_.line(), [&] { text = base::read_text(path); });
-      read_mtl(text, path, room_.materials);
-      room_.libraries.push_back(path);
-    } while (!tokens_.peek().empty());
-  }
-
-  // Corners are v, v/vt, v//vn or v/vt/vn.
-  void read_face() {
-    const int line = tokens_.line();
-    if (!material_) tokens_.fail(line, "found 'f', expected 'usemtl' before the first face");
+  void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
+                std::vector<renderer::Corner>) override {
+    if (!material) throw BadInput("found 'f', expected 'usemtl' before the first face");
     Face face;
-    face.material = *material_;
-    while (!tokens_.peek().empty()) {
-      const std::string_view word = tokens_.peek();
-      const std::size_t slash = word.find('/'),
-                        second = word.find('/', std::min(slash, word.size() - 1) + 1);
-      face.corners.push_back(find(points_, word.substr(0, slash), "vertex (v)"));
-      if (slash != word.npos && second != word.npos)
-        face.normals.push_back(find(normals_, word.substr(second + 1), "normal (vn)"));
-      tokens_.take();
-    }
-    add_face(tokens_, line, std::move(face), room_);
+    face.corners = std::move(corners);
+    face.normals = std::move(normals);
+    face.material = *material;
+    face.where = fmt::format("{}:{}", name, line);
+    check_face(face, room.materials.size());
+    room.faces.push_back(std::move(face));
   }
-
-  // What a corner refers to: counted from 1, or backwards from -1.
-  const Vec& find(const std::vector<Vec>& list, std::string_view text, const char* what) {
-    const auto count = static_cast<long long>(list.size());
-    const long long n = base::parse_number<long long>(text).value_or(0);
-    if (n == 0 || n > count || n < -count)
-      tokens_.fail_next(
-          fmt::format("the number of a {} in each corner, of the {} so far, 1 the first and "
-                      "-1 the last",
-                      what, count));
-    return list[static_cast<std::size_t>(n > 0 ? n - 1 : count + n)];
-  }
-
-  // The bounds just fit into the picture, up is y.
-  void set_view() {
-    const renderer::Bounds bounds = eval_bounds(room_);
-    renderer::View view;
-    const double sine = 0.38268343236508977;  // of half the view's 45 degrees
-    view.at = 0.5 * (bounds.lo + bounds.hi);
-    view.from = view.at + (0.5 / sine) * (bounds.hi - bounds.lo);
-    room_.view = check_view(view);
-  }
-
-  Tokens tokens_;
-  Room room_;
-  std::vector<Vec> points_, normals_;
-  std::optional<std::uint32_t> material_;  // of the faces to come
 };
+
+Room read_obj_room(std::string_view text, const std::string& name) {
+  ObjRoom target(name);
+  read_obj(text, name, target);
+  at_place(name, [&] {
+    Room& room = target.room;
+    check_light(room);
+    room.view = check_view(target.view.value_or(renderer::look_from_outside(eval_bounds(room))));
+  });
+  return std::move(target.room);
+}
 
 Room read_nff_room(std::string_view text, const std::string& name) {
   RoomTarget target(name);
@@ -385,8 +283,7 @@ using Read = Room (*)(std::string_view text, const std::string& name);
 Read find_reader(const std::string& name) {
   if (name.ends_with(".room"))
     return [](std::string_view text, const std::string& n) { return RoomReader(text, n).read(); };
-  if (name.ends_with(".obj"))
-    return [](std::string_view text, const std::string& n) { return ObjReader(text, n).read(); };
+  if (name.ends_with(".obj")) return &read_obj_room;
   if (name.ends_with(".nff")) return &read_nff_room;
   throw BadInput(fmt::format(
       "{}: found a room's name with another ending, expected .room, .nff or .obj", name));

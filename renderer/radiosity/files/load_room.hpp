@@ -18,12 +18,11 @@
 // highlights are passed over, as are l and b. `# emit R G B` after an f: the faces from there on
 // emit. Spheres and cones, which are not flat, and T above 0 are errors.
 //
-// .obj, with its MTL files: every face is one patch before MeshParams::refine. v, vn, f, usemtl and
-// mtllib count; vt, g, o and s are passed over, others are errors. An OBJ has no view: it is looked
-// at from outside, along the diagonal of its bounds from the greatest corner, y upwards. Of an MTL
-// file's statements Kd is the reflectance and Ke the emission, black where there is none. `illum
-// 3`, which asks for mirror images by ray tracing, makes the material a mirror: it reflects Ks, and
-// its Kd is passed over. Other statements are passed over.
+// .obj, with its MTL files (renderer/files/obj.hpp): every face is one patch before
+// MeshParams::refine, and its texture coordinates and pictures are passed over. Kd is the
+// reflectance and Ke the emission; `illum 3`, which asks for mirror images by ray tracing, makes
+// the material a mirror: it reflects Ks, and its Kd is passed over. Lights and the background are,
+// too.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 // How the noise of distributed rays falls with the number of samples, without a machine.
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
 #include "renderer/trace/render.hpp"
 #include "simulator/declare/support.hpp"

@@ -1,7 +1,7 @@
 // The sequential ray tracer with increasing realism (thesis, 4.2), alone on one processor.
 #include "renderer/progressive/progressive.hpp"
 
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "simulator/declare/support.hpp"
 #include "simulator/growth/growth.hpp"
 #include "simulator/kernels/kernels.hpp"

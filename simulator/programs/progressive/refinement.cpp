@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
 #include "simulator/declare/program.hpp"
 

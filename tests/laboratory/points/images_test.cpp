@@ -69,13 +69,13 @@ TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   points.points.push_back(points.points[0]);
   place_images(points, results, records, placed);
   const auto path = [&](int i) { return results[std::size_t(i)].images[0].path; };
-  EXPECT_EQ(path(0), "image-picture-1.png");
+  EXPECT_EQ(path(0), "image-picture-bytes-1.png");
   EXPECT_EQ(path(1), path(0));
-  EXPECT_EQ(path(2), "image-picture-2-0.png");
-  EXPECT_EQ(path(3), "image-picture-2-3.png");
+  EXPECT_EQ(path(2), "image-picture-bytes-2-switches-0.png");
+  EXPECT_EQ(path(3), "image-picture-bytes-2-switches-3.png");
   EXPECT_EQ(results[3].images[0].caption, "picture, bytes = 2, switches = 3");
   EXPECT_EQ(results[3].images[1].path, "image-all.png");
-  EXPECT_EQ(read_file(placed / "image-picture-1.png"), "one");
+  EXPECT_EQ(read_file(placed / "image-picture-bytes-1.png"), "one");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
 }
 
@@ -103,8 +103,8 @@ TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   const auto path = [&](int i, int k) {
     return results[std::size_t(i)].images[std::size_t(k)].path;
   };
-  EXPECT_EQ(path(0, 0), "image-one-stage1-0.png");
-  EXPECT_EQ(path(1, 0), "image-one-stage1-3.png");
+  EXPECT_EQ(path(0, 0), "image-one-stage1-switches-0.png");
+  EXPECT_EQ(path(1, 0), "image-one-stage1-switches-3.png");
   EXPECT_EQ(results[1].images[0].caption, "one-stage1, switches = 3, after 1.00 s");
   EXPECT_EQ(results[3].images[0].caption, "two-stage1, after 3.00 s at bytes = 2, switches = 3");
   EXPECT_EQ(results[3].images[1].caption, "two");

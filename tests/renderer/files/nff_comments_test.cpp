@@ -45,14 +45,14 @@ std::string get_error(const Action& action) {
 
 TEST(NffComments, EveryStatement) {
   const Scene scene =
-      parse_nff("# lens 0.25 7\n#shutter 0.5 2 # frames\n" + COMMENTED_VIEW + COMMENTED_SURFACE +
-                    "s 0 0 0 1\n  # gloss 0.1\ns 1 0 0 1\n# translucent 0.2\n"
-                    "# move 1 0 -2\ns 2 0 0 1\n# move 0 0 0\n" +
-                    COMMENTED_SURFACE +
-                    "# translucent 1\n# gloss 0\ns 3 0 0 1\n"
-                    "# light rect 1 2 3 4 0 0 0 5 0\n"
-                    "# light sphere 6 7 8 0.5 0.25 0.5 1\nl 0 9 0\n",
-                "test.nff", 10);
+      parse_scene("# lens 0.25 7\n#shutter 0.5 2 # frames\n" + COMMENTED_VIEW + COMMENTED_SURFACE +
+                      "s 0 0 0 1\n  # gloss 0.1\ns 1 0 0 1\n# translucent 0.2\n"
+                      "# move 1 0 -2\ns 2 0 0 1\n# move 0 0 0\n" +
+                      COMMENTED_SURFACE +
+                      "# translucent 1\n# gloss 0\ns 3 0 0 1\n"
+                      "# light rect 1 2 3 4 0 0 0 5 0\n"
+                      "# light sphere 6 7 8 0.5 0.25 0.5 1\nl 0 9 0\n",
+                  "test.nff", 10);
   EXPECT_EQ(scene.view.lens.aperture, 0.25);
   EXPECT_EQ(scene.view.lens.focus, 7);
   ASSERT_EQ(scene.surfaces.size(), 4u);
@@ -90,7 +90,7 @@ TEST(NffComments, EveryKindOfObjectMoves) {
       "c 0 0 0 1 0 0 1 0.5\n";
   const Scene still = parse(COMMENTED_VIEW + COMMENTED_SURFACE + objects);
   const Scene moved =
-      parse_nff(COMMENTED_VIEW + COMMENTED_SURFACE + "# move 1 2 3\n" + objects, "test.nff", 2);
+      parse_scene(COMMENTED_VIEW + COMMENTED_SURFACE + "# move 1 2 3\n" + objects, "test.nff", 2);
   EXPECT_TRUE(moved.moves.empty()) << "without a shutter nothing moves within a frame";
   Random random{1};
   int hits = 0;

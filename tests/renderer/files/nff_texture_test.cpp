@@ -19,7 +19,7 @@ class NffTexture : public testing::Test {
   NffTexture() { save_png(path("a.png"), 2, 1, {255, 0, 0, 0, 255, 0}); }
 
   std::string path(const std::string& name) const { return (folder_.path / name).string(); }
-  Scene parse(const std::string& text) const { return parse_nff(CAMERA + text, path("s.nff")); }
+  Scene parse(const std::string& text) const { return parse_scene(CAMERA + text, path("s.nff")); }
   // What is wrong, without the folder.
   std::string error_of(const std::string& text) const {
     const auto message = ::test::message_of<base::BadInput>([&] { parse(text); });
@@ -82,7 +82,7 @@ TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
   const std::string text = CAMERA + WHITE + "# texture a.png planar 0 0 0 1 0 0 0 1 0\n" +
                            "# shutter 0 0.5\n# move 4 0 0\n" + SQUARE;
   for (const int frame : {0, 3}) {
-    const Scene scene = parse_nff(text, path("s.nff"), frame);
+    const Scene scene = parse_scene(text, path("s.nff"), frame);
     // A quarter of a frame later it is another unit away.
     Ray ray;
     ray.origin = {4.0 * frame + 1 + 0.25, 0.5, 5};  // as 0.25, 0.5 at time 0

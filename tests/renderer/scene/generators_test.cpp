@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/scene/generators.hpp"
 #include "tests/renderer/support.hpp"
 

@@ -154,7 +154,7 @@ TEST(Farm, UseDoesNotCountTheScene) {
 // A task is a ray; its answer is the ray, and what it hits if it hits anything.
 TEST(Farm, MissesAreShorterThanHits) {
   run_isolated([] {
-    const auto scene = renderer::parse_nff(
+    const auto scene = renderer::parse_scene(
         "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
         "f 1 1 1 1 0 0 0 0\ns 0 0 0 1\n",
         "a sphere");

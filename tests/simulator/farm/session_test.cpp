@@ -44,7 +44,7 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
 // The first rays are done from the top, where two mirrors are, and the last ones hit nothing: none
 // comes to the database any more that would have it asked again.
 TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
-  const auto scene = renderer::parse_nff(
+  const auto scene = renderer::parse_scene(
       "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
       "b 0.2 0.4 0.7\nf 1 1 1 0.1 0.9 20 0 1\ns -0.4 0 1 0.4\ns 0.4 0 1 0.4\n",
       "mirrors");

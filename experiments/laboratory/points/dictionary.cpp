@@ -1,0 +1,102 @@
+#include "experiments/laboratory/points/dictionary.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace laboratory {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Whether a column is one that a program names; it names several as "stage{}_s".
+bool is_called(const std::string& column, std::string named) {
+  const auto gap = named.find("{}");
+  if (gap == std::string::npos) return column == named;
+  return std::regex_match(column, std::regex(named.replace(gap, 2, "[0-9]+")));
+}
+
+struct Meaning {
+  std::string text;
+  std::vector<std::string> programs;  // that give it; none: any
+};
+
+// What a program says of a column: of what it measures, or of a parameter.
+std::string find_help(const programs::Program& program, const std::string& column) {
+  for (const auto& [name, help] : program.columns)
+    if (is_called(column, name)) return help;
+  const auto parameter = std::ranges::find(program.parameters, column, &programs::Parameter::name);
+  return parameter == program.parameters.end() ? "" : parameter->help;
+}
+
+// What the key of an axis is for.
+std::string find_axis_help(const ExperimentFile& file, const std::string& column) {
+  const auto all = settings();
+  for (std::size_t i = 0; i < file.axes.size(); ++i) {
+    const auto setting = std::ranges::find(all, file.axis_keys[i], &Setting::key);
+    if (file.axes[i] == column && setting != all.end()) return setting->help;
+  }
+  return "";
+}
+
+Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
+  Meaning meaning;
+  for (const auto& point : file.points) {
+    const auto& program = *point.experiment.program;
+    const auto help = find_help(program, column);
+    if (help.empty() || std::ranges::find(meaning.programs, program.name) != meaning.programs.end())
+      continue;
+    if (meaning.text.empty()) meaning.text = help;
+    meaning.programs.push_back(program.name);
+  }
+  if (meaning.text.empty()) meaning.text = find_axis_help(file, column);
+  if (!meaning.text.empty()) return meaning;
+  for (const auto& baseline : file.baselines)
+    if (column == baseline.column())
+      return {baseline.of + " at " + baseline.at + " over the row's own", {}};
+  if (column == "ended") return {"done, or why the point did not come to its end", {}};
+  if (column == "topology") return {"of the network", {}};
+  if (column == file.points[0].experiment.program->processors)
+    return {"processors of the network that do the work", {}};
+  return {};
+}
+
+std::string find_type(const Table& table, std::size_t column) {
+  const auto all = [&](const auto& is_it) {
+    return std::ranges::all_of(
+        table.rows, [&](const auto& row) { return row[column] == Value() || is_it(row[column]); });
+  };
+  if (all([](const Value& v) { return std::holds_alternative<std::int64_t>(v); })) return "integer";
+  return all([](const Value& v) { return !std::holds_alternative<std::string>(v); }) ? "number"
+                                                                                     : "string";
+}
+
+}  // namespace
+
+ordered_json to_json(const Value& cell) {
+  return std::visit(
+      [](const auto& value) -> ordered_json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+          return nullptr;
+        else
+          return value;
+      },
+      cell);
+}
+
+ordered_json make_dictionary(const ExperimentFile& file, const Table& table) {
+  ordered_json fields = ordered_json::array(), key = ordered_json::array();
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& name = table.columns[c];
+    if (c < table.axes) key.push_back(name);
+    ordered_json field = {
+        {"name", name}, {"type", find_type(table, c)}, {"title", without_unit(make_label(name))}};
+    if (const auto unit = unit_of(name); !unit.empty()) field["unit"] = unit;
+    const auto [text, programs] = find_meaning(file, name);
+    if (!text.empty()) field["description"] = text;
+    if (!programs.empty()) field["programs"] = programs;
+    fields.push_back(std::move(field));
+  }
+  return {{"fields", fields}, {"missingValues", ordered_json::array({""})}, {"primaryKey", key}};
+}
+
+}  // namespace laboratory

@@ -1,0 +1,89 @@
+#pragma once
+// OBJ as NFF, and NFF as OBJ: what each says in the other's statements. A surface is a material
+// whose rays are reflected and refracted, `illum` 3 or 6:
+//
+//   f R G B KD KS SHINE T IOR  =  Kd KD*R KD*G KD*B   Ks KS KS KS   Ns SHINE   Tr T   Ni IOR
+//
+// A Ks in colour reflects as its greatest component. A material whose illum is below 3 reflects
+// nothing: NFF has no highlights without mirror images. A picture (map_Kd) is a texture by
+// coordinates.
+
+#include "renderer/files/left_out.hpp"
+#include "renderer/files/nff.hpp"
+#include "renderer/files/obj.hpp"
+
+namespace renderer {
+
+/// Tells an NffTarget what it is told of an OBJ. Faces before any material are light grey.
+class ObjAsNff : public ObjTarget {
+ public:
+  explicit ObjAsNff(NffTarget& target) : target_(target) {}
+  /// After the last statement: where there was no view or no light, tells one, from outside or in
+  /// the view point.
+  void finish();
+
+  void add_library(const std::string& path) override { target_.add_file(path); }
+  void add_material(const MtlMaterial& material) override;
+  void use_material(std::size_t material) override;
+  void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
+                std::vector<Corner> coordinates) override;
+  void set_view(const View& view) override;
+  void set_background(const Rgb& colour) override { target_.set_background(colour); }
+  void add_light(const Light& light, const std::optional<Rgb>& colour) override;
+
+ private:
+  struct Look {
+    Surface surface;
+    Rgb emission;
+  };
+
+  NffTarget& target_;
+  std::vector<Look> looks_;  // by material
+  Bounds bounds_;
+  std::optional<View> view_;
+  bool has_light_ = false, has_surface_ = false;
+};
+
+/// Tells an ObjTarget what it is told of an NFF, and counts what OBJ has no word for: spheres,
+/// cones, gloss and the like.
+class NffAsObj : public NffTarget {
+ public:
+  NffAsObj(ObjTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
+
+  Knows knows() const override { return Knows::both; }
+  void set_view(const View& view) override { target_.set_view(view); }
+  void set_background(const Rgb& colour) override { target_.set_background(colour); }
+  void add_light(const Light& light, const std::optional<Rgb>& colour) override {
+    target_.add_light(light, colour);
+  }
+  void set_surface(const Surface& surface) override;
+  void change_surface(const Surface& surface) override;
+  void set_emission(const Rgb& emission) override {
+    next_.emission = emission;
+    is_new_ = true;
+  }
+  void set_lens(const Lens&) override { left_out_.add("lenses"); }
+  void set_shutter(const Shutter&) override { left_out_.add("shutters"); }
+  void set_motion(Motion) override { left_out_.add("motions"); }
+  void set_camera(Path) override { left_out_.add("paths of the camera"); }
+  std::uint32_t add_texture(const std::string& file, const Mapping& mapping) override;
+  void set_coordinates(std::vector<Corner> coordinates) override {
+    coordinates_ = std::move(coordinates);
+  }
+  void add_sphere(const Vec&, double) override { left_out_.add("spheres"); }
+  void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) override;
+  void add_cone(const Vec&, double, const Vec&, double) override { left_out_.add("cones"); }
+
+ private:
+  void use_next();
+
+  ObjTarget& target_;
+  LeftOut& left_out_;
+  MtlMaterial next_;    // of the faces to come
+  bool is_new_ = true;  // whether it is not yet in use
+  std::vector<MtlMaterial> materials_;
+  std::vector<std::string> pictures_;  // by texture
+  std::vector<Corner> coordinates_;    // of the polygon to come
+};
+
+}  // namespace renderer

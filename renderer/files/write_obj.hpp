@@ -1,0 +1,39 @@
+#pragma once
+// Writes OBJ with an MTL file: what is told becomes texts that read_obj() tells again, every number
+// to the bit.
+
+#include <map>
+#include <string>
+
+#include "renderer/files/obj.hpp"
+
+namespace renderer {
+
+class ObjText : public ObjTarget {
+ public:
+  /// `library` names the MTL file, which is beside the OBJ in `folder`; pictures are named as they
+  /// are found from there.
+  ObjText(std::string folder, std::string library)
+      : folder_(std::move(folder)), library_name_(std::move(library)) {}
+
+  std::string text() const;
+  std::string library() const { return library_; }
+
+  void add_material(const MtlMaterial& material) override;
+  void use_material(std::size_t material) override;
+  void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
+                std::vector<Corner> coordinates) override;
+  void set_view(const View& view) override;
+  void set_background(const Rgb& colour) override;
+  void add_light(const Light& light, const std::optional<Rgb>& colour) override;
+
+ private:
+  // The number of a point, normal or coordinate, which is written where it is new.
+  std::size_t number_of(const std::string& statement, std::map<std::string, std::size_t>& known);
+
+  std::string folder_, library_name_, head_, body_, library_;
+  std::vector<std::string> names_;                                     // of materials
+  std::map<std::string, std::size_t> points_, normals_, coordinates_;  // by their statements
+};
+
+}  // namespace renderer

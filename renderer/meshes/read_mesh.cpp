@@ -1,0 +1,145 @@
+#include "renderer/meshes/read_mesh.hpp"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include "base/text.hpp"
+#include "renderer/scene/primitives.hpp"
+
+namespace renderer {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> ENDINGS = {".stl", ".ply",  ".off", ".dae",
+                                                     ".3ds", ".gltf", ".glb"};
+
+Vec to_vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+class Teller {
+ public:
+  Teller(const aiScene& scene, const std::string& path, ObjTarget& target, LeftOut& left_out)
+      : scene_(scene), path_(path), target_(target), left_out_(left_out) {}
+
+  void tell() {
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i) tell_material(*scene_.mMaterials[i]);
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) tell_mesh(*scene_.mMeshes[i]);
+    for (unsigned i = 0; i < scene_.mNumLights; ++i) left_out_.add("lights");
+    for (unsigned i = 0; i < scene_.mNumCameras; ++i) left_out_.add("cameras");
+    for (unsigned i = 0; i < scene_.mNumAnimations; ++i) left_out_.add("animations");
+  }
+
+ private:
+  // One word, and no other material's.
+  std::string make_name(const aiMaterial& material) {
+    std::string name = material.GetName().C_Str();
+    for (char& c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    if (name.empty()) name = "material";
+    const std::string first = name;
+    for (int n = 2; !names_.insert(name).second; ++n) name = fmt::format("{}_{}", first, n);
+    return name;
+  }
+
+  void tell_material(const aiMaterial& material) {
+    MtlMaterial m{.name = make_name(material)};
+    const auto colour = [&](const char* key, unsigned type, unsigned index, const Rgb& otherwise) {
+      aiColor3D c;
+      if (material.Get(key, type, index, c) != aiReturn_SUCCESS) return otherwise;
+      return Rgb{std::clamp<double>(c.r, 0, MAX_COLOUR), std::clamp<double>(c.g, 0, MAX_COLOUR),
+                 std::clamp<double>(c.b, 0, MAX_COLOUR)};
+    };
+    const auto number = [&](const char* key, unsigned type, unsigned index, double least,
+                            double most, double otherwise) {
+      float x = 0;
+      if (material.Get(key, type, index, x) != aiReturn_SUCCESS) return otherwise;
+      return std::isfinite(x) ? std::clamp<double>(x, least, most) : otherwise;
+    };
+    m.set_diffuse(colour(AI_MATKEY_COLOR_DIFFUSE, {0.8, 0.8, 0.8}), 1);
+    m.specular = colour(AI_MATKEY_COLOR_SPECULAR, {});
+    m.emission = colour(AI_MATKEY_COLOR_EMISSIVE, {});
+    m.shine = number(AI_MATKEY_SHININESS, 0, MAX_SHINE, 0);
+    m.transparency = 1 - number(AI_MATKEY_OPACITY, 0, 1, 1);
+    m.ior = number(AI_MATKEY_REFRACTI, 1e-3, MAX_IOR, 1);
+    aiString picture;
+    if (material.GetTexture(aiTextureType_DIFFUSE, 0, &picture) == aiReturn_SUCCESS)
+      tell_picture(picture.C_Str(), m);
+    target_.add_material(m);
+  }
+
+  // A file of its own; others travel in the mesh's.
+  void tell_picture(const std::string& name, MtlMaterial& material) {
+    if (scene_.GetEmbeddedTexture(name.c_str()))
+      left_out_.add("pictures in the file");
+    else
+      material.picture = (std::filesystem::path(path_).parent_path() / name).string();
+  }
+
+  void tell_mesh(const aiMesh& mesh) {
+    target_.use_material(mesh.mMaterialIndex);
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) tell_face(mesh, mesh.mFaces[i]);
+  }
+
+  void tell_face(const aiMesh& mesh, const aiFace& face) {
+    std::vector<Vec> corners, normals;
+    std::vector<Corner> coordinates;
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      const unsigned at = face.mIndices[i];
+      corners.push_back(to_vec(mesh.mVertices[at]));
+      if (mesh.HasNormals()) normals.push_back(to_vec(mesh.mNormals[at]));
+      if (mesh.HasTextureCoords(0))
+        coordinates.push_back({mesh.mTextureCoords[0][at].x, mesh.mTextureCoords[0][at].y});
+    }
+    if (!can_be_patch(corners, normals)) normals.clear();
+    if (can_be_patch(corners, {}))
+      target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
+    else
+      left_out_.add("triangles without an area");
+  }
+
+  static bool can_be_patch(const std::vector<Vec>& corners, const std::vector<Vec>& normals) {
+    try {
+      std::vector<Corner> pool;
+      std::vector<Vec> normal_pool;
+      if (normals.empty())
+        make_polygon(corners, {}, pool);
+      else
+        make_patch(corners, normals, {}, pool, normal_pool);
+      return true;
+    } catch (const base::BadInput&) {
+      return false;
+    }
+  }
+
+  const aiScene& scene_;
+  const std::string& path_;
+  ObjTarget& target_;
+  LeftOut& left_out_;
+  std::set<std::string> names_;  // of materials
+};
+
+}  // namespace
+
+std::span<const std::string_view> mesh_endings() { return ENDINGS; }
+
+void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* scene = importer.ReadFile(
+      path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
+  if (!scene || scene->mNumMeshes == 0) {
+    const std::string reason = importer.GetErrorString();
+    throw base::BadInput(fmt::format("{}: found {}, expected a mesh of triangles", path,
+                                     reason.empty() ? "none" : base::quote(reason)));
+  }
+  Teller(*scene, path, target, left_out).tell();
+}
+
+}  // namespace renderer

@@ -1,0 +1,21 @@
+#pragma once
+// Meshes in formats of others, read by the Open Asset Import Library (Assimp).
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "renderer/files/left_out.hpp"
+#include "renderer/files/obj.hpp"
+
+namespace renderer {
+
+/// Endings of the files that are read: ".stl" and others.
+std::span<const std::string_view> mesh_endings();
+
+/// Tells `target` the triangles of a file, where its nodes put them, and their materials. Left out:
+/// animations, lights, cameras, and triangles without an area. Numbers are of single precision.
+/// BadInput if the file cannot be read or has no triangle.
+void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out);
+
+}  // namespace renderer

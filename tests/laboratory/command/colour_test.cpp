@@ -1,0 +1,50 @@
+// Colour on a terminal, and none elsewhere.
+#include <pty.h>
+#include <sys/wait.h>
+
+#include "tests/laboratory/support/sweep.hpp"
+
+namespace laboratory {
+namespace {
+
+// What `tlab run e.toml` says on a terminal, with these settings of the environment.
+std::string run_on_terminal(const std::filesystem::path& folder,
+                            const std::vector<std::pair<const char*, const char*>>& settings) {
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    for (const auto& [name, value] : settings) setenv(name, value, 1);
+    if (chdir(folder.c_str()) == 0)
+      execl(TLAB_BINARY_DIR "/tlab", "tlab", "run", "e.toml", "-o", "r", nullptr);
+    _exit(127);
+  }
+  std::string text;
+  char bytes[4096];
+  for (ssize_t n; (n = read(terminal, bytes, sizeof bytes)) > 0;)
+    text.append(bytes, static_cast<std::size_t>(n));
+  close(terminal);
+  waitpid(child, nullptr, 0);
+  return text;
+}
+
+// Of colours and bold letters, not of progress bars.
+bool has_colour(const std::string& text) { return contains(text, "\x1b[0m"); }
+
+TEST_F(Sweep, ColourIsForTerminalsThatWantIt) {
+  std::ofstream(folder.path / "e.toml") << SWEEP << "[report]\ncolumns = [\"none\"]\n";
+  const auto text = run_on_terminal(folder.path, {{"TERM", "xterm"}, {"NO_COLOR", ""}});
+  EXPECT_TRUE(contains(text, "\x1b[32mok\x1b[0m")) << text;
+  EXPECT_TRUE(contains(text, "\x1b[33mnote:\x1b[0m")) << text;
+  const auto plain = run_on_terminal(folder.path, {{"TERM", "xterm"}, {"NO_COLOR", "1"}});
+  EXPECT_TRUE(contains(plain, "ok       c: rays")) << plain;
+  EXPECT_FALSE(has_colour(plain)) << plain;
+  EXPECT_FALSE(has_colour(run_on_terminal(folder.path, {{"TERM", "dumb"}, {"NO_COLOR", ""}})));
+  EXPECT_FALSE(has_colour(run({"-o", "r"}).out)) << "in a file";
+
+  std::ofstream(folder.path / "e.toml") << "unknown = 1\n";
+  EXPECT_TRUE(contains(run_on_terminal(folder.path, {{"TERM", "xterm"}, {"NO_COLOR", ""}}),
+                       "tlab:\x1b[0m e.toml:1"));
+}
+
+}  // namespace
+}  // namespace laboratory
