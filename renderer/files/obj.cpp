@@ -129,6 +129,8 @@ class ObjReader {
         {"usemtl", [](ObjReader& r) { r.use_material(); }},
         {"mtllib", [](ObjReader& r) { r.read_libraries(); }},
         {"#", [](ObjReader& r) { r.read_comment(); }},
+        {"p", skip},
+        {"l", skip},
         {"g", skip},
         {"o", skip},
         {"s", skip}};
@@ -232,6 +234,7 @@ class ObjReader {
         require(found == 0 || found == count, fmt::format("{} {}", found, what),
                 fmt::format("one for each of the {} corners", count));
       };
+      require(count >= 3, fmt::format("{} corners", count), "3 or more");
       require_all(normals.size(), "normals");
       require_all(coordinates.size(), "texture coordinates");
       target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
@@ -266,9 +269,11 @@ void read_obj(std::string_view text, const std::string& name, ObjTarget& target)
 
 View look_from_outside(const Bounds& bounds) {
   View view;
+  const Vec across = bounds.hi - bounds.lo;
+  if (std::hypot(across.x, across.z) < 1e-3 * across.y) view.up = {0, 0, 1};
   const double sine = 0.38268343236508977;  // of half the view's 45 degrees
   view.at = 0.5 * (bounds.lo + bounds.hi);
-  view.from = view.at + (0.5 / sine) * (bounds.hi - bounds.lo);
+  view.from = view.at + (0.5 / sine) * across;
   return view;
 }
 

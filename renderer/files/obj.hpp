@@ -1,7 +1,8 @@
 #pragma once
 // Wavefront's OBJ with its MTL files, for scenes and rooms: flat faces and their materials.
 //
-// In an OBJ v, vt, vn, f, usemtl and mtllib count; g, o and s are passed over, others are errors.
+// In an OBJ v, vt, vn, f, usemtl and mtllib count; p, l, g, o and s are passed over, others are
+// errors.
 // What OBJ has no word for is said as NFF says it, in comments that begin a line, so that other
 // readers pass over it (renderer/files/nff.hpp has what follows each, and what makes it prose):
 //
@@ -66,7 +67,8 @@ class ObjTarget {
 void read_obj(std::string_view text, const std::string& name, ObjTarget& target);
 
 /// The view of an OBJ that says none: from outside, along the diagonal of the bounds from their
-/// greatest corner, which just fit into the picture; up is y.
+/// greatest corner, which just fit into the picture; up is y, or z where the bounds are a line in
+/// y.
 View look_from_outside(const Bounds& bounds);
 
 }  // namespace renderer

@@ -16,6 +16,7 @@ class NffText : public NffTarget {
   /// View, background and lights, then the rest in the order that it was told.
   std::string text() const { return head_ + body_; }
 
+  Knows knows() const override { return Knows::both; }
   void set_view(const View& view) override;
   void set_background(const Rgb& colour) override;
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;

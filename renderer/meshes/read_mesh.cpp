@@ -30,6 +30,8 @@ class Teller {
   void tell() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) tell_material(*scene_.mMaterials[i]);
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) tell_mesh(*scene_.mMeshes[i]);
+    if (told_ == 0)
+      throw base::BadInput(path_ + ": found no triangle with an area, expected one or more");
     for (unsigned i = 0; i < scene_.mNumLights; ++i) left_out_.add("lights");
     for (unsigned i = 0; i < scene_.mNumCameras; ++i) left_out_.add("cameras");
     for (unsigned i = 0; i < scene_.mNumAnimations; ++i) left_out_.add("animations");
@@ -97,7 +99,7 @@ class Teller {
         coordinates.push_back({mesh.mTextureCoords[0][at].x, mesh.mTextureCoords[0][at].y});
     }
     if (!can_be_patch(corners, normals)) normals.clear();
-    if (can_be_patch(corners, {}))
+    if (can_be_patch(corners, {}) && ++told_)
       target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
     else
       left_out_.add("triangles without an area");
@@ -122,6 +124,7 @@ class Teller {
   ObjTarget& target_;
   LeftOut& left_out_;
   std::set<std::string> names_;  // of materials
+  std::size_t told_ = 0;         // faces
 };
 
 }  // namespace
@@ -136,8 +139,11 @@ void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
       path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (!scene || scene->mNumMeshes == 0) {
     const std::string reason = importer.GetErrorString();
+    const bool is_memory = reason.find("bad_alloc") != reason.npos;
     throw base::BadInput(fmt::format("{}: found {}, expected a mesh of triangles", path,
-                                     reason.empty() ? "none" : base::quote(reason)));
+                                     is_memory        ? "what asks for more memory than there is"
+                                     : reason.empty() ? "none"
+                                                      : base::quote(reason)));
   }
   Teller(*scene, path, target, left_out).tell();
 }

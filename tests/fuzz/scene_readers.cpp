@@ -2,8 +2,6 @@
 #include "renderer/files/load_scene.hpp"
 #include "renderer/files/path.hpp"
 #include "renderer/files/write_nff.hpp"
-#include "renderer/files/write_obj.hpp"
-#include "renderer/meshes/read_mesh.hpp"
 #include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/room/check.hpp"
 #include "tests/fuzz/kinds.hpp"
@@ -34,15 +32,6 @@ void read_obj(const std::string& text) {
   expect_same("an OBJ as NFF, read again,",
               read_again("an OBJ as NFF", [&] { return write(nff, name_scene(".nff")); }), nff);
   renderer::parse_scene(text, name);
-}
-
-void read_mesh(const std::string& text, const std::string& ending) {
-  base::save_whole("fuzz" + ending, text);
-  renderer::LeftOut left_out;
-  renderer::ObjText obj("", "fuzz-mesh.mtl");
-  renderer::read_mesh("fuzz" + ending, obj, left_out);
-  base::save_whole("fuzz-mesh.mtl", obj.library());
-  read_again("a mesh as OBJ", [&] { return renderer::parse_scene(obj.text(), "fuzz-mesh.obj"); });
 }
 
 void read_path(const std::string& text) {
@@ -80,9 +69,8 @@ std::vector<Reader> scene_readers() {
       {"room", ".room", {SCENES}, [](const auto& text) { read_room(text, ".room"); }},
       {"nff-room", ".nff", {}, [](const auto& text) { read_room(text, ".nff"); }},
       {"obj", ".obj", {SCENES}, read_obj},
-      {"obj-room", ".obj", {SCENES}, [](const auto& text) { read_room(text, ".obj"); }},
+      {"obj-room", ".obj", {SCENES}, [](const auto& text) { read_room(text, ".obj"); }, "obj"},
       {"mtl", ".mtl", {SCENES}, read_mtl},
-      {"ply", ".ply", {"tests/fuzz/seeds"}, [](const auto& text) { read_mesh(text, ".ply"); }},
   };
 }
 

@@ -288,6 +288,15 @@ std::vector<Way> list_ways(const std::string& tlab) {
           {"topology", file, "--format", format, "-o", std::string("out.") + format});
     return commands;
   };
+  const auto convert = [](const std::string& format) {
+    const auto file = "f." + format;
+    return Way{"convert-" + format,
+               Task::read,
+               format,
+               file,
+               {},
+               {{"convert", file, "-o", "out.obj"}, {"convert", file, "-o", "out.nff"}}};
+  };
   return {
       {"topology-dot", Task::read, "dot", "f.dot", {}, networks("f.dot")},
       {"topology-graphml", Task::read, "graphml", "f.graphml", {}, networks("f.graphml")},
@@ -324,6 +333,16 @@ std::vector<Way> list_ways(const std::string& tlab) {
        "triangles.mtl",
        scenes,
        {instead(light, "triangles.obj")}},
+      {"convert-obj",
+       Task::read,
+       "obj",
+       "f.obj",
+       scenes,
+       {{"convert", "f.obj", "-o", "out.nff"}, {"convert", "f.obj", "-o", "out.room"}}},
+      {"convert-nff", Task::read, "nff", "f.nff", scenes, {{"convert", "f.nff", "-o", "out.obj"}}},
+      convert("ply"),
+      convert("stl"),
+      convert("gltf"),
       {"model", Task::read, "model", "f.toml", {}, {{"model", "f.toml"}}},
       {"list", Task::read, "experiment", "f.toml", scenes, {{"run", "f.toml", "--list"}}},
       {"run",

@@ -1,15 +1,19 @@
 // tlab convert: a scene, room or mesh in another file format.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/patience.hpp"
 #include "renderer/files/load_scene.hpp"
 #include "renderer/files/obj_nff.hpp"
@@ -35,6 +39,11 @@ struct Text {
   std::string path, text;
 };
 using Texts = std::vector<Text>;
+
+struct Converted {
+  Texts texts;
+  std::string left_out;
+};
 
 Texts write_room(const std::string& source, const std::string& output, LeftOut& left_out) {
   return {{output, radiosity::to_text(radiosity::load_room(source), left_out)}};
@@ -71,6 +80,32 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
+// The same of a mesh in a process of its own, with a limit on its time: see read_mesh().
+Converted convert_apart(const std::string& source, const std::function<Converted()>& convert) {
+  constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
+  std::error_code none;
+  const auto bytes = fs::file_size(source, none);
+  const auto limit_s = static_cast<rlim_t>(LEAST_S + (none ? 0 : S_PER_BYTE * double(bytes)));
+  const auto job = [&](std::size_t) {
+    const rlimit limit{limit_s, limit_s};
+    setrlimit(RLIMIT_CPU, &limit);
+    if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
+    const auto [texts, left_out] = convert();
+    nlohmann::json json = {{"left_out", left_out}};
+    for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  };
+  Converted converted;
+  for_each_job(1, 1, job, [&](const JobEnd& end) {
+    base::require(end.died.empty(), source, "Assimp cannot read it: {}", end.died);
+    const auto json = nlohmann::json::parse(end.result);
+    converted.left_out = json["left_out"];
+    for (const auto& text : json["texts"]) converted.texts.push_back({text[0], text[1]});
+  });
+  if (was_interrupted()) throw Interrupted();
+  return converted;
+}
+
 void convert(const std::string& source, const std::string& output) {
   using Write = Texts (*)(const std::string&, const std::string&, LeftOut&);
   constexpr std::pair<std::string_view, Write> WRITERS[] = {
@@ -83,17 +118,21 @@ void convert(const std::string& source, const std::string& output) {
   base::require(fs::path(source).extension() != ending, "-o " + output,
                 "found the format of {}, expected another", source);
 
-  LeftOut left_out;
-  const auto texts = [&] {
+  const auto convert_here = [&] {
+    LeftOut left_out;
+    auto texts = writer->second(source, output, left_out);
+    return Converted{std::move(texts), left_out.describe()};
+  };
+  const auto [texts, left_out] = [&] {
     const Patience patience("convert " + source);
-    return writer->second(source, output, left_out);
+    return is_mesh(source) ? convert_apart(source, convert_here) : convert_here();
   }();
   for (const auto& [path, text] : texts) {
     if (text.empty()) continue;  // an OBJ without materials
     base::save_whole(path, text);
     fmt::print("scene    {}\n", path);
   }
-  if (const auto all = left_out.describe(); !all.empty()) fmt::print("left out {}\n", all);
+  if (!left_out.empty()) fmt::print("left out {}\n", left_out);
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ TEST_F(Sweep, TheDictionaryHasEveryColumnWithTypeUnitAndMeaning) {
     for (const auto& row : table.rows) {
       if (row[c] == Value()) continue;
       EXPECT_EQ(field["type"] == "string", std::holds_alternative<std::string>(row[c]));
-      if (field["type"] == "integer") EXPECT_TRUE(std::holds_alternative<std::int64_t>(row[c]));
+      if (field["type"] == "integer") {
+        EXPECT_TRUE(std::holds_alternative<std::int64_t>(row[c]));
+      }
     }
   }
   const auto field = [&](const std::string& name) {

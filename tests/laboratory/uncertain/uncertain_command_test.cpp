@@ -1,4 +1,6 @@
 // tlab run --uncertain: what it leaves, and what it refuses.
+#include <fmt/format.h>
+
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 
