@@ -3,6 +3,7 @@
 set_target_properties(experiments_python_bindings PROPERTIES CXX_VISIBILITY_PRESET hidden)
 pybind11_add_module(tlab_native MODULE NO_EXTRAS ${PROJECT_SOURCE_DIR}/experiments/python/bindings/main.cpp)
 target_link_libraries(tlab_native PRIVATE experiments_python_bindings)
+target_compile_definitions(tlab_native PRIVATE TLAB_VERSION="${PROJECT_VERSION}")
 set(package ${PROJECT_BINARY_DIR}/python/tlab)
 set_target_properties(tlab_native PROPERTIES OUTPUT_NAME _native
                       LIBRARY_OUTPUT_DIRECTORY ${package})

@@ -59,6 +59,8 @@ class ResultsTest(FolderTest):
                     self.assertTrue(pandas.isna(value), name)
                 elif column.dtype == object:
                     self.assertEqual(value, text, name)
+                elif column.dtype == bool:
+                    self.assertEqual(value, {"1": True, "true": True, "0": False, "false": False}[text], name)
                 else:
                     self.assertEqual(float(value), float(text), name)
 
@@ -82,8 +84,10 @@ class ResultsTest(FolderTest):
         self.check_table(programs)
         self.assertEqual(set(programs.programs), {"farm", "task_farm"})
         self.assertEqual(str(programs["rays"].dtype), "Int64")
-        flags = tlab.programs.alternative(guards=2, pri=[True, False]) if False else None
-        self.assertIsNone(flags)
+        flags = tlab.programs.soft(reader_first=[True, False], bytes=[1, 2])
+        self.check_table(flags)
+        self.assertEqual(str(flags["reader_first"].dtype), "bool")
+        self.assertEqual(list(flags["reader_first"]), [True, True, False, False])
 
     def test_the_same_bytes_as_the_command(self):
         path = self.write(FARM_TEXT)
@@ -145,9 +149,6 @@ class TopologiesTest(FolderTest):
         ring.name = "ring with a chord"
         chord = tlab.from_networkx(ring)
         chord.save(self.folder / "chord.dot")
-        table = tlab.run(FARM, sweep={"topology": [chord, tlab.topology("ring:6"), "mesh:2x3"], "workers": [6],
-                                      "objects": [20]}).table if False else None
-        self.assertIsNone(table)
         experiment = {"image": {"width": 8, "height": 8}, "scene": {"objects": 20},
                       "sweep": {"topology": [chord, tlab.topology("ring:6"), "mesh:2x3"]}}
         expected = tlab.run(experiment, sweep={"topology": [self.folder / "chord.dot", "ring:6", "mesh:2x3"]})

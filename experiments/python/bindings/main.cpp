@@ -14,6 +14,7 @@ void translate(std::exception_ptr thrown) {
 }
 
 PYBIND11_MODULE(_native, module) {
+  module.attr("VERSION") = TLAB_VERSION;
   module.doc() = "What the package tlab takes from tlab's libraries.";
   py::register_exception_translator(&translate);
   bindings::bind_topologies(module);

@@ -29,6 +29,7 @@ pybind11::dict describe(const base::Field<P>& field, const P& defaults) {
   about["choices"] = pybind11::tuple(pybind11::cast(domain.choices));
   about["required"] = domain.is_required;
   about["default"] = to_python(field.get(defaults));
+  if (domain.kind == base::Domain::Kind::flag) about["default"] = pybind11::bool_(about["default"]);
   return about;
 }
 

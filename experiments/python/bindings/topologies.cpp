@@ -99,8 +99,7 @@ struct Routes {
     return all;
   }
   py::tuple busiest() const {
-    const auto found =
-        topologies::find_busiest(topology, topologies::eval_load(topology, table));
+    const auto found = topologies::find_busiest(topology, topologies::eval_load(topology, table));
     return py::make_tuple(find_link(found), found.messages);
   }
   bool closes_cycle() const { return topologies::closes_cycle(topology, table, {}); }

@@ -9,6 +9,7 @@
 """
 
 from tlab import programs
+from tlab._native import VERSION as __version__
 from tlab.errors import BadInput, CheckFailed, Error, NotFound, SimulatedFault
 from tlab.pictures import read_image, render, render_options
 from tlab.results import Result

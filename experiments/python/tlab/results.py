@@ -66,11 +66,10 @@ class Result:
     folder: where all of this is. A temporary folder lasts as long as this object.
     """
 
-    def __init__(self, folder, output="", temporary=None, networks=None):
+    def __init__(self, folder, output="", files=None):
         self.folder = pathlib.Path(folder)
         self.output = output
-        self._temporary = temporary  # removes the folder when nobody has it any more
-        self._networks = networks or {}  # what topologies are called, by their files
+        self._files = files  # which it needs: a temporary folder goes with them
         self.record = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
         self.table = self._read("results", self._floats())
 
@@ -139,8 +138,8 @@ class Result:
 
     def _read(self, name, floats=()):
         table = read_table(self.folder / f"{name}.csv", floats)
-        if "topology" in table:
-            table["topology"] = table["topology"].replace(self._networks)
+        if "topology" in table and self._files:
+            table["topology"] = table["topology"].replace(self._files.names)
         return table
 
     def _floats(self):

@@ -3,7 +3,9 @@
 import os
 import pathlib
 import re
+import shutil
 import tempfile
+import weakref
 
 from tlab import command
 from tlab.errors import BadInput
@@ -13,10 +15,15 @@ from tlab.topologies import Topology
 
 
 class _Files:
-    """The files that a run is given: the experiment, where it is no file yet, and networks."""
+    """A temporary folder, which lasts as long as this object, for the files that a run is given.
 
-    def __init__(self, folder):
-        self.folder, self.names = folder, {}
+    These are the experiment, where it is no file yet, and networks. names: what the networks are called, by the texts
+    that the experiment has in their place.
+    """
+
+    def __init__(self):
+        self.folder, self.names = pathlib.Path(tempfile.mkdtemp(prefix="tlab-")), {}
+        weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
 
     def put_networks(self, value, absolute):
         """The value with a spec or a file's path in place of each topology in it."""
@@ -79,8 +86,7 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
 
     Raises BadInput, CheckFailed or SimulatedFault with tlab's message; the two last have the results that there are.
     """
-    temporary = tempfile.TemporaryDirectory(prefix="tlab-")
-    files = _Files(pathlib.Path(temporary.name))
+    files = _Files()
     path = _file_of(experiment, files)
     is_ours = path.parent == files.folder
     folder = files.folder / "results" if folder is None else pathlib.Path(folder)
@@ -93,7 +99,7 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
     before = _identity(folder / "run.json")
     done = command.start(arguments)
     has_results = _identity(folder / "run.json") not in (None, before)
-    result = Result(folder, done.output, temporary, files.names) if has_results else None
+    result = Result(folder, done.output, files) if has_results else None
     if failure := done.failure(result):
         raise failure
     return result
