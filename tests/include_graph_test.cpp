@@ -245,6 +245,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"xxhash"}, std::regex("experiments/laboratory/host/hash\\.cpp")},
       {{"nlohmann/"}, std::regex("experiments/laboratory/.*|tests/laboratory/.*")},
       {{"benchmark/"}, std::regex("tests/benchmarks/.*")},
+      {{"pybind11/"}, std::regex("experiments/python/bindings/.*")},
       {{"embree3/"},
        std::regex("tests/benchmarks/embree\\.cpp|tests/reference/room_geometry\\.cpp")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},

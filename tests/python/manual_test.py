@@ -47,7 +47,7 @@ class ManualTest(unittest.TestCase):
         text = PAGE.read_text(encoding="utf-8")
         for name in set(re.findall(r"`tlab\.(\w+)", text)):
             self.assertTrue(hasattr(tlab, name), name)
-        for name in re.findall(r"^\| `(\w+)(?:\(name\))?`(?:, `(\w+)`)? \|", text, re.MULTILINE):
+        for name in re.findall(r"^\| `([a-z]+)(?:\(name\))?`(?:, `(\w+)`)? \|", text, re.MULTILINE):
             for attribute in filter(None, name):
                 self.assertTrue(hasattr(tlab.Result, attribute) or attribute in
                                 ("table", "record", "output", "folder"), attribute)

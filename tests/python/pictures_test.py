@@ -66,7 +66,7 @@ class PicturesTest(unittest.TestCase):
                 ({"scene": "sphere:3"}, "sphere:3"), ({"scene": "spheres:3", "dpth": 3}, 'the nearest is "depth"'),
                 ({"scene": "spheres:3", "depth": 0}, "found 0, expected a whole number from 1 to 1000"),
                 ({"scene": "spheres:3", "depth": "deep"}, "found 'deep'"),
-                ({"scene": "spheres:3", "sample": "middle"}, "expected one of corner, center, lattice"),
+                ({"scene": "spheres:3", "sample": "middle"}, "expected one of center, corner, lattice"),
                 ({"scene": "spheres:3", "depth": {}}, "found {}, expected a number"),
                 ({"scene": "spheres:3", "size": (0, 5)}, "1 to 65536"),
                 ({"scene": "spheres:3", "threads": 0}, "threads"),

@@ -45,7 +45,7 @@ class FunctionsTest(unittest.TestCase):
                         continue  # tables, one for each stage or order
                     value = (parameters.get(short) or parameters[key.replace(".", "_")]).default
                     if default is not None:
-                        self.assertEqual(_as_help(value), default, key)
+                        self.assertEqual(*_comparable(value, default), key)
                 for column in columns:
                     self.assertIn(f"    {column}: ", function.__doc__)
 
@@ -62,12 +62,13 @@ class FunctionsTest(unittest.TestCase):
                 self.assertTrue(known.all(), list(known[~known].index))
 
 
-def _as_help(value):
-    if isinstance(value, bool):
-        return str(int(value))
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(f"{item:g}" for item in value) + "]"
-    return {None: "none"}.get(value, f"{value:g}" if isinstance(value, float) else str(value))
+def _comparable(value, text):
+    """A default and how help spells it, as numbers, lists of numbers or texts."""
+    if isinstance(value, (int, float)):
+        return value, float(text)
+    if isinstance(value, list):
+        return value, [float(item) for item in text.split(", ") if item]
+    return str(value or "none"), text or "none"
 
 
 class RunsTest(unittest.TestCase):

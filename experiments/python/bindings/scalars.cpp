@@ -11,7 +11,10 @@ namespace {
 
 struct ToPython {
   py::object operator()(std::monostate) const { return py::none(); }
-  py::object operator()(const base::Source& source) const { return py::cast(source.text); }
+  py::object operator()(const base::Source& source) const {
+    if (source.text.empty()) return py::none();
+    return py::cast(source.text);
+  }
   template <class T>
   py::object operator()(const T& value) const {
     return py::cast(value);

@@ -6,7 +6,7 @@
 
 namespace bindings {
 
-/// None for what was not given; of a source its text.
+/// None for what was not given; of a source its text, or None where there is none.
 pybind11::object to_python(const base::Scalar& value);
 
 /// A bool, int, float, str, or sequence of numbers. Throws BadInput, beginning with `name`, for
