@@ -12,18 +12,19 @@ INTERRUPTED = 130  # exit code
 
 
 def find():
-    """The program's path: what $TLAB says; else that of the build tree this package is in; else that on PATH."""
-    given = os.environ.get("TLAB")
+    """The program's path: what $TLAB says; else that of the same build tree or installation; else that on PATH."""
+    given = os.environ.get("TLAB")  # first, so that it can be told apart from one that is installed
     if given:
         found = shutil.which(given)
         if not found:
             raise NotFound(f"TLAB is {given}, expected the path of the program tlab")
         return pathlib.Path(found)
-    beside = pathlib.Path(__file__).parents[2] / "tlab"
-    found = shutil.which(beside) or shutil.which("tlab")
+    package = pathlib.Path(__file__).parent
+    beside = (package / "../../tlab", package / "../../../../bin/tlab")  # of a build tree, of an installation
+    found = next(filter(None, map(shutil.which, (*beside, "tlab"))), None)
     if not found:
         raise NotFound("found no program tlab, neither beside this package nor on PATH; set TLAB to its path")
-    return pathlib.Path(found)
+    return pathlib.Path(os.path.normpath(found))
 
 
 class Done:

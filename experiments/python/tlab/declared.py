@@ -17,19 +17,10 @@ def programs():
     return {program["name"]: program for program in _native.programs()}
 
 
-@functools.cache
-def _flags():
-    """Parameters that are true or false wherever they are parameters."""
-    kinds = {}
-    for program in programs().values():
-        for parameter in program["parameters"]:
-            kinds.setdefault(parameter["name"], set()).add(parameter["kind"])
-    return {name for name, found in kinds.items() if found == {"flag"}}
-
-
-def is_flag(column):
-    """Whether a column of results is true or false."""
-    return column in _flags()
+def flags_of(names):
+    """The parameters of programs of these names that are true or false."""
+    parameters = [parameter for name in names if name in programs() for parameter in programs()[name]["parameters"]]
+    return {parameter["name"] for parameter in parameters if parameter["kind"] == "flag"}
 
 
 def unit_of(column):

@@ -15,13 +15,13 @@ def _is_whole(text):
     return text.lstrip("-").isdigit()
 
 
-def _type_of(name, texts, floats):
+def _type_of(name, texts, floats, flags):
     """The dtype of a column by the spelling of its cells, and None where they are texts."""
     given = [text for text in texts if text != ""]
     has_gaps = len(given) < len(texts)
     if not given:
         return None
-    if declared.is_flag(name) and set(given) <= {"0", "1", "false", "true"}:
+    if name in flags and set(given) <= {"0", "1", "false", "true"}:
         return "boolean" if has_gaps else "bool"
     if all(map(_is_whole, given)) and name not in floats:
         return "Int64" if has_gaps else "int64"
@@ -32,18 +32,22 @@ def _type_of(name, texts, floats):
     return "float64"
 
 
-def read_table(path, floats=()):
-    """A CSV file of tlab as a DataFrame: whole numbers, numbers, booleans and texts.
+def read_texts(path):
+    """A CSV file of tlab as a DataFrame of texts."""
+    return pandas.read_csv(path, dtype=str, keep_default_na=False)
 
-    An empty cell says that the column does not apply: NaN or <NA> among numbers, None among texts. Whole numbers in
-    the columns `floats` are numbers all the same.
+
+def give_types(raw, floats=(), flags=()):
+    """A table of texts as one of whole numbers, numbers, booleans and texts.
+
+    An empty cell says that the column does not apply: NaN or <NA> among numbers, None among texts. In the columns
+    `floats` whole numbers are numbers all the same, in the columns `flags` 0 and 1 are booleans.
     """
-    raw = pandas.read_csv(path, dtype=str, keep_default_na=False, comment=None)
     table = pandas.DataFrame(index=raw.index)
     columns = {}
     for name in raw.columns:
         texts = raw[name]
-        dtype = _type_of(name, list(texts), floats)
+        dtype = _type_of(name, list(texts), floats, flags)
         if dtype is None:
             columns[name] = texts.where(texts != "", None).astype(object)
         elif dtype in ("bool", "boolean"):
@@ -94,8 +98,11 @@ class Result:
     @property
     def programs(self):
         """The names of the programs that were run."""
-        if "program" in self.table:
-            return list(self.table["program"].unique())
+        return self._programs_of(self.table)
+
+    def _programs_of(self, table):
+        if "program" in table:
+            return list(table["program"].unique())
         return [tomllib.loads(self.record["experiment"]).get("program", {}).get("name", "farm")]
 
     @property
@@ -137,7 +144,8 @@ class Result:
         return self.table._repr_html_()
 
     def _read(self, name, floats=()):
-        table = read_table(self.folder / f"{name}.csv", floats)
+        raw = read_texts(self.folder / f"{name}.csv")
+        table = give_types(raw, floats, declared.flags_of(self._programs_of(raw)))
         if "topology" in table and self._files:
             table["topology"] = table["topology"].replace(self._files.names)
         return table
