@@ -159,6 +159,25 @@ class TopologiesTest(FolderTest):
             pandas.testing.assert_frame_equal(result.table.drop(columns="topology"),
                                               expected.table.drop(columns="topology"))
 
+    def test_networks_of_one_name_are_told_apart(self):
+        import networkx
+
+        def path(size, name):
+            return tlab.from_networkx(networkx.path_graph(size), name)
+
+        given = [path(2, "a-2"), path(3, "a"), path(4, "a"), path(5, "a b"), path(6, "a-b")]
+        table = tlab.programs.metrics(topology=given).table
+        self.assertEqual(list(table["processors"]), [2, 3, 4, 5, 6])
+        self.assertEqual(list(table["topology"]), ["a-2", "a", "a-3", "a b", "a-b"])
+
+    def test_labels_that_look_like_numbers_are_texts(self):
+        import networkx
+
+        for labels in (["0_1", "0_2"], ["007", "008"], ["nan", "inf"], ["1e", "0x1"]):
+            network = tlab.from_networkx(networkx.relabel_nodes(networkx.path_graph(2), dict(enumerate(labels))), "pair")
+            table = tlab.programs.census(topology=network).table
+            self.assertEqual(list(table["processor"]), labels)
+
     def test_paths_are_found_from_the_current_folder(self):
         tlab.topology("mesh:2x2").save(self.folder / "square.graphml")
         before = os.getcwd()

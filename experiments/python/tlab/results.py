@@ -3,6 +3,7 @@
 import functools
 import json
 import pathlib
+import re
 import tomllib
 
 import pandas
@@ -11,8 +12,9 @@ from tlab import declared
 from tlab.pictures import read_image
 
 
-def _is_whole(text):
-    return text.lstrip("-").isdigit()
+# Numbers as tlab writes them. Labels of processors may look nearly so: 007, 1_2.
+WHOLE = re.compile(r"-?(0|[1-9][0-9]*)")
+NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?")
 
 
 def _type_of(name, texts, floats, flags):
@@ -23,13 +25,9 @@ def _type_of(name, texts, floats, flags):
         return None
     if name in flags and set(given) <= {"0", "1", "false", "true"}:
         return "boolean" if has_gaps else "bool"
-    if all(map(_is_whole, given)) and name not in floats:
+    if all(map(WHOLE.fullmatch, given)) and name not in floats:
         return "Int64" if has_gaps else "int64"
-    try:
-        list(map(float, given))
-    except ValueError:
-        return None
-    return "float64"
+    return "float64" if all(map(NUMBER.fullmatch, given)) else None
 
 
 def read_texts(path):

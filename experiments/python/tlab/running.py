@@ -1,5 +1,6 @@
 """Experiments: running them with the command."""
 
+import itertools
 import os
 import pathlib
 import re
@@ -38,14 +39,20 @@ class _Files:
 
     def _save(self, topology, absolute):
         stem = re.sub(r"[^A-Za-z0-9_-]+", "-", topology.name).strip("-") or "network"
-        others = sum(1 for other in self.folder.glob("*.graphml") if re.fullmatch(rf"{stem}(-\d+)?", other.stem))
-        path = self.folder / f"{stem}-{others + 1}.graphml" if others else self.folder / f"{stem}.graphml"
+        path = self.folder / f"{_find_free(stem, lambda s: (self.folder / f'{s}.graphml').exists())}.graphml"
         topology.save(path)
         text = str(path) if absolute else path.name
-        self.names[text] = topology.name if others == 0 else f"{topology.name}-{others + 1}"
+        self.names[text] = _find_free(topology.name, lambda name: name in self.names.values())
         return text
 
 
+# The name, or with the first number behind it with which it is not taken.
+def _find_free(name, is_taken):
+    names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
+    return next(free for free in names if not is_taken(free))
+
+
+# A text in TOML, where a path has neither of these.
 def _is_text(experiment):
     return isinstance(experiment, str) and ("\n" in experiment or "=" in experiment)
 
@@ -75,8 +82,8 @@ def _identity(path):
 def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
     """Runs an experiment with the command `tlab run`, and gives its Result.
 
-    experiment: the path of a file; or a dict of its tables, or a text in TOML. Paths in these two are absolute, or
-        pathlib.Paths, which are found from the current folder
+    experiment: the path of a file; or a dict of its tables, or a text in TOML, which has a line end or a =. Paths in
+        a text are absolute; in a dict they may be pathlib.Paths, which are found from the current folder
     folder: where results are written; points that are there already are not run again. Else a temporary folder
     jobs: points run side by side, else as many as the host has processors
     until: seconds of simulated time after which a point is cut short
