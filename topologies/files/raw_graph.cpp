@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <numeric>
 #include <tuple>
 
@@ -38,8 +39,12 @@ bool is_name(const std::string& text) {
 }
 
 bool read_flag(const RawVertex& vertex, const std::string& file) {
-  if (vertex.root.empty() || vertex.root == "false" || vertex.root == "0") return false;
-  if (vertex.root == "true" || vertex.root == "1") return true;
+  const auto is_one_of = [&](std::initializer_list<std::string_view> texts) {
+    return std::ranges::find(texts, vertex.root) != texts.end();
+  };
+  // (Python spells them with a capital, and so do files that networkx writes.)
+  if (is_one_of({"", "false", "False", "0"})) return false;
+  if (is_one_of({"true", "True", "1"})) return true;
   throw base::BadInput(fmt::format("{}: vertex \"{}\": root is \"{}\", expected true or false",
                                    file, vertex.name, vertex.root));
 }

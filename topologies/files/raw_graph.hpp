@@ -1,5 +1,6 @@
 #pragma once
-// A graph as a file tells it, before it is a topology. For the readers of this room only.
+// A graph as a file tells it, before it is a topology. For the readers of this room, and for those
+// who have a graph in another form than a file.
 
 #include <string>
 #include <vector>

@@ -152,6 +152,7 @@ TEST(TopologyDot, AssignsFreePortsInTheOrderOfEdges) {
 TEST(TopologyDot, RootIsAGraphOrVertexAttribute) {
   for (const auto* text : {"graph { root=c; a -- b -- c }", "graph { graph [root=c]; a -- b -- c }",
                            "graph { a -- b -- c; c [root=true] }",
+                           "graph { a [root=False]; a -- b -- c; c [root=True] }",
                            "digraph { root=c; c [root=1]; a [root=false];"
                            " a -> b -> c }"}) {
     const auto t = read_dot(text, "root.dot");

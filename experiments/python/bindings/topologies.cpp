@@ -1,0 +1,144 @@
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <tuple>
+
+#include "base/errors.hpp"
+#include "experiments/python/bindings/bindings.hpp"
+#include "topologies/draw/drawing.hpp"
+#include "topologies/files/formats.hpp"
+#include "topologies/files/raw_graph.hpp"
+#include "topologies/graph/metrics.hpp"
+#include "topologies/make/generators.hpp"
+#include "topologies/route/given_routes.hpp"
+#include "topologies/route/route_load.hpp"
+#include "topologies/route/up_down.hpp"
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+
+namespace bindings {
+namespace {
+
+using topologies::RoutingTable;
+using topologies::Topology;
+
+// Two vertices, by their place in the list of names, and the ports there; -1: any.
+using Edge = std::tuple<int, int, int, int>;
+
+std::string spell_port(int port) { return port < 0 ? "" : std::to_string(port); }
+
+// The topology of a graph, by the rules for files.
+Topology make_graph(const std::string& name, const std::vector<std::string>& names, int root,
+                    const std::vector<Edge>& edges, bool has_arrows) {
+  topologies::RawGraph graph;
+  graph.has_arrows = has_arrows;
+  for (const auto& vertex : names) graph.vertices.push_back({vertex, ""});
+  const auto is_vertex = [&](int v) { return v >= 0 && v < static_cast<int>(names.size()); };
+  for (const auto& [from, to, port_a, port_b] : edges) {
+    base::require(is_vertex(from) && is_vertex(to), name, "an edge ends at no vertex");
+    graph.edges.push_back({from, to, spell_port(port_a), spell_port(port_b)});
+  }
+  if (is_vertex(root)) graph.vertices[static_cast<std::size_t>(root)].root = "true";
+  return topologies::make_topology(graph, name);
+}
+
+// Each link as its lower processor and port, and its higher processor and port.
+std::vector<Edge> list_links(const Topology& topology) {
+  std::vector<Edge> links;
+  for (const auto& [a, b] : topology.links)
+    links.emplace_back(a.processor, b.processor, a.port, b.port);
+  return links;
+}
+
+py::object find_link(const topologies::BusiestLink& busiest) {
+  if (busiest.from < 0) return py::none();
+  return py::make_tuple(busiest.from, busiest.to);
+}
+
+py::dict measure(const Topology& topology) {
+  const auto m = topologies::eval_metrics(topology);
+  return py::dict("processors"_a = m.processors, "links"_a = m.links, "degree_min"_a = m.degree_min,
+                  "degree_max"_a = m.degree_max, "diameter"_a = m.diameter,
+                  "mean_distance"_a = m.mean_distance, "bisection_width"_a = m.bisection_width,
+                  "farm_messages"_a = m.farm.messages, "farm_link"_a = find_link(m.farm),
+                  "all_to_all_messages"_a = m.all_to_all.messages,
+                  "all_to_all_link"_a = find_link(m.all_to_all));
+}
+
+// Routes, with the topology that they are on.
+struct Routes {
+  Topology topology;
+  RoutingTable table;
+
+  void check(int processor) const {
+    base::require(processor >= 0 && processor < table.processors, topology.name,
+                  "found processor {}, expected 0 to {}", processor, table.processors - 1);
+  }
+  int distance(int from, int to) const {
+    check(from), check(to);
+    return from == to ? 0 : table.distance(from, to);
+  }
+  // The processors on the way, both ends included.
+  std::vector<int> path(int from, int to) const {
+    check(from), check(to);
+    std::vector<int> processors{from};
+    while (from != to) {
+      from = table.rule->peers()[static_cast<std::size_t>(from)]
+                                [static_cast<std::size_t>(table.next_port(from, to))];
+      processors.push_back(from);
+    }
+    return processors;
+  }
+  py::array_t<int> distances() const {
+    const int n = table.processors;
+    py::array_t<int> all({n, n});
+    auto at = all.mutable_unchecked<2>();
+    for (int to = 0; to < n; ++to)
+      for (int from = 0; from < n; ++from) at(from, to) = distance(from, to);
+    return all;
+  }
+  py::tuple busiest() const {
+    const auto found = topologies::find_busiest(topology, topologies::eval_load(topology, table));
+    return py::make_tuple(find_link(found), found.messages);
+  }
+  bool closes_cycle() const { return topologies::closes_cycle(topology, table, {}); }
+};
+
+Routes make_routes(const Topology& topology, const std::string& name) {
+  return {topology, topologies::find_routes(topology, name)};
+}
+
+}  // namespace
+
+void bind_topologies(py::module_& module) {
+  py::class_<Topology>(module, "Topology")
+      .def_readonly("name", &Topology::name)
+      .def_readonly("processors", &Topology::processors)
+      .def_readonly("root", &Topology::root)
+      .def_readonly("labels", &Topology::labels)
+      .def_readonly("has_arrows", &Topology::has_arrows)
+      .def("links", &list_links)
+      .def("metrics", &measure)
+      .def("to_dot", &topologies::to_dot)
+      .def("to_graphml", &topologies::to_graphml)
+      .def("to_svg", &topologies::to_svg);
+  py::class_<Routes>(module, "Routes")
+      .def("distance", &Routes::distance)
+      .def("path", &Routes::path)
+      .def("distances", &Routes::distances)
+      .def("mean_distance", [](const Routes& r) { return r.table.mean_distance(); })
+      .def("busiest", &Routes::busiest)
+      .def("closes_cycle", &Routes::closes_cycle);
+  module.def("make_topology", [](const std::string& s) { return topologies::make_topology(s); });
+  module.def("make_graph", &make_graph);
+  module.def("make_routes", &make_routes);
+  module.def("generators", [] {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const auto& generator : topologies::generators())
+      all.emplace_back(generator.form, generator.help);
+    return all;
+  });
+}
+
+}  // namespace bindings

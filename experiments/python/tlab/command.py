@@ -1,0 +1,72 @@
+"""The command `tlab`: where it is, and how it is started."""
+
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+
+from tlab.errors import OF_EXIT_CODE, Error, NotFound
+
+INTERRUPTED = 130  # exit code
+
+
+def find():
+    """The program's path: what $TLAB says; else that of the same build tree or installation; else that on PATH."""
+    given = os.environ.get("TLAB")  # first, so that it can be told apart from one that is installed
+    if given:
+        found = shutil.which(given)
+        if not found:
+            raise NotFound(f"TLAB is {given}, expected the path of the program tlab")
+        return pathlib.Path(found)
+    package = pathlib.Path(__file__).parent
+    beside = (package / "../../tlab", package / "../../../../bin/tlab")  # of a build tree, of an installation
+    found = next(filter(None, map(shutil.which, (*beside, "tlab"))), None)
+    if not found:
+        raise NotFound("found no program tlab, neither beside this package nor on PATH; set TLAB to its path")
+    return pathlib.Path(os.path.normpath(found))
+
+
+class Done:
+    """How the command has ended: exit_code, and what it has printed in output and errors."""
+
+    def __init__(self, exit_code, output, errors):
+        self.exit_code, self.output, self.errors = exit_code, output, errors
+
+    def failure(self, result=None):
+        """The exception for this end, with tlab's own message; None where all is well."""
+        if self.exit_code == 0:
+            return None
+        message = "\n".join(line.removeprefix("tlab: ") for line in self.errors.strip().splitlines())
+        kind = OF_EXIT_CODE.get(self.exit_code, Error)
+        return kind(message or f"tlab has ended with {self.exit_code}", self.exit_code, result)
+
+
+def start(arguments):
+    """Starts tlab with arguments and waits for its end.
+
+    An interrupt of Python (Ctrl-C, or a notebook's stop) interrupts tlab, which then writes what there is.
+    """
+    process = subprocess.Popen([find(), *map(os.fspath, arguments)], stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               encoding="utf-8", errors="replace", start_new_session=True)
+    try:
+        output, errors = process.communicate()
+    except BaseException:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.communicate()
+        finally:
+            process.kill()  # where a second interrupt has come
+        raise
+    if process.returncode == INTERRUPTED:
+        raise KeyboardInterrupt
+    return Done(process.returncode, output, errors)
+
+
+def ask(*arguments):
+    """What tlab prints; raises an Error where it fails."""
+    done = start(arguments)
+    if failure := done.failure():
+        raise failure
+    return done.output

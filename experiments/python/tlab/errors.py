@@ -1,0 +1,43 @@
+"""What goes wrong: one exception for each exit code of the command, with its own message."""
+
+
+class Error(Exception):
+    """What tlab has said, and the results that it left, if it left any.
+
+    exit_code: that of the command.
+    result: a Result, or None. A check that fails and a point that deadlocks leave results.
+    """
+
+    exit_code = None
+
+    def __init__(self, message, exit_code=None, result=None):
+        super().__init__(message)
+        if exit_code is not None:
+            self.exit_code = exit_code
+        self.result = result
+
+
+class CheckFailed(Error):
+    """A check did not hold, two machines gave different images, or a point's process was killed."""
+
+    exit_code = 1
+
+
+class BadInput(Error, ValueError):
+    """Bad input, or a host that cannot: a full disk, a drawing that fails."""
+
+    exit_code = 2
+
+
+class SimulatedFault(Error):
+    """The simulated program deadlocked, ran out of memory or did what the machine refuses."""
+
+    exit_code = 3
+
+
+class NotFound(Error):
+    """There is no program `tlab` to be started."""
+
+
+# What an exit code of the command is in Python; other codes are defects of tlab.
+OF_EXIT_CODE = {kind.exit_code: kind for kind in (CheckFailed, BadInput, SimulatedFault)}

@@ -1,0 +1,96 @@
+"""The programs of the simulated machine: a function for each, which runs it and gives its Result.
+
+The functions are made of what the programs declare. They take a program's parameters by name; where a list is given
+for one, each of its values is run, and every combination of several: message(bytes=[1, 80], switches=[0, 1]) has four
+rows. Other keys of the experiment file are given as in tlab.run.
+"""
+
+import inspect
+import keyword
+
+from tlab import declared
+from tlab.running import run as _run
+
+# Keys that most programs have, by short names.
+_COMMON = {"model": ("machine.model", "t805-25")}
+_NETWORK = {"topology": ("network.topology", "tree"), "workers": ("network.workers", 7)}
+
+
+def _common_of(program):
+    return {**_COMMON, **(_NETWORK if program["network"] else {})}
+
+
+# Short names of a program's parameters; the whole key, with _ for its dots, where two have one name.
+def _names_of(program):
+    keys = [parameter["key"] for parameter in program["parameters"]]
+    short = [key.rpartition(".")[2] for key in keys]
+    taken = {*_common_of(program), "folder", "jobs", "until"}
+    return {(key.replace(".", "_") if short.count(s) > 1 or s in taken else s): parameter
+            for s, key, parameter in zip(short, keys, program["parameters"])}
+
+
+def _domain_of(parameter):
+    kind = parameter["kind"]
+    if kind in ("whole", "number"):
+        return f"{'whole, ' if kind == 'whole' else ''}{parameter['low']:.15g} to {parameter['high']:.15g}"
+    return {"choice": "one of " + ", ".join(parameter["choices"]), "flag": "True or False"}.get(kind, kind)
+
+
+def _document(program, names):
+    def line(name, parameter):
+        unit = f", {parameter['unit']}" if parameter["unit"] else ""
+        return f"    {name}: {parameter['help']}{unit}; {_domain_of(parameter)} [{parameter['default']}]"
+
+    common = [f"    {name}: {key} [{default}]" for name, (key, default) in _common_of(program).items()]
+    return "\n".join([f"{program['help'][0].upper()}{program['help'][1:]}.", "", "Parameters:",
+                      *(line(name, parameter) for name, parameter in names.items()), *common,
+                      "    folder, jobs, until, and other keys of the experiment: as of tlab.run", "", "Results:",
+                      *(f"    {name}: {about}" for name, about in program["columns"])])
+
+
+def _is_several(value, kind):
+    if isinstance(value, (str, dict)) or not hasattr(value, "__iter__"):
+        return False
+    if kind != "list":
+        return True
+    return any(hasattr(item, "__iter__") for item in value)
+
+
+def _make_function(program):
+    names = _names_of(program)
+    keys = {name: (parameter["key"], parameter["kind"]) for name, parameter in names.items()}
+    keys.update({name: (key, "whole") for name, (key, _) in _common_of(program).items()})
+
+    def function(*, folder=None, jobs=None, until=None, **arguments):
+        settings, sweep = {}, {}
+        for name, value in arguments.items():
+            if name not in keys:
+                settings[name] = value
+            elif _is_several(value, keys[name][1]):
+                sweep[keys[name][0]] = list(value)
+            else:
+                settings[keys[name][0]] = value
+        for axis, values in sweep.items():
+            settings[f"sweep.{axis}"] = values
+        return _run({"program": {"name": program["name"]}}, folder=folder, jobs=jobs, until=until, **settings)
+
+    only = inspect.Parameter.KEYWORD_ONLY
+    defaults = {name: parameter["default"] for name, parameter in names.items()}
+    defaults |= {name: default for name, (_, default) in _common_of(program).items()}
+    defaults |= {"folder": None, "jobs": None, "until": None}
+    function.__name__ = function.__qualname__ = _python_name(program["name"])
+    function.__module__ = __name__
+    function.__doc__ = _document(program, names)
+    function.__signature__ = inspect.Signature(
+        [*(inspect.Parameter(name, only, default=default) for name, default in defaults.items()),
+         inspect.Parameter("settings", inspect.Parameter.VAR_KEYWORD)])
+    return function
+
+
+def _python_name(name):
+    return f"{name}_" if keyword.iskeyword(name) else name
+
+
+_FUNCTIONS = {_python_name(name): _make_function(program) for name, program in declared.programs().items()}
+globals().update(_FUNCTIONS)
+__all__ = list(_FUNCTIONS)

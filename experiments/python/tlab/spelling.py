@@ -1,0 +1,63 @@
+"""Values of Python as TOML spells them."""
+
+import json
+import math
+import pathlib
+import re
+
+import numpy
+
+from tlab.errors import BadInput
+
+
+def plain(value):
+    """A value without numpy's types; a pathlib.Path as a text, found from the current folder."""
+    if isinstance(value, numpy.generic):
+        return value.item()
+    if isinstance(value, numpy.ndarray):
+        return value.tolist()
+    if isinstance(value, pathlib.PurePath):
+        return str(pathlib.Path(value).absolute())
+    return value
+
+
+def spell_key(key):
+    """A key of a table, in quotes where it needs them."""
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
+
+
+def spell(value, key="a value"):
+    """A value in one line; `key` is what errors name."""
+    value = plain(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float) and not math.isfinite(value):
+        return {math.inf: "inf", -math.inf: "-inf"}.get(value, "nan")
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{spell_key(k)} = {spell(v, f'{key}.{k}')}" for k, v in value.items()) + "}"
+    try:
+        return "[" + ", ".join(spell(item, key) for item in value) + "]"
+    except TypeError:
+        raise BadInput(f"{key}: found {value!r}, expected a number, a text, true or false, a list or a dict") from None
+
+
+def spell_file(tables):
+    """A whole file. Each table of `tables` gets a section, with a key on each line."""
+    plain_keys = "".join(f"{spell_key(k)} = {spell(v, k)}\n" for k, v in tables.items() if not isinstance(v, dict))
+    sections = (f"\n[{spell_key(name)}]\n" + "".join(f"{spell_key(k)} = {spell(v, f'{name}.{k}')}\n"
+                                                     for k, v in table.items())
+                for name, table in tables.items() if isinstance(table, dict))
+    return plain_keys + "".join(sections)
+
+
+def flatten(settings):
+    """Pairs of a dotted key and its value, of tables in tables."""
+    for key, value in settings.items():
+        if isinstance(value, dict):
+            yield from ((f"{key}.{inner}", v) for inner, v in flatten(value))
+        else:
+            yield key, value

@@ -1,0 +1,209 @@
+"""Topologies: their metrics and routes, and graphs of networkx."""
+
+import collections
+import functools
+import os
+import pathlib
+
+from tlab import _native
+from tlab.errors import BadInput
+
+# A link: its lower processor and the port there, its higher processor and the port there.
+Link = collections.namedtuple("Link", "a port_a b port_b")
+
+
+class Topology:
+    """A machine's wiring: processors with four ports each, and links between ports. It does not change.
+
+    Where a method asks for a processor, its number or its label will do.
+    """
+
+    def __init__(self, native, spec=None):
+        self._native = native
+        self.spec = spec  # the text that an experiment may say in its place; None where there is none
+
+    @property
+    def name(self):
+        """The spec, the path of a file, or what the graph was called."""
+        return self._native.name
+
+    @property
+    def processors(self):
+        """How many there are. They are numbered from 0."""
+        return self._native.processors
+
+    @property
+    def root(self):
+        """The processor nearest to the host."""
+        return self._native.root
+
+    @property
+    def labels(self):
+        """What the processors are called, where that is not by number; else an empty list."""
+        return self._native.labels
+
+    @functools.cached_property
+    def names(self):
+        """What the processors are called: their labels, else their numbers."""
+        return self.labels or list(range(self.processors))
+
+    @functools.cached_property
+    def links(self):
+        """All links, sorted by their processors; several may join the same two."""
+        return [Link(a, port_a, b, port_b) for a, b, port_a, port_b in self._native.links()]
+
+    def metrics(self, routes=""):
+        """A dict of numbers, as `tlab topology` prints them; with other routes than the shortest if that is asked.
+
+        farm_messages are those over the busiest direction of a link, farm_link, when every processor sends the root
+        a message and gets one; all_to_all_messages when each sends one to each other. With routes there is
+        closes_cycle too. bisection_width is None where it is not known.
+        """
+        found = self._native.metrics()
+        if routes:
+            found.update(self.routes(routes).metrics())
+        return found
+
+    def routes(self, name=""):
+        """Routes: "" for the shortest, "xy" for dimension order, or the path of a CSV file from,to,path."""
+        return Routes(self, _native.make_routes(self._native, os.fspath(name)))
+
+    @functools.cached_property
+    def _shortest(self):
+        return self.routes()
+
+    def distance(self, start, end):
+        """The links between two processors."""
+        return self._shortest.distance(start, end)
+
+    def path(self, start, end):
+        """The processors on the shortest route, both ends among them."""
+        return self._shortest.path(start, end)
+
+    def distances(self):
+        """The links between all processors, as an array of numpy."""
+        return self._shortest.distances()
+
+    def to_networkx(self):
+        """A networkx.MultiGraph with a node for each processor, by its label or number, and an edge for each link.
+
+        An edge has the attributes port_a and port_b: the ports at its first and second node, as `edges` has them. The
+        root's node has the attribute root. from_networkx() makes the same topology of it.
+        """
+        import networkx
+
+        graph = networkx.MultiGraph(name=self.name)
+        graph.add_nodes_from(self.names)
+        graph.nodes[self.names[self.root]]["root"] = True
+        for a, port_a, b, port_b in self.links:
+            graph.add_edge(self.names[a], self.names[b], port_a=port_a, port_b=port_b)
+        return graph
+
+    def save(self, path):
+        """Writes a .dot, .gv or .graphml file, which tlab and topology() read as the same network."""
+        path = pathlib.Path(path)
+        writers = {".dot": self._native.to_dot, ".gv": self._native.to_dot, ".graphml": self._native.to_graphml}
+        if path.suffix not in writers:
+            raise BadInput(f"{path}: expected a name that ends in {', '.join(writers)}")
+        path.write_text(writers[path.suffix](), encoding="utf-8")
+
+    def number_of(self, processor):
+        """The number of a processor that is given by number or by label."""
+        if isinstance(processor, str):
+            if processor not in self.labels:
+                raise BadInput(f"{self.name}: found no processor called {processor!r}")
+            return self.labels.index(processor)
+        return int(processor)
+
+    def _repr_svg_(self):
+        return self._native.to_svg()
+
+    def __eq__(self, other):
+        if not isinstance(other, Topology):
+            return NotImplemented
+        return (self.processors, self.root, self.labels, self.links) == \
+            (other.processors, other.root, other.labels, other.links)
+
+    def __hash__(self):
+        return hash((self.processors, self.root, tuple(self.links)))
+
+    def __repr__(self):
+        return f"<tlab.Topology {self.name}: {self.processors} processors, {len(self.links)} links>"
+
+
+class Routes:
+    """From each processor of a topology one way to each other."""
+
+    def __init__(self, topology, native):
+        self.topology, self._native = topology, native
+
+    def _ends(self, start, end):
+        return self.topology.number_of(start), self.topology.number_of(end)
+
+    def distance(self, start, end):
+        """The links on the way between two processors."""
+        return self._native.distance(*self._ends(start, end))
+
+    def path(self, start, end):
+        """The processors on the way, both ends among them."""
+        return [self.topology.names[p] for p in self._native.path(*self._ends(start, end))]
+
+    def distances(self):
+        """The links on all ways, as an array: a row for each start, a column for each end."""
+        return self._native.distances()
+
+    def metrics(self):
+        """A dict of what depends on routes: mean_distance, the busiest link all to all, and closes_cycle."""
+        link, messages = self._native.busiest()
+        return {"mean_distance": self._native.mean_distance(), "all_to_all_messages": messages,
+                "all_to_all_link": link, "closes_cycle": self._native.closes_cycle()}
+
+
+def topology(spec):
+    """The topology of a spec, such as "torus:4x4" or "tree:13", or of a .dot, .gv or .graphml file.
+
+    generators() lists what a spec may be.
+    """
+    spec = os.fspath(spec)
+    return Topology(_native.make_topology(spec), None if pathlib.Path(spec).suffix else spec)
+
+
+def generators():
+    """What a spec may be, such as "mesh:RxC", with a line on each."""
+    return dict(_native.generators())
+
+
+# The attribute of an edge for a port, by any of its names; -1: any port.
+def _find_port(edge, *names):
+    for name in names:
+        port = edge.get(name, "")
+        if str(port).isdigit():
+            return int(port)
+    return -1
+
+
+def from_networkx(graph, name=None):
+    """The topology of a graph of networkx: each edge, directed or not, is one link.
+
+    Nodes are numbered in the graph's order, unless they are exactly 0 to n-1; others than numbers are labels. The
+    edges' attributes port_a and port_b are the ports, 0 to 3, at the first and second node, as `graph.edges` has them;
+    ends without one get the lowest port left. The root is the node with the attribute root, or the one that the
+    graph's own attribute root names, else processor 0. Raises BadInput for what no transputers can be wired to.
+    """
+    name = name or graph.name or "network"
+    nodes = list(graph.nodes)
+    index = {node: number for number, node in enumerate(nodes)}
+    names = [str(node) for node in nodes]
+    if len(set(names)) < len(names):
+        twice = next(n for n, count in collections.Counter(names).items() if count > 1)
+        raise BadInput(f"{name}: found two nodes that read {twice!r}, expected different ones")
+    roots = [node for node in nodes if graph.nodes[node].get("root") in (True, "true", "True", "1")]
+    if len(roots) > 1:
+        raise BadInput(f"{name}: both {roots[0]!r} and {roots[1]!r} are designated as root")
+    named = graph.graph.get("root")
+    root = roots[0] if roots else named
+    if root is not None and root not in index:
+        raise BadInput(f"{name}: root {root!r} is no node of the graph")
+    edges = [(index[a], index[b], _find_port(edge, "port_a", "tailport"), _find_port(edge, "port_b", "headport"))
+             for a, b, edge in graph.edges(data=True)]
+    return Topology(_native.make_graph(name, names, index.get(root, -1), edges, graph.is_directed()))
