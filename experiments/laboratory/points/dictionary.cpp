@@ -24,7 +24,9 @@ struct Meaning {
 std::string find_help(const programs::Program& program, const std::string& column) {
   for (const auto& [name, help] : program.columns)
     if (is_called(column, name)) return help;
-  const auto parameter = std::ranges::find(program.parameters, column, &programs::Parameter::name);
+  const auto parameter = std::ranges::find_if(program.parameters, [&](const auto& p) {
+    return p.name == column || p.name.ends_with("." + column);
+  });
   return parameter == program.parameters.end() ? "" : parameter->help;
 }
 

@@ -5,7 +5,7 @@
 #include "base/message.hpp"
 #include "experiments/python/bindings/bindings.hpp"
 #include "experiments/python/bindings/scalars.hpp"
-#include "renderer/files/nff.hpp"
+#include "renderer/files/load_scene.hpp"
 #include "renderer/trace/render.hpp"
 
 namespace py = pybind11;
