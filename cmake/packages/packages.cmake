@@ -39,10 +39,10 @@ The experiments of a thesis of 1995 are included.")
 # What the installed headers include, and what cmake/tlabConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtlab-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-list(JOIN "libboost-graph-dev;libboost-context-dev;libboost-filesystem-dev;libfmt-dev\
-;libmuparser-dev;libopenexr-dev;libpng-dev;libpugixml-dev;libsimgrid-dev;libtomlplusplus-dev\
-;libwebp-dev" ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tlab (= ${full_version}), cmake")
+set(needed libboost-context-dev libboost-filesystem-dev libboost-graph-dev libfmt-dev libmuparser-dev
+    libopenexr-dev libpng-dev libpugixml-dev libsimgrid-dev libtomlplusplus-dev libwebp-dev)
+list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tlab, cmake")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "transputer laboratory, libraries for programs of one's own
 The simulated machine, its occam vocabulary, topologies, routers and the
 renderer as C++20 headers and static libraries, which CMake's
@@ -51,12 +51,15 @@ find_package(tlab) finds. The command tlab is not needed to build with them.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tlab)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/postinst
+                                              ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
 if(python IN_LIST CPACK_COMPONENTS_ALL)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
-  list(JOIN "python3 (>= 3.${Python3_VERSION_MINOR}~);python3 (<< 3.${next})\
-;tlab (= ${full_version});python3-numpy;python3-pandas;python3-networkx" ", "
-       CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS)
+  set(needed "python3 (>= 3.${Python3_VERSION_MINOR}~)" "python3 (<< 3.${next})"
+      "tlab (= ${full_version})" python3-networkx python3-numpy python3-pandas)
+  list(JOIN needed ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS)
 endif()
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "transputer laboratory, module for Python 3
 Runs experiments of tlab from Python: results as pandas tables, topologies to
@@ -69,9 +72,11 @@ include(CPack)
 
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
 add_dependencies(packages tlab completions ${rooms})
-if(TARGET man)
-  add_dependencies(packages man)
-endif()
+foreach(target man tlab_native)  # where there is what they need
+  if(TARGET ${target})
+    add_dependencies(packages ${target})
+  endif()
+endforeach()
 add_test(NAME Packages.HoldWhatTheyShould
          COMMAND ${PROJECT_SOURCE_DIR}/tests/packages/contents ${PROJECT_BINARY_DIR})
 set_tests_properties(Packages.HoldWhatTheyShould PROPERTIES SKIP_RETURN_CODE 77)
