@@ -72,11 +72,11 @@ void check_films(const FilmOptions& options, const Experiment& experiment) {
 }
 
 PicturePlace place_picture(int width, int height) {
-  constexpr int LARGE = 480, MARGIN = 24, TITLE = 40, GAP = 16;
+  constexpr int LARGE = 480, GAP = 16;
   const int factor = std::max(1, LARGE / std::max(width, height));
-  const int frame = std::max(factor * width + 2 * MARGIN, LARGE);
-  return {(frame - factor * width) / 2, TITLE, factor, frame,
-          TITLE + factor * height + GAP + TIME_SCALE_HEIGHT};
+  const int frame = std::max(factor * width + 2 * FRAME_MARGIN, LARGE);
+  return {(frame - factor * width) / 2, TITLE_HEIGHT, factor, frame,
+          TITLE_HEIGHT + factor * height + GAP + TIME_SCALE_HEIGHT};
 }
 
 Film::Film(const FilmOptions& options, const topologies::Topology& network, double from_s)
@@ -134,7 +134,7 @@ std::vector<Frame> Film::make_picture_frames(const std::string& title) const {
     const auto& picture = i + 1 < options_.frames ? *std::prev(after) : shown.back();
     const double now_s = from_s_ + picture.at_s;
     Canvas canvas(place.width, place.height);
-    canvas.text(24, 26, shorten_to(title, 15, place.width - 48), 15);
+    draw_title(canvas, title);
     canvas.picture(place.x, place.y, {width_, height, picture.rgb8}, place.factor);
     draw_time_scale(canvas, film, {now_s, now_s});
     frames.push_back({canvas.bitmap(), duration_ms(i, options_.frames)});

@@ -19,7 +19,7 @@ using topologies::Topology;
 namespace {
 
 // Pixels. A unit is the least distance of two processors.
-constexpr double MARGIN = 24, TITLE_HEIGHT = 40, LEGEND_HEIGHT = 62, MOST_UNIT = 56, LEAST_UNIT = 8;
+constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56, LEAST_UNIT = 8;
 constexpr double MOST_WIDTH = 1200, MOST_HEIGHT = 720, LEAST_WIDTH = 640;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
 constexpr double DIAMETER = 0.75;  // of a processor, in units
@@ -137,11 +137,12 @@ void MachineDrawing::place(const Places& places) {
   for (const auto& node : nodes_)
     if (node.is_box) wide = std::max(wide, box_width(node) / 2);
   width_ = static_cast<int>(
-      std::ceil(std::max(LEAST_WIDTH, unit_ * (bounds.width() + 1) + 2 * (wide + MARGIN))));
-  height_ = static_cast<int>(std::ceil(TITLE_HEIGHT + unit_ * (bounds.height() + 1) + 2 * MARGIN +
-                                       2 * radius_ + LEGEND_HEIGHT + TIME_SCALE_HEIGHT));
+      std::ceil(std::max(LEAST_WIDTH, unit_ * (bounds.width() + 1) + 2 * (wide + FRAME_MARGIN))));
+  height_ =
+      static_cast<int>(std::ceil(TITLE_HEIGHT + unit_ * (bounds.height() + 1) + 2 * FRAME_MARGIN +
+                                 2 * radius_ + LEGEND_HEIGHT + TIME_SCALE_HEIGHT));
   const double left = (width_ - unit_ * bounds.width()) / 2;
-  const double top = TITLE_HEIGHT + MARGIN + radius_ + unit_ / 2;
+  const double top = TITLE_HEIGHT + FRAME_MARGIN + radius_ + unit_ / 2;
   for (std::size_t i = 0; i < places.size(); ++i)
     nodes_[i].place = {left + unit_ * (places[i].x - bounds.low.x),
                        top + unit_ * (bounds.high.y - places[i].y)};
@@ -167,7 +168,7 @@ double MachineDrawing::box_width(const Node& node) {
 renderer::Bitmap MachineDrawing::draw(const std::string& title, const Busy& busy, const Span& film,
                                       const Span& now) const {
   Canvas canvas(width_, height_);
-  canvas.text(MARGIN, 26, shorten_to(title, 15, width_ - 2 * MARGIN), 15);
+  draw_title(canvas, title);
   // Busy halves lie over others.
   std::vector<std::size_t> order(halves_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -209,13 +210,13 @@ void MachineDrawing::draw_legend(Canvas& canvas, double window_s) const {
   constexpr double BAR_WIDTH = 200, BAR_HEIGHT = 12;
   const double y = canvas.height() - TIME_SCALE_HEIGHT - LEGEND_HEIGHT + 6;
   for (int i = 0; i < STEPS; ++i)
-    canvas.fill({MARGIN + i * BAR_WIDTH / STEPS, y, BAR_WIDTH / STEPS, BAR_HEIGHT},
+    canvas.fill({FRAME_MARGIN + i * BAR_WIDTH / STEPS, y, BAR_WIDTH / STEPS, BAR_HEIGHT},
                 topologies::eval_load_colour((i + 0.5) / STEPS));
   for (const int percent : {0, 25, 50, 75, 100})
-    canvas.text(MARGIN + percent * BAR_WIDTH / 100, y + BAR_HEIGHT + 14,
+    canvas.text(FRAME_MARGIN + percent * BAR_WIDTH / 100, y + BAR_HEIGHT + 14,
                 fmt::format("{} %", percent), 11, percent == 0 ? Align::left : Align::middle,
                 FAINT);
-  const double x = MARGIN + BAR_WIDTH + 36;
+  const double x = FRAME_MARGIN + BAR_WIDTH + 36;
   canvas.text(x, y + 10,
               fmt::format("busy, in the {} to the present", format_time(window_s, window_s)), 12);
   canvas.text(x, y + 26, "the half of a link beside a processor: what it sends", 12);

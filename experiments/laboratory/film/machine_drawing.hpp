@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/laboratory/film/canvas.hpp"
-#include "experiments/laboratory/film/time_scale.hpp"
+#include "experiments/laboratory/film/frame.hpp"
 #include "simulator/machine/machine.hpp"
 #include "topologies/graph/topology.hpp"
 

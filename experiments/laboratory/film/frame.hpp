@@ -1,5 +1,5 @@
 #pragma once
-// The scale of simulated time below the frames of a film.
+// What the frames of all films have: a title above, and the scale of simulated time below.
 #include "experiments/laboratory/film/canvas.hpp"
 
 namespace laboratory {
@@ -10,7 +10,10 @@ struct Span {
   double length_s() const { return to_s - from_s; }
 };
 
-inline constexpr int TIME_SCALE_HEIGHT = 58;  ///< pixels
+inline constexpr int FRAME_MARGIN = 24, TITLE_HEIGHT = 40, TIME_SCALE_HEIGHT = 58;  ///< pixels
+
+/// Draws as much of the title as there is room for.
+void draw_title(Canvas& canvas, const std::string& title);
 
 /// Draws an axis of the time that the film shows, at the foot of the canvas, with marks, filled up
 /// to the present, which is the end of `now`; what `now` covers is darker. The present is said in

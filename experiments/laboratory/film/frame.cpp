@@ -1,4 +1,4 @@
-#include "experiments/laboratory/film/time_scale.hpp"
+#include "experiments/laboratory/film/frame.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@ namespace laboratory {
 
 namespace {
 
-constexpr double MARGIN = 24, BAR = 10, SMALL = 11, LARGE = 13;  // pixels
-constexpr double TICK_WIDTH = 70;                                // of a mark's number, at most
+constexpr double BAR = 10, SMALL = 11, LARGE = 13, TITLE = 15;  // pixels
+constexpr double TICK_WIDTH = 70;                               // of a mark's number, at most
 constexpr Colour PAST{0.55, 0.67, 0.82}, PRESENT{0.11, 0.29, 0.53};
 
 struct Unit {
@@ -36,17 +36,21 @@ std::string format_time(double time_s, double whole_s) {
   return fmt::format("{:.{}f} {}", time_s / unit_s, digits, name);
 }
 
+void draw_title(Canvas& canvas, const std::string& title) {
+  canvas.text(FRAME_MARGIN, 26, shorten_to(title, TITLE, canvas.width() - 2 * FRAME_MARGIN), TITLE);
+}
+
 void draw_time_scale(Canvas& canvas, const Span& film, const Span& now) {
-  const double top = canvas.height() - TIME_SCALE_HEIGHT, width = canvas.width() - 2 * MARGIN;
+  const double top = canvas.height() - TIME_SCALE_HEIGHT, width = canvas.width() - 2 * FRAME_MARGIN;
   const double length_s = std::max(film.length_s(), 1e-9);
   const auto at = [&](double time_s) {
-    return MARGIN + width * std::clamp((time_s - film.from_s) / length_s, 0.0, 1.0);
+    return FRAME_MARGIN + width * std::clamp((time_s - film.from_s) / length_s, 0.0, 1.0);
   };
-  canvas.text(MARGIN, top + 12, "simulated time " + format_time(now.to_s, length_s), LARGE);
+  canvas.text(FRAME_MARGIN, top + 12, "simulated time " + format_time(now.to_s, length_s), LARGE);
   const double y = top + 22;
-  canvas.fill({MARGIN, y, width, BAR}, PALE);
-  canvas.fill({MARGIN, y, at(now.to_s) - MARGIN, BAR}, PAST);
-  const double from = std::max(MARGIN, std::min(at(now.from_s), at(now.to_s) - 2));
+  canvas.fill({FRAME_MARGIN, y, width, BAR}, PALE);
+  canvas.fill({FRAME_MARGIN, y, at(now.to_s) - FRAME_MARGIN, BAR}, PAST);
+  const double from = std::max<double>(FRAME_MARGIN, std::min(at(now.from_s), at(now.to_s) - 2));
   canvas.fill({from, y, at(now.to_s) - from, BAR}, PRESENT);
   canvas.line(at(now.to_s), y - 3, at(now.to_s), y + BAR + 3, PRESENT, 2);
 
