@@ -122,6 +122,7 @@ struct Program {
   std::function<Row(const std::any&)> describe = {};
   /// Points of equal keys must have equal images; none: nothing is known.
   std::function<std::string(const std::any&)> picture_key = {};
+  bool shows_picture = false;  ///< while it runs: observe::View::picture
   /// The key that makes another one void at these parameters, which then can be no axis; "": none.
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
   std::string processors = "processors";  ///< column of the number of processors that work

@@ -233,7 +233,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      message_,
                      make_picture(params),
                      params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
-                     growth::Recorder(params.looks),
+                     growth::Recorder(params.looks, params.watch),
                      progress_,
                      tasks},
       from_interaction_("coordinator.from.interaction"),

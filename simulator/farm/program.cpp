@@ -219,6 +219,7 @@ programs::Program make_farm() {
   program.processors = "workers";
   program.shows_parameters = false;
   program.leading = {"topology", "workers", "objects"};
+  program.shows_picture = true;
   program.picture_key = [](const std::any& any) {
     const auto& params = std::any_cast<const ProgramParams&>(any);
     return picture_key(params.scene, params.farm.image);

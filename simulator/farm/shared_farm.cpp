@@ -110,7 +110,7 @@ class SharedFarm {
         picture_(params.image.width, params.image.height, {params.image.width}, params.cells,
                  get_area(params.image)),
         scratch_(params.cycles_per_host_s ? picture_ : FrameBuffer()),
-        recorder_(params.looks),
+        recorder_(params.looks, params.watch),
         progress_(machine_) {
     add_processors(machine_, params, workers_);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),

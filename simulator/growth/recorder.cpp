@@ -4,13 +4,16 @@
 #include <limits>
 #include <utility>
 
+#include "simulator/machine/process.hpp"
+
 namespace growth {
 
 namespace {
 constexpr std::int64_t MOST_MULTIPLES = 1000;
 }
 
-Recorder::Recorder(Looks looks) : looks_(std::move(looks)) {}
+Recorder::Recorder(Looks looks, const observe::Watch* watch)
+    : looks_(std::move(looks)), watch_(watch) {}
 
 double Recorder::next_picture_s() const {
   double next_s = std::numeric_limits<double>::infinity();
@@ -21,6 +24,11 @@ double Recorder::next_picture_s() const {
 }
 
 void Recorder::note(double now_s, const std::function<Shown()>& look) {
+  if (watch_) observe::tell_change(watch_, machine::this_process().now());
+  take(now_s, look);
+}
+
+void Recorder::take(double now_s, const std::function<Shown()>& look) {
   for (double at_s = next_picture_s(); at_s <= now_s; at_s = next_picture_s()) {
     pictures_.push_back(look());
     pictures_.back().at_s = at_s;
@@ -41,7 +49,7 @@ void Recorder::note(double now_s, const std::function<Shown()>& look) {
 }
 
 void Recorder::end(double now_s, const std::function<Shown()>& look) {
-  note(now_s, look);
+  take(now_s, look);
   if (looks_.growth == 0 || (!growth_.empty() && growth_.back().at_s >= now_s)) return;
   growth_.push_back(look());
   growth_.back().at_s = now_s;

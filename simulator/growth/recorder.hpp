@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "simulator/observe/watch.hpp"
+
 namespace growth {
 
 /// The picture as it was shown at a time.
@@ -27,9 +29,11 @@ struct Looks {
 /// told before each time what it shows until then.
 class Recorder {
  public:
-  explicit Recorder(Looks looks);
+  /// `watch`: who is told, too, before the picture changes; null: nobody.
+  explicit Recorder(Looks looks, const observe::Watch* watch = nullptr);
 
   /// From the last call until `now_s` the picture was this. `look` makes it; its time is set here.
+  /// The process that paints calls it.
   void note(double now_s, const std::function<Shown()>& look);
   /// The same, of the last picture at the end; its growth ends with it.
   void end(double now_s, const std::function<Shown()>& look);
@@ -40,8 +44,10 @@ class Recorder {
 
  private:
   double next_picture_s() const;
+  void take(double now_s, const std::function<Shown()>& look);
 
   Looks looks_;
+  const observe::Watch* watch_;
   std::size_t next_at_ = 0;
   std::int64_t next_multiple_ = 1;
   double growth_interval_s_ = 1e-3;

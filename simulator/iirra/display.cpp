@@ -14,7 +14,7 @@ Display::Display(Shared& shared, shared_memory::DataManager& manager)
       manager_(manager),
       screen_{std::vector<std::uint8_t>(3 * shared.record.samples.sums.size()),
               std::vector<TaskCell>(shared.record.samples.sums.size())},
-      recorder_(shared.params.looks) {
+      recorder_(shared.params.looks, shared.params.watch) {
   if (shared.params.cycles_per_host_s) scratch_ = screen_;
 }
 

@@ -47,6 +47,17 @@ struct View {
   std::function<bool()> is_complete;     ///< all is done but to end
 };
 
+/// Looks at a run, on any engine, and changes nothing of it.
+struct Onlooker {
+  virtual ~Onlooker() = default;
+  /// The machine is there and is about to run; both live until `end`.
+  virtual void begin(const machine::Machine& machine, const View& view) = 0;
+  /// View::picture, if there is one, has been as it is until now, s, and is about to change.
+  virtual void before_change(double now_s) = 0;
+  /// The machine runs no more.
+  virtual void end(double now_s) = 0;
+};
+
 /// Watches a run of a machine with Links::direct, and steers it.
 struct Spectator : machine::Pace {
   /// The machine is there and is about to run; both live until `end`.

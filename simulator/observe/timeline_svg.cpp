@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "base/text.hpp"
+#include "simulator/observe/ticks.hpp"
 #include "simulator/observe/timeline.hpp"
 #include "simulator/observe/trace_output.hpp"
 
@@ -39,25 +40,6 @@ std::string shorten(const std::string& text, std::size_t length) {
   for (std::size_t characters = 0; end < text.size(); ++end)
     if (is_first_byte(text[end]) && ++characters == length) break;
   return text.substr(0, end) + "…";
-}
-
-// The distance of marks on the time axis, and their unit.
-struct Ticks {
-  std::int64_t step_ns, unit_ns;
-  const char* unit;
-};
-
-Ticks choose_ticks(double length_s) {
-  const double least_ns = std::max(length_s * 1e9 / 14, 1.0);
-  const double power = std::pow(10, std::floor(std::log10(least_ns)));
-  double step = 10 * power;
-  for (const double factor : {5, 2, 1})
-    if (factor * power >= least_ns) step = factor * power;
-  const auto ns = static_cast<std::int64_t>(std::llround(step));
-  if (ns < 1'000) return {ns, 1, "ns"};
-  if (ns < 1'000'000) return {ns, 1'000, "µs"};
-  if (ns < 1'000'000'000) return {ns, 1'000'000, "ms"};
-  return {ns, 1'000'000'000, "s"};
 }
 
 class Chart {

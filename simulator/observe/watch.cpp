@@ -83,7 +83,9 @@ machine::End run(machine::Machine& machine, Watch& watch, const View& view) {
     machine.set_pace(*watch.spectator);
     watch.spectator->begin(machine, view);
   }
+  if (watch.onlooker) watch.onlooker->begin(machine, view);
   auto close = [&](const std::string& fault) {
+    if (watch.onlooker) watch.onlooker->end(machine.now().value);
     if (watch.spectator) watch.spectator->end(fault);
     watch.ended = machine.now();
     watch.events = machine.events();

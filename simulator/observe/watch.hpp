@@ -12,6 +12,7 @@ struct Watch {
   machine::Seconds from{};                                          ///< simulated; of the trace
   Trace* trace = nullptr;                                           ///< filled, if there is one
   Spectator* spectator = nullptr;                                   ///< watches, if there is one
+  Onlooker* onlooker = nullptr;                                     ///< looks, if there is one
 
   machine::End end = machine::End::done;  ///< why the run ended, and when
   std::exception_ptr deadlock;            ///< the Deadlock, if that is why
@@ -21,6 +22,14 @@ struct Watch {
 
 /// Whether somebody watches the run.
 inline bool is_watched(const Watch* watch) { return watch && watch->spectator; }
+
+/// Whether somebody may look at the picture of a run.
+inline bool is_seen(const Watch* watch) { return watch && (watch->spectator || watch->onlooker); }
+
+/// Tells who looks, if there is one, that the picture is about to change.
+inline void tell_change(const Watch* watch, machine::Seconds now) {
+  if (watch && watch->onlooker) watch->onlooker->before_change(now.value);
+}
 
 /// Runs the machine, all of whose processors and links are there, and notes its end in `watch`.
 /// Throws what Machine::run throws; the trace is filled all the same. A deadlock of a machine in

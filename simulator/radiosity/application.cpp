@@ -239,6 +239,7 @@ void Root::take_frame(const Candidate& best) {
   if (common_.params.draw)
     common_.kernels.draw([&draw = common_.params.draw, frame](Work&) { return draw(frame), 0; });
   frame.at_s = machine::this_process().now().value;
+  observe::tell_change(common_.params.watch, {frame.at_s});
   frames_.push_back(std::move(frame));
 }
 

@@ -200,7 +200,7 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
   if (setup.cycles_per_host_s)
     machine.draw = [&](const Frame& frame) { draw(params, view, mesh, frame); };
   machine.watch = setup.watch;
-  if (observe::is_watched(setup.watch))
+  if (observe::is_seen(setup.watch))
     machine.look = [&](const Frame* frame) { return look(params, view, mesh, frame); };
   return machine;
 }
@@ -238,7 +238,7 @@ void check_program(const Setup&, const ProgramParams& params) {
 }  // namespace
 
 programs::Program make_radiosity() {
-  return programs::make_program<ProgramParams, Measured>(
+  auto program = programs::make_program<ProgramParams, Measured>(
       {.name = "radiosity",
        .help =
            "progressive radiosity as in AMP: the brightest patch is found by a reduction, sent to "
@@ -248,6 +248,8 @@ programs::Program make_radiosity() {
        .columns = make_columns(),
        .run = &run,
        .check = &check_program});
+  program.shows_picture = true;
+  return program;
 }
 
 }  // namespace amp

@@ -208,6 +208,15 @@ std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place&
   return {from, {from.x + off.x, from.y + off.y}, {to.x + off.x, to.y + off.y}, to};
 }
 
+std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const Place& swerve) {
+  const auto mix = [](const Place& a, const Place& b) {
+    return Place{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  };
+  const auto [p0, p1, p2, p3] = make_curve(from, to, swerve);
+  const Place p01 = mix(p0, p1), p12 = mix(p1, p2), p23 = mix(p2, p3), p012 = mix(p01, p12);
+  return {p0, p01, p012, mix(p012, mix(p12, p23))};
+}
+
 std::string format_points(const Place& place) {
   constexpr double UNIT = 36;  // points
   return fmt::format("{:.2f},{:.2f}", UNIT * place.x, UNIT * place.y);

@@ -28,6 +28,9 @@ struct Layout {
 /// way.
 std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place& swerve);
 
+/// The control points of the half of that curve that is next to `from`.
+std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const Place& swerve);
+
 /// A place as Graphviz takes it, in points of paper: "36.00,72.00".
 std::string format_points(const Place& place);
 

@@ -33,10 +33,7 @@ Colour eval_scale(double share) {
   return {std::lerp(a.r, b.r, t), std::lerp(a.g, b.g, t), std::lerp(a.b, b.b, t)};
 }
 
-const char* text_colour(double share) {
-  const auto [r, g, b] = eval_scale(share);
-  return 0.299 * r + 0.587 * g + 0.114 * b < 140 ? "white" : "black";
-}
+const char* text_colour(double share) { return is_dark_load(share) ? "white" : "black"; }
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
@@ -68,16 +65,11 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
 // The half of a link that is next to `from` shows what `from` sends.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
-  const auto mix = [](const Place& a, const Place& b) {
-    return Place{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  };
-  const auto [p0, p1, p2, p3] = make_curve(nodes[from].place, nodes[to].place, swerve);
-  const Place p01 = mix(p0, p1), p12 = mix(p1, p2), p23 = mix(p2, p3);
-  const Place p012 = mix(p01, p12), middle = mix(p012, mix(p12, p23));
+  const auto [p0, p1, p2, p3] = make_half_curve(nodes[from].place, nodes[to].place, swerve);
   return fmt::format(
       "n{} -> n{} [class=link, pos=\"{} {} {} {}\", color=\"{}\", penwidth={:.2f}, tooltip={}];\n",
-      from, to, format_points(p0), format_points(p01), format_points(p012), format_points(middle),
-      load_colour(load), 1.2 + 5.8 * load,
+      from, to, format_points(p0), format_points(p1), format_points(p2), format_points(p3),
+      load_colour(load), eval_load_width(load),
       quote_dot(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
@@ -209,6 +201,18 @@ std::string load_colour(double share) {
   const auto [r, g, b] = eval_scale(share);
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(r), std::lround(g), std::lround(b));
 }
+
+std::array<double, 3> eval_load_colour(double share) {
+  const auto [r, g, b] = eval_scale(share);
+  return {std::round(r) / 255, std::round(g) / 255, std::round(b) / 255};
+}
+
+bool is_dark_load(double share) {
+  const auto [r, g, b] = eval_scale(share);
+  return 0.299 * r + 0.587 * g + 0.114 * b < 140;
+}
+
+double eval_load_width(double share) { return 1.2 + 5.8 * share; }
 
 std::string to_load_svg(const Topology& topology, const Loads& loads) {
   check_loads(topology, loads);

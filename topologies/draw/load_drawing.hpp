@@ -36,5 +36,10 @@ std::string to_load_svg(const Topology& topology, const Loads& loads);
 
 /// The colour of a share, "#rrggbb": from a light grey at 0 to a dark violet at 1, ever darker.
 std::string load_colour(double share);
+/// The same as red, green and blue from 0 to 1; and whether text on it is to be white.
+std::array<double, 3> eval_load_colour(double share);
+bool is_dark_load(double share);
+/// Width of a link that is busy for a share of the time, in points where processors are 27 wide.
+double eval_load_width(double share);
 
 }  // namespace topologies

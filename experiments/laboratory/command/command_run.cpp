@@ -20,6 +20,36 @@ std::string check_seconds(const std::string& text) {
 
 const CLI::Validator SECONDS([](std::string& text) { return check_seconds(text); }, "SECONDS");
 
+// The file of a film that says none: beside the results folder, in a folder that is made.
+std::string choose_film(const std::string& kind, const RunOptions& options) {
+  auto results = results_folder(options).lexically_normal();
+  if (!results.has_filename()) results = results.parent_path();
+  if (results.has_parent_path()) make_folder("--animate", results.parent_path().string());
+  return results.string() + "-" + kind + ".webp";
+}
+
+// Reads "picture=grown.webp" or "network".
+void read_film(const std::string& text, RunOptions& options) {
+  const auto kind = text.substr(0, text.find('='));
+  auto* file = kind == "picture"   ? &options.films.picture
+               : kind == "network" ? &options.films.network
+                                   : nullptr;
+  if (!file || text.ends_with('='))
+    throw CLI::ValidationError(
+        "--animate",
+        fmt::format("found {}, expected picture, network, picture=FILE or network=FILE", text));
+  if (!file->empty())
+    throw CLI::ValidationError("--animate", fmt::format("found {} twice, expected it once", kind));
+  *file = kind == text ? choose_film(kind, options) : text.substr(kind.size() + 1);
+}
+
+void read_films(const std::vector<std::string>& texts, RunOptions& options) {
+  for (const auto& text : texts) read_film(text, options);
+  const auto& [picture, network, frames] = options.films;
+  check_apart("--animate", picture, {network, options.trace, options.timeline});
+  check_apart("--animate", network, {options.trace, options.timeline});
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app) {
@@ -68,19 +98,35 @@ void add_run_command(CLI::App& app) {
   command
       ->add_option(
           "--from", o->from_s,
-          "simulated seconds from the start of the program at which trace and time line begin")
+          "simulated seconds from the start of the program at which trace, time line and films "
+          "begin")
       ->check(SECONDS);
   command->add_option("--trace", o->trace,
                       "a file for what every processor and link did in the one point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
   command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
+  auto films = std::make_shared<std::vector<std::string>>();
+  auto* animate =
+      command
+          ->add_option(
+              "--animate", *films,
+              "picture or network, repeatable: a film of the one point's picture while it grows, "
+              "or of how busy processors and links are; .webp, or .png for an image a frame, "
+              "NAME-0001.png ... [RESULTS-KIND.webp beside the results folder]")
+          ->allow_extra_args(false)
+          ->option_text("KIND[=FILE]");
+  command->add_option("--frames", o->films.frames, "frames of these films")
+      ->check(CLI::Range(MIN_FRAMES, MAX_FRAMES))
+      ->capture_default_str()
+      ->needs(animate);
   command->footer(
       "Examples:\n  tlab run experiments/farm.toml --jobs 2\n  tlab run e.toml --set "
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "
       "--uncertain 64      # how sure the results are\n  tlab help farm                     # the "
       "keys of a program; tlab help keys: of all");
-  command->callback([o] {
+  command->callback([o, films] {
     if (o->list) return list_points(*o);
+    read_films(*films, *o);
     if (!o->points.empty()) return run_chosen_points(*o);
     run_experiment(*o);
   });

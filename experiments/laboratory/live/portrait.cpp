@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "experiments/laboratory/live/hands.hpp"
-#include "experiments/laboratory/live/places.hpp"
+#include "experiments/laboratory/places/places.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "topologies/make/generators.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
+#include "experiments/laboratory/film/film_options.hpp"
 
 namespace laboratory {
 
@@ -18,13 +19,16 @@ struct RunOptions {
   unsigned jobs = 1;                   ///< points run side by side
   bool profile = false;
   double until_s = std::numeric_limits<double>::infinity();  ///< simulated
-  double from_s = 0;                                         ///< simulated; of trace and timeline
+  double from_s = 0;     ///< simulated; of trace, timeline and films
   std::string trace;     ///< file for the one point's trace: .json (Perfetto) or .paje
   std::string timeline;  ///< file for its time line: .svg
+  FilmOptions films;     ///< of the one point
   bool list = false;
   std::vector<std::string> points;  ///< --point: "3" or "3-5", numbers from 0
 
-  bool wants_trace() const { return !trace.empty() || !timeline.empty(); }
+  bool wants_trace() const { return !trace.empty() || !timeline.empty() || !films.network.empty(); }
+  /// Whether a point is to be run although its results are there.
+  bool runs_anew() const { return profile || wants_trace() || films.is_asked(); }
 };
 
 /// Where results go: as asked, or results/NAME.

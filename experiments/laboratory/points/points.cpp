@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/film/film.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/points/origin.hpp"
@@ -77,6 +78,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
   std::set<std::string> networks;
   for (const auto& point : file.points) try {
       check_point(point.experiment);
+      if (chosen == 1 && file.points.size() == 1) check_films(options.films, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
     } catch (const std::runtime_error& error) {  // whatever room finds it, it is in the file
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
@@ -96,7 +98,7 @@ PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, In
 
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
   Results results(plan.keys.size());
-  if (plan.options.profile || plan.options.wants_trace()) return results;
+  if (plan.options.runs_anew()) return results;
   for (const auto i : numbers)
     if (!plan.file.points[i].experiment.is_timed)
       if (auto record = find_record(plan.results, plan.keys[i])) results[i] = std::move(*record);

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
+#include "experiments/laboratory/film/film.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/observe/watch.hpp"
@@ -143,12 +144,21 @@ void check_place(const char* option, const std::string& file, const fs::path& re
   base::check_can_save(file);
 }
 
-void save_traces(const Point& point, const RunOptions& options, observe::Trace& trace) {
+void check_single(const char* option, std::size_t points) {
+  require(points == 1, option,
+          "the experiment has {} points, expected one; choose it with --set, for example "
+          "--set 'sweep.workers=[4]'",
+          points);
+}
+
+void save_traces(const Point& point, const RunOptions& options, observe::Trace& trace,
+                 const Film& film) {
   const auto& title = point.experiment.title;
   trace.title = point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point));
   for (const auto& file : {options.trace, options.timeline})
     if (!file.empty())
       base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out); });
+  film.save(trace.title, trace);
 }
 
 void tell_failure(PointResult& result, const std::exception_ptr& why) {
@@ -220,11 +230,14 @@ void check_traces(const RunOptions& options, std::size_t points) {
     const bool is_chart = fs::path(file).extension() == ".svg";
     require(find_format(file) && is_chart == (std::string_view(option) == "--timeline"), option,
             "found {}, expected a name that ends in {}", file, endings);
-    require(points == 1, option,
-            "the experiment has {} points, expected one; choose it with --set, for example "
-            "--set 'sweep.workers=[4]'",
-            points);
+    check_single(option, points);
     check_place(option, file, results_folder(options));
+  }
+  for (const auto& film : {options.films.picture, options.films.network}) {
+    if (film.empty()) continue;
+    const auto file = first_file(film);
+    check_single("--animate", points);
+    check_place("--animate", file, results_folder(options));
   }
   require(options.from_s < options.until_s, "--from", "found {}, expected a time before --until {}",
           options.from_s, options.until_s);
@@ -237,19 +250,24 @@ PointResult describe_point(const Experiment& experiment) {
 
 PointResult run_point(const Point& point, const RunOptions& options, const fs::path& images,
                       observe::Spectator* spectator) {
+  check_films(options.films, point.experiment);
+  const bool draws = !options.films.network.empty();
+  Film film(options.films, draws ? make_workers(point.experiment) : topologies::Topology{},
+            options.from_s);
   observe::Trace trace;
   observe::Watch watch;
   watch.until = {options.until_s};
   watch.from = {options.from_s};
   if (options.wants_trace()) watch.trace = &trace;
   watch.spectator = spectator;
+  if (options.films.is_asked()) watch.onlooker = &film;
   try {
     auto result = run(point.experiment, images, options.profile, watch);
-    save_traces(point, options, trace);
+    save_traces(point, options, trace, film);
     return result;
   } catch (const machine::Fault&) {
     try {
-      save_traces(point, options, trace);
+      save_traces(point, options, trace, film);
     } catch (const std::exception&) {  // the fault is what matters
     }
     throw;

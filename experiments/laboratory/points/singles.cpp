@@ -97,6 +97,7 @@ void measure_singles(const PointsPlan& plan, Results& results, Singles singles) 
   if (!file.points.empty()) {
     RunOptions options = plan.options;
     options.trace = options.timeline = "";
+    options.films = {};
     options.profile = false;
     PointsPlan more(options, file);
     more.lone = plan.lone;

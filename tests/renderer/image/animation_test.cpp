@@ -1,14 +1,12 @@
-// Animations, read again by libwebp's own decoder.
+// Animations, read again.
 #include "renderer/image/animation.hpp"
 
 #include <gtest/gtest.h>
-#include <webp/demux.h>
-
-#include <memory>
 
 #include "base/whole_file.hpp"
 #include "tests/renderer/support.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/webp_frames.hpp"
 
 namespace renderer::test {
 namespace {
@@ -20,25 +18,9 @@ struct Shown {
 };
 
 std::vector<Shown> decode(const std::string& bytes) {
-  const WebPData data{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-  const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(
-      WebPAnimDecoderNew(&data, nullptr), &WebPAnimDecoderDelete);
-  WebPAnimInfo info;
-  if (!decoder || !WebPAnimDecoderGetInfo(decoder.get(), &info)) return {};
   std::vector<Shown> all;
-  int before = 0;
-  while (WebPAnimDecoderHasMoreFrames(decoder.get())) {
-    std::uint8_t* rgba = nullptr;
-    int end = 0;
-    if (!WebPAnimDecoderGetNext(decoder.get(), &rgba, &end)) return {};
-    Shown shown{before, end, {int(info.canvas_width), int(info.canvas_height), {}}};
-    for (std::size_t i = 0; i < std::size_t{info.canvas_width} * info.canvas_height; ++i) {
-      EXPECT_EQ(rgba[4 * i + 3], 255);
-      shown.bitmap.rgb8.insert(shown.bitmap.rgb8.end(), rgba + 4 * i, rgba + 4 * i + 3);
-    }
-    all.push_back(std::move(shown));
-    before = end;
-  }
+  for (auto& frame : ::test::decode_webp(bytes))
+    all.push_back({frame.from_ms, frame.to_ms, {frame.width, frame.height, std::move(frame.rgb8)}});
   return all;
 }
 

@@ -1,9 +1,8 @@
-#include "experiments/laboratory/live/places.hpp"
+#include "experiments/laboratory/places/places.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace laboratory {
 
@@ -16,14 +15,14 @@ constexpr std::size_t MOST_COMPARED = 2048;  // of more places, any one beside w
 constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},
                             {1, 0}, {-0.5, 0.5}, {0.5, 0.5}, {0, -1}};
 
-double nearest(const std::vector<std::optional<Place>>& places, const Place& to) {
+double nearest(const SomePlaces& places, const Place& to) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& place : places)
     if (place) least = std::min(least, std::hypot(place->x - to.x, place->y - to.y));
   return least;
 }
 
-Place find_free(const std::vector<std::optional<Place>>& places, const Place& beside) {
+Place find_free(const SomePlaces& places, const Place& beside) {
   Place best{beside.x + BESIDE[0].x, beside.y + BESIDE[0].y};
   if (places.size() > MOST_COMPARED) return best;
   double best_distance = nearest(places, best);
@@ -40,20 +39,11 @@ Place find_free(const std::vector<std::optional<Place>>& places, const Place& be
 
 }  // namespace
 
-topologies::Places place_processors(const machine::Machine& machine,
-                                    const topologies::Topology& topology,
-                                    const std::vector<int>& network) {
-  const std::size_t n = machine.processors().size();
-  std::vector<std::optional<Place>> places(n);
-  if (topology.processors > 1 || n == 1) {
-    const auto layout = topologies::make_layout(topology);
-    for (std::size_t i = 0; i < layout.processors.size(); ++i) {
-      const std::size_t id = i < network.size() ? static_cast<std::size_t>(network[i]) : i;
-      if (id < n) places[id] = layout.processors[i];
-    }
-  } else {
-    places[network.empty() ? 0 : static_cast<std::size_t>(network[0])] = Place{};
-  }
+int find_id(const std::vector<int>& network, int processor) {
+  return network.empty() ? processor : network.at(static_cast<std::size_t>(processor));
+}
+
+topologies::Places place_others(const machine::Machine& machine, SomePlaces places) {
   const auto place_beside = [&](std::size_t id, std::size_t other) {
     if (places[id] || !places[other]) return false;
     places[id] = find_free(places, *places[other]);
@@ -73,6 +63,23 @@ topologies::Places place_processors(const machine::Machine& machine,
   double x = 0;
   for (const auto& place : places) all.push_back(place ? *place : Place{x++, -1});
   return all;
+}
+
+topologies::Places place_processors(const machine::Machine& machine,
+                                    const topologies::Topology& topology,
+                                    const std::vector<int>& network) {
+  const std::size_t n = machine.processors().size();
+  SomePlaces places(n);
+  if (topology.processors > 1 || n == 1) {
+    const auto layout = topologies::make_layout(topology);
+    for (std::size_t i = 0; i < layout.processors.size(); ++i) {
+      const std::size_t id = i < network.size() ? static_cast<std::size_t>(network[i]) : i;
+      if (id < n) places[id] = layout.processors[i];
+    }
+  } else {
+    places[static_cast<std::size_t>(find_id(network, 0))] = Place{};
+  }
+  return place_others(machine, std::move(places));
 }
 
 }  // namespace laboratory

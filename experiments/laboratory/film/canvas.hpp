@@ -1,0 +1,65 @@
+#pragma once
+// A picture that is drawn on, by Cairo. Lengths are pixels, y grows downwards.
+#include <array>
+#include <memory>
+#include <string>
+
+#include "renderer/image/image.hpp"
+#include "topologies/draw/layout.hpp"
+
+namespace laboratory {
+
+using Colour = std::array<double, 3>;  ///< red, green and blue, 0 to 1
+
+inline constexpr Colour WHITE{1, 1, 1}, INK{0.13, 0.13, 0.13}, FAINT{0.42, 0.42, 0.42},
+    PALE{0.86, 0.86, 0.86};
+
+struct Rectangle {
+  double x = 0, y = 0, width = 0, height = 0;  ///< of its upper left corner
+};
+
+enum class Align { left, middle, right };
+
+/// What is drawn is the same on every machine with the same Cairo and fonts.
+class Canvas {
+ public:
+  /// A white one.
+  Canvas(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  void fill(const Rectangle& area, const Colour& colour);
+  void outline(const Rectangle& area, const Colour& colour, double line = 1);
+  void line(double x0, double y0, double x1, double y1, const Colour& colour, double line = 1);
+  void disc(const topologies::Place& middle, double radius, const Colour& colour);
+  void ring(const topologies::Place& middle, double radius, const Colour& colour, double line);
+  /// A Bezier curve by its control points.
+  void curve(const std::array<topologies::Place, 4>& points, const Colour& colour, double line);
+  /// A line of text in a sans font of `size`; `x` is where `align` says, `y` its base line.
+  void text(double x, double y, const std::string& words, double size, Align align = Align::left,
+            const Colour& colour = INK);
+  /// The same with a white rim around the letters.
+  void text_on_lines(double x, double y, const std::string& words, double size, Align align);
+  /// A picture with its upper left pixel at (x, y), each of its pixels a square of `factor`.
+  void picture(int x, int y, const renderer::Bitmap& bitmap, int factor);
+
+  renderer::Bitmap bitmap() const;
+
+ private:
+  struct Cairo;
+  struct End {
+    void operator()(Cairo* cairo) const;
+  };
+  void set(const Colour& colour, double line = 1);
+
+  int width_, height_;
+  std::unique_ptr<Cairo, End> cairo_;
+};
+
+/// Width of a text, pixels.
+double text_width(const std::string& words, double size);
+/// The text, or as much of its beginning as is at most so wide, with "…".
+std::string shorten_to(const std::string& words, double size, double width);
+
+}  // namespace laboratory

@@ -1,0 +1,166 @@
+#include "experiments/laboratory/film/film.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "experiments/laboratory/setup/setup.hpp"
+#include "simulator/observe/timeline.hpp"
+
+namespace laboratory {
+
+namespace {
+
+namespace fs = std::filesystem;
+using base::require;
+using renderer::Frame;
+
+// Twice the frames are looked at, at least, of which each takes the last before its instant.
+constexpr int LOOKS_A_FRAME = 2;
+constexpr double MOST_BYTES = 1e9;  // of the pictures that are looked at
+
+bool is_webp(const std::string& file) { return fs::path(file).extension() == ".webp"; }
+
+int duration_ms(int frame, int frames) {
+  const int ms = (frame + 1) * FILM_MS / frames - frame * FILM_MS / frames;
+  return frame + 1 < frames ? ms : ms + LAST_MS;
+}
+
+void save_frames(const std::string& file, const std::vector<Frame>& frames) {
+  if (is_webp(file)) return renderer::save_webp(file, frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto& bitmap = frames[i].bitmap;
+    renderer::save_png(frame_name(file, i), bitmap.width, bitmap.height, bitmap.rgb8);
+  }
+}
+
+double busy_share(const std::vector<observe::TimelineRow::Shares>& columns, std::size_t column) {
+  if (columns.empty()) return 0;  // nothing was carried
+  const auto& shares = columns[column];
+  return std::clamp(shares[0] + shares[1] + shares[2], 0.0, 1.0);
+}
+
+}  // namespace
+
+std::string frame_name(const std::string& file, std::size_t frame) {
+  const fs::path path = file;
+  return (path.parent_path() / fmt::format("{}-{:04}.png", path.stem().string(), frame + 1))
+      .string();
+}
+
+std::string first_file(const std::string& file) {
+  if (is_webp(file)) return file;
+  require(fs::path(file).extension() == ".png", "--animate",
+          "found {}, expected a name that ends in .webp or .png", file);
+  return frame_name(file, 0);
+}
+
+void check_films(const FilmOptions& options, const Experiment& experiment) {
+  const auto& program = *experiment.program;
+  require(options.picture.empty() || program.shows_picture, "--animate",
+          "found picture, but the program {} shows none; expected network, or another program",
+          program.name);
+  if (options.network.empty()) return;
+  require(program.uses.network, "--animate",
+          "found network, but the program {} has none; expected a program with a [network]",
+          program.name);
+  const auto topology = make_workers(experiment);
+  require(topology.processors <= topologies::MAX_DRAWN, "--animate",
+          "found network, {} of {} processors, expected at most {} in a drawing", topology.name,
+          topology.processors, topologies::MAX_DRAWN);
+}
+
+PicturePlace place_picture(int width, int height) {
+  constexpr int LARGE = 480, GAP = 16;
+  const int factor = std::max(1, LARGE / std::max(width, height));
+  const int frame = std::max(factor * width + 2 * FRAME_MARGIN, LARGE);
+  return {(frame - factor * width) / 2, TITLE_HEIGHT, factor, frame,
+          TITLE_HEIGHT + factor * height + GAP + TIME_SCALE_HEIGHT};
+}
+
+Film::Film(const FilmOptions& options, const topologies::Topology& network, double from_s)
+    : options_(options), network_(network), from_s_(from_s) {}
+
+void Film::begin(const machine::Machine& machine, const observe::View& view) {
+  if (!options_.picture.empty() && view.picture) {
+    const auto [width, height, rgb8] = *view.picture;
+    const auto place = place_picture(width, height);
+    require(!is_webp(options_.picture) ||
+                std::max(place.width, place.height) <= renderer::MAX_WEBP_SIDE,
+            "--animate", "found a picture of {} x {} pixels, expected at most {} a side in .webp",
+            width, height, renderer::MAX_WEBP_SIDE - 160);
+    const double bytes = 6.0 * width * height * LOOKS_A_FRAME;
+    require(bytes * options_.frames <= MOST_BYTES, "--frames",
+            "found {} of pictures of {} x {} pixels, expected at most {:.0f}", options_.frames,
+            width, height, MOST_BYTES / bytes);
+    picture_ = view.picture;
+    width_ = width;
+    growth::Looks looks;
+    looks.growth = LOOKS_A_FRAME * options_.frames;
+    recorder_.emplace(looks);
+  }
+  if (!options_.network.empty()) drawing_.emplace(machine, network_, view.network);
+}
+
+growth::Shown Film::look() const { return {.rgb8 = *picture_->rgb8()}; }
+
+void Film::before_change(double now_s) {
+  if (recorder_) recorder_->note(now_s - from_s_, [this] { return look(); });
+}
+
+void Film::end(double now_s) {
+  if (recorder_) recorder_->end(std::max(now_s - from_s_, 0.0), [this] { return look(); });
+  picture_.reset();
+}
+
+void Film::save(const std::string& title, const observe::Trace& trace) const {
+  if (!options_.picture.empty()) save_frames(options_.picture, make_picture_frames(title));
+  if (!options_.network.empty()) save_frames(options_.network, make_network_frames(title, trace));
+}
+
+std::vector<Frame> Film::make_picture_frames(const std::string& title) const {
+  require(recorder_ && !recorder_->growth().empty(), "--animate",
+          "found no picture of the run, expected a program that runs on a machine and shows one");
+  const auto& shown = recorder_->growth();
+  const double end_s = shown.back().at_s;
+  const Span film{from_s_, from_s_ + end_s};
+  const int height = static_cast<int>(shown[0].rgb8.size()) / 3 / width_;
+  const auto place = place_picture(width_, height);
+  std::vector<Frame> frames;
+  for (int i = 0; i < options_.frames; ++i) {
+    const double until_s = end_s * i / (options_.frames - 1);
+    const auto after = std::ranges::upper_bound(shown, until_s, {}, &growth::Shown::at_s);
+    const auto& picture = i + 1 < options_.frames ? *std::prev(after) : shown.back();
+    const double now_s = from_s_ + picture.at_s;
+    Canvas canvas(place.width, place.height);
+    draw_title(canvas, title);
+    canvas.picture(place.x, place.y, {width_, height, picture.rgb8}, place.factor);
+    draw_time_scale(canvas, film, {now_s, now_s});
+    frames.push_back({canvas.bitmap(), duration_ms(i, options_.frames)});
+  }
+  return frames;
+}
+
+std::vector<Frame> Film::make_network_frames(const std::string& title,
+                                             const observe::Trace& trace) const {
+  require(drawing_.has_value(), "--animate",
+          "found no machine, expected a program that runs on one");
+  const auto count = static_cast<std::size_t>(options_.frames);
+  const auto timeline = observe::make_timeline(trace, trace.processors.size(), count);
+  const Span film{trace.begin_s, trace.end_s};
+  const double step_s = film.length_s() / options_.frames;
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    Busy busy;
+    for (const auto& row : timeline.cpus) busy.processors.push_back(busy_share(row.columns, i));
+    for (const auto& row : timeline.links) busy.links.push_back(busy_share(row.columns, i));
+    const double from_s = film.from_s + step_s * static_cast<double>(i);
+    const Span now{from_s, i + 1 < count ? from_s + step_s : film.to_s};
+    frames.push_back({drawing_->draw(title, busy, film, now),
+                      duration_ms(static_cast<int>(i), options_.frames)});
+  }
+  return frames;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,233 @@
+// Films of runs, read back.
+#include "experiments/laboratory/film/film.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "simulator/observe/watch.hpp"
+#include "tests/laboratory/support/tlab.hpp"
+#include "tests/support/lab.hpp"
+#include "tests/support/webp_frames.hpp"
+#include "topologies/draw/load_drawing.hpp"
+#include "topologies/make/generators.hpp"
+
+namespace laboratory {
+namespace {
+
+using Pixel = std::vector<int>;
+
+const std::string FARM = TLAB_SOURCE_DIR "/experiments/farm.toml";
+
+// A farm of three workers, which is so small that its films are made at once.
+std::vector<std::string> one_point(std::vector<std::string> more) {
+  std::vector<std::string> all{"run",   FARM,
+                               "--set", "image.width=16",
+                               "--set", "check=[]",
+                               "--set", "image.height=12",
+                               "--set", "sweep.objects=[20]",
+                               "--set", "sweep.workers=[3]"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+Pixel colour_of(double share) {
+  Pixel pixel;
+  for (const double part : topologies::eval_load_colour(share))
+    pixel.push_back(static_cast<int>(std::lround(255 * part)));
+  return pixel;
+}
+
+void expect_near(const Pixel& found, const Pixel& expected, const std::string& what) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], 2) << what << ", colour " << i;
+}
+
+// Left of the middle, where no letter is.
+Pixel pixel_of_processor(const test::WebpFrame& frame, const MachineDrawing& drawing, int id) {
+  const auto& place = drawing.nodes().at(static_cast<std::size_t>(id)).place;
+  return frame.pixel(place.x, place.y + 0.75 * drawing.radius());
+}
+
+// Near the middle of the link, on the side of the direction's sender.
+Pixel pixel_of_link(const test::WebpFrame& frame, const MachineDrawing& drawing, std::size_t i) {
+  const auto& [p0, p1, p2, p3] = drawing.halves().at(i);
+  return frame.pixel(0.3 * p2.x + 0.7 * p3.x, p3.y);
+}
+
+// At 2^24 cycles and 2^20 bytes a second the first computes for a quarter of a second, sends for
+// another, and then the second computes for half a second. Of thirds of this second the first is
+// busy for 3/4, 0 and 0, the link for 1/4, 1/2 and 0, and the second for 0, 1/2 and 1.
+TEST(Film, ShowsSharesOfEachFramesTimeInTheColoursOfTheScale) {
+  const TemporaryFolder folder;
+  occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
+  auto& first = lab.cpu();
+  auto& second = lab.neighbour(first);
+  auto& channel = lab.hard(first, second);
+  first.start("first", machine::Priority::low, [&] {
+    occam::compute(1 << 22);
+    occam::out(channel, {1 << 18, 0});
+  });
+  second.start("second", machine::Priority::low, [&] {
+    occam::Words words;
+    occam::in(channel, words);
+    occam::compute(1 << 23);
+  });
+  const auto file = (folder.path / "film.webp").string();
+  const auto line = topologies::make_line(2);
+  Film film({.picture = "", .network = file, .frames = 3}, line, 0);
+  observe::Trace trace;
+  observe::Watch watch;
+  watch.trace = &trace;
+  watch.onlooker = &film;
+  observe::run(lab.machine, watch);
+  EXPECT_NEAR(watch.ended.value, 1, 1e-4);
+  film.save("two processors", trace);
+
+  const MachineDrawing drawing(lab.machine, line, {});
+  const auto frames = test::decode_webp(read_file(file));
+  ASSERT_EQ(frames.size(), 3u);
+  const double shares[3][3] = {{0.75, 0.25, 0}, {0, 0.5, 0.5}, {0, 0, 1}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(frames[i].width, drawing.width());
+    EXPECT_EQ(frames[i].height, drawing.height());
+    const auto [one, link, other] = shares[i];
+    const auto where = [&](const char* what) { return fmt::format("frame {}, {}", i, what); };
+    expect_near(pixel_of_processor(frames[i], drawing, 0), colour_of(one), where("first"));
+    expect_near(pixel_of_processor(frames[i], drawing, 1), colour_of(other), where("second"));
+    if (link > 0) expect_near(pixel_of_link(frames[i], drawing, 0), colour_of(link), where("link"));
+    EXPECT_NE(pixel_of_link(frames[i], drawing, 1), colour_of(0.25)) << "nothing came back";
+  }
+  EXPECT_NE(pixel_of_link(frames[1], drawing, 0), pixel_of_link(frames[1], drawing, 1));
+  EXPECT_NE(pixel_of_link(frames[1], drawing, 0), pixel_of_link(frames[2], drawing, 0));
+}
+
+TEST(Film, TimesAreSaidInTheUnitOfTheWhole) {
+  EXPECT_EQ(format_time(0.25, 1), "0.25 s");
+  EXPECT_EQ(format_time(0.25, 40), "0.2 s");
+  EXPECT_EQ(format_time(12, 3000), "12 s");
+  EXPECT_EQ(format_time(0.00125, 0.02), "1.2 ms");
+  EXPECT_EQ(format_time(0, 5e-6), "0.00 µs");
+}
+
+TEST(ExperimentsFilm, FilmsHaveTheirLengthAndTheResultsAreTheSame) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(tlab(folder.path, one_point({"-o", "plain"})).exit_code, 0);
+  const auto film = [&](const char* name) {
+    const auto done =
+        tlab(folder.path, one_point({"-o", name, "--animate", fmt::format("picture={}.webp", name),
+                                     "--animate", "network", "--frames", "12"}));
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+  };
+  film("r");
+  film("again");
+  const auto image = folder.path / "r/image-spheres-20.png";
+  for (const char* file : {"results.csv", "results.schema.json", "image-spheres-20.png"})
+    EXPECT_EQ(read_file(folder.path / "plain" / file), read_file(folder.path / "r" / file)) << file;
+  for (const auto& [file, again] :
+       {std::pair("r.webp", "again.webp"), std::pair("r-network.webp", "again-network.webp")}) {
+    const auto bytes = read_file(folder.path / file);
+    EXPECT_EQ(bytes, read_file(folder.path / again)) << file;
+    const auto frames = test::decode_webp(bytes);
+    ASSERT_EQ(frames.size(), 12u) << file;
+    EXPECT_EQ(frames[0].to_ms, 833);
+    EXPECT_EQ(frames[11].from_ms, 9166);
+    EXPECT_EQ(frames[11].to_ms, 12000);
+  }
+  const auto picture = renderer::load_png(image.string());
+  const auto place = place_picture(16, 12);
+  const auto frames = test::decode_webp(read_file(folder.path / "r.webp"));
+  EXPECT_EQ(place.factor, 30);
+  EXPECT_EQ(frames[0].width, place.width);
+  EXPECT_EQ(frames[0].height, place.height);
+  std::size_t lit = 0;
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const auto* rgb = picture.rgb8.data() + 3 * (16 * y + x);
+      for (const double corner : {0.0, 0.99}) {
+        const double at_x = place.x + place.factor * (x + corner);
+        const double at_y = place.y + place.factor * (y + corner);
+        EXPECT_EQ(frames[11].pixel(at_x, at_y), Pixel(rgb, rgb + 3)) << x << " " << y;
+        EXPECT_EQ(frames[0].pixel(at_x, at_y), Pixel(3, 0)) << "nothing is shown at first";
+      }
+      lit += frames[6].pixel(place.x + place.factor * x, place.y + place.factor * y) != Pixel(3, 0);
+    }
+  EXPECT_GT(lit, 0u) << "half way";
+  EXPECT_LT(lit, 12u * 16u) << "half way";
+}
+
+TEST(ExperimentsFilm, OneImageAFrame) {
+  const TemporaryFolder folder;
+  const auto done =
+      tlab(folder.path,
+           one_point({"-o", "r", "--animate", "network=f.png", "--frames", "3", "--from", "0.1"}));
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"f-0001.png", "f-0002.png", "f-0003.png", "r"}));
+}
+
+// Where a run is cut short, where it breaks down and where it deadlocks.
+TEST(ExperimentsFilm, ARunThatDoesNotEndHasItsFilmSoFar) {
+  const std::vector<std::pair<int, std::vector<std::string>>> cases{
+      {0, {"--until", "0.2"}},
+      {3, {"--set", "machine.database_memory_bytes=146432"}},
+      {3, {"--set", "fault=[{at_s=0.3,link=[0,1]}]"}}};
+  for (const auto& [code, more] : cases) {
+    const TemporaryFolder folder;
+    std::vector<std::string> all{
+        "-o", "r", "--animate", "picture=p.webp", "--animate", "network=n.webp", "--frames", "4"};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto done = tlab(folder.path, one_point(all));
+    EXPECT_EQ(done.exit_code, code) << done.err;
+    for (const char* file : {"p.webp", "n.webp"}) {
+      ASSERT_TRUE(std::filesystem::exists(folder.path / file)) << more[1] << file;
+      EXPECT_EQ(test::decode_webp(read_file(folder.path / file)).size(), 4u) << more[1] << file;
+    }
+  }
+}
+
+TEST(ExperimentsFilm, MistakesAreNamedBeforeAnythingRuns) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::vector<std::string>& more) {
+    const auto done = tlab(folder.path, one_point(more));
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    return done.err;
+  };
+  const auto expect = [&](const std::vector<std::string>& more, const std::string& part) {
+    const auto err = told(more);
+    EXPECT_TRUE(contains(err, part)) << err;
+  };
+  expect({"--animate", "film"}, "found film, expected picture, network");
+  expect({"--animate", "network="}, "found network=, expected");
+  expect({"--animate", "network=n.gif"}, "found n.gif, expected a name that ends in .webp or .png");
+  expect({"--animate", "network=a.webp", "--animate", "network=b.webp"}, "found network twice");
+  expect({"--animate", "network=a.webp", "--animate", "picture=a.webp"}, "another file");
+  expect({"--animate", "network=a.webp", "--frames", "1"}, "--frames");
+  expect({"--frames", "10"}, "--animate");
+  expect({"--animate", "network=a.webp", "--set", "sweep.workers=[1, 2]"}, "has 2 points");
+  expect({"--animate", "network=no/such/folder/a.webp"}, "no/such/folder/a.webp");
+  expect({"-o", "r", "--animate", "network=r/a.webp"}, "outside of the results folder");
+  expect({"--animate", "network=a.webp", "--set", "network.topology=\"line\"", "--set",
+          "sweep.workers=[16385]"},
+         "line:16385 of 16385 processors, expected at most 16384");
+  expect({"-o", "r", "--animate", "picture=a.webp", "--set", "image.width=4000", "--set",
+          "image.height=3000"},
+         "pictures of 4000 x 3000 pixels");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+TEST(ExperimentsFilm, ProgramsWithoutAPictureOrANetworkAreNamed) {
+  const TemporaryFolder folder;
+  const auto told = [&](const char* text, const char* kind) {
+    write_file(folder.path / "e.toml", text);
+    const auto done = tlab(
+        folder.path, {"run", "e.toml", "-o", "r", "--animate", fmt::format("{}=a.webp", kind)});
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    return done.err;
+  };
+  EXPECT_TRUE(contains(told("[program]\nname = \"message\"\n", "network"), "message has none"));
+  EXPECT_TRUE(contains(told("[program]\nname = \"message\"\n", "picture"), "message shows none"));
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"e.toml"});
+}
+
+}  // namespace
+}  // namespace laboratory
