@@ -232,6 +232,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
                   "renderer/progressive/sampled_cell\\.(hpp|cpp)")},
       {{"boost/context/"}, std::regex("simulator/machine/carriers/fiber\\.cpp")},
       {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
+      {{"assimp/"}, std::regex("renderer/meshes/read_mesh\\.cpp")},
       {{"pugixml"}, std::regex("topologies/files/graphml\\.cpp")},
       {{"CLI/"},
        std::regex("(experiments|tests)/laboratory/(command|options|picture)/.*|tests/"

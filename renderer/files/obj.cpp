@@ -62,7 +62,7 @@ class MtlReader {
   void read_statement() {
     using Read = void (*)(MtlReader&, Draft&);
     static constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
-        {"Kd", [](auto& r, auto& d) { d.material.set_diffuse(r.tokens_.take_rgb("Kd"), 1); }},
+        {"Kd", [](auto& r, auto& d) { d.material.set_diffuse(r.tokens_.take_rgb("Kd")); }},
         {"Ks", [](auto& r, auto& d) { d.material.specular = r.tokens_.take_rgb("Ks"); }},
         {"Ke", [](auto& r, auto& d) { d.material.emission = r.tokens_.take_rgb("Ke"); }},
         {"Ns", [](auto& r, auto& d) { d.material.shine = r.take("Ns", MAX_SHINE); }},
@@ -177,6 +177,8 @@ class ObjReader {
   void read_libraries() {
     do {
       const auto path = find_beside(tokens_.name(), tokens_.take_word("a file"));
+      if (std::ranges::find(libraries_, path) != libraries_.end()) continue;
+      libraries_.push_back(path);
       tell([&] { target_.add_library(path); });
       std::string text;
       tell([&] { text = base::read_text(path); });
@@ -201,7 +203,10 @@ class ObjReader {
     const std::string_view name = tokens_.take();
     if (name == "v") {
       const View view = take_view(tokens_);
-      tell([&] { target_.set_view(view); });
+      tell([&] {
+        require(!std::exchange(has_view_, true), "a second '# v'", "one");
+        target_.set_view(view);
+      });
     } else if (name == "b") {
       const Rgb colour = take_colour(tokens_, "the background");
       tell([&] { target_.set_background(colour); });
@@ -258,7 +263,8 @@ class ObjReader {
   ObjTarget& target_;
   std::vector<Vec> points_, normals_;
   std::vector<Corner> coordinates_;
-  std::vector<std::string> names_;  // of materials
+  std::vector<std::string> names_, libraries_;  // of materials, and paths of their files
+  bool has_view_ = false;
 };
 
 }  // namespace

@@ -2,9 +2,9 @@
 // Wavefront's OBJ with its MTL files, for scenes and rooms: flat faces and their materials.
 //
 // In an OBJ v, vt, vn, f, usemtl and mtllib count; p, l, g, o and s are passed over, others are
-// errors.
-// What OBJ has no word for is said as NFF says it, in comments that begin a line, so that other
-// readers pass over it (renderer/files/nff.hpp has what follows each, and what makes it prose):
+// errors. What OBJ has no word for is said as NFF says it, in comments that begin a line, so that
+// other readers pass over it (renderer/files/nff.hpp has what follows each, and what makes it
+// prose):
 //
 //   # v from X Y Z at X Y Z up X Y Z angle DEGREES [hither D] [resolution W H]
 //   # b R G B
@@ -38,6 +38,10 @@ struct MtlMaterial {
   /// Sets diffuse and its factors.
   void set_diffuse(const Rgb& of, double factor) {
     colour = of, kd = factor, diffuse = factor * of;
+  }
+  /// Of black the factors are white, and 0.
+  void set_diffuse(const Rgb& rgb) {
+    rgb == Rgb{} ? set_diffuse({1, 1, 1}, 0) : set_diffuse(rgb, 1);
   }
 };
 inline constexpr int ILLUM_REFLECTS = 3;

@@ -6,7 +6,7 @@ namespace renderer {
 
 namespace {
 
-constexpr int ILLUM_DIFFUSE = 1, ILLUM_REFRACTS = 6;
+constexpr int ILLUM_DIFFUSE = 1, ILLUM_GLOSSY = 5, ILLUM_REFRACTS = 6;
 
 Surface make_surface(const MtlMaterial& m) {
   const auto& [r, g, b] = m.colour;
@@ -28,6 +28,10 @@ Surface make_surface(const MtlMaterial& m) {
 
 void ObjAsNff::add_material(const MtlMaterial& material) {
   Look look{make_surface(material), material.emission};
+  const auto& [r, g, b] = material.specular;
+  if (left_out_ && look.surface.ks > 0 && (r != g || g != b)) left_out_->add("colours of mirrors");
+  if (left_out_ && look.surface.ks == 0 && max_component(material.specular) > 0)
+    left_out_->add("highlights without mirror images");
   if (!material.picture.empty()) {
     target_.add_file(material.picture);
     look.surface.texture = target_.add_texture(material.picture, make_mesh_mapping());
@@ -53,14 +57,19 @@ void ObjAsNff::add_face(std::vector<Vec> corners, std::vector<Vec> normals,
 }
 
 void ObjAsNff::set_view(const View& view) {
-  require(!view_, "a second '# v'", "one");
   view_ = view;
   target_.line = line;
   target_.set_view(view);
 }
 
+void ObjAsNff::set_background(const Rgb& colour) {
+  target_.line = line;
+  target_.set_background(colour);
+}
+
 void ObjAsNff::add_light(const Light& light, const std::optional<Rgb>& colour) {
   has_light_ = true;
+  target_.line = line;
   target_.add_light(light, colour);
 }
 
@@ -74,6 +83,7 @@ void ObjAsNff::finish() {
 
 void NffAsObj::set_surface(const Surface& s) {
   next_.emission = {};
+  surface_ = {};
   change_surface(s);
 }
 
@@ -84,10 +94,14 @@ void NffAsObj::change_surface(const Surface& s) {
   next_.shine = s.shine;
   next_.transparency = s.t;
   next_.ior = s.ior;
-  next_.illum = s.t > 0 ? ILLUM_REFRACTS : s.ks > 0 ? ILLUM_REFLECTS : ILLUM_DIFFUSE;
+  next_.illum = s.t > 0                  ? ILLUM_REFRACTS
+                : s.ks == 0              ? ILLUM_DIFFUSE
+                : s.ks == 1 && s.kd == 0 ? ILLUM_REFLECTS
+                                         : ILLUM_GLOSSY;
   next_.picture = s.texture == NO_TEXTURE ? "" : pictures_[s.texture];
-  if (s.gloss > 0) left_out_.add("gloss");
-  if (s.translucency > 0) left_out_.add("translucency");
+  if (s.gloss > 0 && s.gloss != surface_.gloss) left_out_.add("gloss");
+  if (s.translucency > 0 && s.translucency != surface_.translucency) left_out_.add("translucency");
+  surface_ = s;
 }
 
 std::uint32_t NffAsObj::add_texture(const std::string& file, const Mapping& mapping) {

@@ -1,11 +1,12 @@
 #pragma once
 // OBJ as NFF, and NFF as OBJ: what each says in the other's statements. A surface is a material
-// whose rays are reflected and refracted, `illum` 3 or 6:
+// whose rays are reflected and refracted, `illum` 3, 5 or 6:
 //
 //   f R G B KD KS SHINE T IOR  =  Kd KD*R KD*G KD*B   Ks KS KS KS   Ns SHINE   Tr T   Ni IOR
 //
 // A Ks in colour reflects as its greatest component. A material whose illum is below 3 reflects
-// nothing: NFF has no highlights without mirror images. A picture (map_Kd) is a texture by
+// nothing: NFF has no highlights without mirror images. A surface that reflects all is `illum` 3, a
+// mirror of a room; one that also is diffuse has 5. A picture (map_Kd) is a texture by
 // coordinates.
 
 #include "renderer/files/left_out.hpp"
@@ -17,7 +18,9 @@ namespace renderer {
 /// Tells an NffTarget what it is told of an OBJ. Faces before any material are light grey.
 class ObjAsNff : public ObjTarget {
  public:
-  explicit ObjAsNff(NffTarget& target) : target_(target) {}
+  /// Counts colours of mirrors and highlights that NFF has no word for, if that is asked for.
+  explicit ObjAsNff(NffTarget& target, LeftOut* left_out = nullptr)
+      : target_(target), left_out_(left_out) {}
   /// After the last statement: where there was no view or no light, tells one, from outside or in
   /// the view point.
   void finish();
@@ -28,7 +31,7 @@ class ObjAsNff : public ObjTarget {
   void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                 std::vector<Corner> coordinates) override;
   void set_view(const View& view) override;
-  void set_background(const Rgb& colour) override { target_.set_background(colour); }
+  void set_background(const Rgb& colour) override;
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;
 
  private:
@@ -38,6 +41,7 @@ class ObjAsNff : public ObjTarget {
   };
 
   NffTarget& target_;
+  LeftOut* left_out_;
   std::vector<Look> looks_;  // by material
   Bounds bounds_;
   std::optional<View> view_;
@@ -79,6 +83,7 @@ class NffAsObj : public NffTarget {
 
   ObjTarget& target_;
   LeftOut& left_out_;
+  Surface surface_;     // told last
   MtlMaterial next_;    // of the faces to come
   bool is_new_ = true;  // whether it is not yet in use
   std::vector<MtlMaterial> materials_;

@@ -4,13 +4,17 @@
 
 namespace renderer {
 
+ObjText::ObjText(std::string folder, const std::string& library)
+    : folder_(std::move(folder)), library_name_(find_from("", library)) {}
+
 std::string ObjText::text() const {
   return (library_.empty() ? "" : fmt::format("mtllib {}\n", library_name_)) + head_ + body_;
 }
 
 void ObjText::add_material(const MtlMaterial& m) {
   library_ += fmt::format("newmtl {}\nKd {}\n", m.name, describe(m.diffuse));
-  if (m.kd != 1) library_ += fmt::format("# surface {} {}\n", describe(m.colour), m.kd);
+  if (m.kd != 1 || m.diffuse == Rgb{})
+    library_ += fmt::format("# surface {} {}\n", describe(m.colour), m.kd);
   library_ += fmt::format("Ks {}\nNs {}\n", describe(m.specular), m.shine);
   if (m.emission != Rgb{}) library_ += fmt::format("Ke {}\n", describe(m.emission));
   if (m.transparency > 0)

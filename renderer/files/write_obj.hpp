@@ -13,8 +13,8 @@ class ObjText : public ObjTarget {
  public:
   /// `library` names the MTL file, which is beside the OBJ in `folder`; pictures are named as they
   /// are found from there.
-  ObjText(std::string folder, std::string library)
-      : folder_(std::move(folder)), library_name_(std::move(library)) {}
+  /// BadInput for names with blanks, which OBJ cannot have.
+  ObjText(std::string folder, const std::string& library);
 
   std::string text() const;
   std::string library() const { return library_; }

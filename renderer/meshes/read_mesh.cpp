@@ -63,7 +63,7 @@ class Teller {
       if (material.Get(key, type, index, x) != aiReturn_SUCCESS) return otherwise;
       return std::isfinite(x) ? std::clamp<double>(x, least, most) : otherwise;
     };
-    m.set_diffuse(colour(AI_MATKEY_COLOR_DIFFUSE, {0.8, 0.8, 0.8}), 1);
+    m.set_diffuse(colour(AI_MATKEY_COLOR_DIFFUSE, {0.8, 0.8, 0.8}));
     m.specular = colour(AI_MATKEY_COLOR_SPECULAR, {});
     m.emission = colour(AI_MATKEY_COLOR_EMISSIVE, {});
     m.shine = number(AI_MATKEY_SHININESS, 0, MAX_SHINE, 0);

@@ -101,7 +101,7 @@ void ChannelBase::communicate(Side side, const std::uint64_t& bytes) {
   Party &own = ends_[side].waiting, &partner = ends_[1 - side].waiting;
   arrive(side, bytes, partner);
   if (cut()) return refuse(self, side);
-  if (partner.process) return meet(std::exchange(partner, {}), bytes);
+  if (partner.process) return meet(side, std::exchange(partner, {}), bytes);
   own = {&self, self.own_time()};
   if (side == reader) return wait(self, reader, "in");
   bytes_ = bytes;
@@ -110,7 +110,7 @@ void ChannelBase::communicate(Side side, const std::uint64_t& bytes) {
 }
 
 // Both ends are here; this process came second.
-void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
+void ChannelBase::meet(Side side, const Party& partner, std::uint64_t bytes) {
   Process& self = this_process();
   machine::Processor& processor = partner.process->processor();
   ++use_.messages;
@@ -129,7 +129,7 @@ void ChannelBase::meet(const Party& partner, std::uint64_t bytes) {
     processor.engine().at(start, [this] { start_transfer(); });
   else
     start_transfer();
-  wait(self, reader, "transfer");
+  wait(self, side, "transfer");
 }
 
 void ChannelBase::start_transfer() {

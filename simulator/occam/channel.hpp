@@ -117,7 +117,7 @@ class ChannelBase : machine::Wait {
   void refuse(Process& self, Side side);
   machine::Wait& wait_for_ever(Side side);
   bool try_to(Side side, const std::uint64_t& bytes);
-  void meet(const Party& partner, std::uint64_t bytes);
+  void meet(Side side, const Party& partner, std::uint64_t bytes);
   void start_transfer();
   void end_transfer();
   void wake_alternative(machine::Seconds at);

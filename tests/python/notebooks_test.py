@@ -43,7 +43,7 @@ class NotebooksTest(unittest.TestCase):
         pictures, text = [], ""
         for output in (output for cell in book.cells for output in cell.get("outputs", [])):
             if output.output_type == "stream":
-                self.assertEqual(output.name, "stdout", output.text)  # warnings are for us, not for readers
+                self.assertEqual(output.name, "stdout", output.text)  # a reader is shown no warnings
                 text += output.text
             elif "image/png" in output.get("data", {}):
                 pictures.append(base64.b64decode(output.data["image/png"]))

@@ -69,6 +69,7 @@ class PicturesTest(unittest.TestCase):
                 ({"scene": "spheres:3", "sample": "middle"}, "expected one of center, corner, lattice"),
                 ({"scene": "spheres:3", "depth": {}}, "found {}, expected a number"),
                 ({"scene": "spheres:3", "size": (0, 5)}, "1 to 65536"),
+                ({"scene": "spheres:3", "size": (4.5, 5)}, "width: found 4.5, expected a whole number"),
                 ({"scene": "spheres:3", "threads": 0}, "threads"),
                 ({"scene": self.folder / "none.nff"}, "none.nff: cannot be read")]:
             with self.subTest(message), self.assertRaisesRegex(tlab.BadInput, message):

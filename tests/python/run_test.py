@@ -87,6 +87,7 @@ class ResultsTest(FolderTest):
         flags = tlab.programs.soft(reader_first=[True, False], bytes=[1, 2])
         self.check_table(flags)
         self.assertEqual(str(flags["reader_first"].dtype), "bool")
+        self.assertEqual(list(flags.columns.loc["reader_first", ["type", "unit"]]), ["boolean", ""])
         self.assertEqual(list(flags["reader_first"]), [True, True, False, False])
 
     def test_the_same_bytes_as_the_command(self):

@@ -199,7 +199,10 @@ class GraphsTest(unittest.TestCase):
         one_port.edges[0, 1]["port_b"] = one_port.edges[1, 2]["port_a"] = 2
         no_port = networkx.path_graph(2)
         no_port.edges[0, 1]["port_a"] = 4
+        word, half = networkx.path_graph(2), networkx.path_graph(2)
+        word.edges[0, 1]["port_a"], half.edges[0, 1]["port_b"] = "left", 1.5
         for graph, message in [
+                (word, "network: port of an edge: found 'left', expected a whole number"), (half, "found 1.5"),
                 (networkx.Graph(), "the graph is empty"), (networkx.star_graph(5), "processor 0 has 5 links"),
                 (networkx.Graph([(0, 0)]), "linked to itself"), (networkx.Graph([(0, 1), (2, 3)]), "processor 2 cannot be reached from the root 0"),
                 (networkx.Graph([(1, "1")]), "found two nodes that read '1'"), (two_roots, "designated as root"),
@@ -211,6 +214,8 @@ class GraphsTest(unittest.TestCase):
             tlab.topology("trous:4x4")
         with self.assertRaisesRegex(tlab.BadInput, "found processor 9, expected 0 to 3"):
             tlab.topology("line:4").distance(0, 9)
+        with self.assertRaisesRegex(tlab.BadInput, "line:4: processor: found 2.7, expected a whole number"):
+            tlab.topology("line:4").path(0, 2.7)
 
 
 def _texts(edge):

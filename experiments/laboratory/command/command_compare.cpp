@@ -59,7 +59,8 @@ void add_compare_command(CLI::App& app) {
       ->expected(1, 1000)
       ->option_text("... REQUIRED");
   command->add_option("--columns", o->columns, "results to compare [those of the usual table]")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("-o,--output", o->output, "write a page, .html, or all ratios, .csv");
   command->footer(
       "Examples:\n  tlab compare results/tree results/mesh\n  tlab compare a b -o a-b.html "

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -29,9 +30,25 @@ namespace {
 namespace fs = std::filesystem;
 using renderer::LeftOut;
 
+// ".stl" of PART.STL.
+std::string ending_of(const std::string& path) {
+  auto ending = fs::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
 bool is_mesh(const std::string& source) {
-  return std::ranges::any_of(renderer::mesh_endings(),
-                             [&](std::string_view ending) { return source.ends_with(ending); });
+  return std::ranges::find(renderer::mesh_endings(), ending_of(source)) !=
+         renderer::mesh_endings().end();
+}
+
+std::string list_sources() {
+  return fmt::format("an .nff, .obj or .room file, a generator such as spheres:800, or a mesh ({})",
+                     fmt::join(renderer::mesh_endings(), ", "));
+}
+
+radiosity::Room read_room(const std::string& source) {
+  return radiosity::read_room(base::read_text(source), source);
 }
 
 // A file that is to be written.
@@ -46,17 +63,22 @@ struct Converted {
 };
 
 Texts write_room(const std::string& source, const std::string& output, LeftOut& left_out) {
-  return {{output, radiosity::to_text(radiosity::load_room(source), left_out)}};
+  const auto ending = ending_of(source);
+  base::require(ending == ".nff" || ending == ".obj", "-o " + output,
+                "found {}, expected an .nff or .obj file: write it as .obj first", source);
+  return {{output, radiosity::to_text(read_room(source), left_out)}};
 }
 
 Texts write_nff(const std::string& source, const std::string& output, LeftOut& left_out) {
   renderer::NffText nff(fs::path(output).parent_path().string());
   if (source.ends_with(".room")) {
-    radiosity::tell(radiosity::load_room(source), nff, left_out);
+    radiosity::tell(read_room(source), nff, left_out);
   } else if (source.ends_with(".obj")) {
-    renderer::read_scene(base::read_text(source), source, nff);
+    renderer::ObjAsNff obj(nff, &left_out);
+    renderer::read_obj(base::read_text(source), source, obj);
+    obj.finish();
   } else if (is_mesh(source)) {
-    renderer::ObjAsNff obj(nff);
+    renderer::ObjAsNff obj(nff, &left_out);
     renderer::read_mesh(source, obj, left_out);
     obj.finish();
   } else {
@@ -67,10 +89,12 @@ Texts write_nff(const std::string& source, const std::string& output, LeftOut& l
 
 Texts write_obj(const std::string& source, const std::string& output, LeftOut& left_out) {
   const auto library = fs::path(output).replace_extension(".mtl");
+  base::require(fs::exists(output) || !fs::exists(library), library.string(),
+                "is there, without {}: it would be replaced", output);
   renderer::ObjText obj(library.parent_path().string(), library.filename().string());
   renderer::NffAsObj nff(obj, left_out);
   if (source.ends_with(".room"))
-    radiosity::tell(radiosity::load_room(source), obj, left_out);
+    radiosity::tell(read_room(source), obj, left_out);
   else if (source.ends_with(".nff"))
     renderer::read_nff(base::read_text(source), source, nff);
   else if (is_mesh(source))
@@ -80,14 +104,24 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
+// Seconds of the processor that a mesh may take. A .gltf can have its data in files beside it.
+rlim_t find_time_limit(const std::string& source) {
+  constexpr double LEAST_S = 2, S_PER_BYTE = 2e-5;
+  std::uintmax_t bytes = 0;
+  std::error_code error;
+  const auto folder = fs::path(source).parent_path();
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    if (entry.path().stem() == fs::path(source).stem() || entry.path().extension() == ".bin")
+      if (const auto size = entry.is_regular_file(error) ? entry.file_size(error) : 0; !error)
+        bytes += size;
+  return static_cast<rlim_t>(LEAST_S + S_PER_BYTE * static_cast<double>(bytes));
+}
+
 // The same of a mesh in a process of its own, with a limit on its time: see read_mesh().
 Converted convert_apart(const std::string& source, const std::function<Converted()>& convert) {
-  constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
-  std::error_code none;
-  const auto bytes = fs::file_size(source, none);
-  const auto limit_s = static_cast<rlim_t>(LEAST_S + (none ? 0 : S_PER_BYTE * double(bytes)));
+  const auto limit_s = find_time_limit(source);
   const auto job = [&](std::size_t) {
-    const rlimit limit{limit_s, limit_s};
+    const rlimit limit{limit_s, limit_s + 1};
     setrlimit(RLIMIT_CPU, &limit);
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out] = convert();
@@ -97,7 +131,8 @@ Converted convert_apart(const std::string& source, const std::function<Converted
   };
   Converted converted;
   for_each_job(1, 1, job, [&](const JobEnd& end) {
-    base::require(end.died.empty(), source, "Assimp cannot read it: {}", end.died);
+    base::require(end.died.empty(), source,
+                  "Assimp cannot read it within {} s of the processor: {}", limit_s, end.died);
     const auto json = nlohmann::json::parse(end.result);
     converted.left_out = json["left_out"];
     for (const auto& text : json["texts"]) converted.texts.push_back({text[0], text[1]});
@@ -110,13 +145,16 @@ void convert(const std::string& source, const std::string& output) {
   using Write = Texts (*)(const std::string&, const std::string&, LeftOut&);
   constexpr std::pair<std::string_view, Write> WRITERS[] = {
       {".nff", &write_nff}, {".obj", &write_obj}, {".room", &write_room}};
-  const auto ending = fs::path(output).extension().string();
+  const auto ending = ending_of(output), from = ending_of(source);
   const auto* writer =
       std::ranges::find(WRITERS, ending, [](const auto& named) { return named.first; });
   base::require(writer != std::end(WRITERS), "-o " + output,
                 "found another ending, expected .nff, .obj or .room");
-  base::require(fs::path(source).extension() != ending, "-o " + output,
-                "found the format of {}, expected another", source);
+  base::require(from == ".nff" || from == ".obj" || from == ".room" || is_mesh(source) ||
+                    source.find(':') != source.npos,
+                source, "expected {}", list_sources());
+  base::require(from != ending, "-o " + output, "found the format of {}, expected another", source);
+  base::check_can_save(output);
 
   const auto convert_here = [&] {
     LeftOut left_out;
@@ -144,17 +182,14 @@ void add_convert_command(CLI::App& app) {
     std::string source, output;
   };
   auto o = std::make_shared<Options>();
+  command->add_option("SCENE", o->source, list_sources())->required();
   command
-      ->add_option("SCENE", o->source,
-                   fmt::format("an .nff, .obj or .room file, a generator such as spheres:800, or a "
-                               "mesh ({})",
-                               fmt::join(renderer::mesh_endings(), ", ")))
-      ->required();
-  command->add_option("-o,--output", o->output, "the .nff, .obj or .room file to write")
+      ->add_option("-o,--output", o->output,
+                   "the .nff, .obj or .room file to write; beside an .obj its .mtl")
       ->required();
   command->footer(
       "What the format has no word for is named.\nExamples:\n  tlab convert "
-      "experiments/scenes/still-life.nff -o still-life.obj\n  tlab convert bunny.ply -o bunny.obj");
+      "experiments/scenes/glass.nff -o glass.obj\n  tlab convert bunny.ply -o bunny.obj");
   command->callback([o] { convert(o->source, o->output); });
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "experiments/laboratory/film/film.hpp"
 #include "experiments/laboratory/host/colour.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
@@ -90,10 +91,12 @@ void print_summary(const RunOptions& options, const Simulation& s) {
         "\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % between rays, blocks "
         "and radiosity, {} repeats each\n",
         speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
-  if (s.there > 0) fmt::print("\n{} of {} points were there.", s.there, s.asked);
-  fmt::print("\nEnded: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
+  if (s.there > 0) fmt::print("{} of {} points were there.\n", s.there, s.asked);
+  fmt::print("Ended: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());
   print_paths(output, list_images(s));
+  for (const auto& film : {options.films.picture, options.films.network})
+    if (!film.empty()) fmt::print("  film     {}\n", describe_files(film, options.films.frames));
 }
 
 }  // namespace

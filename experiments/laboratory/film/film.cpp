@@ -49,6 +49,12 @@ std::string frame_name(const std::string& file, std::size_t frame) {
       .string();
 }
 
+std::string describe_files(const std::string& file, int frames) {
+  if (is_webp(file)) return file;
+  const auto last = static_cast<std::size_t>(frames - 1);
+  return fmt::format("{} to {}", frame_name(file, 0), frame_name(file, last));
+}
+
 std::string first_file(const std::string& file) {
   if (is_webp(file)) return file;
   require(fs::path(file).extension() == ".png", "--animate",

@@ -18,6 +18,9 @@ inline constexpr int FILM_MS = 10000, LAST_MS = 2000;
 /// "film.png" as the file of a frame, from 0: "film-0001.png".
 std::string frame_name(const std::string& file, std::size_t frame);
 
+/// The file of a film, or the first and the last of its frames': "f-0001.png to f-0100.png".
+std::string describe_files(const std::string& file, int frames);
+
 /// The file that is written first: the film's, or that of its first frame. Throws BadInput for
 /// another ending than .webp and .png.
 std::string first_file(const std::string& file);

@@ -106,10 +106,13 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
       return share_gained(spec.least, first.value, group.points[next].value);
     };
     std::set<std::string> named{name};  // other axes may have more points of one name
-    for (; next < group.points.size() && gained() < TIE; ++next)
-      if (const auto tied = name_values(table, group.points[next].row, over);
-          named.insert(tied).second)
-        name += " or " + tied;
+    for (; next < group.points.size(); ++next) {
+      const auto other = name_values(table, group.points[next].row, over);
+      if (named.contains(other)) continue;
+      if (gained() >= TIE) break;
+      named.insert(other);
+      name += " or " + other;
+    }
     ++wins[name];
     auto& row = answer.best.rows.emplace_back(group.at);
     row.insert(row.end(), {name, first.value});

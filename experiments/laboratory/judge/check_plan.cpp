@@ -173,6 +173,10 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
 
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table) {
   std::vector<std::string> notes;
+  for (const auto& [column, of] : plan.baselines)
+    if (const auto at = table.find(column);
+        at && std::ranges::all_of(table.rows, [&](const auto& row) { return row[*at] == Value(); }))
+      notes.push_back(fmt::format("{}: no row to compare with: {} is empty", of.place(), column));
   for_each_expression(plan, [&](const Expression& expression) {
     for (const auto& variable : expression.variables()) {
       const auto* reference = expression.find_reference(variable);

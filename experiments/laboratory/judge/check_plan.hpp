@@ -67,8 +67,9 @@ void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row);
 /// the file must outlive it.
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file);
 
-/// A note for each text in braces that no row of the table has on its axis: where it stands, and
-/// the nearest. In a reduced sweep that is no mistake.
+/// A note for each [[baseline]] whose column is empty, and for each text in braces that no row of
+/// the table has on its axis: where it stands, and the nearest. In a reduced sweep that is no
+/// mistake.
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table);
 
 }  // namespace laboratory

@@ -16,18 +16,19 @@ bool is_called(const std::string& column, std::string named) {
 }
 
 struct Meaning {
-  std::string text;
-  std::vector<std::string> programs;  // that give it; none: any
+  std::string text{}, unit{};
+  bool is_flag = false;                 // 0 or 1
+  std::vector<std::string> programs{};  // that give it; none: any
 };
 
 // What a program says of a column: of what it measures, or of a parameter.
-std::string find_help(const programs::Program& program, const std::string& column) {
+Meaning find_in(const programs::Program& program, const std::string& column) {
   for (const auto& [name, help] : program.columns)
-    if (is_called(column, name)) return help;
-  const auto parameter = std::ranges::find_if(program.parameters, [&](const auto& p) {
-    return p.name == column || p.name.ends_with("." + column);
-  });
-  return parameter == program.parameters.end() ? "" : parameter->help;
+    if (is_called(column, name)) return {help, unit_of(column)};
+  for (const auto& p : program.parameters)
+    if (p.name == column || p.name.ends_with("." + column))
+      return {p.help, p.unit, p.domain.kind == base::Domain::Kind::flag};
+  return {};
 }
 
 // What the key of an axis is for.
@@ -41,28 +42,32 @@ std::string find_axis_help(const ExperimentFile& file, const std::string& column
 }
 
 Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
-  Meaning meaning;
+  Meaning meaning{"", unit_of(column)};
   for (const auto& point : file.points) {
     const auto& program = *point.experiment.program;
-    const auto help = find_help(program, column);
-    if (help.empty() || std::ranges::find(meaning.programs, program.name) != meaning.programs.end())
+    const auto found = find_in(program, column);
+    if (found.text.empty() ||
+        std::ranges::find(meaning.programs, program.name) != meaning.programs.end())
       continue;
-    if (meaning.text.empty()) meaning.text = help;
+    if (meaning.text.empty()) meaning = found;
     meaning.programs.push_back(program.name);
   }
   if (meaning.text.empty()) meaning.text = find_axis_help(file, column);
   if (!meaning.text.empty()) return meaning;
   for (const auto& baseline : file.baselines)
     if (column == baseline.column())
-      return {baseline.of + " at " + baseline.at + " over the row's own", {}};
-  if (column == "ended") return {"done, or why the point did not come to its end", {}};
-  if (column == "topology") return {"of the network", {}};
+      meaning.text = baseline.of + " at " + baseline.at + " over the row's own";
+  if (column == "ended") meaning.text = "done, or why the point did not come to its end";
+  if (column == "topology") meaning.text = "of the network";
   if (column == file.points[0].experiment.program->processors)
-    return {"processors of the network that do the work", {}};
-  return {};
+    meaning.text = "processors of the network that do the work";
+  return meaning;
 }
 
+// "any" of a column without a value.
 std::string find_type(const Table& table, std::size_t column) {
+  if (std::ranges::all_of(table.rows, [&](const auto& row) { return row[column] == Value(); }))
+    return "any";
   const auto all = [&](const auto& is_it) {
     return std::ranges::all_of(
         table.rows, [&](const auto& row) { return row[column] == Value() || is_it(row[column]); });
@@ -74,26 +79,16 @@ std::string find_type(const Table& table, std::size_t column) {
 
 }  // namespace
 
-ordered_json to_json(const Value& cell) {
-  return std::visit(
-      [](const auto& value) -> ordered_json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
-          return nullptr;
-        else
-          return value;
-      },
-      cell);
-}
-
 ordered_json make_dictionary(const ExperimentFile& file, const Table& table) {
   ordered_json fields = ordered_json::array(), key = ordered_json::array();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& name = table.columns[c];
     if (c < table.axes) key.push_back(name);
-    ordered_json field = {
-        {"name", name}, {"type", find_type(table, c)}, {"title", without_unit(make_label(name))}};
-    if (const auto unit = unit_of(name); !unit.empty()) field["unit"] = unit;
-    const auto [text, programs] = find_meaning(file, name);
+    const auto [text, unit, is_flag, programs] = find_meaning(file, name);
+    ordered_json field = {{"name", name},
+                          {"type", is_flag ? "boolean" : find_type(table, c)},
+                          {"title", without_unit(make_label(name))}};
+    if (!unit.empty()) field["unit"] = unit;
     if (!text.empty()) field["description"] = text;
     if (!programs.empty()) field["programs"] = programs;
     fields.push_back(std::move(field));

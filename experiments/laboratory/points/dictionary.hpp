@@ -8,10 +8,7 @@ namespace laboratory {
 
 /// results.schema.json: a Table Schema (https://specs.frictionlessdata.io/table-schema) of
 /// results.csv. Of each column its name, type, title and meaning; its unit, where it has one; and
-/// the programs that give it. The primary key are the axes.
+/// the programs that give it. The primary key is made of the axes.
 nlohmann::ordered_json make_dictionary(const ExperimentFile& file, const Table& table);
-
-/// A cell as a number, a text or null.
-nlohmann::ordered_json to_json(const Value& cell);
 
 }  // namespace laboratory

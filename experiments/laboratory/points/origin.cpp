@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -53,6 +55,18 @@ Origin read_origin(const fs::path& results, const ordered_json& json) {
   return origin;
 }
 
+// As a shell reads it.
+std::string spell_word(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("._-/=,:+").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 }  // namespace
 
 fs::path results_folder(const RunOptions& options) {
@@ -61,8 +75,8 @@ fs::path results_folder(const RunOptions& options) {
 }
 
 std::string command_line(const RunOptions& options) {
-  std::string line = "tlab run " + options.file;
-  for (const auto& set : options.overrides) line += fmt::format(" --set '{}'", set);
+  std::string line = "tlab run " + spell_word(options.file);
+  for (const auto& set : options.overrides) line += " --set " + spell_word(set);
   if (std::isfinite(options.until_s)) line += fmt::format(" --until {}", options.until_s);
   return line;
 }

@@ -18,17 +18,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t MOST_NAMED = 10;
 
-ordered_json to_json(const base::Cell& cell) {
-  return std::visit(
-      [](const auto& value) -> ordered_json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
-          return nullptr;
-        else
-          return value;
-      },
-      cell);
-}
-
 base::Cell to_cell(const ordered_json& json) {
   if (json.is_null()) return {};
   if (json.is_number_integer()) return json.get<std::int64_t>();
@@ -38,7 +27,7 @@ base::Cell to_cell(const ordered_json& json) {
 
 ordered_json to_json(const base::Row& row) {
   auto json = ordered_json::object();
-  for (const auto& [name, cell] : row) json[name] = to_json(cell);
+  for (const auto& [name, cell] : row) json[name] = laboratory::to_json(cell);
   return json;
 }
 
@@ -71,6 +60,17 @@ PointResult make_ended(const char* ended, int exit_code, const std::string& mess
 }
 
 }  // namespace
+
+ordered_json to_json(const base::Cell& cell) {
+  return std::visit(
+      [](const auto& value) -> ordered_json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+          return nullptr;
+        else
+          return value;
+      },
+      cell);
+}
 
 ordered_json to_json(const PointResult& r) {
   auto images = ordered_json::array();

@@ -53,6 +53,8 @@ struct PointResult {
 };
 /// A result as JSON, for a pipe or a record, and back; throws nlohmann::json::exception.
 nlohmann::ordered_json to_json(const PointResult& result);
+/// A cell as a number, a text or null.
+nlohmann::ordered_json to_json(const base::Cell& cell);
 PointResult to_result(const nlohmann::ordered_json& json);
 
 /// One result for each point of the file.

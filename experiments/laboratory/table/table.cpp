@@ -123,7 +123,7 @@ Ending find_unit(std::string_view column) {
       {"_s", "s"},           {"_ms", "ms"},         {"_us", "µs"},       {"_ns", "ns"},
       {"_hz", "Hz"},         {"_mhz", "MHz"},       {"_bytes", "bytes"}, {"_kb", "kB"},
       {"_mb", "MB"},         {"_bits", "bits"},     {"_bit_s", "bit/s"}, {"_mbit", "Mbit/s"},
-      {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}, {"_per_s", "1/s"}};
+      {"_mbit_s", "Mbit/s"}, {"_cycles", "cycles"}, {"_per_s", "1/s"},   {"_Bps", "bytes/s"}};
   Ending found;
   for (const auto& [end, unit] : UNITS)
     if (column.ends_with(end) && end.size() > found.ending.size() && end.size() < column.size())

@@ -3,13 +3,13 @@
 import os
 
 from tlab import _native
-from tlab.spelling import plain
+from tlab.spelling import plain, whole
 
 
 def render(scene, size=(100, 100), *, threads=1, linear=False, **options):
     """Renders a scene with the sequential renderer, as `tlab render` does.
 
-    scene: the path of an NFF file, or "spheres:N", "hills:N" (triangles), "room:L" (lights)
+    scene: the path of a file, .nff or .obj, or "spheres:N", "hills:N" (triangles), "room:L" (lights)
     size: width and height in pixels
     threads: of the host; the picture does not depend on them
     linear: give sums of light as float64, where 1 is white and there may be more, in place of 8 bits
@@ -19,7 +19,7 @@ def render(scene, size=(100, 100), *, threads=1, linear=False, **options):
     """
     width, height = size
     options = {name: plain(value) for name, value in options.items()}
-    return _native.render(os.fspath(scene), {"width": int(width), "height": int(height), **options}, threads, linear)
+    return _native.render(os.fspath(scene), {"width": whole(width, "width"), "height": whole(height, "height"), **options}, threads, linear)
 
 
 def render_options():

@@ -8,7 +8,7 @@ rows. Other keys of the experiment file are given as in tlab.run.
 import inspect
 import keyword
 
-from tlab import declared
+from tlab import _native
 from tlab.running import run as _run
 
 # Keys that most programs have, by short names.
@@ -91,6 +91,6 @@ def _python_name(name):
     return f"{name}_" if keyword.iskeyword(name) else name
 
 
-_FUNCTIONS = {_python_name(name): _make_function(program) for name, program in declared.programs().items()}
+_FUNCTIONS = {_python_name(program["name"]): _make_function(program) for program in _native.programs()}
 globals().update(_FUNCTIONS)
 __all__ = list(_FUNCTIONS)

@@ -8,53 +8,37 @@ import tomllib
 
 import pandas
 
-from tlab import declared
 from tlab.pictures import read_image
 
 
 # Numbers as tlab writes them. Labels of processors may look nearly so: 007, 1_2.
 WHOLE = re.compile(r"-?(0|[1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?")
+FLAGS = {"0": False, "1": True, "false": False, "true": True}
+
+# What cells of a type of results.schema.json look like, what they are, and their column's dtype: where each row has a
+# value, and where some have none.
+TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
+         "integer": (WHOLE.fullmatch, int, "int64", "Int64"),
+         "number": (NUMBER.fullmatch, float, "float64", "float64"),
+         "string": (lambda text: True, str, object, object)}
 
 
-def _type_of(name, texts, floats, flags):
-    """The dtype of a column by the spelling of its cells, and None where they are texts."""
-    given = [text for text in texts if text != ""]
-    has_gaps = len(given) < len(texts)
-    if not given:
-        return None
-    if name in flags and set(given) <= {"0", "1", "false", "true"}:
-        return "boolean" if has_gaps else "bool"
-    if all(map(WHOLE.fullmatch, given)) and name not in floats:
-        return "Int64" if has_gaps else "int64"
-    return "float64" if all(map(NUMBER.fullmatch, given)) else None
+def _type_of(texts, declared):
+    """The declared type where all cells are of it, else that of their spelling; a number where there are none."""
+    for name in (declared, "integer" if len(texts) else "number", "number"):
+        if name in TYPES and all(map(TYPES[name][0], texts)):
+            return name
+    return "string"
 
 
-def read_texts(path):
-    """A CSV file of tlab as a DataFrame of texts."""
-    return pandas.read_csv(path, dtype=str, keep_default_na=False)
-
-
-def give_types(raw, floats=(), flags=()):
-    """A table of texts as one of whole numbers, numbers, booleans and texts.
-
-    An empty cell says that the column does not apply: NaN or <NA> among numbers, None among texts. In the columns
-    `floats` whole numbers are numbers all the same, in the columns `flags` 0 and 1 are booleans.
-    """
-    table = pandas.DataFrame(index=raw.index)
-    columns = {}
-    for name in raw.columns:
-        texts = raw[name]
-        dtype = _type_of(name, list(texts), floats, flags)
-        if dtype is None:
-            columns[name] = texts.where(texts != "", None).astype(object)
-        elif dtype in ("bool", "boolean"):
-            columns[name] = texts.map({"0": False, "1": True, "false": False, "true": True}).astype(dtype)
-        elif dtype == "float64":
-            columns[name] = pandas.Series([float(t) if t else float("nan") for t in texts], index=raw.index)
-        else:
-            columns[name] = pandas.Series([int(t) if t else None for t in texts], index=raw.index, dtype=dtype)
-    return pandas.concat([table, *(column.rename(name) for name, column in columns.items())], axis=1)
+def _give_type(texts, declared):
+    """A column of texts as one of what they say; an empty cell is NaN or <NA> among numbers, None among texts."""
+    given = texts[texts != ""]
+    _, value_of, dtype, dtype_with_gaps = TYPES[_type_of(given, declared)]
+    values = [value_of(text) if text else None for text in texts]
+    dtype = dtype if len(given) == len(texts) else dtype_with_gaps
+    return pandas.Series(values, index=texts.index, dtype=dtype, name=texts.name)
 
 
 class Result:
@@ -73,7 +57,7 @@ class Result:
         self.output = output
         self._files = files  # which it needs: a temporary folder goes with them
         self.record = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
-        self.table = self._read("results", self._floats())
+        self.table = self._read("results")
 
     @functools.cached_property
     def checks(self):
@@ -88,19 +72,21 @@ class Result:
         paths = sorted(self.folder.glob("image-*.png"))
         return {path.stem.removeprefix("image-"): read_image(path) for path in paths}
 
-    @property
+    @functools.cached_property
     def columns(self):
-        """What each column of the table is: a DataFrame with its unit and its meaning, as far as they are known."""
-        return declared.describe_columns(self.table.columns, self.programs)
+        """What each column of the table is: a DataFrame with its type, unit and meaning; "" where one has none."""
+        path = self.folder / "results.schema.json"
+        fields = json.loads(path.read_text(encoding="utf-8"))["fields"] if path.exists() else []
+        about = {field["name"]: [field.get(key, "") for key in ("type", "unit", "description")] for field in fields}
+        columns = self._read_texts("results").columns
+        return pandas.DataFrame([about.get(name, ["", "", ""]) for name in columns],
+                                columns=["type", "unit", "meaning"], index=pandas.Index(columns, name="column"))
 
     @property
     def programs(self):
         """The names of the programs that were run."""
-        return self._programs_of(self.table)
-
-    def _programs_of(self, table):
-        if "program" in table:
-            return list(table["program"].unique())
+        if "program" in self.table:
+            return list(self.table["program"].unique())
         return [tomllib.loads(self.record["experiment"]).get("program", {}).get("name", "farm")]
 
     @property
@@ -141,25 +127,13 @@ class Result:
     def _repr_html_(self):
         return self.table._repr_html_()
 
-    def _read(self, name, floats=()):
-        raw = read_texts(self.folder / f"{name}.csv")
-        table = give_types(raw, floats, declared.flags_of(self._programs_of(raw)))
+    def _read_texts(self, name):
+        return pandas.read_csv(self.folder / f"{name}.csv", dtype=str, keep_default_na=False)
+
+    def _read(self, name):
+        texts, types = self._read_texts(name), self.columns["type"]
+        columns = [_give_type(texts[column], types.get(column)) for column in texts]
+        table = pandas.concat([pandas.DataFrame(index=texts.index), *columns], axis=1)
         if "topology" in table and self._files:
             table["topology"] = table["topology"].replace(self._files.names)
         return table
-
-    def _floats(self):
-        """Columns that the points' records hold as numbers with a fraction, be it none; those without any value there."""
-        whole, floats, seen = set(), set(), set()
-        for point in self.record["points"]:
-            path = self.folder / point["record"] if point.get("record") else None
-            if path is None or not path.is_file():
-                continue
-            for row in json.loads(path.read_text(encoding="utf-8"))["rows"]:
-                for name, cell in row.items():
-                    seen.add(name)
-                    if isinstance(cell, float):
-                        floats.add(name)
-                    elif cell is not None:
-                        whole.add(name)
-        return floats | (seen - whole)

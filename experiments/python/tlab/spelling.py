@@ -2,6 +2,7 @@
 
 import json
 import math
+import operator
 import pathlib
 import re
 
@@ -19,6 +20,14 @@ def plain(value):
     if isinstance(value, pathlib.PurePath):
         return str(pathlib.Path(value).absolute())
     return value
+
+
+def whole(value, name):
+    """The value as an int, of a number that is whole by its type; `name` is what errors name."""
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise BadInput(f"{name}: found {value!r}, expected a whole number") from None
 
 
 def spell_key(key):

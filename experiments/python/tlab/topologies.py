@@ -7,6 +7,7 @@ import pathlib
 
 from tlab import _native
 from tlab.errors import BadInput
+from tlab.spelling import whole
 
 # A link: its lower processor and the port there, its higher processor and the port there.
 Link = collections.namedtuple("Link", "a port_a b port_b")
@@ -113,7 +114,7 @@ class Topology:
             if processor not in self.labels:
                 raise BadInput(f"{self.name}: found no processor called {processor!r}")
             return self.labels.index(processor)
-        return int(processor)
+        return whole(processor, f"{self.name}: processor")
 
     def _repr_svg_(self):
         return self._native.to_svg()
@@ -173,13 +174,10 @@ def generators():
     return dict(_native.generators())
 
 
-# The attribute of an edge for a port, by any of its names; -1: any port.
-def _find_port(edge, *names):
-    for name in names:
-        port = edge.get(name, "")
-        if str(port).isdigit():
-            return int(port)
-    return -1
+# The attribute of an edge for a port, by any of its names; -1: any port. Files have texts there.
+def _find_port(edge, graph, *names):
+    port = next((edge[name] for name in names if edge.get(name, "") != ""), -1)
+    return int(port) if str(port).isdecimal() else whole(port, f"{graph}: port of an edge")
 
 
 def from_networkx(graph, name=None):
@@ -204,6 +202,7 @@ def from_networkx(graph, name=None):
     root = roots[0] if roots else named
     if root is not None and root not in index:
         raise BadInput(f"{name}: root {root!r} is no node of the graph")
-    edges = [(index[a], index[b], _find_port(edge, "port_a", "tailport"), _find_port(edge, "port_b", "headport"))
+    edges = [(index[a], index[b],
+              _find_port(edge, name, "port_a", "tailport"), _find_port(edge, name, "port_b", "headport"))
              for a, b, edge in graph.edges(data=True)]
     return Topology(_native.make_graph(name, names, index.get(root, -1), edges, graph.is_directed()))

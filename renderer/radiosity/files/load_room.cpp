@@ -238,7 +238,6 @@ struct ObjRoom : renderer::ObjTarget {
   std::optional<std::uint32_t> material;  // of the faces to come
   std::optional<renderer::View> view;
 
-  void add_library(const std::string& path) override { room.libraries.push_back(path); }
   void add_material(const renderer::MtlMaterial& m) override {
     const bool mirror = m.illum == renderer::ILLUM_REFLECTS;
     room.materials.push_back({m.name, mirror ? m.specular : m.diffuse, m.emission, mirror});
@@ -307,11 +306,11 @@ Room bring_near(Room room) {
 }  // namespace
 
 Room read_room(std::string_view text, const std::string& name) {
-  return bring_near(find_reader(name)(text, name));
+  return find_reader(name)(text, name);
 }
 
 Room load_room(const std::string& path) {
-  const Read read = find_reader(path);
+  const Read read = find_reader(path);  // before a file of another kind is read
   return bring_near(read(base::read_text(path), path));
 }
 

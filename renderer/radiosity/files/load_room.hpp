@@ -36,7 +36,7 @@ namespace radiosity {
 /// wide has been moved there, so that what is computed in it is as exact as its coordinates.
 Room load_room(const std::string& path);
 
-/// Reads a text as load_room() does; `name` stands for the path.
+/// Reads a text in the same way, but leaves the room where it is; `name` stands for the path.
 Room read_room(std::string_view text, const std::string& name);
 
 }  // namespace radiosity

@@ -69,7 +69,7 @@ void tell(const Room& room, renderer::ObjTarget& target, LeftOut& left_out) {
   target.set_view(room.view);
   for (const Material& m : room.materials) {
     renderer::MtlMaterial material{.name = make_word(m.name), .emission = m.emission};
-    material.set_diffuse(m.mirror ? Rgb{} : m.reflectance, 1);
+    material.set_diffuse(m.mirror ? Rgb{} : m.reflectance);
     if (m.mirror) material.specular = m.reflectance;
     material.illum = m.mirror ? renderer::ILLUM_REFLECTS : 1;
     target.add_material(material);

@@ -51,7 +51,6 @@ struct Room {
   std::vector<Material> materials;
   std::vector<Face> faces;
   std::vector<Crease> creases;
-  std::vector<std::string> libraries;  ///< paths of further files that it was read from
   renderer::View view;
 };
 

@@ -51,9 +51,11 @@ TEST(Patience, ATerminalShowsWhatTakesLong) {
 
 TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   const Terminal terminal;
+  setenv("NO_COLOR", "1", 1);
   Progress bar("points");
   bar.show(3, 9);
   complain("interrupted");
+  unsetenv("NO_COLOR");
   const auto shown = terminal.read_until("interrupted");
   EXPECT_NE(shown.find(" 3/9"), std::string::npos) << shown;
   EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;

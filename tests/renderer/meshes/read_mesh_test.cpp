@@ -71,6 +71,29 @@ TEST_F(ReadMesh, ATetrahedronOfThreeFormats) {
   EXPECT_EQ(left_out_.describe(), "");
 }
 
+// One triangle with a colour, in a node that is moved and twice as large. Numbers are 0, 0, 0;
+// 1, 0, 0; 0, 1, 0.
+TEST_F(ReadMesh, AMeshIsWhereItsNodeIsAndHasItsColours) {
+  const auto path = save("t.gltf", R"({"asset": {"version": "2.0"},
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
+                                   "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
+                                   R"("}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "materials": [{"name": "blue", "pbrMetallicRoughness": {"baseColorFactor": [0.125, 0.25, 0.5, 1]}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+    "nodes": [{"mesh": 0, "translation": [1, 2, 3], "scale": [2, 2, 2]}],
+    "scenes": [{"nodes": [0]}], "scene": 0})");
+  Triangles triangles;
+  read_mesh(path, triangles, left_out_);
+  ASSERT_EQ(triangles.faces.size(), 1u);
+  EXPECT_EQ(triangles.faces[0], (std::vector<Vec>{{1, 2, 3}, {3, 2, 3}, {1, 4, 3}}));
+  const auto blue = std::ranges::find(triangles.materials, "blue", &MtlMaterial::name);
+  ASSERT_NE(blue, triangles.materials.end());
+  EXPECT_EQ(blue->diffuse, (Rgb{0.125, 0.25, 0.5}));
+}
+
 TEST_F(ReadMesh, TrianglesWithoutAreaAreCounted) {
   Triangles triangles;
   read_mesh(save("t.ply", fmt::format(fmt::runtime(PLY_HEAD), 5) + LISTS + "3 0 1 1\n"), triangles,

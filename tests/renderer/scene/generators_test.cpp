@@ -69,7 +69,8 @@ TEST(LoadScene, ByName) {
   }
   const std::pair<const char*, const char*> errors[] = {
       {"cubes:3",
-       "found scene 'cubes:3', expected a generator (spheres:N, room:L, hills:N) or a file (.nff)"},
+       "found scene 'cubes:3', expected a generator (spheres:N, room:L, hills:N) or a file (.nff, "
+       ".obj)"},
       {"hills:1", "found hills:1, expected hills:N with N from 2 to 1000000"},
       {"hills:x", "found scene 'hills:x', expected hills:N with N from 2 to 1000000"}};
   for (const auto& [wrong, error] : errors) {

@@ -125,6 +125,7 @@ TEST_F(ObjRoom, EmissionMirrorsAndNormals) {
 TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
   save("m.mtl", MTL);
   save("bright.mtl", "newmtl a\nKd 0 0 0\n\nnewmtl b\nKd 1 1 1\n");
+  save("again.mtl", "newmtl wall\n");
   save("nan.mtl", "newmtl a\nKd 0 nan 0\n");
   save("early.mtl", "Kd 0 0 0\n");
   save("glow.mtl", "newmtl a\nillum 3\nKe 1 1 1\n");
@@ -155,7 +156,8 @@ TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
       {use + "f 1 2 3", in + "a.obj: found no face that emits, expected one or more"},
       {"mtllib", at + "1: found the end of the line, expected a file"},
       {"mtllib m.mtl no.mtl", at + "1: " + in + "no.mtl: cannot be read"},
-      {"mtllib m.mtl m.mtl", in + "m.mtl:2: found a second material 'wall', expected another"},
+      {"mtllib m.mtl again.mtl",
+       in + "again.mtl:1: found a second material 'wall', expected another"},
       {"mtllib bright.mtl", in + "bright.mtl:4: found a diffuse reflectance 1 1 1, expected 0 or"},
       {"mtllib nan.mtl", in + "nan.mtl:2: found 'nan', expected Kd (a number"},
       {"mtllib early.mtl", in + "early.mtl:1: found 'Kd', expected 'newmtl' before it"},
