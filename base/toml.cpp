@@ -1,7 +1,10 @@
 #include "base/toml.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -99,6 +102,11 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
 }
 
 std::string to_toml(const toml::node& node) {
+  // toml++ gives a number all of its digits: 0.10000000000000001.
+  if (const auto number = node.value_exact<double>(); number && std::isfinite(*number)) {
+    const auto text = fmt::format("{}", *number);
+    return text.find_first_of(".e") == text.npos ? text + ".0" : text;
+  }
   using enum toml::format_flags;
   auto flags = toml::toml_formatter::default_flags;
   flags &= ~(allow_binary_integers | allow_octal_integers | allow_hexadecimal_integers);

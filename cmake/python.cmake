@@ -16,7 +16,7 @@ endforeach()
 
 set(TLAB_PYTHON_DIR lib/python3/dist-packages CACHE STRING
     "Where the package is installed; with the prefix /usr Debian's Python finds it there")
-install(TARGETS tlab_native LIBRARY DESTINATION ${TLAB_PYTHON_DIR}/tlab COMPONENT python)
+install(TARGETS tlab_native LIBRARY DESTINATION ${TLAB_PYTHON_DIR}/tlab COMPONENT python OPTIONAL)
 install(FILES ${modules} DESTINATION ${TLAB_PYTHON_DIR}/tlab COMPONENT python)
 install(DIRECTORY experiments/notebooks DESTINATION share/tlab COMPONENT python
         FILES_MATCHING PATTERN "*.ipynb")

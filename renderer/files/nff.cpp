@@ -97,8 +97,9 @@ class Reader {
   static bool is_statement(std::string_view comment) {
     const Words words = first_words(comment);
     return std::ranges::any_of(comments(), [&](const Comment& known) {
-      return known.name == words.name &&
-             KNOWS != (known.is_of_rooms ? Knows::scenes : Knows::rooms) && known.goes_on(words);
+      const auto others = known.is_of_rooms ? Knows::scenes : Knows::rooms;
+      return known.name == words.name && KNOWS != others && known.goes_on(words) &&
+             (KNOWS != Knows::both || !known.is_of_rooms || has_number(words));
     });
   }
   static Tokens::IsStatement statements_of(Knows knows) {

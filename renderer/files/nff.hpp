@@ -66,7 +66,7 @@ class NffTarget {
  public:
   virtual ~NffTarget() = default;
   /// Whether it knows rooms, which have `# emit R G B`, and scenes, which have the other statements
-  /// in comments.
+  /// in comments. One that knows both takes `# emit` for prose where no number follows.
   enum class Knows : std::uint8_t { scenes, rooms, both };
   virtual Knows knows() const { return Knows::scenes; }
 

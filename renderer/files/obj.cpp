@@ -129,8 +129,8 @@ class ObjReader {
         {"usemtl", [](ObjReader& r) { r.use_material(); }},
         {"mtllib", [](ObjReader& r) { r.read_libraries(); }},
         {"#", [](ObjReader& r) { r.read_comment(); }},
-        {"p", skip},
-        {"l", skip},
+        {"p", [](ObjReader& r) { r.leave_out("points"); }},
+        {"l", [](ObjReader& r) { r.leave_out("lines"); }},
         {"g", skip},
         {"o", skip},
         {"s", skip}};
@@ -145,9 +145,17 @@ class ObjReader {
     tokens_.at_line(target_.line, action);
   }
 
+  void leave_out(const char* kind) {
+    target_.leave_out(kind);
+    tokens_.skip_line();
+  }
+
+  // A weight, one number, may follow, or a colour.
   void read_point() {
     points_.push_back(tokens_.take_vec("a vertex"));
-    tokens_.skip_line();  // a weight or a colour
+    if (tokens_.continues()) tokens_.take();
+    if (tokens_.continues()) target_.leave_out("colours of corners");
+    tokens_.skip_line();
   }
 
   void read_normal() {

@@ -63,6 +63,8 @@ class ObjTarget {
   virtual void set_background(const Rgb&) {}
   /// Without its colour.
   virtual void add_light(const Light&, const std::optional<Rgb>&) {}
+  /// Something of this kind, a plural, is passed over: "points", "lines", "colours of corners".
+  virtual void leave_out(const std::string&) {}
 
   int line = 0;  ///< of the statement that is told
 };

@@ -29,9 +29,9 @@ Surface make_surface(const MtlMaterial& m) {
 void ObjAsNff::add_material(const MtlMaterial& material) {
   Look look{make_surface(material), material.emission};
   const auto& [r, g, b] = material.specular;
-  if (left_out_ && look.surface.ks > 0 && (r != g || g != b)) left_out_->add("colours of mirrors");
-  if (left_out_ && look.surface.ks == 0 && max_component(material.specular) > 0)
-    left_out_->add("highlights without mirror images");
+  if (look.surface.ks > 0 && (r != g || g != b)) leave_out("colours of mirrors");
+  if (look.surface.ks == 0 && material.specular != Rgb{})
+    leave_out("highlights without mirror images");
   if (!material.picture.empty()) {
     target_.add_file(material.picture);
     look.surface.texture = target_.add_texture(material.picture, make_mesh_mapping());
@@ -57,7 +57,7 @@ void ObjAsNff::add_face(std::vector<Vec> corners, std::vector<Vec> normals,
 }
 
 void ObjAsNff::set_view(const View& view) {
-  view_ = view;
+  has_view_ = true;
   target_.line = line;
   target_.set_view(view);
 }
@@ -74,11 +74,11 @@ void ObjAsNff::add_light(const Light& light, const std::optional<Rgb>& colour) {
 }
 
 void ObjAsNff::finish() {
-  if (!view_) {
-    require(has_surface_ && !(bounds_ == Bounds{}), "no face", "one or more");
-    set_view(look_from_outside(bounds_));
-  }
-  if (!has_light_) target_.add_light({.at = view_->from}, {});
+  if (has_view_) return;
+  require(has_surface_ && !(bounds_ == Bounds{}), "no face", "one or more");
+  const View view = look_from_outside(bounds_);
+  set_view(view);
+  if (!has_light_) target_.add_light({.at = view.from}, {});
 }
 
 void NffAsObj::set_surface(const Surface& s) {

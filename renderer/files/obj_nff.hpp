@@ -18,11 +18,11 @@ namespace renderer {
 /// Tells an NffTarget what it is told of an OBJ. Faces before any material are light grey.
 class ObjAsNff : public ObjTarget {
  public:
-  /// Counts colours of mirrors and highlights that NFF has no word for, if that is asked for.
+  /// Counts what NFF has no word for, such as colours of mirrors, if that is asked for.
   explicit ObjAsNff(NffTarget& target, LeftOut* left_out = nullptr)
       : target_(target), left_out_(left_out) {}
-  /// After the last statement: where there was no view or no light, tells one, from outside or in
-  /// the view point.
+  /// After the last statement: where there was no view, tells one, from outside, and a light in the
+  /// view point if there was none. A file that says its view says its lights.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }
@@ -33,6 +33,9 @@ class ObjAsNff : public ObjTarget {
   void set_view(const View& view) override;
   void set_background(const Rgb& colour) override;
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;
+  void leave_out(const std::string& kind) override {
+    if (left_out_) left_out_->add(kind);
+  }
 
  private:
   struct Look {
@@ -44,8 +47,7 @@ class ObjAsNff : public ObjTarget {
   LeftOut* left_out_;
   std::vector<Look> looks_;  // by material
   Bounds bounds_;
-  std::optional<View> view_;
-  bool has_light_ = false, has_surface_ = false;
+  bool has_view_ = false, has_light_ = false, has_surface_ = false;
 };
 
 /// Tells an ObjTarget what it is told of an NFF, and counts what OBJ has no word for: spheres,

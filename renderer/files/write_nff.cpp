@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/text.hpp"
+#include "renderer/scene/primitives.hpp"
 
 namespace renderer {
 
@@ -25,10 +26,24 @@ std::string describe_light(const Light& light, const std::optional<Rgb>& colour)
   return text + "\n";
 }
 
+void check_word(const std::string& name) {
+  require(name.find_first_of(" \t\n\r\f\v#") == name.npos, base::quote(name),
+          "a name without blanks and #");
+}
+
+void check_polygon(const std::vector<Vec>& corners, const std::vector<Vec>& normals) {
+  std::vector<Corner> pool;
+  std::vector<Vec> normal_pool;
+  if (normals.empty())
+    make_polygon(corners, {}, pool);
+  else
+    make_patch(corners, normals, {}, pool, normal_pool);
+}
+
 std::string find_from(const std::string& folder, const std::string& file) {
   const auto path =
       std::filesystem::proximate(file, folder.empty() ? "." : folder).generic_string();
-  require(path.find_first_of(" \t") == path.npos, base::quote(path), "a name without blanks");
+  check_word(path);
   return path;
 }
 
@@ -52,6 +67,8 @@ void NffText::set_emission(const Rgb& emission) { body_ += "# emit " + describe(
 
 std::uint32_t NffText::add_texture(const std::string& file, const Mapping&) {
   pictures_.push_back(find_from(folder_, file));
+  require(pictures_.back().find('.') != std::string::npos, base::quote(pictures_.back()),
+          "a picture's name with a full stop, without which '# texture' is prose");
   return static_cast<std::uint32_t>(pictures_.size() - 1);
 }
 
@@ -67,6 +84,7 @@ void NffText::add_sphere(const Vec& centre, double radius) {
 }
 
 void NffText::add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) {
+  check_polygon(corners, normals);
   body_ += fmt::format("{} {}\n", normals.empty() ? "p" : "pp", corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     body_ += describe(corners[i]);

@@ -9,8 +9,8 @@ namespace renderer {
 
 class NffText : public NffTarget {
  public:
-  /// Pictures are named as they are found from `folder`. BadInput from then on for a path with
-  /// blanks, which NFF cannot have.
+  /// Pictures are named as they are found from `folder`. BadInput from then on for polygons that
+  /// are none, and for paths that NFF cannot have: with blanks or #, or without a full stop.
   explicit NffText(std::string folder) : folder_(std::move(folder)) {}
 
   /// View, background and lights, then the rest in the order that it was told.
@@ -39,7 +39,11 @@ std::string describe_light(const Light& light, const std::optional<Rgb>& colour)
 /// "X Y Z" and "R G B", which are read again to the bit.
 std::string describe(const Vec& v);
 std::string describe(const Rgb& colour);
-/// How `file` is found from `folder`. BadInput if it has blanks.
+/// BadInput if it has blanks or #, which would end it.
+void check_word(const std::string& name);
+/// How `file` is found from `folder`, by check_word().
 std::string find_from(const std::string& folder, const std::string& file);
+/// BadInput for what no scene can have as a polygon, such as one without an area.
+void check_polygon(const std::vector<Vec>& corners, const std::vector<Vec>& normals);
 
 }  // namespace renderer

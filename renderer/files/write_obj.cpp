@@ -4,8 +4,10 @@
 
 namespace renderer {
 
-ObjText::ObjText(std::string folder, const std::string& library)
-    : folder_(std::move(folder)), library_name_(find_from("", library)) {}
+ObjText::ObjText(std::string folder, std::string library)
+    : folder_(std::move(folder)), library_name_(std::move(library)) {
+  check_word(library_name_);
+}
 
 std::string ObjText::text() const {
   return (library_.empty() ? "" : fmt::format("mtllib {}\n", library_name_)) + head_ + body_;
@@ -37,6 +39,7 @@ std::size_t ObjText::number_of(const std::string& statement,
 
 void ObjText::add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                        std::vector<Corner> coordinates) {
+  check_polygon(corners, normals);
   std::string face = "f";
   for (std::size_t i = 0; i < corners.size(); ++i) {
     face += fmt::format(" {}", number_of("v " + describe(corners[i]), points_));

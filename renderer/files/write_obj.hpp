@@ -12,9 +12,8 @@ namespace renderer {
 class ObjText : public ObjTarget {
  public:
   /// `library` names the MTL file, which is beside the OBJ in `folder`; pictures are named as they
-  /// are found from there.
-  /// BadInput for names with blanks, which OBJ cannot have.
-  ObjText(std::string folder, const std::string& library);
+  /// are found from there. BadInput for names with blanks or #, and for faces that are none.
+  ObjText(std::string folder, std::string library);
 
   std::string text() const;
   std::string library() const { return library_; }

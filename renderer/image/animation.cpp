@@ -3,7 +3,9 @@
 #include <webp/encode.h>
 #include <webp/mux.h>
 
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "base/whole_file.hpp"
 #include "renderer/scene/require.hpp"
@@ -14,29 +16,35 @@ namespace {
 
 constexpr const char* WHO = "animation";
 
-void check_frames(std::span<const Frame> frames) {
-  require(!frames.empty(), WHO, "no frame", "1 or more");
-  const Bitmap& first = frames[0].bitmap;
-  check(first, WHO);
-  require(first.width <= MAX_WEBP_SIDE && first.height <= MAX_WEBP_SIDE, WHO,
-          fmt::format("{} x {} pixels", first.width, first.height),
-          fmt::format("at most {} along each side", MAX_WEBP_SIDE));
-  std::int64_t time_ms = 0;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const auto& [bitmap, duration_ms] = frames[i];
-    const std::string who = fmt::format("{}, frame {}", WHO, i);
-    check(bitmap, who);
-    require(bitmap.width == first.width && bitmap.height == first.height, who,
+// Checks the frames one by one, as they come.
+class FrameCheck {
+ public:
+  void check(const Frame& frame) {
+    const auto& [bitmap, duration_ms] = frame;
+    const std::string who = fmt::format("{}, frame {}", WHO, count_);
+    renderer::check(bitmap, who);
+    if (count_++ == 0) {
+      width_ = bitmap.width, height_ = bitmap.height;
+      require(width_ <= MAX_WEBP_SIDE && height_ <= MAX_WEBP_SIDE, WHO,
+              fmt::format("{} x {} pixels", width_, height_),
+              fmt::format("at most {} along each side", MAX_WEBP_SIDE));
+    }
+    require(bitmap.width == width_ && bitmap.height == height_, who,
             fmt::format("{} x {} pixels", bitmap.width, bitmap.height),
-            fmt::format("{} x {} as the first", first.width, first.height));
+            fmt::format("{} x {} as the first", width_, height_));
     require(duration_ms >= 1 && duration_ms <= MAX_DURATION_MS, who,
             fmt::format("a duration of {} ms", duration_ms), fmt::format("1..{}", MAX_DURATION_MS));
-    time_ms += duration_ms;
+    time_ms_ += duration_ms;
+    constexpr int MOST = std::numeric_limits<int>::max();
+    require(time_ms_ <= MOST, WHO, fmt::format("{} ms together", time_ms_),
+            fmt::format("at most {}", MOST));
   }
-  constexpr int MOST = std::numeric_limits<int>::max();
-  require(time_ms <= MOST, WHO, fmt::format("{} ms together", time_ms),
-          fmt::format("at most {}", MOST));
-}
+
+ private:
+  std::size_t count_ = 0;
+  int width_ = 0, height_ = 0;
+  std::int64_t time_ms_ = 0;
+};
 
 // A call of libwebp, which fails for want of memory only: what it may refuse has been checked.
 void expect(bool done, const char* call) {
@@ -78,25 +86,33 @@ Encoder make_encoder(int width, int height) {
 
 }  // namespace
 
-std::string make_webp(std::span<const Frame> frames) {
-  check_frames(frames);
+std::string make_webp(std::size_t count, const MakeFrame& make) {
+  require(count > 0, WHO, "no frame", "1 or more");
   WebPConfig config;
   expect(WebPConfigInit(&config), "WebPConfigInit");
   config.lossless = 1;
   config.quality = 25;  // effort, of a lossless file
   config.thread_level = 0;
 
-  const Encoder encoder = make_encoder(frames[0].bitmap.width, frames[0].bitmap.height);
+  FrameCheck check;
+  std::optional<Encoder> encoder;
   int time_ms = 0;
-  for (const Frame& frame : frames) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Frame frame = make(i);
+    check.check(frame);
+    if (!encoder) encoder = make_encoder(frame.bitmap.width, frame.bitmap.height);
     Picture picture(frame.bitmap);
-    expect(WebPAnimEncoderAdd(encoder.get(), &picture, time_ms, &config), "WebPAnimEncoderAdd");
+    expect(WebPAnimEncoderAdd(encoder->get(), &picture, time_ms, &config), "WebPAnimEncoderAdd");
     time_ms += frame.duration_ms;
   }
-  expect(WebPAnimEncoderAdd(encoder.get(), nullptr, time_ms, nullptr), "WebPAnimEncoderAdd");
+  expect(WebPAnimEncoderAdd(encoder->get(), nullptr, time_ms, nullptr), "WebPAnimEncoderAdd");
   Data data;
-  expect(WebPAnimEncoderAssemble(encoder.get(), &data), "WebPAnimEncoderAssemble");
+  expect(WebPAnimEncoderAssemble(encoder->get(), &data), "WebPAnimEncoderAssemble");
   return {reinterpret_cast<const char*>(data.bytes), data.size};
+}
+
+std::string make_webp(std::span<const Frame> frames) {
+  return make_webp(frames.size(), [&](std::size_t i) { return frames[i]; });
 }
 
 void save_webp(const std::string& path, std::span<const Frame> frames) {

@@ -1,6 +1,7 @@
 #pragma once
 // Pictures one after the other, as an animated WebP file.
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -22,6 +23,9 @@ inline constexpr int MAX_WEBP_SIDE = 16383;  ///< pixels
 /// frames of unequal or too large sizes, a duration out of range,
 /// and more than 2^31 - 1 ms together.
 std::string make_webp(std::span<const Frame> frames);
+/// The same of `count` frames that are made one after another, from 0; no two are held at once.
+using MakeFrame = std::function<Frame(std::size_t)>;
+std::string make_webp(std::size_t count, const MakeFrame& make);
 
 /// Writes them as base::save_whole does, with its errors.
 void save_webp(const std::string& path, std::span<const Frame> frames);

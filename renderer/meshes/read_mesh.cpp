@@ -11,7 +11,9 @@
 #include <set>
 
 #include "base/text.hpp"
-#include "renderer/scene/primitives.hpp"
+#include "renderer/files/statements.hpp"
+#include "renderer/files/tokens.hpp"
+#include "renderer/files/write_nff.hpp"
 
 namespace renderer {
 
@@ -69,6 +71,10 @@ class Teller {
     m.shine = number(AI_MATKEY_SHININESS, 0, MAX_SHINE, 0);
     m.transparency = 1 - number(AI_MATKEY_OPACITY, 0, 1, 1);
     m.ior = number(AI_MATKEY_REFRACTI, 1e-3, MAX_IOR, 1);
+    for (int type = 0; type <= AI_TEXTURE_TYPE_MAX; ++type)
+      if (type != aiTextureType_DIFFUSE && type != aiTextureType_BASE_COLOR)
+        leave_out("pictures of other things than colours",
+                  material.GetTextureCount(static_cast<aiTextureType>(type)));
     aiString picture;
     if (material.GetTexture(aiTextureType_DIFFUSE, 0, &picture) == aiReturn_SUCCESS)
       tell_picture(picture.C_Str(), m);
@@ -84,6 +90,11 @@ class Teller {
   }
 
   void tell_mesh(const aiMesh& mesh) {
+    if (!(mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) {
+      const bool is_lines = mesh.mPrimitiveTypes & aiPrimitiveType_LINE;
+      return leave_out(is_lines ? "lines" : "points", mesh.mNumFaces);
+    }
+    if (mesh.HasVertexColors(0)) leave_out("colours of corners", mesh.mNumVertices);
     target_.use_material(mesh.mMaterialIndex);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) tell_face(mesh, mesh.mFaces[i]);
   }
@@ -98,21 +109,32 @@ class Teller {
       if (mesh.HasTextureCoords(0))
         coordinates.push_back({mesh.mTextureCoords[0][at].x, mesh.mTextureCoords[0][at].y});
     }
-    if (!can_be_patch(corners, normals)) normals.clear();
-    if (can_be_patch(corners, {}) && ++told_)
+    for (const Vec& corner : corners)
+      base::require(max_abs(corner) <= MAX_NUMBER, path_,
+                    "found a corner at ({}), expected coordinates up to {:g}", describe(corner),
+                    MAX_NUMBER);
+    if (!std::ranges::all_of(coordinates, can_be_read)) {
+      leave_out("coordinates beyond a million", coordinates.size());
+      coordinates.clear();
+    }
+    if (!can_be_polygon(corners, normals)) normals.clear();
+    if (can_be_polygon(corners, {}) && ++told_)
       target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
     else
-      left_out_.add("triangles without an area");
+      leave_out("triangles without an area", 1);
   }
 
-  static bool can_be_patch(const std::vector<Vec>& corners, const std::vector<Vec>& normals) {
+  void leave_out(const char* kind, std::size_t times) {
+    for (std::size_t i = 0; i < times; ++i) left_out_.add(kind);
+  }
+
+  static bool can_be_read(const Corner& c) {
+    return std::abs(c.u) <= MAX_COORDINATE && std::abs(c.v) <= MAX_COORDINATE;
+  }
+
+  static bool can_be_polygon(const std::vector<Vec>& corners, const std::vector<Vec>& normals) {
     try {
-      std::vector<Corner> pool;
-      std::vector<Vec> normal_pool;
-      if (normals.empty())
-        make_polygon(corners, {}, pool);
-      else
-        make_patch(corners, normals, {}, pool, normal_pool);
+      check_polygon(corners, normals);
       return true;
     } catch (const base::BadInput&) {
       return false;
@@ -133,8 +155,6 @@ std::span<const std::string_view> mesh_endings() { return ENDINGS; }
 
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
   Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(
       path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (!scene || scene->mNumMeshes == 0) {

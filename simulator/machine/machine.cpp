@@ -42,7 +42,7 @@ using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {
   if (process.state() != Process::State::blocked || !process.wait()) return false;
-  const auto kind = process.wait()->kind();
+  const auto kind = process.waits_for();
   return kind == Wait::Kind::input || kind == Wait::Kind::alternative;
 }
 

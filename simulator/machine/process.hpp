@@ -89,6 +89,7 @@ class Process {
   const Wait* wait() const {
     return wait_;
   }  ///< what a blocked process waits for; null before its start
+  Wait::Kind waits_for() const { return waits_for_; }  ///< in its last wait
   /// Tells a blocked process that a link has been cut.
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);

@@ -77,6 +77,11 @@ TEST(Toml, WhatTheLibraryDoesNotStandIsRefused) {
 }
 
 TEST(Toml, WholeNumbersAreWrittenInDecimal) {
+  const auto numbers = parse_toml("a = 0.1\nb = 1.0\nc = 1e300\nd = -0.0", "e.toml");
+  EXPECT_EQ(to_toml(*numbers.get("a")), "0.1");
+  EXPECT_EQ(to_toml(*numbers.get("b")), "1.0");
+  EXPECT_EQ(to_toml(*numbers.get("c")), "1e+300");
+  EXPECT_EQ(to_toml(*numbers.get("d")), "-0.0");
   EXPECT_EQ(to_toml(parse_toml("a = [0x10, 0o10, 0b10, 10]", "e.toml")), "a = [ 16, 8, 2, 10 ]");
 }
 

@@ -69,6 +69,9 @@ class PicturesTest(unittest.TestCase):
                 ({"scene": "spheres:3", "sample": "middle"}, "expected one of center, corner, lattice"),
                 ({"scene": "spheres:3", "depth": {}}, "found {}, expected a number"),
                 ({"scene": "spheres:3", "size": (0, 5)}, "1 to 65536"),
+                ({"scene": "spheres:3", "size": 4}, "size: found 4, expected"),
+                ({"scene": "spheres:3", "width": 4}, "width: expected it in size"),
+                ({"scene": "spheres:3", "threads": 2.5}, "threads: found 2.5, expected a whole number"),
                 ({"scene": "spheres:3", "size": (4.5, 5)}, "width: found 4.5, expected a whole number"),
                 ({"scene": "spheres:3", "threads": 0}, "threads"),
                 ({"scene": self.folder / "none.nff"}, "none.nff: cannot be read")]:

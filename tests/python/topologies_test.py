@@ -216,6 +216,12 @@ class GraphsTest(unittest.TestCase):
             tlab.topology("line:4").distance(0, 9)
         with self.assertRaisesRegex(tlab.BadInput, "line:4: processor: found 2.7, expected a whole number"):
             tlab.topology("line:4").path(0, 2.7)
+        with self.assertRaisesRegex(tlab.BadInput, "found processor 1099511627776, expected 0 to 3"):
+            tlab.topology("line:4").distance(1 << 40, 1)
+        with self.assertRaisesRegex(tlab.BadInput, "cannot be written: No such file"):
+            tlab.topology("line:4").save("/no/such/folder/x.dot")
+        with self.assertRaisesRegex(tlab.BadInput, "found a graph, expected a topology"):
+            tlab.programs.metrics(topology=networkx.cycle_graph(4))
 
 
 def _texts(edge):

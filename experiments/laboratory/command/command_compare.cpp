@@ -39,6 +39,7 @@ void compare(const CompareOptions& o) {
       o.output, o.output.ends_with(".html")
                     ? to_page(comparison, undrawn)
                     : to_csv(guard_formulas(list_ratios(comparison.matched, comparison.columns))));
+  fmt::print("\n{}    {}\n", o.output.ends_with(".html") ? "page " : "table", o.output);
   for (const auto& failure : undrawn) complain(failure);
   if (!undrawn.empty())
     throw Failure(fmt::format("{} drawing(s) failed; the rest is in {}", undrawn.size(), o.output),

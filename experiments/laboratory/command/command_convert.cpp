@@ -30,16 +30,13 @@ namespace {
 namespace fs = std::filesystem;
 using renderer::LeftOut;
 
-// ".stl" of PART.STL.
-std::string ending_of(const std::string& path) {
-  auto ending = fs::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
+std::string ending_of(const std::string& path) { return fs::path(path).extension().string(); }
 
+// PART.STL, too.
 bool is_mesh(const std::string& source) {
-  return std::ranges::find(renderer::mesh_endings(), ending_of(source)) !=
-         renderer::mesh_endings().end();
+  auto ending = ending_of(source);
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::ranges::find(renderer::mesh_endings(), ending) != renderer::mesh_endings().end();
 }
 
 std::string list_sources() {
@@ -47,8 +44,8 @@ std::string list_sources() {
                      fmt::join(renderer::mesh_endings(), ", "));
 }
 
-radiosity::Room read_room(const std::string& source) {
-  return radiosity::read_room(base::read_text(source), source);
+radiosity::Room read_room(const std::string& source, LeftOut& left_out) {
+  return radiosity::read_room(base::read_text(source), source, &left_out);
 }
 
 // A file that is to be written.
@@ -66,14 +63,14 @@ Texts write_room(const std::string& source, const std::string& output, LeftOut& 
   const auto ending = ending_of(source);
   base::require(ending == ".nff" || ending == ".obj", "-o " + output,
                 "found {}, expected an .nff or .obj file: write it as .obj first", source);
-  return {{output, radiosity::to_text(read_room(source), left_out)}};
+  return {{output, radiosity::to_text(read_room(source, left_out), left_out)}};
 }
 
 Texts write_nff(const std::string& source, const std::string& output, LeftOut& left_out) {
   renderer::NffText nff(fs::path(output).parent_path().string());
-  if (source.ends_with(".room")) {
-    radiosity::tell(read_room(source), nff, left_out);
-  } else if (source.ends_with(".obj")) {
+  if (ending_of(source) == ".room") {
+    radiosity::tell(read_room(source, left_out), nff, left_out);
+  } else if (ending_of(source) == ".obj") {
     renderer::ObjAsNff obj(nff, &left_out);
     renderer::read_obj(base::read_text(source), source, obj);
     obj.finish();
@@ -93,9 +90,9 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
                 "is there, without {}: it would be replaced", output);
   renderer::ObjText obj(library.parent_path().string(), library.filename().string());
   renderer::NffAsObj nff(obj, left_out);
-  if (source.ends_with(".room"))
-    radiosity::tell(read_room(source), obj, left_out);
-  else if (source.ends_with(".nff"))
+  if (ending_of(source) == ".room")
+    radiosity::tell(read_room(source, left_out), obj, left_out);
+  else if (ending_of(source) == ".nff")
     renderer::read_nff(base::read_text(source), source, nff);
   else if (is_mesh(source))
     renderer::read_mesh(source, obj, left_out);
@@ -127,13 +124,16 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     const auto [texts, left_out] = convert();
     nlohmann::json json = {{"left_out", left_out}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string bytes;  // names of files may be no UTF-8
+    nlohmann::json::to_cbor(json, bytes);
+    return bytes;
   };
   Converted converted;
   for_each_job(1, 1, job, [&](const JobEnd& end) {
     base::require(end.died.empty(), source,
-                  "Assimp cannot read it within {} s of the processor: {}", limit_s, end.died);
-    const auto json = nlohmann::json::parse(end.result);
+                  "Assimp cannot read it, for which it has {} s of the processor: {}", limit_s,
+                  end.died);
+    const auto json = nlohmann::json::from_cbor(end.result);
     converted.left_out = json["left_out"];
     for (const auto& text : json["texts"]) converted.texts.push_back({text[0], text[1]});
   });

@@ -67,6 +67,11 @@ void print_paths(const fs::path& output, const std::set<std::string>& images) {
   if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
 }
 
+void print_films(const FilmOptions& films) {
+  for (const auto& film : {films.picture, films.network})
+    if (!film.empty()) fmt::print("  film     {}\n", describe_files(film, films.frames));
+}
+
 void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
   const auto view = choose_view(s.file, s.table);
@@ -95,8 +100,7 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   fmt::print("Ended: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());
   print_paths(output, list_images(s));
-  for (const auto& film : {options.films.picture, options.films.network})
-    if (!film.empty()) fmt::print("  film     {}\n", describe_files(film, options.films.frames));
+  print_films(options.films);
 }
 
 }  // namespace
@@ -184,6 +188,7 @@ void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& number
   if (was_interrupted()) throw Failure("interrupted; " + where, EXIT_INTERRUPTED);
   throw_failures(chosen, found, where);
   fmt::print("{}\n", where);
+  print_films(plan.options.films);
 }
 
 }  // namespace

@@ -53,7 +53,10 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
     return !result.is_there() || (result.is_failed() && result.rows.empty());
   };
   if (std::ranges::all_of(results, nothing))
-    throw_failures(plan.file, results, "nothing was written");
+    throw_failures(plan.file, results,
+                   plan.options.runs_anew()
+                       ? "nothing was written but what shows the run until then"
+                       : "nothing was written");
   return results;
 }
 

@@ -42,8 +42,13 @@ RowReference parse_reference(const std::string& text, const std::string& place) 
     throw BadInput(
         fmt::format("{}: found {}, expected {{COLUMN @ AXIS = VALUE, ...}}", place, text));
   RowReference reference{text, std::string(parts[0]), {}};
-  for (const auto condition : base::split(parts[1], ','))
-    reference.conditions.push_back(parse_condition(std::string(condition), place + ": " + text));
+  for (const auto text_of_one : base::split(parts[1], ',')) {
+    auto condition = parse_condition(std::string(text_of_one), place + ": " + text);
+    for (const auto& other : reference.conditions)
+      base::require(other.axis != condition.axis, place + ": " + text, "found {} twice",
+                    condition.axis);
+    reference.conditions.push_back(std::move(condition));
+  }
   return reference;
 }
 

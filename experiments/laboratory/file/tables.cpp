@@ -296,7 +296,10 @@ void check_complete(const BaselineSpec& s, const toml::table&) {
   require(base::Formula::is_name(s.column()) && s.name.find('.') == std::string::npos, s.place,
           "expected a name of letters, digits and _");
   require(!s.at.empty(), s.place, "\"at\" is missing, expected AXIS = VALUE, ...");
-  require(!s.of.empty(), s.place, "found an empty \"of\", expected a column of the results");
+  require(s.at.find_first_of("{}@") == std::string::npos, s.place,
+          "at: found {}, expected AXIS = VALUE, ...", s.at);
+  require(base::Formula::is_name(s.of), s.place, "of: found {}, expected a column of the results",
+          s.of);
 }
 
 // Reads the tables [[KEY]], each with its name and place.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/observe/timeline.hpp"
 
@@ -27,10 +28,12 @@ int duration_ms(int frame, int frames) {
   return frame + 1 < frames ? ms : ms + LAST_MS;
 }
 
-void save_frames(const std::string& file, const std::vector<Frame>& frames) {
-  if (is_webp(file)) return renderer::save_webp(file, frames);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const auto& bitmap = frames[i].bitmap;
+// One frame is held at a time.
+void save_frames(const std::string& file, int count, const renderer::MakeFrame& make) {
+  const auto frames = static_cast<std::size_t>(count);
+  if (is_webp(file)) return base::save_whole(file, renderer::make_webp(frames, make));
+  for (std::size_t i = 0; i < frames; ++i) {
+    const auto bitmap = make(i).bitmap;
     renderer::save_png(frame_name(file, i), bitmap.width, bitmap.height, bitmap.rgb8);
   }
 }
@@ -116,16 +119,20 @@ void Film::before_change(double now_s) {
 }
 
 void Film::end(double now_s) {
+  end_s_ = now_s;
   if (recorder_) recorder_->end(std::max(now_s - from_s_, 0.0), [this] { return look(); });
   picture_.reset();
 }
 
 void Film::save(const std::string& title, const observe::Trace& trace) const {
-  if (!options_.picture.empty()) save_frames(options_.picture, make_picture_frames(title));
-  if (!options_.network.empty()) save_frames(options_.network, make_network_frames(title, trace));
+  if (!options_.is_asked()) return;
+  require(from_s_ < end_s_, "--from", "found {}, expected a time before the run's end at {:.6g} s",
+          from_s_, end_s_);
+  if (!options_.picture.empty()) save_picture(title);
+  if (!options_.network.empty()) save_network(title, trace);
 }
 
-std::vector<Frame> Film::make_picture_frames(const std::string& title) const {
+void Film::save_picture(const std::string& title) const {
   require(recorder_ && !recorder_->growth().empty(), "--animate",
           "found no picture of the run, expected a program that runs on a machine and shows one");
   const auto& shown = recorder_->growth();
@@ -133,40 +140,36 @@ std::vector<Frame> Film::make_picture_frames(const std::string& title) const {
   const Span film{from_s_, from_s_ + end_s};
   const int height = static_cast<int>(shown[0].rgb8.size()) / 3 / width_;
   const auto place = place_picture(width_, height);
-  std::vector<Frame> frames;
-  for (int i = 0; i < options_.frames; ++i) {
-    const double until_s = end_s * i / (options_.frames - 1);
-    const auto after = std::ranges::upper_bound(shown, until_s, {}, &growth::Shown::at_s);
-    const auto& picture = i + 1 < options_.frames ? *std::prev(after) : shown.back();
+  const int last = options_.frames - 1;
+  save_frames(options_.picture, options_.frames, [&](std::size_t nth) {
+    const auto i = static_cast<int>(nth);
+    const auto after = std::ranges::upper_bound(shown, end_s * i / last, {}, &growth::Shown::at_s);
+    const auto& picture = i < last ? *std::prev(after) : shown.back();
     const double now_s = from_s_ + picture.at_s;
     Canvas canvas(place.width, place.height);
     draw_title(canvas, title);
     canvas.picture(place.x, place.y, {width_, height, picture.rgb8}, place.factor);
     draw_time_scale(canvas, film, {now_s, now_s});
-    frames.push_back({canvas.bitmap(), duration_ms(i, options_.frames)});
-  }
-  return frames;
+    return Frame{canvas.bitmap(), duration_ms(i, options_.frames)};
+  });
 }
 
-std::vector<Frame> Film::make_network_frames(const std::string& title,
-                                             const observe::Trace& trace) const {
+void Film::save_network(const std::string& title, const observe::Trace& trace) const {
   require(drawing_.has_value(), "--animate",
           "found no machine, expected a program that runs on one");
   const auto count = static_cast<std::size_t>(options_.frames);
   const auto timeline = observe::make_timeline(trace, trace.processors.size(), count);
   const Span film{trace.begin_s, trace.end_s};
   const double step_s = film.length_s() / options_.frames;
-  std::vector<Frame> frames;
-  for (std::size_t i = 0; i < count; ++i) {
+  save_frames(options_.network, options_.frames, [&](std::size_t i) {
     Busy busy;
     for (const auto& row : timeline.cpus) busy.processors.push_back(busy_share(row.columns, i));
     for (const auto& row : timeline.links) busy.links.push_back(busy_share(row.columns, i));
     const double from_s = film.from_s + step_s * static_cast<double>(i);
     const Span now{from_s, i + 1 < count ? from_s + step_s : film.to_s};
-    frames.push_back({drawing_->draw(title, busy, film, now),
-                      duration_ms(static_cast<int>(i), options_.frames)});
-  }
-  return frames;
+    return Frame{drawing_->draw(title, busy, film, now),
+                 duration_ms(static_cast<int>(i), options_.frames)};
+  });
 }
 
 }  // namespace laboratory

@@ -49,18 +49,19 @@ class Film : public observe::Onlooker {
   void end(double now_s) override;
 
   /// Writes the films that are asked for, of what happened until `end`. `trace` is of the same
-  /// window, `title` stands in the network's. Throws BadInput where there was no machine.
+  /// window, `title` stands above. Throws BadInput where there was no machine, and where the run
+  /// has ended before the films begin.
   void save(const std::string& title, const observe::Trace& trace) const;
 
  private:
   growth::Shown look() const;
-  std::vector<renderer::Frame> make_picture_frames(const std::string& title) const;
-  std::vector<renderer::Frame> make_network_frames(const std::string& title,
-                                                   const observe::Trace& trace) const;
+  void save_picture(const std::string& title) const;
+  void save_network(const std::string& title, const observe::Trace& trace) const;
 
   const FilmOptions options_;
   const topologies::Topology network_;
   const double from_s_;
+  double end_s_ = 0;                               // of the run
   std::optional<growth::Recorder> recorder_;       // of the picture
   std::optional<observe::View::Picture> picture_;  // while the machine runs
   int width_ = 0;                                  // of it

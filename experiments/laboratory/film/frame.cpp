@@ -58,7 +58,7 @@ void draw_time_scale(Canvas& canvas, const Span& film, const Span& now) {
   const double step_s = static_cast<double>(step_ns) * 1e-9;
   const auto [unit_s, unit] = choose_unit(length_s);
   for (auto mark = static_cast<std::int64_t>(std::ceil(film.from_s / step_s - 1e-9));
-       static_cast<double>(mark) * step_s <= film.to_s * (1 + 1e-9); ++mark) {
+       static_cast<double>(mark) * step_s <= film.to_s + 1e-9 * step_s; ++mark) {
     const double x = at(static_cast<double>(mark) * step_s);
     const auto words = fmt::format("{:g} {}", static_cast<double>(mark) * step_s / unit_s, unit);
     const double half = text_width(words, SMALL) / 2;

@@ -19,8 +19,10 @@ using topologies::Topology;
 namespace {
 
 // Pixels. A unit is the least distance of two processors.
-constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56, LEAST_UNIT = 8;
-constexpr double MOST_WIDTH = 1200, MOST_HEIGHT = 720, LEAST_WIDTH = 640;
+constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56;
+constexpr double WIDTH = 1200, HEIGHT = 720, LEAST_WIDTH = 640;
+// Of large networks, where processors would be smaller than this.
+constexpr double SMALL_UNIT = 8, MOST_SIDE = 2400;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
 constexpr double DIAMETER = 0.75;  // of a processor, in units
 // Of the rows above the network, in units, and in pixels at least.
@@ -39,9 +41,9 @@ Bounds find_bounds(const Places& places) {
 }
 
 double choose_unit(const Bounds& bounds) {
-  return std::clamp(
-      std::min(MOST_WIDTH / (bounds.width() + 2), MOST_HEIGHT / (bounds.height() + 2)), LEAST_UNIT,
-      MOST_UNIT);
+  const double width = bounds.width() + 2, height = bounds.height() + 2;
+  const double unit = std::min({WIDTH / width, HEIGHT / height, MOST_UNIT});
+  return std::max(unit, std::min({SMALL_UNIT, MOST_SIDE / width, MOST_SIDE / height}));
 }
 
 std::size_t index(int id) { return static_cast<std::size_t>(id); }

@@ -176,7 +176,9 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
   for (const auto& [column, of] : plan.baselines)
     if (const auto at = table.find(column);
         at && std::ranges::all_of(table.rows, [&](const auto& row) { return row[*at] == Value(); }))
-      notes.push_back(fmt::format("{}: no row to compare with: {} is empty", of.place(), column));
+      notes.push_back(fmt::format(
+          "{}: the row to compare with is not there or has not come to its end: {} is empty",
+          of.place(), column));
   for_each_expression(plan, [&](const Expression& expression) {
     for (const auto& variable : expression.variables()) {
       const auto* reference = expression.find_reference(variable);
@@ -194,9 +196,12 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
 
 CheckPlan plan_checks(const ExperimentFile& file) {
   CheckPlan plan;
-  for (const auto& b : file.baselines)
+  for (const auto& b : file.baselines) {
+    base::require(!is_defined(file, b.of), b.place + ": of",
+                  "found {}, a name of [let], expected a column of the results", b.of);
     plan.baselines.push_back(
         {b.column(), Expression(fmt::format("{{{0} @ {1}}} / {0}", b.of, b.at), b.place)});
+  }
   plan.lets = sort_definitions(file.definitions);
   for (const auto& c : file.checks) {
     auto of = is_defined(file, c.of) ? compile(c.of, c.place, "of") : std::nullopt;

@@ -1,5 +1,7 @@
 #include "experiments/laboratory/points/dictionary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <regex>
 
@@ -43,6 +45,8 @@ std::string find_axis_help(const ExperimentFile& file, const std::string& column
 
 Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   Meaning meaning{"", unit_of(column)};
+  std::string texts;  // where programs differ
+  bool is_same = true;
   for (const auto& point : file.points) {
     const auto& program = *point.experiment.program;
     const auto found = find_in(program, column);
@@ -50,8 +54,11 @@ Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
         std::ranges::find(meaning.programs, program.name) != meaning.programs.end())
       continue;
     if (meaning.text.empty()) meaning = found;
+    is_same = is_same && found.text == meaning.text;
+    texts += fmt::format("{}{}: {}", texts.empty() ? "" : "; ", program.name, found.text);
     meaning.programs.push_back(program.name);
   }
+  if (!is_same) meaning.text = texts;
   if (meaning.text.empty()) meaning.text = find_axis_help(file, column);
   if (!meaning.text.empty()) return meaning;
   for (const auto& baseline : file.baselines)

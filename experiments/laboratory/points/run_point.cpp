@@ -9,6 +9,8 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
 #include "experiments/laboratory/film/film.hpp"
+#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/observe/watch.hpp"
@@ -153,7 +155,8 @@ void check_single(const char* option, std::size_t points) {
 
 void save_traces(const Point& point, const RunOptions& options, observe::Trace& trace,
                  const Film& film) {
-  const auto& title = point.experiment.title;
+  const auto& said = point.experiment.title;
+  const auto title = said.empty() ? fs::path(options.file).stem().string() : said;
   trace.title = point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point));
   for (const auto& file : {options.trace, options.timeline})
     if (!file.empty())
@@ -236,6 +239,9 @@ void check_traces(const RunOptions& options, std::size_t points) {
   for (const auto& film : {options.films.picture, options.films.network}) {
     if (film.empty()) continue;
     const auto file = first_file(film);
+    // A film without a name of its own is beside the results folder.
+    const auto folder = results_folder(options).parent_path();
+    if (!folder.empty() && fs::path(file).parent_path() == folder) make_folders(folder);
     check_single("--animate", points);
     check_place("--animate", file, results_folder(options));
   }
@@ -268,7 +274,8 @@ PointResult run_point(const Point& point, const RunOptions& options, const fs::p
   } catch (const machine::Fault&) {
     try {
       save_traces(point, options, trace, film);
-    } catch (const std::exception&) {  // the fault is what matters
+    } catch (const std::exception& error) {  // the fault is what matters
+      complain(fmt::format("what it did until then is not shown: {}", error.what()));
     }
     throw;
   }

@@ -1,12 +1,13 @@
 """The command `tlab`: where it is, and how it is started."""
 
+import errno
 import os
 import pathlib
 import shutil
 import signal
 import subprocess
 
-from tlab.errors import OF_EXIT_CODE, Error, NotFound
+from tlab.errors import OF_EXIT_CODE, BadInput, Error, NotFound
 
 INTERRUPTED = 130  # exit code
 
@@ -47,9 +48,16 @@ def start(arguments):
 
     An interrupt of Python (Ctrl-C, or a notebook's stop) interrupts tlab, which then writes what there is.
     """
-    process = subprocess.Popen([find(), *map(os.fspath, arguments)], stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               encoding="utf-8", errors="replace", start_new_session=True)
+    words = [find(), *map(os.fspath, arguments)]
+    try:
+        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, encoding="utf-8", errors="replace", start_new_session=True)
+    except OSError as error:
+        if error.errno != errno.E2BIG:
+            raise
+        longest = max(map(str, words), key=len)
+        raise BadInput(f"{longest[:40]}...: found {len(longest)} bytes, which the host does not give to a program; "
+                       "expected it in the experiment's file or dict") from None
     try:
         output, errors = process.communicate()
     except BaseException:

@@ -3,6 +3,7 @@
 import os
 
 from tlab import _native
+from tlab.errors import BadInput
 from tlab.spelling import plain, whole
 
 
@@ -17,9 +18,15 @@ def render(scene, size=(100, 100), *, threads=1, linear=False, **options):
 
     Gives an array (height, width, 3) of uint8, equal to the PNG that the command writes.
     """
-    width, height = size
+    try:
+        width, height = size
+    except TypeError:
+        raise BadInput(f"size: found {size!r}, expected (width, height)") from None
+    if unknown := [name for name in ("width", "height") if name in options]:
+        raise BadInput(f"{unknown[0]}: expected it in size=(width, height)")
     options = {name: plain(value) for name, value in options.items()}
-    return _native.render(os.fspath(scene), {"width": whole(width, "width"), "height": whole(height, "height"), **options}, threads, linear)
+    options |= {"width": whole(width, "width"), "height": whole(height, "height")}
+    return _native.render(os.fspath(scene), options, whole(threads, "threads"), bool(linear))
 
 
 def render_options():

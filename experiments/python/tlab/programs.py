@@ -70,9 +70,10 @@ def _make_function(program):
                 sweep[keys[name][0]] = list(value)
             else:
                 settings[keys[name][0]] = value
-        for axis, values in sweep.items():
-            settings[f"sweep.{axis}"] = values
-        return _run({"program": {"name": program["name"]}}, folder=folder, jobs=jobs, until=until, **settings)
+        experiment = {"program": {"name": program["name"]}}
+        if sweep:
+            experiment["sweep"] = sweep
+        return _run(experiment, folder=folder, jobs=jobs, until=until, **settings)
 
     only = inspect.Parameter.KEYWORD_ONLY
     defaults = {name: parameter["default"] for name, parameter in names.items()}

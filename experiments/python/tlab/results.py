@@ -44,7 +44,8 @@ def _give_type(texts, declared):
 class Result:
     """The results of an experiment in their folder.
 
-    table: results.csv, a row for each point, as a pandas.DataFrame. Networks of from_networkx() have their names there
+    table: results.csv, a row for each point, as a pandas.DataFrame. Networks of from_networkx() that run()
+        was given have their names there
     checks: what the experiment's checks came to, likewise; no rows where it has none
     record: run.json: settings, models, how busy everything was
     images: the pictures of the points by their names, as arrays (height, width, 3)

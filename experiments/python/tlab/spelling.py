@@ -19,13 +19,19 @@ def plain(value):
         return value.tolist()
     if isinstance(value, pathlib.PurePath):
         return str(pathlib.Path(value).absolute())
+    if isinstance(value, (bytes, bytearray)):
+        raise BadInput(f"found {value!r}, expected a text")
+    if hasattr(value, "add_edge"):
+        raise BadInput("found a graph, expected a topology: tlab.from_networkx(graph)")
     return value
 
 
 def whole(value, name):
     """The value as an int, of a number that is whole by its type; `name` is what errors name."""
     try:
-        return operator.index(value)
+        if not isinstance(value, bool):
+            return operator.index(value)
+        raise TypeError
     except TypeError:
         raise BadInput(f"{name}: found {value!r}, expected a whole number") from None
 

@@ -106,7 +106,10 @@ class Topology:
         writers = {".dot": self._native.to_dot, ".gv": self._native.to_dot, ".graphml": self._native.to_graphml}
         if path.suffix not in writers:
             raise BadInput(f"{path}: expected a name that ends in {', '.join(writers)}")
-        path.write_text(writers[path.suffix](), encoding="utf-8")
+        try:
+            path.write_text(writers[path.suffix](), encoding="utf-8")
+        except OSError as error:
+            raise BadInput(f"{path}: cannot be written: {error.strerror}") from None
 
     def number_of(self, processor):
         """The number of a processor that is given by number or by label."""
@@ -114,7 +117,10 @@ class Topology:
             if processor not in self.labels:
                 raise BadInput(f"{self.name}: found no processor called {processor!r}")
             return self.labels.index(processor)
-        return whole(processor, f"{self.name}: processor")
+        number = whole(processor, f"{self.name}: processor")
+        if not 0 <= number < self.processors:
+            raise BadInput(f"{self.name}: found processor {number}, expected 0 to {self.processors - 1}")
+        return number
 
     def _repr_svg_(self):
         return self._native.to_svg()
@@ -177,7 +183,8 @@ def generators():
 # The attribute of an edge for a port, by any of its names; -1: any port. Files have texts there.
 def _find_port(edge, graph, *names):
     port = next((edge[name] for name in names if edge.get(name, "") != ""), -1)
-    return int(port) if str(port).isdecimal() else whole(port, f"{graph}: port of an edge")
+    number = int(port) if str(port).isdecimal() else whole(port, f"{graph}: port of an edge")
+    return min(number, 1 << 30)  # which is no port either
 
 
 def from_networkx(graph, name=None):
@@ -188,7 +195,7 @@ def from_networkx(graph, name=None):
     ends without one get the lowest port left. The root is the node with the attribute root, or the one that the
     graph's own attribute root names, else processor 0. Raises BadInput for what no transputers can be wired to.
     """
-    name = name or graph.name or "network"
+    name = str(name or graph.name or "network")
     nodes = list(graph.nodes)
     index = {node: number for number, node in enumerate(nodes)}
     names = [str(node) for node in nodes]

@@ -14,6 +14,7 @@ namespace radiosity {
 namespace {
 
 using renderer::at_place;
+using renderer::LeftOut;
 using renderer::Tokens;
 
 // Adds a material that stands at a line; no other may have its name.
@@ -183,20 +184,25 @@ class RoomReader {
 
 // Makes a room of an NFF file.
 struct RoomTarget : renderer::NffTarget {
-  explicit RoomTarget(std::string file) : name(std::move(file)) {}
+  RoomTarget(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
   std::string name;  // of the file
+  LeftOut& left_out;
   Room room;
   Material material;  // of the faces to come
   bool used = false;  // whether it is the last of the room's materials
 
   Knows knows() const override { return Knows::rooms; }
   void set_view(const renderer::View& view) override { room.view = check_view(view); }
-  void add_light(const renderer::Light&, const std::optional<Rgb>&) override {}
+  void set_background(const Rgb&) override { left_out.add("backgrounds"); }
+  void add_light(const renderer::Light&, const std::optional<Rgb>&) override {
+    left_out.add("lights");
+  }
 
   void set_surface(const renderer::Surface& s) override {
     if (s.t > 0) throw BadInput(fmt::format("found T {}, expected 0: opaque surfaces", s.t));
     const bool mirror = s.ks == 1 && s.kd == 0;
+    if (s.ks > 0 && !mirror) left_out.add("partial reflections");
     set_material({{}, mirror ? Rgb{1, 1, 1} : s.kd * s.colour, {}, mirror});
   }
   void set_emission(const Rgb& emission) override {
@@ -231,20 +237,32 @@ struct RoomTarget : renderer::NffTarget {
 
 // Makes a room of an OBJ.
 struct ObjRoom : renderer::ObjTarget {
-  explicit ObjRoom(std::string file) : name(std::move(file)) {}
+  ObjRoom(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
   std::string name;  // of the file
+  LeftOut& left_out;
   Room room;
   std::optional<std::uint32_t> material;  // of the faces to come
   std::optional<renderer::View> view;
 
   void add_material(const renderer::MtlMaterial& m) override {
     const bool mirror = m.illum == renderer::ILLUM_REFLECTS;
+    if (m.illum > renderer::ILLUM_REFLECTS && m.specular != Rgb{})
+      left_out.add("partial reflections");
+    if (m.illum < renderer::ILLUM_REFLECTS && m.specular != Rgb{})
+      left_out.add("highlights without mirror images");
+    if (m.transparency > 0) left_out.add("transparent materials");
+    if (!m.picture.empty()) left_out.add("pictures");
     room.materials.push_back({m.name, mirror ? m.specular : m.diffuse, m.emission, mirror});
     check_material(room.materials.back());
   }
   void use_material(std::size_t index) override { material = static_cast<std::uint32_t>(index); }
   void set_view(const renderer::View& said) override { view = said; }
+  void set_background(const Rgb&) override { left_out.add("backgrounds"); }
+  void add_light(const renderer::Light&, const std::optional<Rgb>&) override {
+    left_out.add("lights");
+  }
+  void leave_out(const std::string& kind) override { left_out.add(kind); }
 
   void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                 std::vector<renderer::Corner>) override {
@@ -259,8 +277,8 @@ struct ObjRoom : renderer::ObjTarget {
   }
 };
 
-Room read_obj_room(std::string_view text, const std::string& name) {
-  ObjRoom target(name);
+Room read_obj_room(std::string_view text, const std::string& name, LeftOut& left_out) {
+  ObjRoom target(name, left_out);
   read_obj(text, name, target);
   at_place(name, [&] {
     Room& room = target.room;
@@ -270,18 +288,20 @@ Room read_obj_room(std::string_view text, const std::string& name) {
   return std::move(target.room);
 }
 
-Room read_nff_room(std::string_view text, const std::string& name) {
-  RoomTarget target(name);
+Room read_nff_room(std::string_view text, const std::string& name, LeftOut& left_out) {
+  RoomTarget target(name, left_out);
   read_nff(text, name, target);
   at_place(name, [&] { check_light(target.room); });
   return std::move(target.room);
 }
 
-using Read = Room (*)(std::string_view text, const std::string& name);
+using Read = Room (*)(std::string_view text, const std::string& name, LeftOut& left_out);
 
 Read find_reader(const std::string& name) {
   if (name.ends_with(".room"))
-    return [](std::string_view text, const std::string& n) { return RoomReader(text, n).read(); };
+    return [](std::string_view text, const std::string& n, LeftOut&) {
+      return RoomReader(text, n).read();
+    };
   if (name.ends_with(".obj")) return &read_obj_room;
   if (name.ends_with(".nff")) return &read_nff_room;
   throw BadInput(fmt::format(
@@ -305,13 +325,15 @@ Room bring_near(Room room) {
 
 }  // namespace
 
-Room read_room(std::string_view text, const std::string& name) {
-  return find_reader(name)(text, name);
+Room read_room(std::string_view text, const std::string& name, LeftOut* left_out) {
+  LeftOut uncounted;
+  return find_reader(name)(text, name, left_out ? *left_out : uncounted);
 }
 
 Room load_room(const std::string& path) {
   const Read read = find_reader(path);  // before a file of another kind is read
-  return bring_near(read(base::read_text(path), path));
+  LeftOut left_out;
+  return bring_near(read(base::read_text(path), path, left_out));
 }
 
 }  // namespace radiosity

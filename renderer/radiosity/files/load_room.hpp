@@ -27,6 +27,7 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/files/left_out.hpp"
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {
@@ -36,7 +37,9 @@ namespace radiosity {
 /// wide has been moved there, so that what is computed in it is as exact as its coordinates.
 Room load_room(const std::string& path);
 
-/// Reads a text in the same way, but leaves the room where it is; `name` stands for the path.
-Room read_room(std::string_view text, const std::string& name);
+/// Reads a text in the same way, but leaves the room where it is; `name` stands for the path. What
+/// a scene has and rooms have not, such as lights, is counted if that is asked for.
+Room read_room(std::string_view text, const std::string& name,
+               renderer::LeftOut* left_out = nullptr);
 
 }  // namespace radiosity

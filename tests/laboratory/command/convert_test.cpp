@@ -60,6 +60,27 @@ TEST_F(Convert, ARoomIsWrittenWhereItIs) {
   EXPECT_TRUE(contains(read_file(folder.path / "far.nff"), "\n100001 1 0\n"));
 }
 
+TEST_F(Convert, ASceneInTheDarkStaysDarkAndProseStaysProse) {
+  write_file(folder.path / "dark.nff",
+             "# emit is said of rooms\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 40\nf 1 1 1 1 0 0 0 1\n"
+             "p 3\n0 0 0\n1 0 0\n0 1 0\n");
+  EXPECT_EQ(convert("dark.nff", "dark.obj").out, "scene    dark.mtl\nscene    dark.obj\n");
+  EXPECT_EQ(convert("dark.obj", "again.nff").out, "scene    again.nff\n");
+  EXPECT_EQ(render("dark.obj"), render("dark.nff"));
+  EXPECT_EQ(render("again.nff"), render("dark.nff"));
+}
+
+// Of each corner a colour, and a line beside the triangle.
+TEST_F(Convert, WhatIsLeftOutOfAMeshIsNamed) {
+  write_file(folder.path / "c.ply",
+             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+             "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+             "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n2 0 1\n");
+  const auto done = convert("c.ply", "c.obj");
+  EXPECT_TRUE(contains(done.out, "left out colours of corners (3), lines (1)\n")) << done.out;
+}
+
 TEST_F(Convert, AMeshInCapitals) {
   write_file(folder.path / "T.STL",
              "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
@@ -73,6 +94,10 @@ TEST_F(Convert, AMeshInCapitals) {
 TEST_F(Convert, WhatIsWrongIsRefusedAndNothingIsLeft) {
   write_file(folder.path / "bad.ply", "ply\nno mesh\n");
   write_file(folder.path / "own.mtl", "newmtl mine\n");
+  write_file(folder.path / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\n\nf 1 2 3\n");
+  write_file(folder.path / "named.mtl", "newmtl m\nmap_Kd picture\n");
+  write_file(folder.path / "named.obj", "mtllib named.mtl\n");
+  write_file(folder.path / "far.off", "OFF\n3 1 0\n1e20 0 0\n0 1e20 0\n0 0 1\n3 0 1 2\n");
   write_file(folder.path / "x.txt", "");
   fs::create_directory(folder.path / "d.obj");
   const auto before = folder.names();
@@ -82,6 +107,11 @@ TEST_F(Convert, WhatIsWrongIsRefusedAndNothingIsLeft) {
       {"x.txt", "b.obj", "expected an .nff, .obj or .room file, a generator"},
       {"spheres:5", "b.room", "write it as .obj first"},
       {"a.nff", "my scene.obj", "a name without blanks"},
+      {"a.nff", "a#b.obj", "a name without blanks and #"},
+      {"a.nff", "A.OBJ", "found another ending, expected .nff, .obj or .room"},
+      {"flat.obj", "b.nff", "flat.obj:5: found"},
+      {"named.obj", "b.nff", "picture's name with a full stop"},
+      {"far.off", "b.obj", "found a corner at (1e+20 0 0), expected coordinates up to 1e+15"},
       {"a.nff", "own.obj", "own.mtl: is there, without own.obj"},
       {"a.nff", "d.obj", "d.obj"},
       {"bad.ply", "b.obj", "bad.ply: "},

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/table/table.hpp"
+#include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 
 namespace laboratory {
@@ -19,15 +20,8 @@ using nlohmann::json;
 
 const std::string FARM = TLAB_SOURCE_DIR "/experiments/farm.toml";
 
-std::vector<std::string> one_point(std::vector<std::string> more) {
-  std::vector<std::string> all{"run",   FARM,
-                               "--set", "image.width=16",
-                               "--set", "check=[]",
-                               "--set", "image.height=12",
-                               "--set", "sweep.objects=[20]",
-                               "--set", "sweep.workers=[3]"};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+std::vector<std::string> one_point(const std::vector<std::string>& more) {
+  return one_point_of(FARM, more);
 }
 
 std::string cell(const Table& table, const char* column, std::size_t row = 0) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "simulator/observe/watch.hpp"
+#include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 #include "tests/support/lab.hpp"
 #include "tests/support/webp_frames.hpp"
@@ -17,18 +18,8 @@ namespace {
 
 using Pixel = std::vector<int>;
 
-const std::string FARM = TLAB_SOURCE_DIR "/experiments/farm.toml";
-
-// A farm of three workers, which is so small that its films are made at once.
-std::vector<std::string> one_point(std::vector<std::string> more) {
-  std::vector<std::string> all{"run",   FARM,
-                               "--set", "image.width=16",
-                               "--set", "check=[]",
-                               "--set", "image.height=12",
-                               "--set", "sweep.objects=[20]",
-                               "--set", "sweep.workers=[3]"};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+std::vector<std::string> one_point(const std::vector<std::string>& more) {
+  return one_point_of(TLAB_SOURCE_DIR "/experiments/farm.toml", more);
 }
 
 Pixel colour_of(double share) {
@@ -165,6 +156,30 @@ TEST(ExperimentsFilm, OneImageAFrame) {
   EXPECT_TRUE(contains(done.out, "  film     f-0001.png to f-0003.png\n")) << done.out;
   EXPECT_EQ(folder.names(),
             (std::vector<std::string>{"f-0001.png", "f-0002.png", "f-0003.png", "r"}));
+}
+
+TEST(ExperimentsFilm, AFilmDoesNotBeginAfterTheRun) {
+  const TemporaryFolder folder;
+  for (const char* film : {"picture=f.webp", "network=f.webp"}) {
+    const auto done = tlab(folder.path, one_point({"--animate", film, "--from", "1e12"}));
+    EXPECT_EQ(done.exit_code, 2);
+    EXPECT_TRUE(contains(done.err,
+                         "--from: found 1000000000000, expected a time before the run's "
+                         "end at 0."))
+        << done.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "f.webp"));
+  }
+}
+
+TEST(Film, AFrameOfALargeNetworkIsNotLarge) {
+  for (const auto& topology :
+       {topologies::make_topology("tree:4096"), topologies::make_line(3000)}) {
+    machine::Machine machine(occam::make_exact_model());
+    for (int i = 0; i < topology.processors; ++i)
+      machine.add_processor(fmt::format("worker{}", i), 1 << 10);
+    const MachineDrawing drawing(machine, topology, {});
+    EXPECT_LT(std::max(drawing.width(), drawing.height()), 2700);
+  }
 }
 
 // Where a run is cut short, where it breaks down and where it deadlocks.

@@ -55,6 +55,11 @@ TEST_F(Baseline, WhatIsWrongIsNamed) {
       {"name = \"a\"\nat = \"swtches = 0\"\nof = \"latency_s\"",
        "\"swtches\" is no axis of the results, the nearest is \"switches\""},
       {"name = \"a\"\nat = \"switches = 0\"\nof = \"latenc_s\"", "latency_s"},
+      {"name = \"a\"\nat = \"switches = 0\"\nof = \"mine\"\n[let]\nmine = \"latency_s\"",
+       "of: found mine, a name of [let], expected a column of the results"},
+      {"name = \"a\"\nat = \"switches = 0} + {bytes @ switches = 1\"", "at: found switches = 0} +"},
+      {"name = \"a\"\nat = \"switches = 0, switches = 1\"\nof = \"latency_s\"",
+       "found switches twice"},
       {"name = \"a\"\nat = \"switches = 0\"\nwhere = \"1\"", "unknown key \"where\""}};
   for (const auto& [text, expected] : wrong) {
     const auto done = run_with(std::string("[[baseline]]\n") + text + "\n");

@@ -52,7 +52,7 @@ void tell_random(Random& random, NffTarget& target) {
                                     .width = 40,
                                     .height = 30}));
   target.set_background(random.colour());
-  for (int i = random.below(3); i >= 0; --i) {
+  for (int i = random.below(3); i > 0; --i) {
     Light light{.at = random.point(5)};
     light.shape = static_cast<LightShape>(random.below(3));
     light.u = random.direction(), light.v = random.direction();

@@ -119,5 +119,42 @@ TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   expect_hard_times(model, cases);
 }
 
+// Whoever comes second: a writer waits in output, a reader in input, both until the transfer ends.
+TEST(HardRendezvous, EachEndWaitsInItsOwnDirection) {
+  for (const bool writer_is_second : {false, true}) {
+    const auto waited = isolated_numbers([&] {
+      Lab lab(make_exact_model());
+      Processor& a = lab.cpu();
+      Processor& b = lab.neighbour(a);
+      auto& channel = lab.hard(a, b);
+      const auto& writer = a.start("writer", Priority::low, [&] {
+        if (writer_is_second) compute(1000);
+        out(channel, {400, 1});
+      });
+      const auto& reader = b.start("reader", Priority::low, [&] {
+        if (!writer_is_second) compute(1000);
+        Words got;
+        in(channel, got);
+      });
+      lab.machine.run();
+      Numbers cycles;
+      for (const auto* process : {&writer, &reader})
+        for (const auto kind : {machine::Wait::Kind::output, machine::Wait::Kind::input,
+                                machine::Wait::Kind::alternative})
+          cycles.push_back(process->blocked(kind).value * make_exact_model().cpu.clock.value);
+      return cycles;
+    });
+    const auto model = make_exact_model();
+    const double transfer = 400 / model.link.one_way_rate * model.cpu.clock.value;
+    const double alone = 1000 + static_cast<double>(cost_first(model, Side::writer, 400) -
+                                                    cost_first(model, Side::reader, 400));
+    const double first = transfer + (writer_is_second ? alone : 2000 - alone);
+    const Numbers expected = writer_is_second ? Numbers{transfer, 0, 0, 0, first, 0}
+                                              : Numbers{first, 0, 0, 0, transfer, 0};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(waited.at(i), expected[i], HAIR) << i << ", writer second " << writer_is_second;
+  }
+}
+
 }  // namespace
 }  // namespace occam

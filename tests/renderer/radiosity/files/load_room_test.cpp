@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <sstream>
 
 #include "base/errors.hpp"
 #include "renderer/radiosity/light/solve.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
+#include "tests/support/files.hpp"
 
 namespace radiosity::test {
 namespace {
@@ -184,7 +186,10 @@ view from 1 0.2 1.75 at 0.95 1.15 0.2 up 0 0 1 angle 72 size 8 6
     for (Vec& corner : face.corners) corner += shift;
   far.view.from += shift;
   far.view.at += shift;
-  const LitRoom here = light_room(near, {}), there = light_room(read(write(far)), {});
+  const ::test::TemporaryFolder folder;
+  const auto path = folder.path / "far.room";
+  std::ofstream(path) << write(far);
+  const LitRoom here = light_room(near, {}), there = light_room(load_room(path.string()), {});
   ASSERT_EQ(here.vertices.size(), there.vertices.size());
   double apart = 0;
   for (std::size_t i = 0; i < here.vertices.size(); ++i)

@@ -102,5 +102,27 @@ TEST(WriteRoom, WhatAFormatHasNoWordForIsNamed) {
   EXPECT_EQ(of_nff.describe(), "colours of mirrors (1), creases (1), divisions of faces (1)");
 }
 
+TEST(WriteRoom, WhatARoomHasNoWordForIsNamed) {
+  const std::string view = "v from 0 0 3 at 0 0 0 up 0 1 0 angle 40\n";
+  const std::string face = "p 3 0 0 0 1 0 0 0 1 0\n";
+  LeftOut of_nff, of_obj;
+  read_room(view + "b 1 1 1\nl 1 2 3\nf 1 1 1 0.5 0.5 9 0 1\n" + face +
+                "f 1 1 1 0.5 0 0 0 1\n# emit 1 1 1\n" + face,
+            "a.nff", &of_nff);
+  EXPECT_EQ(of_nff.describe(), "backgrounds (1), lights (1), partial reflections (1)");
+  ::test::TemporaryFolder folder;
+  std::ofstream(folder.path / "m.mtl")
+      << "newmtl a\nKd 0 0 0\nKe 1 1 1\nKs 1 1 1\nillum 2\nnewmtl b\nKd 0 0 0\nKs 0 0 1\nTr "
+         "0.5\nillum 6\nmap_Kd b.png\n";
+  read_room(
+      "mtllib m.mtl\n# b 1 1 1\n# l 1 2 3\nv 0 0 0 1 0 0\nv 1 0 0 1\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+      "l 1 2\np 1\n",
+      (folder.path / "a.obj").string(), &of_obj);
+  EXPECT_EQ(of_obj.describe(),
+            "backgrounds (1), colours of corners (1), highlights without mirror images (1), lights "
+            "(1), lines (1), partial reflections (1), pictures (1), points (1), transparent "
+            "materials (1)");
+}
+
 }  // namespace
 }  // namespace radiosity::test

@@ -1,0 +1,23 @@
+// A run that takes no time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace laboratory {
+
+/// Arguments that run the farm of experiments/farm.toml with three workers, 16 x 12 pixels and 20
+/// spheres; and `more`.
+inline std::vector<std::string> one_point_of(const std::string& farm,
+                                             const std::vector<std::string>& more) {
+  std::vector<std::string> all{"run",   farm,
+                               "--set", "image.width=16",
+                               "--set", "check=[]",
+                               "--set", "image.height=12",
+                               "--set", "sweep.objects=[20]",
+                               "--set", "sweep.workers=[3]"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+}  // namespace laboratory
