@@ -111,8 +111,8 @@ class Teller {
     }
     for (const Vec& corner : corners)
       base::require(max_abs(corner) <= MAX_NUMBER, path_,
-                    "found a corner at ({}), expected coordinates up to {:g}", describe(corner),
-                    MAX_NUMBER);
+                    "found a corner at {:g} {:g} {:g}, expected coordinates up to {:g}", corner.x,
+                    corner.y, corner.z, MAX_NUMBER);
     if (!std::ranges::all_of(coordinates, can_be_read)) {
       leave_out("coordinates beyond a million", coordinates.size());
       coordinates.clear();

@@ -73,11 +73,11 @@ Texts write_nff(const std::string& source, const std::string& output, LeftOut& l
   } else if (ending_of(source) == ".obj") {
     renderer::ObjAsNff obj(nff, &left_out);
     renderer::read_obj(base::read_text(source), source, obj);
-    obj.finish();
+    renderer::at_place(source, [&] { obj.finish(); });
   } else if (is_mesh(source)) {
     renderer::ObjAsNff obj(nff, &left_out);
     renderer::read_mesh(source, obj, left_out);
-    obj.finish();
+    renderer::at_place(source, [&] { obj.finish(); });
   } else {
     renderer::tell(renderer::load_scene(source), nff);
   }

@@ -10,6 +10,7 @@ import keyword
 
 from tlab import _native
 from tlab.running import run as _run
+from tlab.spelling import plain
 
 # Keys that most programs have, by short names.
 _COMMON = {"model": ("machine.model", "t805-25")}
@@ -64,6 +65,7 @@ def _make_function(program):
     def function(*, folder=None, jobs=None, until=None, **arguments):
         settings, sweep = {}, {}
         for name, value in arguments.items():
+            value = plain(value)
             if name not in keys:
                 settings[name] = value
             elif _is_several(value, keys[name][1]):

@@ -111,7 +111,7 @@ TEST_F(Convert, WhatIsWrongIsRefusedAndNothingIsLeft) {
       {"a.nff", "A.OBJ", "found another ending, expected .nff, .obj or .room"},
       {"flat.obj", "b.nff", "flat.obj:5: found"},
       {"named.obj", "b.nff", "picture's name with a full stop"},
-      {"far.off", "b.obj", "found a corner at (1e+20 0 0), expected coordinates up to 1e+15"},
+      {"far.off", "b.obj", "found a corner at 1e+20 0 0, expected coordinates up to 1e+15"},
       {"a.nff", "own.obj", "own.mtl: is there, without own.obj"},
       {"a.nff", "d.obj", "d.obj"},
       {"bad.ply", "b.obj", "bad.ply: "},

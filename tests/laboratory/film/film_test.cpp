@@ -174,10 +174,11 @@ TEST(ExperimentsFilm, AFilmDoesNotBeginAfterTheRun) {
 TEST(Film, AFrameOfALargeNetworkIsNotLarge) {
   for (const auto& topology :
        {topologies::make_topology("tree:4096"), topologies::make_line(3000)}) {
-    machine::Machine machine(occam::make_exact_model());
+    occam::Lab lab(occam::make_exact_model(), machine::Code::bare,
+                   {.links = machine::Links::direct});
     for (int i = 0; i < topology.processors; ++i)
-      machine.add_processor(fmt::format("worker{}", i), 1 << 10);
-    const MachineDrawing drawing(machine, topology, {});
+      lab.machine.add_processor(fmt::format("worker{}", i), 1 << 10);
+    const MachineDrawing drawing(lab.machine, topology, {});
     EXPECT_LT(std::max(drawing.width(), drawing.height()), 2700);
   }
 }
