@@ -103,7 +103,7 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
 
 // Seconds of the processor that a mesh may take. A .gltf can have its data in files beside it.
 rlim_t find_time_limit(const std::string& source) {
-  constexpr double LEAST_S = 2, S_PER_BYTE = 2e-5;
+  constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
   std::uintmax_t bytes = 0;
   std::error_code error;
   const auto folder = fs::path(source).parent_path();
