@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +27,7 @@ std::string room_of(const std::string& path) {
 }
 
 std::vector<Source> load_sources() {
-  const fs::path root = TLAB_SOURCE_DIR;
+  const fs::path root = ::test::in_sources("");
   const std::regex include(R"re(\s*#\s*include\s*[<"]([^>"]+)[>"].*)re");
   std::vector<Source> sources;
   for (const char* top : {"base", "topologies", "renderer", "simulator", "experiments", "tests"})
@@ -64,7 +66,7 @@ void close_over(const Edges& knows, const std::string& room, std::set<std::strin
 
 // The rooms and what each may include: the add_room() lines of CMakeLists.txt, closed over.
 Edges load_rooms() {
-  std::ifstream in(fs::path(TLAB_SOURCE_DIR) / "CMakeLists.txt");
+  std::ifstream in(::test::in_sources("CMakeLists.txt"));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::regex room(R"(\n *add_room\(([^)]*)\))"), word(R"(\S+)");
   Edges knows;
@@ -162,7 +164,7 @@ TEST(IncludeGraph, FoldersHaveFewSources) {
 }
 
 TEST(IncludeGraph, IncludesAreFromTheRoot) {
-  const fs::path root = TLAB_SOURCE_DIR;
+  const fs::path root = ::test::in_sources("");
   for (const Source& source : sources())
     for (const auto& include : source.includes)
       if (is_ours(include)) {

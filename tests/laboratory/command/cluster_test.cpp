@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/laboratory/support/tlab.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
@@ -20,15 +21,15 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml")
       << "[image]\nwidth = 12\nheight = 8\n[sweep]\nobjects = [20, 9]\nworkers = [1, 3, 2]\n";
-  const std::string program = TLAB_BINARY_DIR "/tlab";
+  const std::string program = ::test::in_build("tlab");
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
   // One point is there already.
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o jobs --point 2 --set image.height=9"), 0);
-  const std::string snakemake =
-      "HOME=\"$PWD\" XDG_CACHE_HOME=\"$PWD\" snakemake -s " TLAB_SOURCE_DIR
-      "/experiments/cluster/Snakefile --cores 2 --config batch=4 "
-      "experiment=e.toml output=jobs set=image.height=9 tlab=" +
-      program;
+  const std::string snakemake = "HOME=\"$PWD\" XDG_CACHE_HOME=\"$PWD\" snakemake -s " +
+                                ::test::in_sources("experiments/cluster/Snakefile") +
+                                " --cores 2 --config batch=4 "
+                                "experiment=e.toml output=jobs set=image.height=9 tlab=" +
+                                program;
   ASSERT_EQ(shell(folder.path, snakemake), 0) << read_file(folder.path / "log");
   for (const char* name :
        {"results.csv", "report.html", "image-spheres-9.png", "image-spheres-20.png"})

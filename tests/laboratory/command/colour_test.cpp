@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include "tests/laboratory/support/sweep.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
@@ -10,12 +11,13 @@ namespace {
 // What `tlab run e.toml` says on a terminal, with these settings of the environment.
 std::string run_on_terminal(const std::filesystem::path& folder,
                             const std::vector<std::pair<const char*, const char*>>& settings) {
+  const auto program = ::test::in_build("tlab");
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
   if (child == 0) {
     for (const auto& [name, value] : settings) setenv(name, value, 1);
     if (chdir(folder.c_str()) == 0)
-      execl(TLAB_BINARY_DIR "/tlab", "tlab", "run", "e.toml", "-o", "r", nullptr);
+      execl(program.c_str(), "tlab", "run", "e.toml", "-o", "r", nullptr);
     _exit(127);
   }
   std::string text;

@@ -12,6 +12,7 @@
 #include "experiments/laboratory/options/options.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The main job at reduced size.
-const std::vector<std::string> SMALL = {"run",   TLAB_SOURCE_DIR "/experiments/farm.toml",
+const std::vector<std::string> SMALL = {"run",   ::test::in_sources("experiments/farm.toml"),
                                         "--set", "image.width=16",
                                         "--set", "image.height=12",
                                         "--set", "sweep.objects=[20, 60]",

@@ -9,12 +9,13 @@
 
 #include "tests/laboratory/support/support.hpp"
 #include "tests/support/lab.hpp"
+#include "tests/support/places.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path SOURCES = TLAB_SOURCE_DIR, EXAMPLES = SOURCES / "experiments/examples",
+const fs::path SOURCES = ::test::in_sources(""), EXAMPLES = SOURCES / "experiments/examples",
                GUIDE = SOURCES / "docs/manual/own-programs.md";
 
 std::string load_text(const fs::path& path) {
@@ -25,7 +26,7 @@ std::string load_text(const fs::path& path) {
 
 // Of a program beside the tests, "example_sort 32 4"; its exit code must be `expected_code`.
 std::string output_of(const std::string& command, int expected_code = 0) {
-  std::FILE* pipe = popen((TLAB_BINARY_DIR "/" + command).c_str(), "r");
+  std::FILE* pipe = popen(::test::in_build(command).c_str(), "r");
   std::string text;
   for (int c; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
   const int status = pclose(pipe);

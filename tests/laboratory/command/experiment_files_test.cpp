@@ -7,6 +7,7 @@
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 #include "tests/support/isolated.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
@@ -118,7 +119,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
 
 // "formulas/soft", ...: those with checks, not the machine models beside them.
 std::vector<std::string> find_experiments() {
-  const fs::path root = TLAB_SOURCE_DIR "/experiments";
+  const fs::path root = ::test::in_sources("experiments");
   std::vector<std::string> found;
   for (const auto& file : fs::recursive_directory_iterator(root)) {
     if (file.path().extension() != ".toml") continue;
@@ -148,7 +149,7 @@ TEST(ExperimentFiles, HaveNamesOfTheirOwn) {
 Outcome tlab_reduced(const fs::path& folder, const std::string& command,
                      const std::string& experiment, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments{command,
-                                     TLAB_SOURCE_DIR "/experiments/" + experiment + ".toml"};
+                                     ::test::in_sources("experiments/" + experiment + ".toml")};
   if (const auto reduced = reductions().find(experiment); reduced != reductions().end())
     for (const auto& set : reduced->second) arguments.insert(arguments.end(), {"--set", set});
   arguments.insert(arguments.end(), more.begin(), more.end());

@@ -1,12 +1,14 @@
 // The command where standard output and error cannot be written, and under a quota.
 #include "tests/laboratory/support/sweep.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
 
 // A line for the shell, in which $TLAB is the program; the exit code.
 int run_line(const std::filesystem::path& folder, const std::string& line) {
-  const auto command = "cd '" + folder.string() + "' && TLAB='" TLAB_BINARY_DIR "/tlab' && " + line;
+  const auto command =
+      "cd '" + folder.string() + "' && TLAB='" + ::test::in_build("tlab") + "' && " + line;
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

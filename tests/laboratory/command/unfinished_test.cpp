@@ -11,18 +11,13 @@
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-const std::string FARM = TLAB_SOURCE_DIR "/experiments/farm.toml";
-
-std::vector<std::string> one_point(const std::vector<std::string>& more) {
-  return one_point_of(FARM, more);
-}
 
 std::string cell(const Table& table, const char* column, std::size_t row = 0) {
   return to_string(table.rows.at(row)[*table.find(column)]);
@@ -186,9 +181,10 @@ TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
   const TemporaryFolder folder;
   const auto time_with = [&](const std::string& cost) {
     const auto done =
-        tlab(folder.path, {"run", FARM, "-o", "r", "--set", "check=[]", "--set", "image.width=30",
-                           "--set", "image.height=30", "--set", "sweep.objects=[800]", "--set",
-                           "sweep.workers=[1]", "--set", "run.cost=\"" + cost + "\""});
+        tlab(folder.path,
+             {"run", ::test::in_sources("experiments/farm.toml"), "-o", "r", "--set", "check=[]",
+              "--set", "image.width=30", "--set", "image.height=30", "--set", "sweep.objects=[800]",
+              "--set", "sweep.workers=[1]", "--set", "run.cost=\"" + cost + "\""});
     EXPECT_EQ(done.exit_code, 0) << done.err;
     const Table table = parse_csv(read_file(folder.path / "r/results.csv"), "results");
     return *as_number(table.rows[0][*table.find("time_s")]);

@@ -18,10 +18,6 @@ namespace {
 
 using Pixel = std::vector<int>;
 
-std::vector<std::string> one_point(const std::vector<std::string>& more) {
-  return one_point_of(TLAB_SOURCE_DIR "/experiments/farm.toml", more);
-}
-
 Pixel colour_of(double share) {
   Pixel pixel;
   for (const double part : topologies::eval_load_colour(share))

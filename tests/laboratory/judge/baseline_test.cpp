@@ -1,5 +1,6 @@
 // [[baseline]]: how many times as fast each row is as another.
 #include "base/errors.hpp"
+#include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/sweep.hpp"
 
 namespace laboratory {

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.hpp"
+
 namespace laboratory {
 
 /// Arguments that run the farm of experiments/farm.toml with three workers, 16 x 12 pixels and 20
 /// spheres; and `more`.
-inline std::vector<std::string> one_point_of(const std::string& farm,
-                                             const std::vector<std::string>& more) {
-  std::vector<std::string> all{"run",   farm,
+inline std::vector<std::string> one_point(const std::vector<std::string>& more) {
+  std::vector<std::string> all{"run",   ::test::in_sources("experiments/farm.toml"),
                                "--set", "image.width=16",
                                "--set", "check=[]",
                                "--set", "image.height=12",

@@ -8,6 +8,7 @@
 
 #include "simulator/tracing/data.hpp"
 #include "tests/simulator/iirra/iirra_support.hpp"
+#include "tests/support/places.hpp"
 
 namespace iirra {
 namespace {
@@ -147,7 +148,7 @@ std::string describe(const Case& c) {
 renderer::Scene load(const std::string& scene) {
   if (scene == "own glass") return make_glass_scene();
   if (scene == "spheres") return renderer::make_spheres(40);
-  return renderer::load_scene(std::string(TLAB_SOURCE_DIR) + "/experiments/scenes/" + scene);
+  return renderer::load_scene(::test::in_sources("experiments/scenes/" + scene));
 }
 
 // Of every third case about half the links that can be doubled are.

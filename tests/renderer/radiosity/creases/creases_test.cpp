@@ -4,6 +4,7 @@
 
 #include "renderer/radiosity/files/load_room.hpp"
 #include "tests/renderer/radiosity/creases/creases.hpp"
+#include "tests/support/places.hpp"
 
 namespace radiosity::test::shadows {
 namespace {
@@ -153,7 +154,7 @@ TEST(Discontinuities, OfTheThesisFigures) {
   for (const char* name : {"window", "spot-diffuse", "spot-mirror"}) {
     SCOPED_TRACE(name);
     const Room room =
-        load_room(std::string(TLAB_SOURCE_DIR "/experiments/scenes/") + name + ".room");
+        load_room(::test::in_sources(std::string("experiments/scenes/") + name + ".room"));
     const auto found = find_creases(room);
     EXPECT_EQ(found.size(), 8u);
     expect_covered(found, room.creases, 1e-9);

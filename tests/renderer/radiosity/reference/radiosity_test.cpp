@@ -5,6 +5,7 @@
 #include "tests/reference/deviation.hpp"
 #include "tests/reference/random_room.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
+#include "tests/support/places.hpp"
 
 namespace radiosity::reference {
 namespace {
@@ -47,7 +48,7 @@ view from 1 0.02 1.75 at 0.95 1.15 0.2 up 0 0 1 angle 72 size 160 120
 )";
 
 TEST(RadiosityAgainstPathTracer, WindowRoom) {
-  const Room room = load_room(TLAB_SOURCE_DIR "/experiments/scenes/window.room");
+  const Room room = load_room(::test::in_sources("experiments/scenes/window.room"));
   const Deviation found = compare_room(room, 2, Reconstruction::bicubic, "window");
   EXPECT_LT(found.rmse, 0.03);
   EXPECT_LT(std::abs(found.bias), 0.01);

@@ -10,11 +10,12 @@
 #include "renderer/radiosity/room/check.hpp"
 #include "renderer/radiosity/show/orientation.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
+#include "tests/support/places.hpp"
 
 namespace radiosity::test {
 namespace {
 
-const std::string ROOMS = TLAB_SOURCE_DIR "/experiments/scenes/";
+const std::string ROOMS = ::test::in_sources("experiments/scenes/");
 
 class OurRooms : public testing::TestWithParam<const char*> {
  protected:
