@@ -39,7 +39,7 @@ struct MtlMaterial {
   void set_diffuse(const Rgb& of, double factor) {
     colour = of, kd = factor, diffuse = factor * of;
   }
-  /// Of black the factors are white, and 0.
+  /// Black is kept as white of which nothing is reflected.
   void set_diffuse(const Rgb& rgb) {
     rgb == Rgb{} ? set_diffuse({1, 1, 1}, 0) : set_diffuse(rgb, 1);
   }

@@ -21,7 +21,7 @@ namespace {
 // Pixels. A unit is the least distance of two processors.
 constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56;
 constexpr double WIDTH = 1200, HEIGHT = 720, LEAST_WIDTH = 640;
-// Of large networks, where processors would be smaller than this.
+// A unit is no smaller than the first, unless a side of the frame would be longer than the second.
 constexpr double SMALL_UNIT = 8, MOST_SIDE = 2400;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
 constexpr double DIAMETER = 0.75;  // of a processor, in units

@@ -70,7 +70,7 @@ TEST_F(Convert, ASceneInTheDarkStaysDarkAndProseStaysProse) {
   EXPECT_EQ(render("again.nff"), render("dark.nff"));
 }
 
-// Of each corner a colour, and a line beside the triangle.
+// A triangle whose corners have colours, and a line.
 TEST_F(Convert, WhatIsLeftOutOfAMeshIsNamed) {
   write_file(folder.path / "c.ply",
              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
