@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 
 #include "base/errors.hpp"
+#include "renderer/radiosity/mesh/divide.hpp"
 
 namespace radiosity {
 
 namespace {
 
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
+constexpr double GAP = 0.2;         // share of a patch's width
 // Pairs of faces with bounds that touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
@@ -20,13 +23,21 @@ struct Flat {
   std::vector<Plane> edges;  // their insides are above
   renderer::Bounds bounds;
   double size;
+  double width;  // of a patch
+
+  // What is nearer than this may be in contact.
+  double reach() const { return std::max(OFF_PLANE * size, GAP * width); }
 };
 
-Flat make_flat(const Face& face) {
+Flat make_flat(const Face& face, int refine) {
   const Vec normal = normalize(eval_area_normal(face.corners));
   const auto bounds = renderer::make_bounds(face.corners);
-  return {&face, make_plane(normal, eval_mean(face.corners)),
-          make_edge_planes(face.corners, normal), bounds, length(bounds.hi - bounds.lo)};
+  return {&face,
+          make_plane(normal, eval_mean(face.corners)),
+          make_edge_planes(face.corners, normal),
+          bounds,
+          length(bounds.hi - bounds.lo),
+          find_patch_width(face, refine)};
 }
 
 // Two faces that may touch, seen from the first.
@@ -55,7 +66,7 @@ int choose_axis(std::span<const Flat> flats) {
   return std::ranges::min({0, 1, 2}, {}, share);
 }
 
-// By face, the others whose bounds touch its. BadInput where they are too many.
+// By face, the others whose bounds are within reach of its. BadInput where they are too many.
 std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
   const int axis = choose_axis(flats);
   std::vector<std::uint32_t> order(flats.size());
@@ -64,17 +75,18 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
   std::ranges::stable_sort(order, {}, start);
   std::vector<std::vector<std::uint32_t>> neighbours(flats.size());
   double largest = 0;
-  for (const Flat& flat : flats) largest = std::max(largest, OFF_PLANE * flat.size);
+  for (const Flat& flat : flats) largest = std::max(largest, flat.reach());
   const std::size_t most = MOST_PAIRS + MOST_PAIRS_PER_FACE * flats.size();
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t k = i + 1; k < order.size(); ++k) {
       const auto &a = flats[order[i]].bounds, &b = flats[order[k]].bounds;
       if (b.lo[axis] > a.hi[axis] + largest) break;
+      const double reach = std::max(flats[order[i]].reach(), flats[order[k]].reach());
       const auto apart = [&](int other) {
-        return b.lo[other] > a.hi[other] + largest || a.lo[other] > b.hi[other] + largest;
+        return b.lo[other] > a.hi[other] + reach || a.lo[other] > b.hi[other] + reach;
       };
-      if (apart((axis + 1) % 3) || apart((axis + 2) % 3)) continue;
+      if (apart(0) || apart(1) || apart(2)) continue;
       if (++pairs > most)
         base::refuse(flats[order[i]].face->where,
                      "found one of more than {} pairs of faces that touch, expected fewer: are "
@@ -133,6 +145,20 @@ std::optional<Crease> find_touch(const Pair& pair) {
   return Crease{points[0], points[1]};
 }
 
+// Whether the other face hangs so near to the first, and is so large, that light changes by a leap
+// at its outline.
+bool hangs_over(const Pair& pair) {
+  const auto height = [&](const Vec& corner) { return eval_height(pair.on.plane, corner); };
+  const auto [low, high] =
+      std::ranges::minmax(pair.other.face->corners | std::views::transform(height));
+  const bool is_near = low > pair.tolerance && high <= GAP * pair.on.width;
+  const bool is_behind = high < -pair.tolerance && low >= -GAP * pair.on.width;
+  return (is_near || (pair.on.face->two_sided && is_behind)) && pair.other.size >= pair.on.width &&
+         overlap(pair);
+}
+
+Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
+
 // Whether the surface of a face goes on beyond a segment of its border, in another face.
 bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
              std::span<const std::uint32_t> neighbours) {
@@ -145,9 +171,9 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
 
 }  // namespace
 
-std::vector<std::vector<Crease>> find_contacts(const Room& room) {
+std::vector<std::vector<Crease>> find_contacts(const Room& room, int refine) {
   std::vector<Flat> flats;
-  for (const Face& face : room.faces) flats.push_back(make_flat(face));
+  for (const Face& face : room.faces) flats.push_back(make_flat(face, refine));
   const auto neighbours = find_neighbours(flats);
   std::vector<std::vector<Crease>> contacts(flats.size());
   for (std::size_t f = 0; f < flats.size(); ++f) {
@@ -159,11 +185,11 @@ std::vector<std::vector<Crease>> find_contacts(const Room& room) {
     for (const auto i : neighbours[f]) {
       const Pair pair = make_pair(on, flats[i]);
       const double tolerance = pair.tolerance;
-      if (are_coplanar(pair)) {
-        if (!overlap(pair)) continue;
+      if (are_coplanar(pair) ? overlap(pair) : hangs_over(pair)) {
         const auto& corners = flats[i].face->corners;
         for (std::size_t k = 0; k < corners.size(); ++k)
-          add({corners[k], corners[(k + 1) % corners.size()]}, tolerance, tolerance);
+          add({project(on.plane, corners[k]), project(on.plane, corners[(k + 1) % corners.size()])},
+              tolerance, tolerance);
       } else if (const auto touch = find_touch(pair)) {
         const bool is_inside = clip_to(on, *touch, tolerance, tolerance).has_value();
         const auto border = clip_to(on, *touch, -tolerance, tolerance);

@@ -113,16 +113,10 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   const Grid grid = find_grid(face, refine);
   const auto along = static_cast<int>(grid.along.size()) - 1;
   const auto across = static_cast<int>(grid.across.size()) - 1;
-  Cutting cutting{face, along, across, 0, normal, 0, {}, {}};
+  Cutting cutting{face, along, across, 0, normal, find_patch_width(face, refine), {}, {}};
   double size = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double edge = length(corners[(i + 1) % corners.size()] - corners[i]);
-    const double width = corners.size() != 4 ? edge / (2 * cutting.along)
-                         : i % 2 == 0        ? edge * find_least_step(grid.along)
-                                             : edge * find_least_step(grid.across);
-    cutting.width = i == 0 ? width : std::min(cutting.width, width);
-    size = std::max(size, edge);
-  }
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    size = std::max(size, length(corners[(i + 1) % corners.size()] - corners[i]));
   cutting.most =
       std::max(count_quads(face, refine), LEAST_PATCHES) * static_cast<std::size_t>(cuts.growth);
   const Plane plane = make_plane(normal, eval_mean(corners));
@@ -256,6 +250,21 @@ Vec eval_bilinear(std::span<const Vec> c, double s, double t) {
 Grid find_grid(const Face& face, int refine) {
   if (!face.grid.along.empty()) return face.grid;
   return {make_even_lines(face.along * refine), make_even_lines(face.across * refine)};
+}
+
+double find_patch_width(const Face& face, int refine) {
+  const auto& corners = face.corners;
+  const Grid grid = find_grid(face, refine);
+  const auto along = static_cast<double>(grid.along.size() - 1);
+  double least = INFINITY;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double edge = length(corners[(i + 1) % corners.size()] - corners[i]);
+    const double step = corners.size() != 4 ? 1 / (2 * along)
+                        : i % 2 == 0        ? find_least_step(grid.along)
+                                            : find_least_step(grid.across);
+    least = std::min(least, edge * step);
+  }
+  return least;
 }
 
 std::size_t count_quads(const Face& face, int refine) {

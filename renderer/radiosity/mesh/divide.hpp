@@ -22,6 +22,8 @@ struct Division {
 Division divide_face(const Face& face, int refine);
 /// Its lines, if it has 4 corners: its own, or even ones.
 Grid find_grid(const Face& face, int refine);
+/// The width of its narrowest quads, along the face's edges.
+double find_patch_width(const Face& face, int refine);
 /// The number of its quads.
 std::size_t count_quads(const Face& face, int refine);
 

@@ -161,7 +161,10 @@ class Normals {
 class Builder {
  public:
   Builder(const Room& room, const MeshParams& params)
-      : room_(room), params_(params), welder_(eval_bounds(room)), contacts_(find_contacts(room)) {
+      : room_(room),
+        params_(params),
+        welder_(eval_bounds(room)),
+        contacts_(find_contacts(room, params.refine)) {
     mesh_.materials = room.materials;
     mesh_.blockers.surfaces.emplace_back();
     mesh_.blockers.view = room.view;

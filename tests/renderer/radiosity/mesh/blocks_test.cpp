@@ -11,15 +11,6 @@
 namespace radiosity::test {
 namespace {
 
-double find_patch_width(const Face& face, int refine) {
-  double least = 1e300;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double edge = length(face.corners[(i + 1) % 4] - face.corners[i]);
-    least = std::min(least, edge / refine / (i % 2 == 0 ? face.along : face.across));
-  }
-  return least;
-}
-
 // No quad has a part of a crease further inside than the margin.
 void check_not_crossed(const Face& face, const Division& division, std::span<const Crease> creases,
                        double margin) {
@@ -73,7 +64,7 @@ struct Count {
 };
 
 void check_room(const Room& room, int refine, Count& count) {
-  const auto contacts = find_contacts(room);
+  const auto contacts = find_contacts(room, refine);
   const Mesh mesh = make_mesh(room, {.refine = refine});
   std::vector<Crease> all = room.creases;
   double widest = 0;
@@ -152,11 +143,11 @@ TEST(Contacts, FeetLeaningAndStacked) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};
   add_box(room, 0, {0, 0, 0}, {4, 4, 4});
-  EXPECT_EQ(std::ranges::count_if(find_contacts(room), [](const auto& c) { return !c.empty(); }),
+  EXPECT_EQ(std::ranges::count_if(find_contacts(room, 1), [](const auto& c) { return !c.empty(); }),
             0);
   // Its left side is in the plane of the wall, its bottom in that of the floor.
   add_block(room, 0, {0, 1, 0}, {1, 2, 1});
-  auto contacts = find_contacts(room);
+  auto contacts = find_contacts(room, 1);
   EXPECT_EQ(contacts[0].size(), 6u);  // feet of three sides, edges of the bottom
   EXPECT_EQ(contacts[1].size(), 0u);
   EXPECT_EQ(contacts[2].size(), 6u);
@@ -165,10 +156,10 @@ TEST(Contacts, FeetLeaningAndStacked) {
   room.faces.resize(6);
   add_block(room, 0, {1, 1, 0}, {2, 2, 1});
   add_block(room, 0, {1.25, 1.25, 1}, {1.75, 1.75, 2});
-  contacts = find_contacts(room);
+  contacts = find_contacts(room, 1);
   EXPECT_EQ(contacts[0].size(), 8u);
   add_quad(room, 0, {-1, 3, 1}, {2, 0, 0}, {0, 0, 1});
-  EXPECT_EQ(find_contacts(room)[2].size(), 1u);
+  EXPECT_EQ(find_contacts(room, 1)[2].size(), 1u);
 }
 
 }  // namespace
