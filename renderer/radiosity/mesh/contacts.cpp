@@ -14,6 +14,8 @@ namespace {
 
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
 constexpr double GAP = 0.2;         // share of a patch's width
+// So many gaps under a face's edge a tenth of the light is left that falls in through the gap.
+constexpr double GAPS_ASIDE = 2;
 // Pairs of faces with bounds that touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
@@ -157,7 +159,26 @@ bool hangs_over(const Pair& pair) {
          overlap(pair);
 }
 
-Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
+// The other face's edges, moved into the plane of the first.
+std::vector<Crease> project_outline(const Pair& pair) {
+  std::vector<Crease> edges;
+  std::vector<Vec> corners = pair.other.face->corners;
+  for (Vec& corner : corners)
+    corner = corner - eval_height(pair.on.plane, corner) * pair.on.plane.normal;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  return edges;
+}
+
+// Adds where light is as if the other face touched the first at this part of its outline.
+void add_beside(const Pair& pair, const Crease& line, std::vector<Crease>& beside) {
+  double gap = 0;
+  for (const Vec& corner : pair.other.face->corners)
+    gap = std::max(gap, std::abs(eval_height(pair.on.plane, corner)));
+  if (gap <= pair.tolerance) return;
+  const Vec aside = gap * GAPS_ASIDE * normalize(cross(pair.on.plane.normal, line.b - line.a));
+  for (const Vec& by : {aside, -aside}) beside.push_back({line.a + by, line.b + by});
+}
 
 // Whether the surface of a face goes on beyond a segment of its border, in another face.
 bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
@@ -171,30 +192,30 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
 
 }  // namespace
 
-std::vector<std::vector<Crease>> find_contacts(const Room& room, int refine) {
+std::vector<Contacts> find_contacts(const Room& room, int refine) {
   std::vector<Flat> flats;
   for (const Face& face : room.faces) flats.push_back(make_flat(face, refine));
   const auto neighbours = find_neighbours(flats);
-  std::vector<std::vector<Crease>> contacts(flats.size());
+  std::vector<Contacts> contacts(flats.size());
   for (std::size_t f = 0; f < flats.size(); ++f) {
     const Flat& on = flats[f];
     if (room.materials[on.face->material].mirror) continue;
-    const auto add = [&](const Crease& segment, double margin, double tolerance) {
-      if (const auto part = clip_to(on, segment, margin, tolerance)) contacts[f].push_back(*part);
-    };
+    auto& [lines, beside] = contacts[f];
     for (const auto i : neighbours[f]) {
       const Pair pair = make_pair(on, flats[i]);
       const double tolerance = pair.tolerance;
       if (are_coplanar(pair) ? overlap(pair) : hangs_over(pair)) {
-        const auto& corners = flats[i].face->corners;
-        for (std::size_t k = 0; k < corners.size(); ++k)
-          add({project(on.plane, corners[k]), project(on.plane, corners[(k + 1) % corners.size()])},
-              tolerance, tolerance);
+        for (const Crease& edge : project_outline(pair)) {
+          const auto part = clip_to(on, edge, tolerance, tolerance);
+          if (!part) continue;
+          lines.push_back(*part);
+          add_beside(pair, *part, beside);
+        }
       } else if (const auto touch = find_touch(pair)) {
         const bool is_inside = clip_to(on, *touch, tolerance, tolerance).has_value();
         const auto border = clip_to(on, *touch, -tolerance, tolerance);
         if (is_inside || (border && goes_on(on, *border, flats, neighbours[f])))
-          contacts[f].push_back(*border);
+          lines.push_back(*border);
       }
     }
   }

@@ -114,24 +114,19 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   const auto along = static_cast<int>(grid.along.size()) - 1;
   const auto across = static_cast<int>(grid.across.size()) - 1;
   Cutting cutting{face, along, across, 0, normal, find_patch_width(face, refine), {}, {}};
-  double size = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    size = std::max(size, length(corners[(i + 1) % corners.size()] - corners[i]));
   cutting.most =
       std::max(count_quads(face, refine), LEAST_PATCHES) * static_cast<std::size_t>(cuts.growth);
-  const Plane plane = make_plane(normal, eval_mean(corners));
   const std::vector<Plane> edges = make_edge_planes(corners, normal);
   const auto add = [&](const Crease& crease, double touch, bool contact) {
-    if (std::abs(eval_height(plane, crease.a)) > IN_PLANE * size ||
-        std::abs(eval_height(plane, crease.b)) > IN_PLANE * size)
-      return;
     if (!(find_inside(crease, edges, -touch) > 0)) return;
     cutting.near.push_back({crease, touch, contact});
     if (find_inside(crease, edges, touch) > touch)
       cutting.crossing.push_back({crease, touch, contact});
   };
-  for (const Crease& crease : cuts.contacts) add(crease, NEAR * cutting.width, true);
-  for (const Crease& crease : cuts.creases) add(crease, TOUCH * cutting.width, false);
+  for (const Crease& crease : select_creases(face, cuts.contacts))
+    add(crease, NEAR * cutting.width, true);
+  for (const Crease& crease : select_creases(face, cuts.creases))
+    add(crease, TOUCH * cutting.width, false);
   return cutting;
 }
 
@@ -250,6 +245,20 @@ Vec eval_bilinear(std::span<const Vec> c, double s, double t) {
 Grid find_grid(const Face& face, int refine) {
   if (!face.grid.along.empty()) return face.grid;
   return {make_even_lines(face.along * refine), make_even_lines(face.across * refine)};
+}
+
+std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases) {
+  const auto& corners = face.corners;
+  double size = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    size = std::max(size, length(corners[(i + 1) % corners.size()] - corners[i]));
+  const Plane plane = make_plane(normalize(eval_area_normal(corners)), eval_mean(corners));
+  std::vector<Crease> selected;
+  std::ranges::copy_if(creases, std::back_inserter(selected), [&](const Crease& crease) {
+    return std::abs(eval_height(plane, crease.a)) <= IN_PLANE * size &&
+           std::abs(eval_height(plane, crease.b)) <= IN_PLANE * size;
+  });
+  return selected;
 }
 
 double find_patch_width(const Face& face, int refine) {

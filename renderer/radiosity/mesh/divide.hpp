@@ -22,6 +22,8 @@ struct Division {
 Division divide_face(const Face& face, int refine);
 /// Its lines, if it has 4 corners: its own, or even ones.
 Grid find_grid(const Face& face, int refine);
+/// Those of the creases that lie in the face's plane.
+std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases);
 /// The width of its narrowest quads, along the face's edges.
 double find_patch_width(const Face& face, int refine);
 /// The number of its quads.

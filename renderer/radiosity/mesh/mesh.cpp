@@ -72,8 +72,26 @@ bool is_on(const Patch& patch, const Vec& point) {
   return true;
 }
 
-// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset).
-void inset_borders(Mesh& mesh, double inset) {
+// The share of the way from a vertex to a point inside at which it is lit: beyond the creases that
+// are so near the border that patches do not keep them, else `inset`.
+double find_inset(const Vec& at, const Vec& inside, const Vec& normal,
+                  std::span<const Crease> creases, double inset) {
+  constexpr double MOST = 0.5;
+  const Vec way = inside - at;
+  double share = inset;
+  for (const Crease& crease : creases) {
+    const Vec along = crease.b - crease.a, to = crease.a - at;
+    const double across = dot(normal, cross(way, along));
+    const double t = dot(normal, cross(to, along)) / across;
+    const double s = dot(normal, cross(to, way)) / across;
+    if (t > 0 && t < MOST && s >= 0 && s <= 1) share = std::max(share, t + inset);
+  }
+  return share;
+}
+
+// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset). `creases`: of
+// each face what is to be looked for in it.
+void inset_borders(Mesh& mesh, double inset, std::span<const std::vector<Crease>> creases) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const Patch& patch : mesh.patches)
     for (std::size_t side = 0; side < 4; ++side) ++sides[edge_of(patch, side)];
@@ -87,8 +105,11 @@ void inset_borders(Mesh& mesh, double inset) {
     Vec centre;
     for (const auto patch : around)
       centre += (1.0 / static_cast<double>(around.size())) * mesh.patches[patch].centre;
+    const Patch& first = mesh.patches[around[0]];
     const auto move_to = [&](const Vec& inside) {
-      mesh.vertices[v].lit = mesh.vertices[v].at + inset * (inside - mesh.vertices[v].at);
+      const Vec& at = mesh.vertices[v].at;
+      const double share = find_inset(at, inside, first.normal, creases[first.face], inset);
+      mesh.vertices[v].lit = at + share * (inside - at);
     };
     move_to(centre);
     // Around the corner of a foot the mean may lie under what stands there.
@@ -178,7 +199,13 @@ class Builder {
     std::vector<std::array<std::uint32_t, 4>> before;
     for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
     split_at_creases(mesh_, touched_);
-    inset_borders(mesh_, params_.inset);
+    std::vector<std::vector<Crease>> creases;
+    for (std::size_t f = 0; f < room_.faces.size(); ++f) {
+      creases.push_back(select_creases(room_.faces[f], room_.creases));
+      creases.back().insert(creases.back().end(), contacts_[f].beside.begin(),
+                            contacts_[f].beside.end());
+    }
+    inset_borders(mesh_, params_.inset, creases);
     split_at_creases(mesh_, rename(mesh_, before, creases_));
     sum_up();
     return std::move(mesh_);
@@ -193,7 +220,7 @@ class Builder {
       for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
         const Face& face = room_.faces[i];
         if (!room_.materials[face.material].mirror)
-          patches += (face.two_sided ? 2 : 1) * count_face(face, contacts_[i]);
+          patches += (face.two_sided ? 2 : 1) * count_face(face, contacts_[i].lines);
       }
       return patches;
     };
@@ -240,7 +267,7 @@ class Builder {
 
   void add_patches(const Face& face, std::uint32_t number) {
     const Division division =
-        divide_face(face, params_.refine, {room_.creases, contacts_[number], growth_});
+        divide_face(face, params_.refine, {room_.creases, contacts_[number].lines, growth_});
     check_count(face, mesh_.patches.size() + division.quads.size());
     mesh_.left_out += division.left_out;
     const Normals normals(face);
@@ -272,8 +299,8 @@ class Builder {
   const MeshParams& params_;
   Mesh mesh_;
   Welder welder_;
-  std::vector<std::vector<Crease>> contacts_;  // by face
-  Edges creases_, touched_;                    // on creases, and those of them on contacts
+  std::vector<Contacts> contacts_;  // by face
+  Edges creases_, touched_;         // on creases, and those of them on contacts
   std::uint32_t object_ = 0;
   int growth_ = 1;  // Cuts::growth
 };

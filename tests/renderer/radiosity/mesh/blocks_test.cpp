@@ -73,15 +73,15 @@ void check_room(const Room& room, int refine, Count& count) {
     const double width = find_patch_width(face, refine);
     widest = std::max(widest, width);
     const Division division =
-        divide_face(face, refine, {.creases = room.creases, .contacts = contacts[f]});
+        divide_face(face, refine, {.creases = room.creases, .contacts = contacts[f].lines});
     check_division(face, refine, division);
     if (division.left_out == 0) {
-      check_not_crossed(face, division, contacts[f], 0.004 * width);
+      check_not_crossed(face, division, contacts[f].lines, 0.004 * width);
       check_not_crossed(face, division, room.creases, 0.15 * width);
     }
-    all.insert(all.end(), contacts[f].begin(), contacts[f].end());
+    all.insert(all.end(), contacts[f].lines.begin(), contacts[f].lines.end());
     count.left_out += division.left_out;
-    count.creases += contacts[f].size();
+    count.creases += contacts[f].lines.size();
     if (testing::Test::HasFailure()) return;
   }
   check_shared(mesh, all, 0.15 * widest);
@@ -143,23 +143,108 @@ TEST(Contacts, FeetLeaningAndStacked) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};
   add_box(room, 0, {0, 0, 0}, {4, 4, 4});
-  EXPECT_EQ(std::ranges::count_if(find_contacts(room, 1), [](const auto& c) { return !c.empty(); }),
-            0);
+  EXPECT_EQ(
+      std::ranges::count_if(find_contacts(room, 1), [](const auto& c) { return !c.lines.empty(); }),
+      0);
   // Its left side is in the plane of the wall, its bottom in that of the floor.
   add_block(room, 0, {0, 1, 0}, {1, 2, 1});
   auto contacts = find_contacts(room, 1);
-  EXPECT_EQ(contacts[0].size(), 6u);  // feet of three sides, edges of the bottom
-  EXPECT_EQ(contacts[1].size(), 0u);
-  EXPECT_EQ(contacts[2].size(), 6u);
-  for (std::size_t f = 6; f < room.faces.size(); ++f) EXPECT_TRUE(contacts[f].empty()) << f;
+  EXPECT_EQ(contacts[0].lines.size(), 6u);  // feet of three sides, edges of the bottom
+  EXPECT_EQ(contacts[1].lines.size(), 0u);
+  EXPECT_EQ(contacts[2].lines.size(), 6u);
+  for (std::size_t f = 6; f < room.faces.size(); ++f) EXPECT_TRUE(contacts[f].lines.empty()) << f;
   // What stands on the block cuts its top, what goes through a wall cuts this.
   room.faces.resize(6);
   add_block(room, 0, {1, 1, 0}, {2, 2, 1});
   add_block(room, 0, {1.25, 1.25, 1}, {1.75, 1.75, 2});
   contacts = find_contacts(room, 1);
-  EXPECT_EQ(contacts[0].size(), 8u);
+  EXPECT_EQ(contacts[0].lines.size(), 8u);
   add_quad(room, 0, {-1, 3, 1}, {2, 0, 0}, {0, 0, 1});
-  EXPECT_EQ(find_contacts(room, 1)[2].size(), 1u);
+  EXPECT_EQ(find_contacts(room, 1)[2].lines.size(), 1u);
+}
+
+// A floor of patches one unit wide, with something a little above it.
+Room make_floor() {
+  Room room;
+  room.materials = {{"wall", grey(0.5), grey(0)}, {"lamp", grey(0), grey(1)}};
+  add_quad(room, 0, {0, 0, 0}, {8, 0, 0}, {0, 8, 0}, 8, 8);
+  return room;
+}
+
+TEST(Contacts, WhatHangsAHairAboveCountsAsTouching) {
+  const auto count = [](double gap, double size, int refine) {
+    Room room = make_floor();
+    add_block(room, {4.2, 4.1, gap, gap + 1, size, size, 0.3}, true, 1, 1);
+    const auto contacts = find_contacts(room, refine);
+    for (const Crease& crease : contacts[0].lines) {
+      EXPECT_NEAR(crease.a.z, 0, 1e-12);
+      EXPECT_NEAR(crease.b.z, 0, 1e-12);
+      EXPECT_NEAR(length(crease.b - crease.a), 2 * size, 1e-9);
+    }
+    return contacts[0].lines.size();
+  };
+  EXPECT_EQ(count(0.19, 1.5, 1), 4u);
+  EXPECT_EQ(count(0.21, 1.5, 1), 0u) << "a penumbra that patches can show";
+  EXPECT_EQ(count(0.19, 1.5, 2), 0u) << "likewise";
+  EXPECT_EQ(count(0.09, 1.5, 2), 4u);
+  EXPECT_EQ(count(0.1, 0.2, 1), 0u) << "smaller than a patch";
+}
+
+// Dark does not leak out from under a block that hangs a hair above the floor, nor light in.
+TEST(Contacts, AHairAboveTheFloorLightChangesByALeap) {
+  constexpr double GAP = 0.01;
+  Room room = make_floor();
+  const Block block{4.2, 4.1, GAP, 1, 1.5, 1.5, 0.3};
+  add_block(room, block, true, 1, 1);
+  add_quad(room, 1, {0, 0, 4}, {0, 8, 0}, {8, 0, 0}, 1, 1);
+  const Mesh mesh = make_mesh(room, {});
+  int dark = 0, bright = 0;
+  Work work;
+  for (const Patch& patch : mesh.patches) {
+    if (patch.face != 0) continue;
+    const bool is_under = is_within(block, {patch.centre.x, patch.centre.y, GAP}, 0);
+    for (const auto corner : patch.corners) {
+      double factor = 0;
+      for (const Patch& lamp : mesh.patches)
+        if (lamp.material == 1)
+          factor += eval_factor({mesh, {}}, mesh.vertices[corner], lamp, work);
+      const Vec& seen = mesh.vertices[corner].lit;
+      EXPECT_EQ(is_within(block, {seen.x, seen.y, GAP}, 0), is_under) << seen.x << ' ' << seen.y;
+      if (is_under)
+        ++(factor < 0.1 ? dark : bright);
+      else
+        EXPECT_GT(factor, 0.17) << seen.x << ' ' << seen.y;
+    }
+  }
+  std::printf("%d of %d vertices under the block are dark\n", dark, dark + bright);
+  EXPECT_GT(dark, 20);
+  EXPECT_LT(bright, dark / 5);  // of patches that are not much wider than the gap is high
+}
+
+// A shadow along a foot that is narrower than patches keep is not spread over a whole patch.
+TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
+  Room room = make_floor();
+  const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
+  add_block(room, block, false, 1, 1);
+  const auto foot = block.ring(0);
+  const Vec outward = normalize(cross(foot[1] - foot[0], {0, 0, 1}));
+  for (const double away : {0.0, 0.05}) {
+    room.creases.clear();
+    if (away > 0) room.creases = {{foot[0] + away * outward, foot[1] + away * outward}};
+    const Mesh mesh = make_mesh(room, {});
+    int seen = 0;
+    for (const Vertex& vertex : mesh.vertices) {
+      const double along = dot(vertex.at - foot[0], normalize(foot[1] - foot[0]));
+      const double before = dot(vertex.lit - foot[0], outward);
+      if (vertex.object != 0 || before <= 0 || along < 0.2 || along > 2.8 ||
+          std::abs(dot(vertex.at - foot[0], outward)) > 1e-9)
+        continue;
+      ++seen;
+      EXPECT_GT(before, away);
+      EXPECT_LT(before, away + 0.02);
+    }
+    EXPECT_GE(seen, 2);
+  }
 }
 
 }  // namespace
