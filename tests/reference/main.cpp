@@ -124,7 +124,9 @@ class Comparison {
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
     AdaptedMesh adapted = adapt_mesh(room, light, shown, o_.adapt);
-    const Solution solution = solve_further(adapted.mesh, light.solve, std::move(adapted.rough));
+    const Solution solution =
+        light.senders > 0 ? solve_room(room, adapted.mesh, light)
+                          : solve_further(adapted.mesh, light.solve, std::move(adapted.rough));
     LitRoom lit{std::move(adapted.mesh), {}};
     lit.vertices = solution.vertices;
     if (light.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);
@@ -254,6 +256,7 @@ void add_options(CLI::App& app, Options& o) {
                  "and what is too dark blue, in full from 30 % on");
   laboratory::bind_options(app, solve_fields(), o.light.solve,
                            {{"max_shots", "shots"}, {"reflections", "mirrors"}});
+  laboratory::bind_options(app, {senders_field()}, o.light);
   app.add_flag("--ambient,!--no-ambient", o.light.ambient, "an estimate of what is unshot [yes]");
 }
 

@@ -109,9 +109,9 @@ Outcome light(RadiosityOptions& o) {
     bar.say(fmt::format("tlab: warning: {}: {}", o.room, problem));
   made.mesh_s = clock.lap();
 
-  made.solution = o.adapt.error > 0
-                      ? solve_further(mesh, o.light.solve, std::move(made.solution), step)
-                      : solve(mesh, o.light.solve, step);
+  const bool goes_on = o.adapt.error > 0 && o.light.senders == 0;
+  made.solution = goes_on ? solve_further(mesh, o.light.solve, std::move(made.solution), step)
+                          : solve_room(room, mesh, o.light, step);
   made.emitted = mesh.emitted;
   made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();
@@ -217,6 +217,7 @@ void add_radiosity_command(CLI::App& app) {
   command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
   command->add_option("--size", o->size, "WxH in pixels [the room's]");
   bind_options(*command, radiosity::mesh_fields(), o->light.mesh);
+  bind_options(*command, {radiosity::senders_field()}, o->light);
   bind_options(*command, {radiosity::adaptive_field()}, o->adapt);
   bind_options(*command, {radiosity::creases_field()}, o->creases);
   bind_options(*command, radiosity::solve_fields(), o->light.solve,

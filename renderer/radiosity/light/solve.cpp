@@ -235,16 +235,23 @@ Solution solve_further(const Mesh& mesh, const SolveParams& params, Solution beg
   return shoot_until(mesh, params, std::move(begun), step, nullptr);
 }
 
+base::Field<LightParams> senders_field() {
+  return base::Declare<LightParams>::whole(
+      "senders", &LightParams::senders, 0, 1000, "",
+      "the `refine` of the patches that send light to the vertices of the finer ones; 0: all send");
+}
+
+Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& params,
+                    const Step& step) {
+  if (params.senders == 0) return solve(mesh, params.solve, step);
+  MeshParams coarse = params.mesh;
+  coarse.refine = params.senders;
+  return solve(make_mesh(room, coarse), params.solve, step, &mesh);
+}
+
 LitRoom light_room(const Room& room, const LightParams& params) {
   LitRoom lit{make_mesh(room, params.mesh), {}};
-  Solution solution;
-  if (params.senders > 0) {
-    MeshParams coarse = params.mesh;
-    coarse.refine = params.senders;
-    solution = solve(make_mesh(room, coarse), params.solve, {}, &lit.mesh);
-  } else {
-    solution = solve(lit.mesh, params.solve);
-  }
+  Solution solution = solve_room(room, lit.mesh, params);
   lit.vertices = std::move(solution.vertices);
   if (params.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);
   return lit;

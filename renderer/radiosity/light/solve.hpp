@@ -140,6 +140,14 @@ struct LightParams {
   bool ambient = true;  ///< whether eval_ambient(), an estimate of the unsent light, is added
 };
 
+/// The field senders.
+base::Field<LightParams> senders_field();
+
+/// The light of the room's mesh, which params.senders, if there are any, send. BadInput as
+/// make_mesh and solve.
+Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& params,
+                    const Step& step = {});
+
 /// The room must pass check(). BadInput as make_mesh and solve.
 LitRoom light_room(const Room& room, const LightParams& params);
 

@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
        {"scene.objects=400", "image.width=16", "image.height=16", "sweep.workers=[4]",
         "sweep.cache_percent=[0, 10, 100]"}},
       {"farm", {"sweep.objects=[200]", "sweep.workers=[1, 7]"}},
-      {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 4, 7]"}},
+      {"thesis/table-4.2", {"sweep.objects=[200, 800]", "sweep.workers=[1, 2, 4, 7]"}},
       {"thesis/bounds",
        {"image.width=20", "image.height=20", "sweep.workers=[4]", "sweep.depth=[2, 5]"}},
       {"thesis/bounds-mirrors", {"image.width=48", "image.height=48", "sweep.depth=[1, 8]"}},

@@ -74,6 +74,10 @@ TEST_F(RadiosityCommand, OptionsChangeWhatTheySay) {
   const std::string picture = read("i.png");
 
   EXPECT_EQ(stats({"--refine", "2"})["patches"], 84);
+  const auto substructured = stats({"--refine", "2", "--senders", "1"});
+  EXPECT_EQ(substructured["patches"], 84);
+  EXPECT_EQ(substructured["shots"], plain["shots"]);
+  EXPECT_EQ(substructured["balance"], plain["balance"]);
   EXPECT_EQ(stats({"--shots", "1"})["shots"], 1);
   EXPECT_GT(stats({"--shots", "1"})["unshot"], 0.1);
   EXPECT_LT(stats({"--tolerance", "0.1"})["shots"], plain["shots"]);
