@@ -148,7 +148,9 @@ struct Probe {
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
-  const double distance = (p.offset - dot(p.normal, origin)) / dot(p.normal, direction);
+  const double height = p.offset - dot(p.normal, origin), speed = dot(p.normal, direction);
+  if ((height > 0) != (speed > 0)) return NO_HIT;  // behind the ray: no need to divide
+  const double distance = height / speed;
   if (!(distance > ray.epsilon && distance < NO_HIT)) return NO_HIT;
   ++ray.edges;
   const double u = origin[p.u] + distance * direction[p.u];

@@ -124,9 +124,7 @@ class Comparison {
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
     AdaptedMesh adapted = adapt_mesh(room, light, shown, o_.adapt);
-    const Solution solution =
-        light.senders > 0 ? solve_room(room, adapted.mesh, light)
-                          : solve_further(adapted.mesh, light.solve, std::move(adapted.rough));
+    const Solution solution = solve_adapted(room, adapted, light);
     LitRoom lit{std::move(adapted.mesh), {}};
     lit.vertices = solution.vertices;
     if (light.ambient) add_ambient(lit.mesh, solution.ambient, lit.vertices);

@@ -90,16 +90,14 @@ Outcome light(RadiosityOptions& o) {
   const auto picture = fit(o.picture, room.view);
   Progress bar("radiosity");
   const auto step = make_step(o, bar);
-  Mesh mesh;
-  if (o.adapt.error > 0) {
-    auto adapted = radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adapt, step);
-    mesh = std::move(adapted.mesh);
-    made.rounds = adapted.rounds;
-    made.error = adapted.error;
-    made.solution = std::move(adapted.rough);
-  } else {
-    mesh = radiosity::make_mesh(room, o.light.mesh);
-  }
+  radiosity::AdaptedMesh adapted;
+  if (o.adapt.error > 0)
+    adapted = radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adapt, step);
+  else
+    adapted.mesh = radiosity::make_mesh(room, o.light.mesh);
+  const Mesh& mesh = adapted.mesh;
+  made.rounds = adapted.rounds;
+  made.error = adapted.error;
   made.patches = mesh.patches.size();
   made.vertices = mesh.vertices.size();
   made.mirrors = mesh.mirrors.size();
@@ -109,9 +107,8 @@ Outcome light(RadiosityOptions& o) {
     bar.say(fmt::format("tlab: warning: {}: {}", o.room, problem));
   made.mesh_s = clock.lap();
 
-  const bool goes_on = o.adapt.error > 0 && o.light.senders == 0;
-  made.solution = goes_on ? solve_further(mesh, o.light.solve, std::move(made.solution), step)
-                          : solve_room(room, mesh, o.light, step);
+  made.solution = o.adapt.error > 0 ? solve_adapted(room, adapted, o.light, step)
+                                    : solve_room(room, adapted.mesh, o.light, step);
   made.emitted = mesh.emitted;
   made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();

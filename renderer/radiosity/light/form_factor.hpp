@@ -65,7 +65,7 @@ struct Quad {
     by_s = dot(normal, cross(a, c));
     by_t = dot(normal, cross(c, b));
   }
-  Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
+  [[gnu::always_inline]] Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
   /// Area for each unit of s and t.
   double eval_density(double s, double t) const { return density + s * by_s + t * by_t; }
   Vec p, a, b, c, normal;
@@ -80,7 +80,9 @@ struct Glow {
   explicit Glow(const Rgb& even) : at(even) {}
   /// From those of the corners, in their order.
   explicit Glow(const std::array<Rgb, 4>& corners);
-  Rgb eval(double s, double t) const { return at + s * along + t * (across + s * twist); }
+  [[gnu::always_inline]] Rgb eval(double s, double t) const {
+    return at + s * along + t * (across + s * twist);
+  }
   /// Whether it is the same everywhere.
   bool is_even() const { return along == Rgb{} && across == Rgb{} && twist == Rgb{}; }
   Rgb at, along, across, twist;
@@ -124,7 +126,7 @@ struct DeltaSide {
   double growth;  ///< how much longer the other side is at its end than at its beginning, over that
 
   /// Its share of eval_extent().
-  double eval_extent() const {
+  [[gnu::always_inline]] double eval_extent() const {
     return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
            1.0 / 12 * growth * (rise - 4 * turn);
   }
@@ -137,7 +139,7 @@ struct DeltaSide {
 /// that of the point, up to the fourth power of side over distance. The kernel's second derivatives
 /// along the sides, over 24, make the difference, and, where a side grows, that more of the area
 /// lies towards its end.
-inline double eval_extent(const DeltaSide& a, const DeltaSide& b) {
+[[gnu::always_inline]] inline double eval_extent(const DeltaSide& a, const DeltaSide& b) {
   return a.eval_extent() + b.eval_extent();
 }
 

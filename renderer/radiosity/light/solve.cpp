@@ -236,9 +236,9 @@ Solution solve_further(const Mesh& mesh, const SolveParams& params, Solution beg
 }
 
 base::Field<LightParams> senders_field() {
-  return base::Declare<LightParams>::whole(
-      "senders", &LightParams::senders, 0, 1000, "",
-      "the `refine` of the patches that send light to the vertices of the finer ones; 0: all send");
+  return base::Declare<LightParams>::whole("senders", &LightParams::senders, 0, 1000, "",
+                                           "the `refine` of coarser patches that send the light to "
+                                           "the vertices of the finer ones; 0: the finer send it");
 }
 
 Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& params,

@@ -133,8 +133,8 @@ struct LitRoom {
 
 struct LightParams {
   MeshParams mesh;
-  /// MeshParams::refine, 1 to 1000, of a coarser mesh that sends the light to the vertices of this
-  /// one; 0: the mesh itself sends it.
+  /// MeshParams::refine, 1 to 1000, of another mesh, best a coarser one, that sends the light to
+  /// the vertices of this one; 0: the mesh itself sends it.
   int senders = 0;
   SolveParams solve;
   bool ambient = true;  ///< whether eval_ambient(), an estimate of the unsent light, is added
@@ -143,8 +143,8 @@ struct LightParams {
 /// The field senders.
 base::Field<LightParams> senders_field();
 
-/// The light of the room's mesh, which params.senders, if there are any, send. BadInput as
-/// make_mesh and solve.
+/// The light at the vertices of `mesh`, one of the room's: its own patches send it, or those of
+/// another mesh of the room (params.senders). BadInput as make_mesh and solve.
 Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& params,
                     const Step& step = {});
 

@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 #include "base/errors.hpp"
-#include "renderer/radiosity/mesh/divide.hpp"
 
 namespace radiosity {
 
 namespace {
 
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
-constexpr double GAP = 0.2;         // share of a patch's width
-// So many gaps under a face's edge a tenth of the light is left that falls in through the gap.
-constexpr double GAPS_ASIDE = 2;
-// Pairs of faces with bounds that touch: in any room, and for each of its faces.
+// What hangs over a face no higher than this touches it; a share of a patch's width.
+constexpr double GAP = 0.2;
+// Under an edge, as many gaps away from it, a tenth of the light that the edge gets is left.
+constexpr double GAPS_INSIDE = 2;
+// Pairs of faces that may touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
 struct Flat {
@@ -25,21 +24,31 @@ struct Flat {
   std::vector<Plane> edges;  // their insides are above
   renderer::Bounds bounds;
   double size;
-  double width;  // of a patch
+  double width;        // its area over its longest edge
+  double patch_width;  // as if it were divided evenly
 
-  // What is nearer than this may be in contact.
-  double reach() const { return std::max(OFF_PLANE * size, GAP * width); }
+  double gap() const { return GAP * patch_width; }
+  double reach() const { return std::max(OFF_PLANE * size, gap()); }
 };
 
 Flat make_flat(const Face& face, int refine) {
-  const Vec normal = normalize(eval_area_normal(face.corners));
-  const auto bounds = renderer::make_bounds(face.corners);
+  const auto& corners = face.corners;
+  const Vec normal = eval_area_normal(corners);
+  const auto bounds = renderer::make_bounds(corners);
+  double longest = 0, narrowest = INFINITY;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double edge = length(corners[(i + 1) % corners.size()] - corners[i]);
+    const int steps = corners.size() != 4 ? 2 * face.along : i % 2 == 0 ? face.along : face.across;
+    longest = std::max(longest, edge);
+    narrowest = std::min(narrowest, edge / steps / refine);
+  }
   return {&face,
-          make_plane(normal, eval_mean(face.corners)),
-          make_edge_planes(face.corners, normal),
+          make_plane(normalize(normal), eval_mean(corners)),
+          make_edge_planes(corners, normalize(normal)),
           bounds,
           length(bounds.hi - bounds.lo),
-          find_patch_width(face, refine)};
+          length(normal) / 2 / longest,
+          narrowest};
 }
 
 // Two faces that may touch, seen from the first.
@@ -68,31 +77,40 @@ int choose_axis(std::span<const Flat> flats) {
   return std::ranges::min({0, 1, 2}, {}, share);
 }
 
-// By face, the others whose bounds are within reach of its. BadInput where they are too many.
+// Whether the bounds touch within a distance.
+bool touch(const Flat& a, const Flat& b, double distance) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (b.bounds.lo[axis] > a.bounds.hi[axis] + distance ||
+        a.bounds.lo[axis] > b.bounds.hi[axis] + distance)
+      return false;
+  return true;
+}
+
+// Whether one face is large enough to hang over the other, see hangs_over().
+bool may_hang(const Flat& other, const Flat& on) {
+  return other.width >= on.patch_width && touch(other, on, on.gap());
+}
+
+// By face, the others that may touch it. BadInput where they are too many.
 std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
   const int axis = choose_axis(flats);
   std::vector<std::uint32_t> order(flats.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto start = [&](std::uint32_t i) { return flats[i].bounds.lo[axis]; };
+  const auto start = [&](std::uint32_t i) { return flats[i].bounds.lo[axis] - flats[i].reach(); };
   std::ranges::stable_sort(order, {}, start);
   std::vector<std::vector<std::uint32_t>> neighbours(flats.size());
-  double largest = 0;
-  for (const Flat& flat : flats) largest = std::max(largest, flat.reach());
   const std::size_t most = MOST_PAIRS + MOST_PAIRS_PER_FACE * flats.size();
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t k = i + 1; k < order.size(); ++k) {
-      const auto &a = flats[order[i]].bounds, &b = flats[order[k]].bounds;
-      if (b.lo[axis] > a.hi[axis] + largest) break;
-      const double reach = std::max(flats[order[i]].reach(), flats[order[k]].reach());
-      const auto apart = [&](int other) {
-        return b.lo[other] > a.hi[other] + reach || a.lo[other] > b.hi[other] + reach;
-      };
-      if (apart(0) || apart(1) || apart(2)) continue;
+      const Flat &a = flats[order[i]], &b = flats[order[k]];
+      if (start(order[k]) > a.bounds.hi[axis] + a.reach()) break;
+      if (!touch(a, b, OFF_PLANE * std::max(a.size, b.size)) && !may_hang(a, b) && !may_hang(b, a))
+        continue;
       if (++pairs > most)
-        base::refuse(flats[order[i]].face->where,
-                     "found one of more than {} pairs of faces that touch, expected fewer: are "
-                     "faces there many times?",
+        base::refuse(a.face->where,
+                     "found one of more than {} pairs of faces that touch or nearly so, expected "
+                     "fewer: are faces there many times?",
                      most);
       neighbours[order[i]].push_back(order[k]);
       neighbours[order[k]].push_back(order[i]);
@@ -147,37 +165,67 @@ std::optional<Crease> find_touch(const Pair& pair) {
   return Crease{points[0], points[1]};
 }
 
-// Whether the other face hangs so near to the first, and is so large, that light changes by a leap
-// at its outline.
+// How far the corners of the other face are in front of the first; of a two-sided one, before the
+// side that they are on.
+struct Heights {
+  double low, high;
+};
+Heights find_heights(const Pair& pair) {
+  Heights found{INFINITY, -INFINITY};
+  for (const Vec& corner : pair.other.face->corners) {
+    const double height = eval_height(pair.on.plane, corner);
+    found = {std::min(found.low, height), std::max(found.high, height)};
+  }
+  return pair.on.face->two_sided && found.high < 0 ? Heights{-found.high, -found.low} : found;
+}
+
+// Whether the other face hangs so near to the first, and is so wide, that patches of the first
+// cannot show how light fades under its edges.
 bool hangs_over(const Pair& pair) {
-  const auto height = [&](const Vec& corner) { return eval_height(pair.on.plane, corner); };
-  const auto [low, high] =
-      std::ranges::minmax(pair.other.face->corners | std::views::transform(height));
-  const bool is_near = low > pair.tolerance && high <= GAP * pair.on.width;
-  const bool is_behind = high < -pair.tolerance && low >= -GAP * pair.on.width;
-  return (is_near || (pair.on.face->two_sided && is_behind)) && pair.other.size >= pair.on.width &&
+  const auto [low, high] = find_heights(pair);
+  return low > pair.tolerance && high <= pair.on.gap() && pair.other.width >= pair.on.patch_width &&
          overlap(pair);
 }
 
-// The other face's edges, moved into the plane of the first.
-std::vector<Crease> project_outline(const Pair& pair) {
-  std::vector<Crease> edges;
-  std::vector<Vec> corners = pair.other.face->corners;
-  for (Vec& corner : corners)
-    corner = corner - eval_height(pair.on.plane, corner) * pair.on.plane.normal;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
-  return edges;
+bool has_corner(const Flat& flat, const Vec& corner, double tolerance) {
+  return std::ranges::any_of(flat.face->corners,
+                             [&](const Vec& other) { return length(other - corner) <= tolerance; });
 }
 
-// Adds where light is as if the other face touched the first at this part of its outline.
-void add_beside(const Pair& pair, const Crease& line, std::vector<Crease>& beside) {
-  double gap = 0;
-  for (const Vec& corner : pair.other.face->corners)
-    gap = std::max(gap, std::abs(eval_height(pair.on.plane, corner)));
-  if (gap <= pair.tolerance) return;
-  const Vec aside = gap * GAPS_ASIDE * normalize(cross(pair.on.plane.normal, line.b - line.a));
-  for (const Vec& by : {aside, -aside}) beside.push_back({line.a + by, line.b + by});
+// Whether the way in under an edge of what hangs over a face is shut: by what stands on the face
+// there, or since something else goes on hanging beyond the edge.
+bool is_shut(const Pair& hanging, const Crease& edge, std::span<const Flat> flats,
+             std::span<const std::uint32_t> neighbours) {
+  return std::ranges::any_of(neighbours, [&](std::uint32_t i) {
+    const Flat& flat = flats[i];
+    if (&flat == &hanging.other || !has_corner(flat, edge.a, hanging.tolerance) ||
+        !has_corner(flat, edge.b, hanging.tolerance))
+      return false;
+    const Pair pair = make_pair(hanging.on, flat);
+    return find_heights(pair).low <= pair.tolerance || hangs_over(pair);
+  });
+}
+
+Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
+
+// Adds the open edges of what hangs over a face.
+void add_hanging(const Pair& pair, std::span<const Flat> flats,
+                 std::span<const std::uint32_t> neighbours, Contacts& contacts) {
+  const Plane& plane = pair.on.plane;
+  const auto& corners = pair.other.face->corners;
+  const Vec middle = project(plane, eval_mean(corners));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Crease edge{corners[i], corners[(i + 1) % corners.size()]};
+    if (is_shut(pair, edge, flats, neighbours)) continue;
+    const auto line = clip_to(pair.on, {project(plane, edge.a), project(plane, edge.b)},
+                              pair.tolerance, pair.tolerance);
+    if (!line) continue;
+    contacts.lines.push_back(*line);
+    const Vec across = normalize(cross(plane.normal, line->b - line->a));
+    const double side = dot(across, middle - line->a) > 0 ? 1 : -1;
+    const Vec inside = side * GAPS_INSIDE * find_heights(pair).high * across;
+    contacts.inside.push_back({line->a + inside, line->b + inside});
+  }
 }
 
 // Whether the surface of a face goes on beyond a segment of its border, in another face.
@@ -200,16 +248,18 @@ std::vector<Contacts> find_contacts(const Room& room, int refine) {
   for (std::size_t f = 0; f < flats.size(); ++f) {
     const Flat& on = flats[f];
     if (room.materials[on.face->material].mirror) continue;
-    auto& [lines, beside] = contacts[f];
+    auto& lines = contacts[f].lines;
     for (const auto i : neighbours[f]) {
       const Pair pair = make_pair(on, flats[i]);
       const double tolerance = pair.tolerance;
-      if (are_coplanar(pair) ? overlap(pair) : hangs_over(pair)) {
-        for (const Crease& edge : project_outline(pair)) {
-          const auto part = clip_to(on, edge, tolerance, tolerance);
-          if (!part) continue;
-          lines.push_back(*part);
-          add_beside(pair, *part, beside);
+      if (hangs_over(pair)) {
+        add_hanging(pair, flats, neighbours[f], contacts[f]);
+      } else if (are_coplanar(pair)) {
+        if (!overlap(pair)) continue;
+        const auto& corners = flats[i].face->corners;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          const Crease edge{corners[k], corners[(k + 1) % corners.size()]};
+          if (const auto part = clip_to(on, edge, tolerance, tolerance)) lines.push_back(*part);
         }
       } else if (const auto touch = find_touch(pair)) {
         const bool is_inside = clip_to(on, *touch, tolerance, tolerance).has_value();

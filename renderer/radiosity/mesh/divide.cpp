@@ -9,10 +9,10 @@ namespace radiosity {
 
 namespace {
 
-// Shares of a patch's width: a point nearer than TOUCH to a crease, than NEAR to a contact, is on
-// it; a line of the grid nearer than KEEP gives way to it; a crease off a side's direction by less
-// than PARALLEL runs along that side.
-constexpr double TOUCH = 0.1, NEAR = 0.002, KEEP = 1.0 / 3, PARALLEL = 1e-3;
+// Shares of a patch's width: a point nearer than NEAR to a contact, than CREASE_TOUCH to a crease,
+// is on it; a line of the grid nearer than KEEP gives way to it; a crease off a side's direction by
+// less than PARALLEL runs along that side.
+constexpr double NEAR = 0.002, KEEP = 1.0 / 3, PARALLEL = 1e-3;
 // An edge of a quad lies on a crease if it is off it by less than ASIDE and beyond its ends by less
 // than BEYOND, in touches.
 constexpr double ASIDE = 1.1, BEYOND = 1.01;
@@ -117,16 +117,15 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   cutting.most =
       std::max(count_quads(face, refine), LEAST_PATCHES) * static_cast<std::size_t>(cuts.growth);
   const std::vector<Plane> edges = make_edge_planes(corners, normal);
-  const auto add = [&](const Crease& crease, double touch, bool contact) {
-    if (!(find_inside(crease, edges, -touch) > 0)) return;
-    cutting.near.push_back({crease, touch, contact});
-    if (find_inside(crease, edges, touch) > touch)
-      cutting.crossing.push_back({crease, touch, contact});
+  const auto add = [&](std::span<const Crease> creases, double touch, bool contact) {
+    for (const Crease& crease : select_creases(face, creases, touch)) {
+      cutting.near.push_back({crease, touch, contact});
+      if (find_inside(crease, edges, touch) > touch)
+        cutting.crossing.push_back({crease, touch, contact});
+    }
   };
-  for (const Crease& crease : select_creases(face, cuts.contacts))
-    add(crease, NEAR * cutting.width, true);
-  for (const Crease& crease : select_creases(face, cuts.creases))
-    add(crease, TOUCH * cutting.width, false);
+  add(cuts.contacts, NEAR * cutting.width, true);
+  add(cuts.creases, CREASE_TOUCH * cutting.width, false);
   return cutting;
 }
 
@@ -232,7 +231,7 @@ Division divide_freely(const Cutting& cutting, const Rows& rows) {
       has_rows ? make_grid(cutting, rows, find_grid(coarse, 1)) : divide_face(coarse, 1);
   std::vector<Edge> fixed;
   if (has_rows) fixed = find_edges(base, cutting.crossing, cutting.normal);
-  const double reach = REACH * 2 * cutting.width, apart = 2 * TOUCH * cutting.width;
+  const double reach = REACH * 2 * cutting.width, apart = 2 * CREASE_TOUCH * cutting.width;
   return cut_cells(base, cutting.normal, fixed, rows.others, {reach, apart, cutting.most / 4});
 }
 
@@ -247,17 +246,21 @@ Grid find_grid(const Face& face, int refine) {
   return {make_even_lines(face.along * refine), make_even_lines(face.across * refine)};
 }
 
-std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases) {
+std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases,
+                                   double touch) {
   const auto& corners = face.corners;
   double size = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
     size = std::max(size, length(corners[(i + 1) % corners.size()] - corners[i]));
-  const Plane plane = make_plane(normalize(eval_area_normal(corners)), eval_mean(corners));
+  const Vec normal = normalize(eval_area_normal(corners));
+  const Plane plane = make_plane(normal, eval_mean(corners));
+  const std::vector<Plane> edges = make_edge_planes(corners, normal);
   std::vector<Crease> selected;
-  std::ranges::copy_if(creases, std::back_inserter(selected), [&](const Crease& crease) {
-    return std::abs(eval_height(plane, crease.a)) <= IN_PLANE * size &&
-           std::abs(eval_height(plane, crease.b)) <= IN_PLANE * size;
-  });
+  for (const Crease& crease : creases)
+    if (std::abs(eval_height(plane, crease.a)) <= IN_PLANE * size &&
+        std::abs(eval_height(plane, crease.b)) <= IN_PLANE * size &&
+        find_inside(crease, edges, -touch) > 0)
+      selected.push_back(crease);
   return selected;
 }
 

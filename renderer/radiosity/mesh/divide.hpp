@@ -22,12 +22,16 @@ struct Division {
 Division divide_face(const Face& face, int refine);
 /// Its lines, if it has 4 corners: its own, or even ones.
 Grid find_grid(const Face& face, int refine);
-/// Those of the creases that lie in the face's plane.
-std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases);
+/// Those of the creases that lie in the face's plane, and on the face or no further off it than
+/// `touch`.
+std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases, double touch);
 /// The width of its narrowest quads, along the face's edges.
 double find_patch_width(const Face& face, int refine);
 /// The number of its quads.
 std::size_t count_quads(const Face& face, int refine);
+
+/// A crease that is nearer to a vertex than this share of a patch's width is taken to be there.
+inline constexpr double CREASE_TOUCH = 0.1;
 
 /// What may cut a face.
 struct Cuts {

@@ -72,26 +72,42 @@ bool is_on(const Patch& patch, const Vec& point) {
   return true;
 }
 
-// The share of the way from a vertex to a point inside at which it is lit: beyond the creases that
-// are so near the border that patches do not keep them, else `inset`.
-double find_inset(const Vec& at, const Vec& inside, const Vec& normal,
-                  std::span<const Crease> creases, double inset) {
+// What vertices on a face's border, or at a contact, are lit beyond.
+struct Fringe {
+  std::vector<Crease> creases;  // those that are no further off than `touch`: no patch keeps them
+  double touch = 0;
+  std::vector<Crease> inside;  // see Contacts
+};
+
+// Where the way from a point crosses a line, as a share of the way; 0 if it does not, or does so
+// at a low angle.
+double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& line) {
+  constexpr double STEEP = 0.3;  // sine of the angle
+  const Vec along = line.b - line.a, to = line.a - at;
+  const double across = dot(normal, cross(way, along));
+  if (!(std::abs(across) > STEEP * length(way) * length(along))) return 0;
+  const double place = dot(normal, cross(to, way)) / across;
+  return place >= 0 && place <= 1 ? dot(normal, cross(to, along)) / across : 0;
+}
+
+// The share of the way from a vertex to a point inside at which it is lit.
+double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe& fringe,
+                  double inset) {
   constexpr double MOST = 0.5;
-  const Vec way = inside - at;
   double share = inset;
-  for (const Crease& crease : creases) {
-    const Vec along = crease.b - crease.a, to = crease.a - at;
-    const double across = dot(normal, cross(way, along));
-    const double t = dot(normal, cross(to, along)) / across;
-    const double s = dot(normal, cross(to, way)) / across;
-    if (t > 0 && t < MOST && s >= 0 && s <= 1) share = std::max(share, t + inset);
-  }
+  if (inset == 0) return share;
+  const double touch = std::min(fringe.touch / length(way), MOST);
+  for (const Crease& crease : fringe.creases)
+    if (const double t = find_crossing(at, way, normal, crease); t > inset && t <= touch)
+      share = std::max(share, t + inset);
+  for (const Crease& line : fringe.inside)
+    share = std::max(share, std::min(find_crossing(at, way, normal, line), MOST));
   return share;
 }
 
-// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset). `creases`: of
-// each face what is to be looked for in it.
-void inset_borders(Mesh& mesh, double inset, std::span<const std::vector<Crease>> creases) {
+// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset). `fringes`: by
+// face.
+void inset_borders(Mesh& mesh, double inset, std::span<const Fringe> fringes) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const Patch& patch : mesh.patches)
     for (std::size_t side = 0; side < 4; ++side) ++sides[edge_of(patch, side)];
@@ -108,8 +124,9 @@ void inset_borders(Mesh& mesh, double inset, std::span<const std::vector<Crease>
     const Patch& first = mesh.patches[around[0]];
     const auto move_to = [&](const Vec& inside) {
       const Vec& at = mesh.vertices[v].at;
-      const double share = find_inset(at, inside, first.normal, creases[first.face], inset);
-      mesh.vertices[v].lit = at + share * (inside - at);
+      const Vec way = inside - at;
+      mesh.vertices[v].lit =
+          at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
     // Around the corner of a foot the mean may lie under what stands there.
@@ -199,13 +216,7 @@ class Builder {
     std::vector<std::array<std::uint32_t, 4>> before;
     for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
     split_at_creases(mesh_, touched_);
-    std::vector<std::vector<Crease>> creases;
-    for (std::size_t f = 0; f < room_.faces.size(); ++f) {
-      creases.push_back(select_creases(room_.faces[f], room_.creases));
-      creases.back().insert(creases.back().end(), contacts_[f].beside.begin(),
-                            contacts_[f].beside.end());
-    }
-    inset_borders(mesh_, params_.inset, creases);
+    inset_borders(mesh_, params_.inset, make_fringes());
     split_at_creases(mesh_, rename(mesh_, before, creases_));
     sum_up();
     return std::move(mesh_);
@@ -235,6 +246,16 @@ class Builder {
                 .quads.size();
           }) <= most)
         break;
+  }
+
+  std::vector<Fringe> make_fringes() const {
+    std::vector<Fringe> fringes;
+    for (std::size_t f = 0; f < room_.faces.size(); ++f) {
+      const Face& face = room_.faces[f];
+      const double touch = CREASE_TOUCH * find_patch_width(face, params_.refine);
+      fringes.push_back({select_creases(face, room_.creases, 0), touch, contacts_[f].inside});
+    }
+    return fringes;
   }
 
   void sum_up() {

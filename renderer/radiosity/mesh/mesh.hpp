@@ -14,7 +14,8 @@ namespace radiosity {
 struct Vertex {
   Vec at;
   Vec lit;     ///< point at which its illumination is found: `at`, but at the border of a surface
-               ///< or on a contact a little inside, where what touches it there is seen
+               ///< or on a contact a little inside, where what touches it there is seen, and not
+               ///< in a shadow along the border that is too narrow for patches to show
   Vec normal;  ///< unit
   std::uint32_t material = 0;
   std::uint32_t object = 0;  ///< index of the object of Mesh::blockers that it lies on
@@ -63,7 +64,8 @@ struct MeshParams {
                           ///< the faces that grow most are left out, on each the last first
   double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
                           ///< the way to the mean centre of their patches, 0..0.5; if that is not
-                          ///< on them, to the centre of the largest
+                          ///< on them, to the centre of the largest; up to 0.5 more beyond creases
+                          ///< that are not kept, and below what hangs over the surface; 0: none
 };
 
 /// The fields refine and crease_growth.

@@ -213,4 +213,11 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
   }
 }
 
+Solution solve_adapted(const Room& room, AdaptedMesh& adapted, const LightParams& params,
+                       const Step& step) {
+  return params.senders > 0
+             ? solve_room(room, adapted.mesh, params, step)
+             : solve_further(adapted.mesh, params.solve, std::move(adapted.rough), step);
+}
+
 }  // namespace radiosity

@@ -33,6 +33,9 @@ struct AdaptedMesh {
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
                        const ReconstructionParams& reconstruction, const AdaptParams& adapt,
                        const Step& step = {});
+/// The light of what adapt_mesh() made of the room: goes on from `rough`, or see solve_room().
+Solution solve_adapted(const Room& room, AdaptedMesh& adapted, const LightParams& params,
+                       const Step& step = {});
 inline constexpr int MOST_ROUNDS = 40;
 inline constexpr std::size_t MOST_ADAPTED = 200'000;
 
