@@ -175,19 +175,25 @@ TEST(Amp, ProcessorsOfOtherModels) {
     params.cache_percent = cache_percent;
     params.engine = {machine::Links::direct, machine::Processes::fibers};
     const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
-    Params some = params, all = params;
-    // Those with most to do: others may be slow and nobody waits for them.
-    for (const int id : {2, 4}) some.others.emplace(id, slow);
+    Params all = params;
     for (int id = 0; id < 5; ++id) all.others.emplace(id, slow);
     const auto quick_run = run("ring:5", mesh, params);
-    const auto mixed_run = run("ring:5", mesh, some);
     const auto slow_run = run("ring:5", mesh, params, "t800-20");
-    EXPECT_TRUE(are_equal(mixed_run.frames.back(), solve(mesh, params.solve)));
     EXPECT_EQ(run("ring:5", mesh, all).time_s, slow_run.time_s);
-    EXPECT_GT(mixed_run.time_s, quick_run.time_s);
-    EXPECT_LE(mixed_run.time_s, 1.01 * slow_run.time_s);
+    // One slow processor: at least of the one with most to do the others have to wait.
+    double latest = 0, most_unequal = 0;
+    for (int id = 0; id < 5; ++id) {
+      Params one = params;
+      one.others.emplace(id, slow);
+      const auto mixed_run = run("ring:5", mesh, one);
+      EXPECT_TRUE(are_equal(mixed_run.frames.back(), solve(mesh, params.solve)));
+      EXPECT_LE(mixed_run.time_s, 1.02 * slow_run.time_s);
+      latest = std::max(latest, mixed_run.time_s);
+      most_unequal = std::max(most_unequal, mixed_run.loss.unequal);
+    }
+    EXPECT_GT(latest, 1.05 * quick_run.time_s);
     if (cache_percent == 0) {
-      EXPECT_GT(mixed_run.loss.unequal, quick_run.loss.unequal);
+      EXPECT_GT(most_unequal, quick_run.loss.unequal);
     }
   }
 }
