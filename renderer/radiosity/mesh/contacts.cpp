@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 
 #include "base/errors.hpp"
+#include "renderer/radiosity/mesh/divide.hpp"
 
 namespace radiosity {
 
@@ -13,8 +15,8 @@ namespace {
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
 // What hangs over a face no higher than this touches it; a share of a patch's width.
 constexpr double GAP = 0.2;
-// Under an edge, as many gaps away from it, a tenth of the light that the edge gets is left.
-constexpr double GAPS_INSIDE = 2;
+// So many times its height inside an edge, a tenth of the light below the edge is left.
+constexpr double HEIGHTS_INSIDE = 2;
 // Pairs of faces that may touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
@@ -24,7 +26,7 @@ struct Flat {
   std::vector<Plane> edges;  // their insides are above
   renderer::Bounds bounds;
   double size;
-  double width;        // its area over its longest edge
+  double width;        // the least
   double patch_width;  // as if it were divided evenly
 
   double gap() const { return GAP * patch_width; }
@@ -33,22 +35,19 @@ struct Flat {
 
 Flat make_flat(const Face& face, int refine) {
   const auto& corners = face.corners;
-  const Vec normal = eval_area_normal(corners);
+  const Vec normal = normalize(eval_area_normal(corners));
   const auto bounds = renderer::make_bounds(corners);
-  double longest = 0, narrowest = INFINITY;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double edge = length(corners[(i + 1) % corners.size()] - corners[i]);
-    const int steps = corners.size() != 4 ? 2 * face.along : i % 2 == 0 ? face.along : face.across;
-    longest = std::max(longest, edge);
-    narrowest = std::min(narrowest, edge / steps / refine);
+  const std::vector<Plane> edges = make_edge_planes(corners, normal);
+  double width = INFINITY;
+  for (const Plane& edge : edges) {
+    const auto height = [&](const Vec& corner) { return eval_height(edge, corner); };
+    width = std::min(width, std::ranges::max(corners | std::views::transform(height)));
   }
-  return {&face,
-          make_plane(normalize(normal), eval_mean(corners)),
-          make_edge_planes(corners, normalize(normal)),
-          bounds,
-          length(bounds.hi - bounds.lo),
-          length(normal) / 2 / longest,
-          narrowest};
+  Face even = face;
+  even.grid = {};
+  return {
+      &face, make_plane(normal, eval_mean(corners)), edges, bounds, length(bounds.hi - bounds.lo),
+      width, find_patch_width(even, refine)};
 }
 
 // Two faces that may touch, seen from the first.
@@ -187,28 +186,32 @@ bool hangs_over(const Pair& pair) {
          overlap(pair);
 }
 
-bool has_corner(const Flat& flat, const Vec& corner, double tolerance) {
-  return std::ranges::any_of(flat.face->corners,
-                             [&](const Vec& other) { return length(other - corner) <= tolerance; });
+bool lies_on(const Flat& flat, const Vec& point, double tolerance) {
+  return std::abs(eval_height(flat.plane, point)) <= tolerance &&
+         std::ranges::all_of(
+             flat.edges, [&](const Plane& edge) { return eval_height(edge, point) >= -tolerance; });
 }
 
-// Whether the way in under an edge of what hangs over a face is shut: by what stands on the face
-// there, or since something else goes on hanging beyond the edge.
-bool is_shut(const Pair& hanging, const Crease& edge, std::span<const Flat> flats,
-             std::span<const std::uint32_t> neighbours) {
+// Whether light does not come in under an edge of what hangs over a face: something goes down from
+// the edge, or goes on beyond it and hangs as near. `outward`: away from what hangs, in the plane;
+// `neighbours`: of what hangs.
+bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
+             std::span<const Flat> flats, std::span<const std::uint32_t> neighbours) {
+  const Vec middle = 0.5 * (edge.a + edge.b);
+  const double tolerance = hanging.tolerance, low = find_heights(hanging).low;
   return std::ranges::any_of(neighbours, [&](std::uint32_t i) {
     const Flat& flat = flats[i];
-    if (&flat == &hanging.other || !has_corner(flat, edge.a, hanging.tolerance) ||
-        !has_corner(flat, edge.b, hanging.tolerance))
-      return false;
-    const Pair pair = make_pair(hanging.on, flat);
-    return find_heights(pair).low <= pair.tolerance || hangs_over(pair);
+    if (&flat == &hanging.other || !lies_on(flat, middle, tolerance)) return false;
+    const Heights heights = find_heights(make_pair(hanging.on, flat));
+    return heights.low < low - tolerance ||
+           (heights.high <= hanging.on.gap() &&
+            dot(outward, eval_mean(flat.face->corners) - middle) > tolerance);
   });
 }
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
-// Adds the open edges of what hangs over a face.
+// Adds the open edges of what hangs over a face. `neighbours`: of what hangs.
 void add_hanging(const Pair& pair, std::span<const Flat> flats,
                  std::span<const std::uint32_t> neighbours, Contacts& contacts) {
   const Plane& plane = pair.on.plane;
@@ -216,15 +219,15 @@ void add_hanging(const Pair& pair, std::span<const Flat> flats,
   const Vec middle = project(plane, eval_mean(corners));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Crease edge{corners[i], corners[(i + 1) % corners.size()]};
-    if (is_shut(pair, edge, flats, neighbours)) continue;
-    const auto line = clip_to(pair.on, {project(plane, edge.a), project(plane, edge.b)},
-                              pair.tolerance, pair.tolerance);
+    const Crease below{project(plane, edge.a), project(plane, edge.b)};
+    Vec inward = normalize(cross(plane.normal, below.b - below.a));
+    if (dot(inward, middle - below.a) < 0) inward = -inward;
+    if (is_shut(pair, edge, -inward, flats, neighbours)) continue;
+    const auto line = clip_to(pair.on, below, pair.tolerance, pair.tolerance);
     if (!line) continue;
+    const double height = std::max(length(edge.a - below.a), length(edge.b - below.b));
     contacts.lines.push_back(*line);
-    const Vec across = normalize(cross(plane.normal, line->b - line->a));
-    const double side = dot(across, middle - line->a) > 0 ? 1 : -1;
-    const Vec inside = side * GAPS_INSIDE * find_heights(pair).high * across;
-    contacts.inside.push_back({line->a + inside, line->b + inside});
+    contacts.hanging.push_back({*line, HEIGHTS_INSIDE * height * inward});
   }
 }
 
@@ -253,7 +256,7 @@ std::vector<Contacts> find_contacts(const Room& room, int refine) {
       const Pair pair = make_pair(on, flats[i]);
       const double tolerance = pair.tolerance;
       if (hangs_over(pair)) {
-        add_hanging(pair, flats, neighbours[f], contacts[f]);
+        add_hanging(pair, flats, neighbours[i], contacts[f]);
       } else if (are_coplanar(pair)) {
         if (!overlap(pair)) continue;
         const auto& corners = flats[i].face->corners;

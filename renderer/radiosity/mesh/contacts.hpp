@@ -8,21 +8,26 @@
 
 namespace radiosity {
 
+/// An open edge of what hangs a little above a face.
+struct HangingEdge {
+  Crease below;  ///< on the face
+  Vec inward;    ///< how far the light that falls in under the edge goes, in the face's plane
+};
+
 /// Where others touch a face.
 struct Contacts {
-  std::vector<Crease> lines;  ///< light changes abruptly across them
-  /// Lines under the edges of what hangs a little above the face: some light falls in through the
-  /// gap, and has faded here.
-  std::vector<Crease> inside;
+  std::vector<Crease> lines;         ///< light changes abruptly across them
+  std::vector<HangingEdge> hanging;  ///< `below` is one of the lines
 };
 
 /// For each face the segments along which other faces touch it in front of it (of a two-sided one,
 /// on either side), or overlap it in its plane, within 1e-6 of the larger face's size. What a face
 /// touches by its border only, as walls do each other, is none, unless the surface goes on there in
 /// a third face. What hangs over a face, nowhere higher than a fifth of the width of its patches
-/// and at least as wide as one, touches it below its edges, unless something stands there. Patches
-/// are counted as if the faces were divided evenly, `refine` times as finely as they are. BadInput
-/// if more than 1,000,000 + 100 n of the pairs of n faces touch or nearly so.
+/// and itself nowhere narrower than one, touches it below its open edges: those from which nothing
+/// goes down, and beyond which nothing hangs as near. A face's patches are those that it has by its
+/// `along` and `across`, times `refine`. BadInput if more than 1,000,000 + 100 n of the pairs of n
+/// faces touch or nearly so.
 std::vector<Contacts> find_contacts(const Room& room, int refine);
 
 }  // namespace radiosity

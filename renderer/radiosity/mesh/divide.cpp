@@ -9,10 +9,9 @@ namespace radiosity {
 
 namespace {
 
-// Shares of a patch's width: a point nearer than NEAR to a contact, than CREASE_TOUCH to a crease,
-// is on it; a line of the grid nearer than KEEP gives way to it; a crease off a side's direction by
-// less than PARALLEL runs along that side.
-constexpr double NEAR = 0.002, KEEP = 1.0 / 3, PARALLEL = 1e-3;
+// Shares of a patch's width: a line of the grid nearer than KEEP to a crease gives way to it; a
+// crease off a side's direction by less than PARALLEL runs along that side.
+constexpr double KEEP = 1.0 / 3, PARALLEL = 1e-3;
 // An edge of a quad lies on a crease if it is off it by less than ASIDE and beyond its ends by less
 // than BEYOND, in touches.
 constexpr double ASIDE = 1.1, BEYOND = 1.01;
@@ -124,7 +123,7 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
         cutting.crossing.push_back({crease, touch, contact});
     }
   };
-  add(cuts.contacts, NEAR * cutting.width, true);
+  add(cuts.contacts, CONTACT_TOUCH * cutting.width, true);
   add(cuts.creases, CREASE_TOUCH * cutting.width, false);
   return cutting;
 }

@@ -30,8 +30,9 @@ double find_patch_width(const Face& face, int refine);
 /// The number of its quads.
 std::size_t count_quads(const Face& face, int refine);
 
-/// A crease that is nearer to a vertex than this share of a patch's width is taken to be there.
-inline constexpr double CREASE_TOUCH = 0.1;
+/// A crease, and a contact, that is nearer to a vertex than this share of a patch's width is taken
+/// to be there.
+inline constexpr double CREASE_TOUCH = 0.1, CONTACT_TOUCH = 0.002;
 
 /// What may cut a face.
 struct Cuts {

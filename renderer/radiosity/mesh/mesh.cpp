@@ -74,20 +74,29 @@ bool is_on(const Patch& patch, const Vec& point) {
 
 // What vertices on a face's border, or at a contact, are lit beyond.
 struct Fringe {
-  std::vector<Crease> creases;  // those that are no further off than `touch`: no patch keeps them
-  double touch = 0;
-  std::vector<Crease> inside;  // see Contacts
+  std::vector<Crease> creases;  // of the face
+  std::vector<HangingEdge> hanging;
+  double width = 0;  // of a patch
 };
 
-// Where the way from a point crosses a line, as a share of the way; 0 if it does not, or does so
-// at a low angle.
-double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& line) {
+// The share of the way from a point at which it crosses a crease that runs so near that no patch
+// keeps it, no further than `width` times CREASE_TOUCH; 0 if it does not, or at a low angle.
+double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
+                     double width) {
   constexpr double STEEP = 0.3;  // sine of the angle
-  const Vec along = line.b - line.a, to = line.a - at;
-  const double across = dot(normal, cross(way, along));
-  if (!(std::abs(across) > STEEP * length(way) * length(along))) return 0;
+  const Vec along = crease.b - crease.a, to = crease.a - at;
+  const double off = dot(normal, cross(to, along)), across = dot(normal, cross(way, along));
+  if (!(std::abs(off) <= CREASE_TOUCH * width * length(along)) ||
+      !(std::abs(across) > STEEP * length(way) * length(along)))
+    return 0;
   const double place = dot(normal, cross(to, way)) / across;
-  return place >= 0 && place <= 1 ? dot(normal, cross(to, along)) / across : 0;
+  return place >= 0 && place <= 1 ? off / across : 0;
+}
+
+bool is_at(const Vec& point, const Crease& line, double touch) {
+  const Vec along = line.b - line.a;
+  const double t = std::clamp(dot(point - line.a, along) / dot(along, along), 0.0, 1.0);
+  return length(point - lerp(line.a, line.b, t)) <= touch;
 }
 
 // The share of the way from a vertex to a point inside at which it is lit.
@@ -96,12 +105,14 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
   constexpr double MOST = 0.5;
   double share = inset;
   if (inset == 0) return share;
-  const double touch = std::min(fringe.touch / length(way), MOST);
   for (const Crease& crease : fringe.creases)
-    if (const double t = find_crossing(at, way, normal, crease); t > inset && t <= touch)
+    if (const double t = find_crossing(at, way, normal, crease, fringe.width);
+        t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  for (const Crease& line : fringe.inside)
-    share = std::max(share, std::min(find_crossing(at, way, normal, line), MOST));
+  for (const auto& [below, inward] : fringe.hanging)
+    if (const double along = dot(way, inward);
+        along > 0 && is_at(at, below, 2 * CONTACT_TOUCH * fringe.width))
+      share = std::max(share, std::min(dot(inward, inward) / along, MOST));
   return share;
 }
 
@@ -252,8 +263,8 @@ class Builder {
     std::vector<Fringe> fringes;
     for (std::size_t f = 0; f < room_.faces.size(); ++f) {
       const Face& face = room_.faces[f];
-      const double touch = CREASE_TOUCH * find_patch_width(face, params_.refine);
-      fringes.push_back({select_creases(face, room_.creases, 0), touch, contacts_[f].inside});
+      fringes.push_back({select_creases(face, room_.creases, 0), contacts_[f].hanging,
+                         find_patch_width(face, params_.refine)});
     }
     return fringes;
   }

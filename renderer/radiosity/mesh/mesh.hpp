@@ -64,8 +64,9 @@ struct MeshParams {
                           ///< the faces that grow most are left out, on each the last first
   double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
                           ///< the way to the mean centre of their patches, 0..0.5; if that is not
-                          ///< on them, to the centre of the largest; up to 0.5 more beyond creases
-                          ///< that are not kept, and below what hangs over the surface; 0: none
+                          ///< on them, to the centre of the largest. Further, to half the way,
+                          ///< beyond creases that are too near to be kept, and under what hangs
+                          ///< over them; 0: none of this
 };
 
 /// The fields refine and crease_growth.

@@ -185,14 +185,15 @@ TEST(Contacts, WhatHangsAHairAboveCountsAsTouching) {
     Room room = make_floor();
     add_block(room, block, true, 1, 1);
     const auto contacts = find_contacts(room, refine);
-    EXPECT_EQ(contacts[0].inside.size(), contacts[0].lines.size());
+    EXPECT_EQ(contacts[0].hanging.size(), contacts[0].lines.size());
     for (std::size_t i = 0; i < contacts[0].lines.size(); ++i) {
       const auto& [a, b] = contacts[0].lines[i];
       EXPECT_NEAR(a.z, 0, 1e-12);
       EXPECT_NEAR(b.z, 0, 1e-12);
-      const auto& inside = contacts[0].inside[i];
-      EXPECT_NEAR(distance_to(inside.a, a, b), 2 * block.low, 1e-9);
-      EXPECT_LT(length(inside.a - Vec{4.2, 4.1, 0}), length(a - Vec{4.2, 4.1, 0}));
+      const Vec& inward = contacts[0].hanging[i].inward;
+      EXPECT_NEAR(length(inward), 2 * block.low, 1e-9);
+      EXPECT_NEAR(dot(inward, b - a), 0, 1e-9);
+      EXPECT_LT(length(a + inward - Vec{4.2, 4.1, 0}), length(a - Vec{4.2, 4.1, 0}));
     }
     return contacts[0].lines.size();
   };
@@ -207,18 +208,41 @@ TEST(Contacts, WhatHangsAHairAboveCountsAsTouching) {
   EXPECT_EQ(count({4.2, 4.1, 0.1, 1, 3, 0.05, 0.3}, 1), 0u) << "likewise, though long";
 }
 
-// What stands on the floor and is low touches it by its feet only; a bottom in two parts touches by
-// its outline only; what hangs behind a face does not touch it, unless that has two sides.
+// What stands on the floor and is low touches it by its feet only; a bottom in two parts, and a
+// plate, by the outline of what is below; what hangs behind a face does not touch it, unless that
+// has two sides.
 TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   Room low = make_floor();
   add_block(low, {4.2, 4.1, 0, 0.1, 1.5, 1.5, 0.3}, false, 1, 1);
   EXPECT_EQ(find_contacts(low, 1)[0].lines.size(), 4u);
-  EXPECT_EQ(find_contacts(low, 1)[0].inside.size(), 0u);
+  EXPECT_EQ(find_contacts(low, 1)[0].hanging.size(), 0u);
 
   Room two = make_floor();
   add_quad(two, 0, {2, 2, 0.1}, {0, 3, 0}, {1.5, 0, 0}, 1, 1);
   add_quad(two, 0, {3.5, 2, 0.1}, {0, 3, 0}, {1.5, 0, 0}, 1, 1);
   EXPECT_EQ(find_contacts(two, 1)[0].lines.size(), 6u);
+  two.faces[1].corners = {{2, 2, 0.1}, {2, 5, 0.1}, {4.9, 5, 0.1}, {4.9, 2, 0.1}};
+  two.faces[2].corners = {{4.9, 2, 0.1}, {4.9, 5, 0.1}, {5.1, 5, 0.1}, {5.1, 2, 0.1}};
+  EXPECT_EQ(find_contacts(two, 1)[0].lines.size(), 3u) << "one is narrower than a patch";
+
+  Room sheet = make_floor();  // with a front and a back
+  add_quad(sheet, 0, {2, 2, 0.1}, {0, 3, 0}, {3, 0, 0}, 1, 1);
+  add_quad(sheet, 0, {2, 2, 0.1}, {3, 0, 0}, {0, 3, 0}, 1, 1);
+  EXPECT_EQ(find_contacts(sheet, 1)[0].lines.size(), 8u);
+
+  Room plate = make_floor();
+  add_block(plate, {4.2, 4.1, 0.01, 0.05, 1.5, 1.5, 0.3}, true, 1, 1);
+  EXPECT_EQ(find_contacts(plate, 1)[0].lines.size(), 4u);
+
+  Room leg = make_floor();  // of many sides, a fifth of a patch wide
+  Face bottom = leg.faces[0];
+  bottom.corners.clear();
+  for (int i = 0; i < 32; ++i) {
+    const double angle = -2 * std::numbers::pi * i / 32;
+    bottom.corners.push_back({4.2 + 0.1 * std::cos(angle), 4.1 + 0.1 * std::sin(angle), 0.1});
+  }
+  leg.faces.push_back(bottom);
+  EXPECT_EQ(find_contacts(leg, 1)[0].lines.size(), 0u);
 
   Room behind = make_floor();
   add_quad(behind, 0, {2, 2, -0.1}, {0, 3, 0}, {3, 0, 0}, 1, 1);
@@ -234,10 +258,10 @@ TEST(Contacts, FacetsAboveTheFloorHaveNone) {
   Room room = make_floor();
   const auto rim = [](int i) {
     const double angle = 2 * std::numbers::pi * (i + 0.5) / FACETS;
-    return Vec{4.2 + RADIUS * std::sin(angle), 2, RADIUS * (1 - std::cos(angle)) - 0.001};
+    return Vec{4.2 + RADIUS * std::sin(angle), 2, RADIUS * (1 - std::cos(angle)) - 0.003};
   };
   for (int i = 0; i < FACETS; ++i) add_quad(room, 0, rim(i), rim(i + 1) - rim(i), {0, 4, 0}, 1, 4);
-  EXPECT_LE(find_contacts(room, 1)[0].lines.size(), 2u);
+  EXPECT_EQ(find_contacts(room, 1)[0].lines.size(), 2u);
 }
 
 // Dark does not leak out from under a block that hangs a hair above the floor, nor light in.
@@ -249,6 +273,10 @@ TEST(Contacts, AHairAboveTheFloorLightChangesByALeap) {
     add_block(room, block, true, 1, 1);
     add_quad(room, 1, {0, 0, 4}, {0, 8, 0}, {8, 0, 0}, 1, 1);
     const Mesh mesh = make_mesh(room, {});
+    for (const Vertex& vertex : mesh.vertices)
+      if (vertex.object == 0 && (vertex.at.x == 0 || vertex.at.y == 0)) {
+        EXPECT_LT(length(vertex.lit - vertex.at), 0.02) << "far from the block";
+      }
     std::vector<double> under;
     Work work;
     for (const Patch& patch : mesh.patches) {
