@@ -221,7 +221,7 @@ std::vector<std::string> find_formulas() {
 INSTANTIATE_TEST_SUITE_P(Formulas, ExperimentsOnActors, testing::ValuesIn(find_formulas()),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Systems, ExperimentsOnActors,
-                         testing::Values("farm", "studies/soak", "studies/faults",
+                         testing::Values("paper/display", "studies/soak", "studies/faults",
                                          "studies/shared-scene", "studies/radiosity-scaling"),
                          name_of);
 
