@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -21,24 +22,28 @@ bool contains(const Texts& texts, const std::string& text) {
   return std::ranges::find(texts, text) != texts.end();
 }
 
-// What an expression names, and what the definitions that it names do.
-void add_names(const ExperimentFile& file, const std::string& expression,
-               std::set<std::string>& into) {
-  for (const auto& name : Expression(expression, "").names()) {
-    if (!into.insert(name).second) continue;
-    const auto definition = std::ranges::find(file.definitions, name, &Definition::name);
-    if (definition != file.definitions.end()) add_names(file, definition->formula, into);
-  }
-}
-
-// The names that the file's figures, checks and questions are about.
+// The names that the file's figures, checks and questions are about, and what their definitions
+// name.
 std::set<std::string> find_asked(const ExperimentFile& file) {
+  std::map<std::string, std::string> formulas;
+  for (const Definition& definition : file.definitions)
+    formulas.emplace(definition.name, definition.formula);
   std::set<std::string> names;
   for (const auto& baseline : file.baselines) names.insert(baseline.column());
-  for (const auto& check : file.checks) add_names(file, check.of, names);
+  Texts expressions;
+  for (const auto& check : file.checks) expressions.push_back(check.of);
   for (const auto& plot : file.plots)
-    for (const auto& y : plot.y) add_names(file, y, names);
-  for (const auto& best : file.bests) add_names(file, best.of, names);
+    expressions.insert(expressions.end(), plot.y.begin(), plot.y.end());
+  for (const auto& best : file.bests) expressions.push_back(best.of);
+  while (!expressions.empty()) {
+    const std::string expression = std::move(expressions.back());
+    expressions.pop_back();
+    for (const auto& name : Expression(expression, "").names()) {
+      const auto formula = formulas.find(name);
+      if (names.insert(name).second && formula != formulas.end())
+        expressions.push_back(formula->second);
+    }
+  }
   return names;
 }
 

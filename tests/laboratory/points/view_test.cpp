@@ -1,6 +1,7 @@
 // What people are shown first of a table of results.
 #include "experiments/laboratory/points/view.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/text.hpp"
@@ -34,6 +35,17 @@ TEST(TableView, AxesThenWhatIsAskedThenOtherResults) {
   const std::vector<std::pair<std::string, std::string>> constants = {
       {"processors", "4"}, {"mean", "simpson"}, {"sends", "mean"}};
   EXPECT_EQ(view.constants, constants);
+}
+
+// However long the chain of definitions by which a check asks for a column.
+TEST(TableView, WhatIsAskedByWayOfManyDefinitions) {
+  auto file = read("[let]\nd0 = \"useful\"\n[[check]]\nname = \"c\"\nof = \"d0\"\nat_most = 3\n");
+  constexpr int LENGTH = 50'000;
+  file.definitions.clear();
+  for (int i = 0; i < LENGTH; ++i)
+    file.definitions.push_back({fmt::format("d{}", i), fmt::format("d{0} + d{0}", i + 1), ""});
+  file.definitions.push_back({fmt::format("d{}", LENGTH), "useful", ""});
+  EXPECT_EQ(choose_view(file, OF_RADIOSITY).columns, (Texts{"refine", "useful", "time_s", "rays"}));
 }
 
 TEST(TableView, WhatVariesIsNoConstant) {
