@@ -13,7 +13,7 @@
 namespace laboratory {
 namespace {
 
-using Texts = std::vector<std::string>;
+using Names = std::vector<std::string>;
 
 // What the words of a command name, as `tlab list` calls it; of others they are files.
 const std::map<std::string, std::string> NAMES = {
@@ -32,19 +32,19 @@ std::string plain(const std::string& help) {
 }
 
 // "-o", "--output"; the words of a command, which have no name, are none.
-Texts option_names(const CLI::Option& option) {
-  Texts names;
+Names option_names(const CLI::Option& option) {
+  Names names;
   for (const auto& name : option.get_snames()) names.push_back("-" + name);
   for (const auto& name : option.get_lnames()) names.push_back("--" + name);
   return names;
 }
 
 std::string for_bash(const std::vector<const CLI::App*>& commands) {
-  Texts names;
+  Names names;
   std::string options, words;
   for (const auto* command : commands) {
     names.push_back(command->get_name());
-    Texts own;
+    Names own;
     for (const auto* option : command->get_options())
       for (const auto& name : option_names(*option)) own.push_back(name);
     options += fmt::format("      {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(own, " "));

@@ -3,7 +3,7 @@
 
 namespace programs {
 
-namespace {
+namespace alternative {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -35,9 +35,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{received - sent, processor.use().busy()};
 }
 
-}  // namespace
+}  // namespace alternative
 
 Program make_alternative() {
+  using namespace alternative;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "alternative",

@@ -6,7 +6,7 @@
 
 namespace programs {
 
-namespace {
+namespace both_ways {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -40,9 +40,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{machine.now(), bytes / machine.now().value};
 }
 
-}  // namespace
+}  // namespace both_ways
 
 Program make_both_ways() {
+  using namespace both_ways;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "both_ways",

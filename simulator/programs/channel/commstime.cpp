@@ -12,7 +12,7 @@
 
 namespace programs {
 
-namespace {
+namespace commstime {
 
 struct Number {
   std::int64_t value = 0;
@@ -84,9 +84,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{loop_s * 1e6, loop_s * setup.model.cpu.clock.value};
 }
 
-}  // namespace
+}  // namespace commstime
 
 Program make_commstime() {
+  using namespace commstime;
   return make_program<Params, Measured>(
       {.name = "commstime",
        .help = "the Commstime benchmark on one processor",

@@ -4,7 +4,7 @@
 
 namespace programs {
 
-namespace {
+namespace deadlock {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -38,9 +38,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{machine.now()};
 }
 
-}  // namespace
+}  // namespace deadlock
 
 Program make_deadlock() {
+  using namespace deadlock;
   return make_program<Params, Measured>(
       {.name = "deadlock",
        .help = "a ring whose processes all output first, to show what is said of a deadlock",

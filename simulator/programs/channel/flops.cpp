@@ -3,7 +3,7 @@
 
 namespace programs {
 
-namespace {
+namespace flops {
 
 struct Params {
   std::int64_t operations = 10000;
@@ -24,9 +24,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{static_cast<double>(params.operations) / machine.now().value / 1e6};
 }
 
-}  // namespace
+}  // namespace flops
 
 Program make_flops() {
+  using namespace flops;
   return make_program<Params, Measured>(
       {.name = "flops",
        .help = "additions of 32-bit reals, operands in registers",

@@ -5,7 +5,7 @@
 
 namespace programs {
 
-namespace {
+namespace interrupt {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -48,9 +48,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{sum.value / static_cast<double>(messages)};
 }
 
-}  // namespace
+}  // namespace interrupt
 
 Program make_interrupt() {
+  using namespace interrupt;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "interrupt",

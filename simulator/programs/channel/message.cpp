@@ -3,7 +3,7 @@
 
 namespace programs {
 
-namespace {
+namespace message {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -34,9 +34,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{received - sent};
 }
 
-}  // namespace
+}  // namespace message
 
 Program make_message() {
+  using namespace message;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "message",

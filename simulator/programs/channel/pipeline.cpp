@@ -3,7 +3,7 @@
 
 namespace programs {
 
-namespace {
+namespace pipeline {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -39,9 +39,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{period, machine.now()};
 }
 
-}  // namespace
+}  // namespace pipeline
 
 Program make_pipeline() {
+  using namespace pipeline;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "pipeline",

@@ -3,7 +3,7 @@
 
 namespace programs {
 
-namespace {
+namespace request {
 
 struct Params {
   std::uint64_t bytes = 100, reply_bytes = 100;
@@ -43,9 +43,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{took.value / static_cast<double>(rounds)};
 }
 
-}  // namespace
+}  // namespace request
 
 Program make_request() {
+  using namespace request;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "request",

@@ -3,7 +3,7 @@
 
 namespace programs {
 
-namespace {
+namespace soft {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -37,9 +37,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{over - second_came, processor.use().busy()};
 }
 
-}  // namespace
+}  // namespace soft
 
 Program make_soft() {
+  using namespace soft;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "soft",

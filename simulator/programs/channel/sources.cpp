@@ -7,7 +7,7 @@
 
 namespace programs {
 
-namespace {
+namespace sources {
 
 void multiplexer(std::span<Channel<Message>* const> inputs, Channel<Message>& output,
                  std::int64_t messages) {
@@ -59,9 +59,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{period, static_cast<double>(k) * period, machine.now()};
 }
 
-}  // namespace
+}  // namespace sources
 
 Program make_sources() {
+  using namespace sources;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "sources",

@@ -4,7 +4,7 @@
 
 namespace programs {
 
-namespace {
+namespace broadcast {
 
 using Channels = std::vector<Channel<Message>*>;
 
@@ -62,9 +62,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{last - START, std::ranges::max(tree.depth), fan_out};
 }
 
-}  // namespace
+}  // namespace broadcast
 
 Program make_broadcast() {
+  using namespace broadcast;
   return make_program<Params, Measured>(
       {.name = "broadcast",
        .help = "a message from the root to all along the spanning tree",

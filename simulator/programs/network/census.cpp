@@ -4,7 +4,7 @@
 
 namespace programs {
 
-namespace {
+namespace census {
 
 enum class Pairs { all, root };
 const base::Names<Pairs> PAIRS = {{"all", Pairs::all}, {"root", Pairs::root}};
@@ -71,9 +71,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Outcome<Measured>(std::move(rows), describe_busiest(setup.topology, passed));
 }
 
-}  // namespace
+}  // namespace census
 
 Program make_census() {
+  using namespace census;
   return make_program<Params, Measured>(
       {.name = "census",
        .help = "what each processor of a network has to do for others; nothing runs",

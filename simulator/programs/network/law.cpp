@@ -5,7 +5,7 @@
 
 namespace programs {
 
-namespace {
+namespace law {
 
 constexpr std::uint64_t ORDER_BYTES = 16;  // what a share or its result takes on a link
 
@@ -51,9 +51,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{machine.now(), speedup, speedup / n, n > 1 ? (n - speedup) / (n - 1) : s};
 }
 
-}  // namespace
+}  // namespace law
 
 Program make_law() {
+  using namespace law;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "law",

@@ -6,7 +6,7 @@
 
 namespace programs {
 
-namespace {
+namespace metrics {
 
 struct Params {};
 
@@ -33,9 +33,10 @@ Outcome<Measured> run(const Setup& setup, const Params&) {
   return Measured{metrics, grid_of(topology)};
 }
 
-}  // namespace
+}  // namespace metrics
 
 Program make_metrics() {
+  using namespace metrics;
   using M = Measured;
   return make_program<Params, M>(
       {.name = "metrics",

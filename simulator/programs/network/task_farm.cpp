@@ -5,7 +5,7 @@
 
 namespace programs {
 
-namespace {
+namespace task_farm {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -77,9 +77,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{machine.now(), throughput, centre.use().busy() / machine.now()};
 }
 
-}  // namespace
+}  // namespace task_farm
 
 Program make_task_farm() {
+  using namespace task_farm;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "task_farm",

@@ -57,7 +57,7 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
   return result;
 }
 
-namespace {
+namespace traffic {
 
 // Packets in the network, on average over a part of the window.
 double mean_inside(const std::vector<Delivery>& deliveries, double from_s, double to_s) {
@@ -114,9 +114,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return outcome;
 }
 
-}  // namespace
+}  // namespace traffic
 
 Program make_traffic() {
+  using namespace traffic;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "traffic",

@@ -4,7 +4,7 @@
 
 namespace programs {
 
-namespace {
+namespace unicast {
 
 struct Params {
   std::uint64_t bytes = 100;
@@ -37,9 +37,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{received - START, network.guards_on_the_way(0, to)};
 }
 
-}  // namespace
+}  // namespace unicast
 
 Program make_unicast() {
+  using namespace unicast;
   return make_program<Params, Measured>(
       {.name = "unicast",
        .help = "a packet through an idle network of store-and-forward routers",

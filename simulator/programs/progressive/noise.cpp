@@ -6,7 +6,7 @@
 
 namespace programs {
 
-namespace {
+namespace noise {
 
 struct Params {
   base::Source scene{"spheres:200", ""};
@@ -119,9 +119,10 @@ base::Columns<Measured> make_columns() {
 
 void check_program(const Setup&, const Params& params) { check(params.image); }
 
-}  // namespace
+}  // namespace noise
 
 Program make_noise() {
+  using namespace noise;
   return make_program<Params, Measured>(
       {.name = "noise",
        .help = "the noise of distributed rays against the number of samples, without a machine",

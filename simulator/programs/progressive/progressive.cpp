@@ -8,7 +8,7 @@
 
 namespace programs {
 
-namespace {
+namespace progressive {
 
 using renderer::progressive::Progressive;
 using renderer::progressive::Step;
@@ -134,9 +134,10 @@ void check_program(const Setup&, const Params& params) {
   renderer::progressive::check(last_step(params), params.image, params.max_cell);
 }
 
-}  // namespace
+}  // namespace progressive
 
 Program make_progressive() {
+  using namespace progressive;
   return make_program<Params, Measured>(
       {.name = "progressive",
        .help = "the sequential ray tracer with increasing realism, on one processor",

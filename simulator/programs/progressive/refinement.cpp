@@ -10,7 +10,7 @@
 
 namespace programs {
 
-namespace {
+namespace refinement {
 
 using renderer::progressive::Order;
 using renderer::progressive::QuadrantQueue;
@@ -111,9 +111,10 @@ Outcome<Length> measure_queue(const Setup&, const Size& size) {
   return length;
 }
 
-}  // namespace
+}  // namespace refinement
 
 Program make_refinement() {
+  using namespace refinement;
   return make_program<Params, Measured>(
       {.name = "refinement",
        .help = "how a picture grows in two passes, first one sample a pixel; nothing is simulated",
@@ -125,6 +126,7 @@ Program make_refinement() {
 }
 
 Program make_quadrants() {
+  using namespace refinement;
   using D = base::Declare<Size>;
   return make_program<Size, Length>(
       {.name = "quadrants",

@@ -4,7 +4,7 @@
 
 namespace programs {
 
-namespace {
+namespace global {
 
 using network::Client;
 
@@ -78,9 +78,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
                   on.network->use().most_held, on[root].use().busy() / time};
 }
 
-}  // namespace
+}  // namespace global
 
 Program make_global() {
+  using namespace global;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "global",

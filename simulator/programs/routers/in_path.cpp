@@ -6,7 +6,7 @@
 
 namespace programs {
 
-namespace {
+namespace in_path {
 
 using network::Client;
 
@@ -73,9 +73,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Measured{mean, std::sqrt(variance / count), 1 - mean / n, end.value / count};
 }
 
-}  // namespace
+}  // namespace in_path
 
 Program make_in_path() {
+  using namespace in_path;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "in_path",

@@ -5,7 +5,7 @@
 
 namespace programs {
 
-namespace {
+namespace random_traffic {
 
 using network::Client;
 
@@ -62,9 +62,10 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   return Outcome<Measured>(std::move(rows));
 }
 
-}  // namespace
+}  // namespace random_traffic
 
 Program make_random_traffic() {
+  using namespace random_traffic;
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "random_traffic",

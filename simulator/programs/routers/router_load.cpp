@@ -6,7 +6,7 @@
 
 namespace programs {
 
-namespace {
+namespace router_load {
 
 using network::Client;
 using network::Message;
@@ -180,9 +180,10 @@ base::Columns<Measured> make_columns() {
                  "1 where queues grow without bound or a router overflowed, else 0")};
 }
 
-}  // namespace
+}  // namespace router_load
 
 Program make_router_load() {
+  using namespace router_load;
   return make_program<Params, Measured>({.name = "router_load",
                                          .help = "random messages at a rate, up to saturation",
                                          .uses = {.network = true, .routes = true, .others = true},

@@ -9,7 +9,7 @@
 
 namespace programs {
 
-namespace {
+namespace soak {
 
 using network::Client;
 using network::Message;
@@ -233,9 +233,10 @@ base::Columns<Measured> make_columns() {
           most_held_column(&Measured::most_held)};
 }
 
-}  // namespace
+}  // namespace soak
 
 Program make_soak() {
+  using namespace soak;
   return make_program<Params, Measured>(
       {.name = "soak",
        .help = "random messages of every kind between all processors: what becomes of them",

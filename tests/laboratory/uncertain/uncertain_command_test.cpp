@@ -10,12 +10,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // Two points, with a check of a number that is met only by some machines.
-const std::string FARM =
+const std::string TWO_POINTS =
     "[network]\n[scene]\nobjects = 20\n[image]\nwidth = 16\nheight = 12\n[run]\nengine = "
     "\"direct\"\n[sweep]\nworkers = [1, 3]\n";
 
 struct Uncertain : testing::Test {
-  Uncertain() { write_file(folder.path / "e.toml", FARM); }
+  Uncertain() { write_file(folder.path / "e.toml", TWO_POINTS); }
   Outcome run(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"run", "e.toml"});
     return tlab(folder.path, std::move(arguments));
@@ -99,7 +99,7 @@ TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
 // Three workers are quicker than one on any machine; two networks of one worker are the same.
 TEST_F(Uncertain, SaysOnHowManyMachinesARankingHolds) {
   write_file(folder.path / "e.toml",
-             FARM +
+             TWO_POINTS +
                  "topology = [\"tree\", \"line\"]\n"
                  "[[best]]\nname = \"fastest\"\nof = \"time_s\"\nleast = true\nover = "
                  "[\"workers\"]\n"
@@ -151,12 +151,12 @@ TEST_F(Uncertain, AChecksCoverIsJudgedWhereMachinesAreDrawn) {
   ASSERT_EQ(run({"-o", "plain"}).exit_code, 0);
   const auto table = parse_csv(read("plain/results.csv"), "results");
   const double time = *as_number(table.rows[0][*table.find("time_s")]);
-  write_file(folder.path / "e.toml", FARM + check(1.005 * time));
+  write_file(folder.path / "e.toml", TWO_POINTS + check(1.005 * time));
   const auto met = run({"--uncertain", "16", "-o", "met"});
   EXPECT_EQ(met.exit_code, 0) << met.out << met.err;
   EXPECT_TRUE(contains(met.out, "1 of 1 where nine of ten machines are (at least 90 %)"))
       << met.out;
-  write_file(folder.path / "e.toml", FARM + check(2 * time));
+  write_file(folder.path / "e.toml", TWO_POINTS + check(2 * time));
   EXPECT_EQ(run({"-o", "far"}).exit_code, 0);
   const auto far = run({"--uncertain", "16", "-o", "far"});
   EXPECT_EQ(far.exit_code, 1) << far.out;
@@ -177,7 +177,7 @@ TEST_F(Uncertain, RefusesWhatIsNoNumberOfMachines) {
     EXPECT_TRUE(contains(outcome.err, text)) << outcome.err;
   }
   EXPECT_EQ(run({"--seed", "2"}).exit_code, 2);
-  write_file(folder.path / "e.toml", FARM + "[uncertain]\nseed = 2\n");
+  write_file(folder.path / "e.toml", TWO_POINTS + "[uncertain]\nseed = 2\n");
   EXPECT_TRUE(contains(run({}).err, "machines = N"));
 }
 
