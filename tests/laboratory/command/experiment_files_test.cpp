@@ -180,6 +180,11 @@ void expect_near(const Table& table, const Table& expected) {
     }
 }
 
+// Their like, figure 4.19 and table 4.2, is compared on both engines, and these take long on SimGrid's.
+bool is_on_one_engine(const std::string& experiment) {
+  return experiment == "thesis/figure-4.18" || experiment == "thesis/figure-4.20";
+}
+
 TEST_P(Experiments, ChecksHoldOnEveryEngine) {
   const TemporaryFolder folder;
   const auto verify = [&](const std::string& engine) {
@@ -189,7 +194,8 @@ TEST_P(Experiments, ChecksHoldOnEveryEngine) {
     EXPECT_NE(done.out.find(" hold, 0 do not\n"), std::string::npos) << done.out;
     return parse_csv(read_file(folder.path / engine / "results.csv"), engine);
   };
-  expect_near(verify("direct"), verify("simgrid"));
+  const auto direct = verify("direct");
+  if (!is_on_one_engine(GetParam())) expect_near(direct, verify("simgrid"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()), name_of);
