@@ -43,9 +43,12 @@ def room_of(file):
 
 
 def read_commands():
-    subprocess.run(["cmake", "--preset", "release"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    """How each source is compiled by itself."""
+    tree = BUILD / "commands"
+    subprocess.run(["cmake", "--preset", "release", "-B", tree, "-DCMAKE_UNITY_BUILD=OFF"], cwd=ROOT, check=True,
+                   stdout=subprocess.DEVNULL)
     commands = {}
-    for entry in json.loads((ROOT / "build/release/compile_commands.json").read_text()):
+    for entry in json.loads((tree / "compile_commands.json").read_text()):
         file = Path(entry["file"])
         words = shlex.split(entry["command"])
         flags = [w if not w.startswith("-I") else "-I" + str((Path(entry["directory"]) / w[2:]).resolve())
@@ -136,7 +139,8 @@ def build(mutants, targets):
     left_out = set()
     while True:
         write_sources(mutants, left_out)
-        subprocess.run(["cmake", "--preset", "release"], cwd=SOURCE, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "--preset", "release", "-DTLAB_SOONER=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=30"],
+                       cwd=SOURCE, check=True, stdout=subprocess.DEVNULL)
         made = subprocess.run(["cmake", "--build", TREE, "-j", str(os.cpu_count()), "--target", *targets, "--", "-k"],
                               text=True, capture_output=True)
         if made.returncode == 0:
