@@ -6,6 +6,7 @@
 
 #include "renderer/radiosity/mesh/divide.hpp"
 #include "renderer/radiosity/show/locate.hpp"
+#include "renderer/radiosity/show/picture.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace radiosity {
@@ -26,10 +27,20 @@ constexpr double ROUGH = 0.2, LESS = 0.02;
 // quadratic along both sides: from 4/9 to 8/15.
 constexpr double SMOOTH = 0.5;
 
-// By patch, the mean square of the error times the area, mean of the colours, from the error in the
-// middle.
+// Pixels along the longer side of the picture whose error is estimated.
+constexpr int SIDE = 256;
+
+// By patch, its weight in the picture that the room's view shows.
+std::vector<Rgb> find_weights(const Mesh& mesh, const renderer::View& view) {
+  const double scale = std::min(1.0, static_cast<double>(SIDE) / std::max(view.width, view.height));
+  const auto shorten = [&](int side) { return std::max(1, static_cast<int>(scale * side)); };
+  return find_shares(mesh, view, {.width = shorten(view.width), .height = shorten(view.height)});
+}
+
+// By patch, what it adds to the picture's mean square of the error, mean of the colours, from the
+// error in its middle.
 std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
-                                const Illumination& illumination) {
+                                const Illumination& illumination, const std::vector<Rgb>& weights) {
   std::vector<double> errors;
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
     const Patch& patch = mesh.patches[p];
@@ -46,24 +57,24 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
     // Simpson's mean, solved for the centre.
     const Rgb centre = 1.5 * (solution.means[p] + -1.0 / 12 * corners);
     const Rgb off = centre + -1.0 * eval_illumination(illumination, p, 0.5, 0.5);
-    errors.push_back(SMOOTH * patch.area * sum(off * off) / 3);
+    errors.push_back(SMOOTH * sum(weights[p] * off * off) / 3);
   }
   return errors;
 }
 
-// The mean square radiosity of the patches that do not emit, mean of the colours; what is unsent is
+// The picture's mean square radiosity, mean of the colours, without what emits; what is unsent is
 // everywhere alike.
-double eval_mean_square(const Mesh& mesh, const Solution& solution) {
-  double total = 0, area = 0;
+double eval_mean_square(const Mesh& mesh, const Solution& solution,
+                        const std::vector<Rgb>& weights) {
+  double total = 0;
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
     const Patch& patch = mesh.patches[p];
     const Material& material = mesh.materials[patch.material];
     if (max_component(material.emission) > 0) continue;
     const Rgb radiosity = solution.means[p] + material.reflectance * solution.ambient;
-    total += patch.area * sum(radiosity * radiosity) / 3;
-    area += patch.area;
+    total += sum(weights[p] * radiosity * radiosity) / 3;
   }
-  return area > 0 ? total / area : 0;
+  return total;
 }
 
 // The patches that make most of the error: without them there is at most `allowed`.
@@ -157,9 +168,8 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
 base::Field<AdaptParams> adaptive_field() {
   return base::Declare<AdaptParams>::number(
       "adaptive", &AdaptParams::error, 0, 1, "",
-      "halve patches where the illumination varies, until its error (root mean square, over that "
-      "of "
-      "the light) is estimated to be at most this; 0: patches as they are");
+      "halve patches where the illumination varies, until the picture's error (root mean square, "
+      "over that of its light) is estimated to be at most this; 0: patches as they are");
 }
 
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
@@ -183,9 +193,10 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
   for (;;) {
     const Mesh& mesh = adapted.mesh;
     const Solution& solution = adapted.rough;
+    const auto weights = find_weights(mesh, room.view);
     const auto errors =
-        find_errors(mesh, solution, reconstruct(mesh, solution.vertices, reconstruction));
-    const double square = eval_mean_square(mesh, solution) * mesh.area;
+        find_errors(mesh, solution, reconstruct(mesh, solution.vertices, reconstruction), weights);
+    const double square = eval_mean_square(mesh, solution, weights);
     const double total = std::accumulate(errors.begin(), errors.end(), 0.0);
     const double allowed = adapt.error * adapt.error * square;
     // Nothing but lamps may be lit.

@@ -22,14 +22,17 @@ struct AdaptedMesh {
   Solution rough;    ///< the mesh's light, from which solve_further() goes on
 };
 
-/// Halves patches, beginning with those of params.mesh, until the illumination's error over all
-/// faces, root mean square over that of the radiosity of what does not emit, is estimated to be at
-/// most `adapt.error`: each time those that make most of it (W. Doerfler, "A Convergent Adaptive
-/// Algorithm for Poisson's Equation", SIAM J. Numerical Analysis 33(3), 1996). Whole rows of a
-/// face's patches are halved, so that its patches meet at their corners; a face of other than 4
-/// corners is refined everywhere. Curved faces are not judged. Ends as well after MOST_ROUNDS, or
-/// where the room would have more than MOST_ADAPTED patches. `step` is called in all solutions, see
-/// solve(). BadInput below LEAST_ERROR, and unless params.solve.mean is Mean::simpson.
+/// Halves patches, beginning with those of params.mesh, until the error of the picture that the
+/// room's view shows, root mean square over that of its light without what emits, is estimated to
+/// be at most `adapt.error`: each time those that make most of it (W. Doerfler, "A Convergent
+/// Adaptive Algorithm for Poisson's Equation", SIAM J. Numerical Analysis 33(3), 1996), so that
+/// what is not seen stays as it is (B. Smits, J. Arvo, D. Salesin, "An Importance-Driven Radiosity
+/// Algorithm", SIGGRAPH 1992). Estimated is what surfaces are off between vertices, not what these
+/// have received. Whole rows of a face's patches are halved, so that its patches meet at their
+/// corners; a face of other than 4 corners is refined everywhere. Curved faces are not judged. Ends
+/// as well after MOST_ROUNDS, or where the room would have more than MOST_ADAPTED patches. `step`
+/// is called in all solutions, see solve(). BadInput below LEAST_ERROR, and unless
+/// params.solve.mean is Mean::simpson; throws as find_shares().
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
                        const ReconstructionParams& reconstruction, const AdaptParams& adapt,
                        const Step& step = {});

@@ -20,10 +20,15 @@ renderer::Params make_params(const PictureParams& params) {
   return made;
 }
 
+// What a ray sees, and what mirrors leave of its colour.
+struct Seen {
+  Spot spot;
+  Rgb influence;
+};
+
 // Traces the rays of a picture.
 struct Tracer {
   const Mesh& mesh;
-  const Illumination& illumination;
   const Sides sides;
   const int depth;
   Work& work;
@@ -47,17 +52,15 @@ struct Tracer {
     return hit && !is_nothing(*hit) ? hit : std::nullopt;
   }
 
-  Rgb trace(renderer::Ray ray) {
+  std::optional<Seen> trace(renderer::Ray ray) {
     work[Op::sample_updated] += 1;
     for (int mirrors = 0;; ++mirrors) {
       const auto hit = meet_side(ray);
-      if (!hit) return {};
+      if (!hit) return std::nullopt;
       const Side& side = get_side(sides, hit->object, hit->inside);
-      if (side.kind == Side::Kind::patches) {
-        const Spot spot = locate(mesh, side, hit->object, hit->point, work);
-        return ray.influence * eval_illumination(illumination, spot.patch, spot.s, spot.t);
-      }
-      if (mirrors == depth) return {};
+      if (side.kind == Side::Kind::patches)
+        return Seen{locate(mesh, side, hit->object, hit->point, work), ray.influence};
+      if (mirrors == depth) return std::nullopt;
       work[Op::ray_reflected] += 1;
       ray.influence = ray.influence * mesh.materials[side.material].reflectance;
       ray.origin = hit->point;
@@ -175,14 +178,17 @@ Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
   renderer::Params fine = make_params(params);
   fine.width *= n;
   fine.height *= n;
-  Tracer tracer{mesh, illumination, make_sides(mesh), params.depth, work};
+  Tracer tracer{mesh, make_sides(mesh), params.depth, work};
   Picture picture{params.width, params.height, {}};
   for (int y = 0; y < params.height; ++y)
     for (int x = 0; x < params.width; ++x) {
       Rgb sum;
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
-          sum += tracer.trace(make_primary(eye, fine, n * x + i, n * y + j));
+          if (const auto seen = tracer.trace(make_primary(eye, fine, n * x + i, n * y + j))) {
+            const auto& [patch, s, t] = seen->spot;
+            sum += seen->influence * eval_illumination(illumination, patch, s, t);
+          }
       picture.pixels.push_back((1.0 / (n * n)) * sum);
     }
   return picture;
@@ -223,6 +229,21 @@ Picture preview_picture(const Mesh& mesh, const Illumination& illumination,
                              : f.kind == Kind::mirror ? grey
                                                       : Rgb{});
   return picture;
+}
+
+std::vector<Rgb> find_shares(const Mesh& mesh, const renderer::View& view,
+                             const PictureParams& asked) {
+  const PictureParams params = fit(asked, view);
+  const renderer::View eye = make_image_plane(view);
+  Work ignored;
+  Tracer tracer{mesh, make_sides(mesh), params.depth, ignored};
+  std::vector<Rgb> shares(mesh.patches.size());
+  const double pixel = 1.0 / params.width / params.height;
+  for (int y = 0; y < params.height; ++y)
+    for (int x = 0; x < params.width; ++x)
+      if (const auto seen = tracer.trace(make_primary(eye, make_params(params), x, y)))
+        shares[seen->spot.patch] += pixel * (seen->influence * seen->influence);
+  return shares;
 }
 
 std::vector<bool> find_emitters(const Mesh& mesh, const renderer::View& view,

@@ -39,6 +39,12 @@ Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
 Picture trace_picture(const LitRoom& lit, const ReconstructionParams& reconstruction,
                       const renderer::View& view, const PictureParams& params);
 
+/// By patch, the share of the picture's pixels that show it, each times the square of what mirrors
+/// leave of its colour: the weight of the patch's mean square in that of the picture. Of each pixel
+/// the centre counts. Throws as trace_picture().
+std::vector<Rgb> find_shares(const Mesh& mesh, const renderer::View& view,
+                             const PictureParams& params);
+
 /// For each pixel whether it shows something that emits, in a mirror too.
 std::vector<bool> find_emitters(const Mesh& mesh, const renderer::View& view,
                                 const PictureParams& params);

@@ -180,7 +180,8 @@ void expect_near(const Table& table, const Table& expected) {
     }
 }
 
-// Their like, figure 4.19 and table 4.2, is compared on both engines, and these take long on SimGrid's.
+// Their like, figure 4.19 and table 4.2, is compared on both engines, and these take long on
+// SimGrid's.
 bool is_on_one_engine(const std::string& experiment) {
   return experiment == "thesis/figure-4.18" || experiment == "thesis/figure-4.20";
 }

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "renderer/radiosity/show/picture.hpp"
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
@@ -11,12 +14,15 @@ namespace {
 
 constexpr ReconstructionParams BILINEAR{Reconstruction::bilinear};
 
-// A floor as wide as told, and a lamp of 2 x 2 that is 3 above its middle.
+// A floor as wide as told, and a lamp of 2 x 2 that is 3 above its middle, seen from above: all of
+// the floor, but no more than 40 x 40.
 Room make_floor(double width) {
   Room room;
   room.materials = {{"floor", grey(0.5), {}}, {"lamp", grey(0), grey(10)}};
   add_quad(room, 0, {-width / 2, -width / 2, 0}, {width, 0, 0}, {0, width, 0});
   add_quad(room, 1, {-1, -1, 3}, {0, 2, 0}, {2, 0, 0});
+  room.view.from = {0, 0, 1000};
+  room.view.angle = 2 * std::atan(std::min(width, 40.0) / 2 / 1000) * 180 / std::numbers::pi;
   return room;
 }
 
@@ -107,6 +113,41 @@ TEST(Adapt, FeetStayContacts) {
       EXPECT_FALSE(inside && outside);
     }
   }
+}
+
+// The same light is far off, and no patch is halved for what the view does not show.
+TEST(Adapt, OnlyWhatThePictureShowsCounts) {
+  Room room = make_floor(10);
+  const std::size_t seen = adapt_mesh(room, {}, BILINEAR, {0.02}).mesh.patches.size();
+  room.view.at = {0, 0, 2000};
+  const AdaptedMesh turned = adapt_mesh(room, {}, BILINEAR, {0.02});
+  EXPECT_EQ(turned.rounds, 0);
+  EXPECT_GT(seen, 20 * turned.mesh.patches.size());
+}
+
+// By a mirror that leaves a half of each colour, a quarter of the square.
+TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
+  Room room = make_floor(10);
+  room.materials.push_back({"glass", grey(0.5), {}});
+  room.materials.back().mirror = true;
+  const PictureParams picture{.width = 50, .height = 50};
+  double all = 0;
+  const Mesh straight = make_mesh(room, {});
+  for (const Rgb& share : find_shares(straight, room.view, picture)) all += share.r;
+  EXPECT_NEAR(all, 0.96, 1e-12);  // the lamp's back, 2 x 2 of 10 x 10, is black
+  add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // faces down
+  room.view.from = {0, 0, 0.5};
+  room.view.at = {0, 0, 1};
+  room.view.angle = 0.1;
+  all = 0;
+  const Mesh mirrored = make_mesh(room, {});
+  for (const Rgb& share : find_shares(mirrored, room.view, picture)) all += share.r;
+  EXPECT_NEAR(all, 1, 1e-12);  // the lamp, 2.5 above
+  room.view.from = {3, 0, 0.5};
+  room.view.at = {3, 0, 1};
+  all = 0;
+  for (const Rgb& share : find_shares(mirrored, room.view, picture)) all += share.r;
+  EXPECT_NEAR(all, 0.25, 1e-12);
 }
 
 TEST(Adapt, EndsWhereNothingButLampsIsLit) {
