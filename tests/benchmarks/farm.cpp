@@ -29,7 +29,8 @@ farm::Result run_farm(observe::Watch* watch, bool profile, machine::EngineParams
 // order of their beginnings.
 std::vector<Activity> record() {
   observe::Trace trace;
-  observe::Watch watch{.trace = &trace};
+  observe::Watch watch;
+  watch.trace = &trace;
   run_farm(&watch, false, machine::EngineParams{});
   std::vector<std::pair<double, Activity>> begun;
   for (const auto& span : trace.spans) {
