@@ -46,7 +46,6 @@ renderer::Params read_params(const py::dict& options) {
     base::require(expected.empty(), name, "found {}, expected {}",
                   py::repr(value).cast<std::string>(), expected);
   }
-  renderer::check(params);
   return params;
 }
 

@@ -56,6 +56,17 @@ std::vector<std::string> names(const Plot& plot) {
   return names;
 }
 
+// Its intervals are looked up by that.
+TEST(ExperimentsExhibits, ACurveKnowsTheColumnThatItShows) {
+  const auto shown = LawsCase(plot("")).make();
+  ASSERT_FALSE(shown[0].plot.series.empty());
+  for (const auto& series : shown[0].plot.series) EXPECT_EQ(series.column, "speedup");
+  const auto eval =
+      LawsCase("[[plot]]\nname = \"p\"\nx = \"workers\"\ny = \"speedup / workers\"\n").make();
+  ASSERT_FALSE(eval[0].plot.series.empty());
+  for (const auto& series : eval[0].plot.series) EXPECT_EQ(series.column, "");
+}
+
 TEST(ExperimentsExhibits, ACurveForEachValueOfTheOtherAxes) {
   const auto exhibits = LawsCase(plot("")).make();
   ASSERT_EQ(exhibits.size(), 1u);

@@ -284,6 +284,19 @@ TEST(ExperimentsDrawing, ASecondPanelShowsDifferences) {
   EXPECT_NO_THROW(draw_plots({plot, plot}, folder.path));
 }
 
+// 1, 2 or 5 times a power of ten, so that no more than five steps fit.
+TEST(ExperimentsDrawing, DifferencesHaveRoundSteps) {
+  Plot plot;
+  plot.series = {{.name = "s", .x = {1, 2}, .y = {1, 2}}};
+  for (const auto& [most, step] : {std::pair(12.5, "5"), {4.0, "1"}, {8.0, "2"}, {80.0, "20"}}) {
+    plot.differences = {{.name = "", .x = {1, 2}, .y = {0, most}, .of = 0}};
+    const auto script = make_gnuplot_script(plot);
+    EXPECT_NE(script.find(fmt::format("]\nset ytics {}\n", step)), std::string::npos)
+        << most << "\n"
+        << script;
+  }
+}
+
 TEST(ExperimentsDrawing, SaysThatGnuplotIsMissing) {
   const TemporaryFolder folder;
   const char* path = getenv("PATH");
