@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 
 #include "simulator/kernels/kernels.hpp"
 
@@ -126,6 +127,14 @@ TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   EXPECT_NEAR(timer.longest_batch_s(), 16e-6, 1e-9);
 }
 
+// As many calls as a batch may have are enough, were it ever so short.
+TEST(KernelTimer, AWholeBatchIsNotTooShort) {
+  FakeHost host;
+  KernelTimer timer(host.host);
+  for (std::size_t i = 0; i < 2 * KernelTimer::MOST_CALLS; ++i) timer.eval(host.take(1e-12), 1);
+  EXPECT_FALSE(timer.is_short());
+}
+
 TEST(KernelTimer, ThisHostsClockMovesWithItsThread) {
   const auto& host = this_host();
   EXPECT_GT(host.interval_s, 0);
@@ -146,6 +155,9 @@ TEST(KernelUse, ThoseTooShortAreNamed) {
   EXPECT_TRUE(notes[0].starts_with("timed: the kernel \"settle\", 4 calls of 2 us, is too short"))
       << notes[0];
   EXPECT_NE(notes[0].find("the longest batch of calls took 6 us"), std::string::npos) << notes[0];
+  std::smatch reading;  // of any host's clock less than a second
+  ASSERT_TRUE(std::regex_search(notes[0], reading, std::regex("[(]([0-9.e+-]+) us a reading[)]")));
+  EXPECT_LT(std::stod(reading[1]), 1e6);
 }
 
 }  // namespace

@@ -28,6 +28,12 @@ const Entry* find_entry(const Model& model, std::string_view key) {
   return found == model.entries.end() ? nullptr : &*found;
 }
 
+TEST(Model, BuiltinModelsAreDescribedByTheirFirstSentence) {
+  EXPECT_NE(describe_builtin("t805-25").find("T805"), std::string::npos);
+  EXPECT_NE(describe_builtin("t800-20").find("T800"), std::string::npos);
+  EXPECT_THROW(describe_builtin("t900"), base::BadInput);
+}
+
 TEST(Model, BuiltinModelsLoadAndEveryEntryIsDocumented) {
   const auto names = builtin_models();
   for (const char* name : {"t805-25", "t800-20"})

@@ -283,5 +283,21 @@ TEST(Charge, TakesCyclesOrADuration) {
   EXPECT_EQ(found, (Numbers{100, 200, 300, 600}));
 }
 
+TEST(Charge, ATurnOfALoopCostsItsRow) {
+  Model model = make_exact_model();
+  model.software.turn = Cycles{7};
+  const auto found = isolated_numbers([&] {
+    Lab lab(model);
+    Numbers ends;
+    lab.cpu().start("Alice", Priority::high, [&] {
+      for (int i = 0; turn(i < 3); ++i) ends.push_back(own_cycles());
+      ends.push_back(own_cycles());
+    });
+    lab.machine.run();
+    return ends;
+  });
+  EXPECT_EQ(found, (Numbers{7, 14, 21, 28}));
+}
+
 }  // namespace
 }  // namespace occam

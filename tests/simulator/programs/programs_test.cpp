@@ -55,6 +55,36 @@ TEST(Programs, MeasureTheColumnsThatTheyDeclare) {
   }
 }
 
+TEST(Programs, OneAdditionIsEnoughForFlops) {
+  const auto mflops = occam::isolated([&] {
+    const auto model = machine::load_model("t805-25");
+    const auto& program = get_program("flops");
+    const auto one =
+        run_program(program, make_small_setup(model, program), {{"operations", std::int64_t{1}}});
+    return fmt::format("{}", get_number(one.rows.at(0), "mflops"));
+  });
+  EXPECT_GT(std::stod(mflops), 0);
+}
+
+TEST(Programs, ProgressiveRefinementTellsItsCyclesSoFar) {
+  const auto told = occam::isolated([&] {
+    const auto model = machine::load_model("t805-25");
+    const auto& program = get_program("progressive");
+    const auto outcome = run_program(program, make_small_setup(model, program),
+                                     {{"width", std::int64_t{16}}, {"height", std::int64_t{16}}});
+    std::string growing;
+    double before = 0;
+    for (const auto& row : outcome.growth) {
+      const double cycles = get_number(row, "cycles_spent");
+      growing += cycles > before ? "+" : "-";
+      before = cycles;
+    }
+    return growing;
+  });
+  EXPECT_GT(told.size(), 2u);
+  EXPECT_EQ(told, std::string(told.size(), '+'));
+}
+
 // The sender starts its link; then the bytes, one after the other.
 TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   const auto model = occam::make_exact_model();

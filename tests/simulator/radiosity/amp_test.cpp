@@ -292,6 +292,28 @@ TEST(Amp, ColoursOfMessagesAreCopied) {
               1, 0.01);
 }
 
+// A strip is cut across, whichever way it lies.
+TEST(AmpDistribution, TilesAreCutAcrossTheLongerSide) {
+  for (const int axis : {0, 1, 2}) {
+    const radiosity::Vec axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const radiosity::Vec along = 8.0 * axes[axis], across = 2.0 * axes[(axis + 1) % 3];
+    radiosity::Room room;
+    room.materials = {{"wall", {0.7, 0.5, 0.3}, {}}};
+    radiosity::test::add_quad(room, 0, {}, along, across, 8, 2);
+    const Mesh mesh = make_mesh(room, {});
+    const auto shares = distribute(mesh, 4, Distribution::tiles);
+    for (std::size_t id = 0; id < 4; ++id) {
+      ASSERT_EQ(shares[id].patches.size(), 4u);
+      double least = 8, most = 0;
+      for (const auto p : shares[id].patches) {
+        least = std::min(least, mesh.patches[p].centre[axis]);
+        most = std::max(most, mesh.patches[p].centre[axis]);
+      }
+      EXPECT_NEAR(most - least, 1, 1e-12) << "axis " << axis;
+    }
+  }
+}
+
 TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
   const Mesh mesh = make_room(1, 4);
   for (const int processors : {1, 2, 7, 16, 64})

@@ -1,12 +1,16 @@
 // What programs that trace rays have in common: their columns, and what is refused.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "base/errors.hpp"
 #include "renderer/image/animation.hpp"
+#include "simulator/tracing/busy.hpp"
 #include "simulator/tracing/data.hpp"
 #include "simulator/tracing/looks.hpp"
 #include "simulator/tracing/rendering.hpp"
 #include "tests/support/files.hpp"
+#include "topologies/make/generators.hpp"
 
 namespace tracing {
 namespace {
@@ -28,6 +32,56 @@ TEST(Looks, MustFitAMovingPicture) {
   EXPECT_EQ(refusal(1, 1, MOST + 1), "farm.growth: found an image of 1 x 16384 " + most);
   EXPECT_EQ(refusal(100, 1000, 1000), "");
   EXPECT_NE(refusal(1000, 1000, 1000).find("farm.growth: found 1000 pictures"), std::string::npos);
+}
+
+TEST(Looks, AreAtTimesThatAscendFrom0To1e9) {
+  const auto fields = look_fields();
+  const auto at =
+      std::ranges::find(fields, std::string("show_at_s"), &base::Field<growth::Looks>::name);
+  ASSERT_NE(at, fields.end());
+  const auto takes = [&](std::vector<double> times) {
+    growth::Looks looks;
+    return at->assign(looks, times).empty() && looks.at_s == times;
+  };
+  EXPECT_TRUE(takes({0, 1, 1e9}));
+  EXPECT_FALSE(takes({1.1e9}));
+  EXPECT_FALSE(takes({-1, 1}));
+  EXPECT_FALSE(takes({1, 1}));
+}
+
+// From the first task, as all times are, and not from the beginning of the set-up.
+TEST(KeyImages, HaveTheirTimesAfterTheSetUp) {
+  renderer::Params image;
+  image.width = image.height = 1;
+  Rendering r;
+  r.setup_s = 0.5;
+  r.rgb8 = {1, 2, 3};
+  r.key_images = {{{2}, "stage1", {0, 0, 0}}, {{0.25}, "early", {0, 0, 0}}};
+  std::map<std::string, std::optional<double>> times;
+  const auto model = machine::load_model("t805-25");
+  const programs::Setup setup{model, topologies::make_line(1)};
+  for (const auto& made : make_given(setup, {}, image, 1, r).extras.images)
+    times[made.name.substr(made.name.rfind('-') + 1)] = made.at_s;
+  EXPECT_EQ(times.at("stage1"), 1.5);
+  EXPECT_EQ(times.at("early"), 0);
+}
+
+TEST(Models, EachHasItsWorkersBusyShareAndTasks) {
+  observe::Use use;
+  use.time_s = 10;
+  const auto worker = [](const char* model, double busy_s, std::uint64_t tasks) {
+    observe::CpuRow row{.name = "w", .role = Role::worker, .model = model, .tasks = {}};
+    row.busy_s = busy_s;
+    row.tasks = tasks;
+    return row;
+  };
+  use.cpus = {worker("t805-25", 4, 10), worker("t805-25", 8, 20), worker("t414-20", 9, 10)};
+  EXPECT_EQ(note_models(use),
+            (std::vector<std::string>{
+                "workers of model t805-25: 2, busy 60 % of the time, 75.0 % of the tasks, 37.5 % "
+                "each",
+                "workers of model t414-20: 1, busy 90 % of the time, 25.0 % of the tasks, 25.0 % "
+                "each"}));
 }
 
 // A key image of a stage has a pixel in four that is not black; one at an order does not count.

@@ -6,6 +6,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "tests/topologies/support.hpp"
@@ -119,6 +120,16 @@ TEST(Layout, HasALimit) {
             "(formats dot, graphml and csv have no limit)");
 }
 
+// Sixteen in a row, and in as few rows as that needs.
+TEST(Layout, ALineOfMoreThan16HasRows) {
+  for (const auto& [processors, rows] : {std::pair(16, 1), {17, 2}, {32, 2}, {33, 3}}) {
+    std::set<double> heights;
+    for (const Place& place : make_layout(make_line(processors)).processors)
+      heights.insert(place.y);
+    EXPECT_EQ(heights.size(), static_cast<std::size_t>(rows)) << processors;
+  }
+}
+
 // However large it is, and however its rows come out.
 TEST(Layout, NeighboursInARingStandTogether) {
   for (int n = 3; n <= 300; ++n) {
@@ -126,7 +137,7 @@ TEST(Layout, NeighboursInARingStandTogether) {
     const auto places = make_layout(t).processors;
     ASSERT_EQ(places.size(), static_cast<size_t>(n));
     for (const auto& [a, b] : t.links)
-      EXPECT_LT(distance(places[a.processor], places[b.processor]), 2.5)
+      EXPECT_LT(distance(places[a.processor], places[b.processor]), 2)
           << n << ": " << a.processor << " " << b.processor;
   }
 }

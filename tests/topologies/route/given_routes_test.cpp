@@ -149,6 +149,10 @@ TEST(TopologyTreeLinks, MistakesAreNamed) {
     const auto told = rejection([&, links = links] { check_tree_links(mesh, links); });
     EXPECT_NE(told.find(message), std::string::npos) << told;
   }
+  auto line = make_topology("line:3");
+  line.root = 2;
+  const auto told = rejection([&] { check_tree_links(line, {{1, 2}}); });
+  EXPECT_NE(told.find("no link reaches processor 0 from the root 2"), std::string::npos) << told;
 }
 
 }  // namespace
