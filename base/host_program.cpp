@@ -74,9 +74,6 @@ class Child {
         process::extend::on_exec_setup([parent = getpid()](const auto&) { set_up_child(parent); }));
     undo_.emplace([this] { kill(child_.id(), SIGKILL); });
   }
-  ~Child() {
-    if (child_.valid() && child_.running()) child_.terminate();
-  }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
@@ -88,8 +85,8 @@ class Child {
   }
 
  private:
-  process::child child_;
   std::optional<Undo> undo_;
+  process::child child_;  // it terminates a process that is still there at its end
 };
 
 }  // namespace

@@ -54,6 +54,7 @@ TEST(Text, FirstCommentIsASentence) {
   EXPECT_EQ(first_comment("# A room. It has a window.\nquad"), "A room");
   EXPECT_EQ(first_comment("// One\n// and two.\nx"), "One and two");
   EXPECT_EQ(first_comment("# After R. L. Cook. Then"), "After R. L. Cook");
+  EXPECT_EQ(first_comment("# Built in the USA. Then"), "Built in the USA");
   EXPECT_EQ(first_comment("v\n# late"), "");
   EXPECT_EQ(first_comment(""), "");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -195,9 +196,10 @@ std::vector<ComparedRun> load_runs(const Texts& folders) {
 std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs) {
   std::vector<NamedTable> tables;
   for (const auto& run : runs) {
-    Table table = run.simulation.table;
-    std::erase_if(table.rows, [&](const auto& row) { return !is_complete_row(table, row); });
-    table.points.clear();  // a row is no longer known by its number
+    const Table& all = run.simulation.table;
+    Table table{.columns = all.columns, .axes = all.axes, .rows = {}};
+    std::ranges::copy_if(all.rows, std::back_inserter(table.rows),
+                         [&](const auto& row) { return is_complete_row(all, row); });
     for (const auto& other : runs) {
       const auto& file = other.simulation.file;
       for (std::size_t i = 0; i < file.axes.size(); ++i) {

@@ -108,6 +108,35 @@ TEST(Calibration, RefusesWhatCannotBeFitted) {
   EXPECT_TRUE(contains(told("bytes,latency_s\n-4,1\n8,2\n", "link.one_way_20"), "bytes"));
 }
 
+// A fit changes an entry by a factor.
+TEST(Calibration, AnEntryThatIsNothingCannotBeFitted) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "m.csv") << make_measurements(1);
+  std::ofstream(folder.path / "free.toml")
+      << "name = \"free\"\nbase = \"t805-25\"\n[channel]\noperands = { value = 0, unit = "
+         "\"cycles\", provenance = \"datasheet\", source = \"a channel that is free\" }\n";
+  const auto run =
+      tlab(folder.path, {"model", "free.toml", "--fit", "m.csv", "--entries", "channel.operands"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("found channel.operands, which is 0, expected one above 0"),
+            std::string::npos)
+      << run.err;
+}
+
+// Entries of one section stand together, in whatever order they were asked for.
+TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
+  Calibration fitted;
+  fitted.column = "latency_s";
+  fitted.rms = 0.0244;
+  fitted.entries = {{"link.one_way_20", "bytes/s", 1.7e6, 1.6e6, 1.5e6, 1.7e6},
+                    {"channel.operands", "cycles", 200, 254, 250, 260},
+                    {"link.one_way_10", "bytes/s", 9e5, 8e5, 7e5, 9e5}};
+  const auto text = to_model_file(fitted, {"t805-25", "m.csv", "", {}}, "mine.toml");
+  EXPECT_NE(text.find("they are met within 2.4 %"), std::string::npos) << text;
+  const auto model = machine::parse_model(text, "mine.toml");
+  for (const auto& entry : fitted.entries) EXPECT_EQ(value_of(model, entry.key), entry.value);
+}
+
 // Wherever the fit begins, and however bad the measurements are: entries stay above 0, and what is
 // written is a model.
 TEST(Calibration, FarStartsAndBadMeasurements) {

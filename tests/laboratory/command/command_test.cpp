@@ -181,6 +181,21 @@ TEST(ExperimentsCommand, MistakesHaveTheirExitCodesAndLeaveNothing) {
   }
 }
 
+TEST(ExperimentsCommand, OnlyOnePointOfCountedCostsIsShownLive) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "e.toml") << "[network]\nworkers = 2\n[scene]\nobjects = 9\n";
+  for (const auto& [setting, message] :
+       {std::pair("sweep.workers=[1, 2]", "the experiment has 2 points, expected one"),
+        std::pair("run.cost=timed", "found cost = \"timed\", expected \"counted\"")}) {
+    // The recording's name is wrong too: whatever is refused, no page is shown.
+    const auto refused = tlab(
+        folder.path, {"live", "e.toml", "--no-browser", "--record", "e.txt", "--set", setting});
+    EXPECT_EQ(refused.exit_code, 2) << setting;
+    EXPECT_NE(refused.err.find(message), std::string::npos) << refused.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"e.toml"});
+  }
+}
+
 TEST(ExperimentsCommand, TopologiesAndModelsArePrinted) {
   const TemporaryFolder folder;
   EXPECT_NE(tlab(folder.path, {"topology", "mesh:4x4"}).out.find("diameter"), std::string::npos);

@@ -91,6 +91,15 @@ TEST_F(Convert, AMeshInCapitals) {
   EXPECT_EQ(render("t.obj").substr(1, 3), "PNG");
 }
 
+// Brackets within brackets, a megabyte of them, are deeper than Assimp's stack.
+TEST_F(Convert, AMeshHasTimeByItsSize) {
+  write_file(folder.path / "deep.gltf", std::string(1 << 20, '['));
+  const auto done = convert("deep.gltf", "deep.obj");
+  EXPECT_EQ(done.exit_code, 2);
+  EXPECT_TRUE(contains(done.err, "Assimp cannot read it, for which it has 21 s of the processor"))
+      << done.err;
+}
+
 TEST_F(Convert, WhatIsWrongIsRefusedAndNothingIsLeft) {
   write_file(folder.path / "bad.ply", "ply\nno mesh\n");
   write_file(folder.path / "own.mtl", "newmtl mine\n");

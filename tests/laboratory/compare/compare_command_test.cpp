@@ -38,7 +38,8 @@ TEST_F(Compare, NamesSettingsModelsAndRatios) {
     EXPECT_TRUE(contains(outcome.out, text)) << text << "\n" << outcome.out;
   EXPECT_FALSE(contains(outcome.out, "image.width"));
   const auto page = read_file(folder.path / "c.html");
-  for (const auto* text : {"<title>slow and fast</title>", "cpu.clock", "fast / slow", "<svg"})
+  for (const auto* text : {"<title>slow and fast</title>", "cpu.clock", "fast / slow", "<svg",
+                           "time, times that of slow over workers"})
     EXPECT_TRUE(contains(page, text)) << text;
   ASSERT_EQ(compare({"x/slow", "y/fast/", "-o", "d.html"}).exit_code, 0);
   EXPECT_EQ(page, read_file(folder.path / "d.html"));

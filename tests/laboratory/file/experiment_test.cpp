@@ -87,6 +87,24 @@ TEST(ExperimentsFile, SetReplacesAnyKey) {
   EXPECT_EQ(farm_of(file.points[0].experiment).farm.image.width, 64);
 }
 
+TEST(ExperimentsFile, SetTakesKeysOfAsManyPartsAsAFile) {
+  const auto told = [](int parts) {
+    std::string key;
+    for (int i = 1; i < parts; ++i) key += "a.";
+    return message_of<base::BadInput>([&] { load("", {key + "a=1"}); });
+  };
+  const auto expected = "a=1: found a key of more than 16 parts, expected at most 16";
+  EXPECT_NE(told(17).find(expected), std::string::npos) << told(17);
+  EXPECT_NE(told(16).find("unknown key"), std::string::npos) << told(16);
+}
+
+// Where a program's costs cannot be timed, they may still be said to be counted.
+TEST(ExperimentsFile, CostsOfAnyProgramMayBeCounted) {
+  const auto file =
+      load("title = \"timed\"\n[program]\nname = \"message\"\n[run]\ncost = \"counted\"\n");
+  EXPECT_FALSE(file.points[0].experiment.is_timed);
+}
+
 TEST(ExperimentsFile, TasksAreRaysOrBlocksOfAnySize) {
   const auto block = [](const std::string& task) {
     return farm_of(load("[farm]\ntask = \"" + task + "\"\n").points[0].experiment).farm.block;

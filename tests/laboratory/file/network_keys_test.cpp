@@ -92,6 +92,8 @@ TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
            {"number = 1", "[[processor]] 1: \"model\" is missing"},
            {"model = \"t800-20\"", "[[processor]] 1: \"number\" is missing"},
            {"number = -1\nmodel = \"t800-20\"", "[[processor]] 1: number: found -1"},
+           {"number = 65536\nmodel = \"t800-20\"",
+            "number: found 65536, expected a whole number from 0 to 65535"},
            {"number = 1\nmodul = \"t800-20\"", "unknown key \"modul\", the nearest valid"},
            {"number = 1\nmodel = \"t800-20\"\n[[processor]]\nnumber = 1\nmodel = \"t805-30\"",
             "[[processor]] 2: number: found 1 once more"}}) {

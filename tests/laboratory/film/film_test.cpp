@@ -179,6 +179,46 @@ TEST(Film, AFrameOfALargeNetworkIsNotLarge) {
   }
 }
 
+TEST(Film, ProcessorsAreCalledByTheirNumbers) {
+  occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
+  for (const char* name : {"worker12", "root", "node2.1"}) lab.machine.add_processor(name, 1 << 10);
+  const MachineDrawing drawing(lab.machine, topologies::make_line(3), {});
+  std::vector<std::string> labels;
+  for (const auto& node : drawing.nodes()) labels.push_back(node.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"12", "root", "node2.1"}));
+}
+
+// A host of the root, and what hangs on the host.
+TEST(Film, WhatHangsOnTheRootIsInRowsAboveTheNetwork) {
+  occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
+  auto& root = lab.cpu();
+  lab.neighbour(root);
+  auto& host = lab.neighbour(root);
+  lab.neighbour(host);
+  const MachineDrawing drawing(lab.machine, topologies::make_line(2), {});
+  const auto place = [&](std::size_t id) { return drawing.nodes().at(id).place; };
+  for (const std::size_t id : {2u, 3u}) {
+    EXPECT_TRUE(drawing.nodes()[id].is_box);
+    EXPECT_DOUBLE_EQ(place(id).x, place(0).x);
+  }
+  EXPECT_LT(place(2).y, place(0).y - 2 * drawing.radius());
+  EXPECT_NEAR(place(2).y - place(3).y, place(0).y - place(2).y, 1e-9);
+}
+
+TEST(Canvas, AnOutlineHasItsColourAndItsWidth) {
+  const Colour red{1, 0, 0};
+  Canvas canvas(20, 20);
+  canvas.fill({0, 0, 20, 20}, WHITE);
+  canvas.outline({5, 5, 10, 10}, red, 4);
+  const auto bitmap = canvas.bitmap();
+  const auto pixel = [&](int x, int y) {
+    const auto* rgb = bitmap.rgb8.data() + 3 * (20 * y + x);
+    return Pixel(rgb, rgb + 3);
+  };
+  for (const int x : {3, 4, 5, 6}) EXPECT_EQ(pixel(x, 10), (Pixel{255, 0, 0})) << x;
+  for (const int x : {2, 7}) EXPECT_EQ(pixel(x, 10), (Pixel{255, 255, 255})) << x;
+}
+
 // Where a run is cut short, where it breaks down and where it deadlocks.
 TEST(ExperimentsFilm, ARunThatDoesNotEndHasItsFilmSoFar) {
   const std::vector<std::pair<int, std::vector<std::string>>> cases{
@@ -226,6 +266,9 @@ TEST(ExperimentsFilm, MistakesAreNamedBeforeAnythingRuns) {
   expect({"-o", "r", "--animate", "picture=a.webp", "--frames", "1000", "--set", "image.width=350",
           "--set", "image.height=250"},
          "found 1000 of pictures of 350 x 250 pixels, expected at most 952");
+  expect({"-o", "r", "--animate", "picture=a.webp", "--frames", "2", "--set", "image.width=16336",
+          "--set", "image.height=1"},
+         "found a picture of 16336 x 1 pixels, expected at most 16223 a side in .webp");
   EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
 

@@ -292,6 +292,8 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
            {check(good + in + "keys = [\"bytes\"]\n"), "expected keys"},
            {check(good + in + "column = \"x\"\n"), "expected no column"},
            {check(good + "within = -1\n"), "e.toml:9: within: found -1, expected a number from 0"},
+           {check(good + in + "covers = -0.1\n"), "found -0.1, expected a number from 0 to 1"},
+           {check(good + in + "covers = 1.1\n"), "found 1.1, expected a number from 0 to 1"},
            {check(good + "wihtin = 1\n"), "e.toml:9: unknown key \"wihtin\", the nearest valid"},
            {"[[check]]\nname = \"c\"\n" + good + in, "\"of\" is missing"},
            {"[[check]]\nof = \"x\"\n" + good + in, "\"name\" is missing"},
