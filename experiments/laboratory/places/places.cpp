@@ -23,11 +23,12 @@ double nearest(const SomePlaces& places, const Place& to) {
 }
 
 Place find_free(const SomePlaces& places, const Place& beside) {
-  Place best{beside.x + BESIDE[0].x, beside.y + BESIDE[0].y};
+  const auto go = [&](const Place& step) { return Place{beside.x + step.x, beside.y + step.y}; };
+  Place best = go(BESIDE[0]);
   if (places.size() > MOST_COMPARED) return best;
   double best_distance = nearest(places, best);
   for (const auto& step : BESIDE) {
-    const Place place{beside.x + step.x, beside.y + step.y};
+    const Place place = go(step);
     const double distance = std::min(1.0, nearest(places, place));
     if (distance > best_distance + 1e-9) {
       best = place;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <regex>
 
@@ -64,6 +66,24 @@ TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   }
   EXPECT_LT(std::sqrt(squares[0]), 0.005);
   EXPECT_LT(std::sqrt(squares[1]), 0.03);
+}
+
+// Wherever temporary files are.
+TEST(Calibration, LeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const auto file = (folder.path / "m.csv").string();
+  std::ofstream(file) << make_measurements(1);
+  const auto temporary = folder.path / "temporary";
+  std::filesystem::create_directory(temporary);
+  const char* given = std::getenv("TMPDIR");
+  const auto before = given ? std::optional<std::string>(given) : std::nullopt;
+  setenv("TMPDIR", temporary.c_str(), 1);
+  calibrate({"t805-25", file, "", {"link.one_way_20", "channel.operands"}});
+  EXPECT_TRUE(std::filesystem::is_empty(temporary));
+  if (before)
+    setenv("TMPDIR", before->c_str(), 1);
+  else
+    unsetenv("TMPDIR");
 }
 
 // What is written is a model: of these numbers, on its base, calibrated, with its interval.

@@ -1,8 +1,8 @@
 // Colour on a terminal, and none elsewhere.
-#include <pty.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/laboratory/support/sweep.hpp"
+#include "tests/laboratory/support/terminal.hpp"
 #include "tests/support/places.hpp"
 
 namespace laboratory {
@@ -12,21 +12,12 @@ namespace {
 std::string run_on_terminal(const std::filesystem::path& folder,
                             const std::vector<std::pair<const char*, const char*>>& settings) {
   const auto program = ::test::in_build("tlab");
-  int terminal = -1;
-  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-  if (child == 0) {
+  return on_terminal([&] {
     for (const auto& [name, value] : settings) setenv(name, value, 1);
     if (chdir(folder.c_str()) == 0)
       execl(program.c_str(), "tlab", "run", "e.toml", "-o", "r", nullptr);
     _exit(127);
-  }
-  std::string text;
-  char bytes[4096];
-  for (ssize_t n; (n = read(terminal, bytes, sizeof bytes)) > 0;)
-    text.append(bytes, static_cast<std::size_t>(n));
-  close(terminal);
-  waitpid(child, nullptr, 0);
-  return text;
+  });
 }
 
 // Of colours and bold letters, not of progress bars.

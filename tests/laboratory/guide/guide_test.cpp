@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "experiments/laboratory/guide/catalogue.hpp"
+#include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/guide/templates.hpp"
 #include "simulator/machine/model.hpp"
 #include "simulator/programs/programs.hpp"
@@ -79,6 +80,48 @@ TEST(Guide, HelpOnAProgramIsOfThatAlone) {
   const auto unknown = tlab(folder.path, {"help", "frm"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(contains(unknown.err, "the nearest is \"farm\"")) << unknown.err;
+}
+
+enum class Paint { red, green };
+
+struct PainterParams {
+  std::int64_t coats = 3;
+  double width = 0.5;
+  bool is_dry = true;
+  Paint paint = Paint::green;
+  std::string name = "none";
+  base::Source wall;
+};
+
+// What may be said of a key depends on its kind.
+TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
+  using D = base::Declare<PainterParams>;
+  using P = PainterParams;
+  const base::Fields<P> fields = {
+      D::whole("coats", &P::coats, 1, 9, "", "how many coats"),
+      D::number("width", &P::width, 0, 2, "m", "of the brush"),
+      D::flag("is_dry", &P::is_dry, "whether it dries"),
+      D::choice("paint", &P::paint,
+                base::Names<Paint>{{"red", Paint::red}, {"green", Paint::green}}, "of the wall"),
+      D::text("name", &P::name, "the painter's"),
+      D::file("wall", &P::wall, "what is painted", /*is_required=*/true)};
+  programs::Program painter;
+  painter.name = "painter";
+  painter.help = "paints";
+  painter.parameters = base::lift_all<std::any>(
+      fields, [](std::any& params) -> P& { return std::any_cast<P&>(params); });
+  painter.defaults = P();
+  const auto line = [](const std::string& key, const std::string& text) {
+    return "    " + key + std::string(29 - key.size(), ' ') + text + "\n";
+  };
+  EXPECT_EQ(describe_program(painter),
+            "  painter" + std::string(24, ' ') + "paints\n" +
+                line("program.coats", "how many coats; whole, 1..9 [3]") +
+                line("program.width", "of the brush; m; 0..2 [0.5]") +
+                line("program.is_dry", "whether it dries; true or false [1]") +
+                line("program.paint", "of the wall; one of red, green [green]") +
+                line("program.name", "the painter's [none]") +
+                line("program.wall", "what is painted; a file"));
 }
 
 // The commands in a footer after "Examples:".

@@ -193,6 +193,7 @@ TEST(ExperimentsChecks, TablesShowPointsAndOfManyTheWorst) {
   EXPECT_EQ(all.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "formula",
                                                    "error %", "mark"}));
   ASSERT_EQ(all.rows.size(), 3u);
+  EXPECT_NEAR(as_number(all.rows[1][4]).value(), 10, 1e-9);
   EXPECT_EQ(all.rows[1][5], Value("fails, worst"));
   EXPECT_EQ(make_check_table(result, test.table, 2).rows.at(0), all.rows[1]);
   const auto csv = make_checks_csv({result}, test.table);

@@ -167,6 +167,23 @@ TEST(LiveSession, WhoWatchesChangesNothing) {
   }
 }
 
+// At a speed at which a frame may follow the other at once.
+TEST(LiveSession, FramesAreMadeForPagesThatWantThem) {
+  const test::TemporaryFolder folder;
+  run_isolated([&] {
+    const auto count_frames = [&](bool are_wanted) {
+      const auto file = read(FARM + "[[stage]]\n", folder.path.string());
+      Session session(file, 1e9);
+      Driven driven(session, {});
+      driven.wants_frames = are_wanted;
+      run_point(file.points[0], {}, folder.path / "images", &driven);
+      return session.frame()->number;
+    };
+    EXPECT_EQ(count_frames(false), 2u) << "that of the beginning, and that of the end";
+    EXPECT_GT(count_frames(true), 2u);
+  });
+}
+
 TEST(LiveSession, OrdersOfTheFileComeBesideThoseOfHands) {
   const std::string text = FARM +
                            "[[order]]\nat_s = 0.05\nmin_cell = 4\n[[order]]\nat_s = 0.4\n"
@@ -213,6 +230,8 @@ TEST(LiveSession, WhatIsNotAllowedIsRefusedAndChangesNothing) {
       {{{"do", "step"}, {"what", "back"}}, "found \"back\""},
       {{{"do", "run"}, {"to", "moon"}}, "expected a number"},
       {{{"do", "select"}, {"processors", {99}}}, "found 99"},
+      {{{"do", "select"}, {"processors", {0, 1, 2, 3, 0, 1, 2, 3, 0}}}, "a list of at most 8"},
+      {{{"do", "select"}, {"processors", 3}}, "a list of at most 8"},
       {{{"do", "fault"}, {"link", {0, 1}}}, "expected a processor of the network"},
       {{{"do", "fault"}, {"link", {4, 5}}}, "no link joins them"},
       {{{"do", "fault"}, {"link", 3}}, "expected two processors"},
