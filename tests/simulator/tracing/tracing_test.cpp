@@ -49,6 +49,17 @@ TEST(Looks, AreAtTimesThatAscendFrom0To1e9) {
   EXPECT_FALSE(takes({1, 1}));
 }
 
+TEST(Scenes, HaveAtLeastOneObject) {
+  const auto fields = scene_fields();
+  const auto objects =
+      std::ranges::find(fields, std::string("scene.objects"), &base::Field<SceneChoice>::name);
+  ASSERT_NE(objects, fields.end());
+  SceneChoice scene;
+  EXPECT_EQ(objects->assign(scene, std::int64_t{1}), "");
+  EXPECT_EQ(scene_source(scene), "spheres:1");
+  EXPECT_NE(objects->assign(scene, std::int64_t{0}), "");
+}
+
 // From the first task, as all times are, and not from the beginning of the set-up.
 TEST(KeyImages, HaveTheirTimesAfterTheSetUp) {
   renderer::Params image;
