@@ -29,22 +29,20 @@ void check_pair(const Bitmap& a, const Bitmap& b, const char* who) {
       "equal sizes");
 }
 
-// A window of the size of all that lie in a picture, and how many of them there are.
+// A window of the size of all that lie in a picture, and how many rows of them there are.
 struct Windows {
   static constexpr int SIDE = 8;
-  std::size_t width, columns, rows, across, down;  // picture's width, window's size, windows
+  std::size_t width, columns, rows, down;  // picture's width, window's size, rows of windows
 
   Windows(int picture_width, int picture_height)
       : width(static_cast<std::size_t>(picture_width)),
         columns(static_cast<std::size_t>(std::min(SIDE, picture_width))),
         rows(static_cast<std::size_t>(std::min(SIDE, picture_height))),
-        across(width - columns + 1),
         down(static_cast<std::size_t>(picture_height) - rows + 1) {}
 
   // The sum of x[i] * y[i] over each window.
   Numbers sum(const Numbers& x, const Numbers& y) const {
     Numbers strips(width), sums;  // a strip: the window's rows of one column
-    sums.reserve(across * down);
     const auto product = [&](std::size_t row, std::size_t column) {
       return x[row * width + column] * y[row * width + column];
     };

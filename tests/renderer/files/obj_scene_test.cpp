@@ -202,5 +202,26 @@ TEST_F(ObjScene, WhatIsWrongIsRejectedWithItsLine) {
     EXPECT_EQ(error_of(text).substr(0, expected.size()), expected) << error_of(text);
 }
 
+// A material that has been there is used again.
+TEST_F(ObjScene, MaterialsOfAnNffAreNumberedFromOne) {
+  const auto path = save_obj("scene", [&](NffTarget& nff) {
+    const std::string triangle = "p 3 0 0 0 1 0 0 0 1 0\n";
+    read_nff("v from 0 0 3 at 0 0 0 up 0 1 0 angle 45\nf 1 0 0 1 0 0 0 1\n" + triangle +
+                 "f 0 1 0 1 0 0 0 1\n" + triangle + "f 1 0 0 1 0 0 0 1\n" + triangle,
+             "first.nff", nff);
+  });
+  const auto names_in = [](const std::string& text, const std::string& statement) {
+    std::vector<std::string> names;
+    std::istringstream words(text);
+    for (std::string word; words >> word;)
+      if (word == statement) names.push_back((words >> word, word));
+    return names;
+  };
+  const auto library = base::read_text(folder_.path / "scene.mtl");
+  EXPECT_EQ(names_in(library, "newmtl"), (std::vector<std::string>{"surface_1", "surface_2"}));
+  EXPECT_EQ(names_in(base::read_text(path), "usemtl"),
+            (std::vector<std::string>{"surface_1", "surface_2", "surface_1"}));
+}
+
 }  // namespace
 }  // namespace renderer::test

@@ -99,6 +99,8 @@ TEST(Animation, NamesWhatIsWrong) {
             "animation, frame 1: found a duration of 0 ms, expected 1..16777215");
   EXPECT_EQ(complaint({{{1, 1, {0, 0}}, 10}}),
             "animation, frame 0: found 2 bytes, expected 3 for each of 1 x 1 pixels");
+  EXPECT_EQ(complaint({{{16383, 1, std::vector<std::uint8_t>(3 * 16383)}, 10}}), "");
+  EXPECT_EQ(complaint({{{1, 16383, std::vector<std::uint8_t>(3 * 16383)}, 10}}), "");
   EXPECT_EQ(complaint({{{16384, 1, std::vector<std::uint8_t>(3 * 16384)}, 10}}),
             "animation: found 16384 x 1 pixels, expected at most 16383 along each side");
   EXPECT_EQ(complaint(std::vector<Frame>(129, {good.bitmap, MAX_DURATION_MS})),

@@ -15,12 +15,14 @@ namespace {
 // Keeps the triangles.
 struct Triangles : ObjTarget {
   std::vector<std::vector<Vec>> faces;
+  std::vector<std::vector<Corner>> coordinates;
   std::vector<MtlMaterial> materials;
 
   void add_material(const MtlMaterial& material) override { materials.push_back(material); }
   void use_material(std::size_t material) override { ASSERT_LT(material, materials.size()); }
-  void add_face(std::vector<Vec> corners, std::vector<Vec>, std::vector<Corner>) override {
+  void add_face(std::vector<Vec> corners, std::vector<Vec>, std::vector<Corner> of_face) override {
     faces.push_back(std::move(corners));
+    coordinates.push_back(std::move(of_face));
   }
 };
 
@@ -71,20 +73,30 @@ TEST_F(ReadMesh, ATetrahedronOfThreeFormats) {
   EXPECT_EQ(left_out_.describe(), "");
 }
 
-// One triangle with a colour, in a node that is moved and twice as large. Numbers are 0, 0, 0;
-// 1, 0, 0; 0, 1, 0.
-TEST_F(ReadMesh, AMeshIsWhereItsNodeIsAndHasItsColours) {
-  const auto path = save("t.gltf", R"({"asset": {"version": "2.0"},
+// One triangle of a material in a node. Numbers are 0, 0, 0; 1, 0, 0; 0, 1, 0.
+std::string make_gltf(const std::string& material, const std::string& moved = "") {
+  return R"({"asset": {"version": "2.0"},
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
-                                   "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
-                                   R"("}],
+         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
+         R"("}],
     "bufferViews": [{"buffer": 0, "byteLength": 36}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
                    "min": [0, 0, 0], "max": [1, 1, 0]}],
-    "materials": [{"name": "blue", "pbrMetallicRoughness": {"baseColorFactor": [0.125, 0.25, 0.5, 1]}}],
+    "images": [{"uri": "wood.png"}, {"uri": "bumps.png"}],
+    "textures": [{"source": 0}, {"source": 1}],
+    "materials": [)" +
+         material + R"(],
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
-    "nodes": [{"mesh": 0, "translation": [1, 2, 3], "scale": [2, 2, 2]}],
-    "scenes": [{"nodes": [0]}], "scene": 0})");
+    "nodes": [{"mesh": 0)" +
+         moved + R"(}],
+    "scenes": [{"nodes": [0]}], "scene": 0})";
+}
+
+// The node is moved and twice as large.
+TEST_F(ReadMesh, AMeshIsWhereItsNodeIsAndHasItsColours) {
+  const auto path = save("t.gltf", make_gltf(R"({"name": "blue", "pbrMetallicRoughness":
+                                                 {"baseColorFactor": [0.125, 0.25, 0.5, 1]}})",
+                                             R"(, "translation": [1, 2, 3], "scale": [2, 2, 2])"));
   Triangles triangles;
   read_mesh(path, triangles, left_out_);
   ASSERT_EQ(triangles.faces.size(), 1u);
@@ -92,6 +104,86 @@ TEST_F(ReadMesh, AMeshIsWhereItsNodeIsAndHasItsColours) {
   const auto blue = std::ranges::find(triangles.materials, "blue", &MtlMaterial::name);
   ASSERT_NE(blue, triangles.materials.end());
   EXPECT_EQ(blue->diffuse, (Rgb{0.125, 0.25, 0.5}));
+}
+
+TEST_F(ReadMesh, OnlyPicturesOfColoursAreKept) {
+  Triangles triangles;
+  read_mesh(save("t.gltf", make_gltf(R"({"name": "wooden", "normalTexture": {"index": 1},
+                                         "pbrMetallicRoughness":
+                                             {"baseColorTexture": {"index": 0}}})")),
+            triangles, left_out_);
+  const auto wooden = std::ranges::find(triangles.materials, "wooden", &MtlMaterial::name);
+  ASSERT_NE(wooden, triangles.materials.end());
+  EXPECT_EQ(wooden->picture, (folder_.path / "wood.png").string());
+  EXPECT_EQ(left_out_.describe(), "pictures of other things than colours (1)");
+}
+
+TEST_F(ReadMesh, AMaterialHasItsColoursAndNumbers) {
+  const auto path = save("t.dae", R"(<?xml version="1.0" encoding="utf-8"?>
+    <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+    <asset><up_axis>Y_UP</up_axis></asset>
+    <library_effects><effect id="e"><profile_COMMON><technique sid="common"><phong>
+    <emission><color>0.5 0 1 1</color></emission>
+    <diffuse><color>0.125 0.25 0.5 1</color></diffuse>
+    <specular><color>0.75 0.5 0.25 1</color></specular>
+    <shininess><float>20</float></shininess>
+    <transparency><float>0.75</float></transparency>
+    <index_of_refraction><float>1.5</float></index_of_refraction>
+    </phong></technique></profile_COMMON></effect></library_effects>
+    <library_materials><material id="m" name="glass"><instance_effect url="#e"/></material>
+    </library_materials>
+    <library_geometries><geometry id="g"><mesh>
+    <source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array>
+    <technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
+    <param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common>
+    </source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+    <triangles count="1" material="s"><input semantic="VERTEX" source="#v" offset="0"/>
+    <p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+    <library_visual_scenes><visual_scene id="c"><node><instance_geometry url="#g"><bind_material>
+    <technique_common><instance_material symbol="s" target="#m"/></technique_common>
+    </bind_material></instance_geometry></node></visual_scene></library_visual_scenes>
+    <scene><instance_visual_scene url="#c"/></scene></COLLADA>)");
+  Triangles triangles;
+  read_mesh(path, triangles, left_out_);
+  const auto glass = std::ranges::find(triangles.materials, "glass", &MtlMaterial::name);
+  ASSERT_NE(glass, triangles.materials.end());
+  EXPECT_EQ(glass->diffuse, (Rgb{0.125, 0.25, 0.5}));
+  EXPECT_EQ(glass->specular, (Rgb{0.75, 0.5, 0.25}));
+  EXPECT_EQ(glass->emission, (Rgb{0.5, 0, 1}));
+  EXPECT_EQ(glass->shine, 20);
+  EXPECT_EQ(glass->transparency, 0.25);
+  EXPECT_EQ(glass->ior, 1.5);
+}
+
+// STL and PLY say nothing of materials.
+TEST_F(ReadMesh, WithoutAMaterialATriangleIsOpaque) {
+  Triangles triangles;
+  read_mesh(save("t.ply", fmt::format(fmt::runtime(PLY_HEAD), 4) + LISTS), triangles, left_out_);
+  ASSERT_EQ(triangles.materials.size(), 1u);
+  EXPECT_EQ(triangles.materials[0].transparency, 0);
+  EXPECT_EQ(triangles.materials[0].ior, 1);
+}
+
+// A triangle with one that is too large has none.
+TEST_F(ReadMesh, CoordinatesAreKeptUpToAMillion) {
+  Triangles triangles;
+  read_mesh(save("t.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                 "property float z\nproperty float s\nproperty float t\nelement face 2\n"
+                 "property list uchar int vertex_indices\nend_header\n0 0 0 0 0\n"
+                 "1 0 0 1e6 0.25\n0 1 0 0.5 -1e6\n0 0 1 2e6 1\n3 0 1 2\n3 0 1 3\n"),
+            triangles, left_out_);
+  ASSERT_EQ(triangles.coordinates.size(), 2u);
+  const auto& kept = triangles.coordinates[0];
+  ASSERT_EQ(kept.size(), 3u);
+  const double expected[][2] = {{0, 0}, {1e6, 0.25}, {0.5, -1e6}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(kept[i].u, expected[i][0]);
+    EXPECT_EQ(kept[i].v, expected[i][1]);
+  }
+  EXPECT_TRUE(triangles.coordinates[1].empty());
+  EXPECT_EQ(left_out_.describe(), "coordinates beyond a million (3)");
 }
 
 TEST_F(ReadMesh, TrianglesWithoutAreaAreCounted) {
@@ -102,13 +194,22 @@ TEST_F(ReadMesh, TrianglesWithoutAreaAreCounted) {
   EXPECT_EQ(left_out_.describe(), "triangles without an area (1)");
 }
 
+TEST_F(ReadMesh, WhatIsReadButHasNoMeshIsRefused) {
+  const auto path =
+      save("t.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": []}], "scene": 0})");
+  Triangles triangles;
+  EXPECT_EQ(::test::message_of<base::BadInput>([&] { read_mesh(path, triangles, left_out_); }),
+            path + ": found none, expected a mesh of triangles");
+}
+
+// The library's reason is quoted.
 TEST_F(ReadMesh, WhatIsNoMeshIsRefused) {
   for (const char* name : {"a.stl", "a.ply", "a.off", "a.dae", "a.3ds", "a.gltf", "a.glb"}) {
     const auto path = save(name, "no mesh\n");
     Triangles triangles;
     const auto error =
         ::test::message_of<base::BadInput>([&] { read_mesh(path, triangles, left_out_); });
-    EXPECT_TRUE(error.starts_with(path + ": found")) << error;
+    EXPECT_TRUE(error.starts_with(path + ": found '")) << error;
   }
   Triangles triangles;
   EXPECT_NE(::test::message_of<base::BadInput>(

@@ -155,6 +155,15 @@ TEST(Preview, FlatHasTheColourOfTheMiddle) {
   EXPECT_EQ(preview.work[Op::feeler_made], 1u);
 }
 
+// The eye is not straight before the square: it is where the light is mirrored to.
+TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
+  const Scene scene = parse(SQUARE_VIEW +
+                            "l 2 0 4 0.8 0.8 0.8\nf 1 0 0 0 0.5 20 0 0\n"
+                            "p 4 0 -1 0 2 -1 0 2 1 0 0 1 0\n");
+  const Preview preview = make_preview(scene, make_centred(), PreviewStep::flat);
+  EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0 0.4 0.4\n0 0 0.4 0.4\n0 0 0 0\n");
+}
+
 TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
   // The light is at right angles over the left edge's middle, as far away as the corners.
   const Scene scene = parse(SQUARE_VIEW +
@@ -179,6 +188,17 @@ TEST(Preview, PointsAreTheCornersAndFade) {
   const Preview preview = make_preview(scene, make_params(4, 4, 1), PreviewStep::points);
   EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.25 0 0\n0 0 0 0\n0 1 0 1\n");
   EXPECT_EQ(preview.counts, (PreviewCounts{3, 0, 3, 3}));
+}
+
+TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
+  const auto red = [](const std::string& triangle) {
+    const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\n" + triangle);
+    return show(make_preview(scene, make_params(4, 4, 1), PreviewStep::points), &Rgb::r);
+  };
+  // One corner is in the image, then two, of which the second is half a unit farther away.
+  EXPECT_EQ(red("p 3 -1 -1 0 50 -1 0 -1 50 0\n"), "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0\n");
+  EXPECT_EQ(red("p 3 -1 -1 0 1.125 -1.125 -0.5 -1 50 0\n"),
+            "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0.25\n");
 }
 
 TEST(Preview, EdgesAreThoseThatNothingHides) {
@@ -289,6 +309,29 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   EXPECT_LE(most_of_cylinder, 0.25);
   EXPECT_GE(most_of_sphere, 0.2);  // no finer than it must be
   EXPECT_GE(most_of_cylinder, 0.1);
+}
+
+// From pole to pole is half of the way around.
+TEST(Facets, OfASphereAreNoHigherThanWide) {
+  int odd = 0;
+  for (int i = 1; i <= 100; ++i) {
+    SCOPED_TRACE(testing::Message() << "radius " << 0.02 * i);
+    Scene scene;
+    scene.view.from = {0, 0, 6};
+    scene.surfaces.push_back({});
+    add_sphere(scene, {}, 0.02 * i);
+    finish(scene);
+    Facets facets;
+    make_facets(scene, scene.objects[0], make_params(400, 300, 1), Fineness::silhouette, facets);
+    const auto around = std::ranges::count(facets.indices, 0u);  // each begins at the pole
+    ASSERT_GE(around, 4);
+    ASSERT_EQ(std::ssize(facets.ends) % around, 0);
+    const auto bands = std::ssize(facets.ends) / around;
+    EXPECT_GE(2 * bands, around);
+    EXPECT_LE(2 * bands, around + 1);
+    odd += around % 2;
+  }
+  EXPECT_GT(odd, 20);
 }
 
 }  // namespace

@@ -78,5 +78,18 @@ TEST(Incremental, OneSphereByHand) {
   EXPECT_NEAR(found.b, 0.25 + 0.125, 1e-9);
 }
 
+// The direction of such a light is that of the normal.
+TEST(Incremental, ALightOnTheSurfaceShinesFromAbove) {
+  const Scene scene = parse(
+      "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nl 0 0 0 1 1 1\nf 0.5 1 0 0.5 0 8 0 0\n"
+      "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
+  Params params = make_params(1, 1, 1);
+  params.sample = SamplePosition::center;
+  const Rgb found = render(scene, params).samples.get(0);
+  EXPECT_NEAR(found.r, 0.025 + 0.25, 1e-9);
+  EXPECT_NEAR(found.g, 0.05 + 0.5, 1e-9);
+  EXPECT_EQ(found.b, 0);
+}
+
 }  // namespace
 }  // namespace renderer::test

@@ -293,5 +293,31 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   }
 }
 
+// Those of the picture itself are looked at as well.
+TEST(Farm, AreasOfStagesAndOrdersAreWithinThePicture) {
+  const auto error_of = [](const Params& params) {
+    try {
+      check(params);
+    } catch (const base::BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Limits inside, outside;
+  inside.area = {20, 13, 4, 5};
+  outside.area = {20, 13, 5, 5};
+  const std::string expected =
+      "area: found 5 x 5 at (20, 13), expected a rectangle of pixels within 24 x 18";
+  for (const auto& [limits, message] : {std::pair(inside, std::string()), {outside, expected}}) {
+    Params staged = small_params(), ordered = small_params(), whole = small_params();
+    staged.stages = {Limits{}, limits};
+    ordered.script = {{{1}, {NonInteractive{}}}, {{2}, {limits}}};
+    whole.image.area = limits.area;
+    EXPECT_EQ(error_of(staged), message);
+    EXPECT_EQ(error_of(ordered), message);
+    EXPECT_EQ(error_of(whole), message);
+  }
+}
+
 }  // namespace
 }  // namespace farm

@@ -199,6 +199,19 @@ TEST(IirraSession, OnlyAWholePictureTellsOfDoubleSamples) {
   });
 }
 
+TEST(IirraSession, StagesThatWereNotNeededAreNoted) {
+  const auto told = [](const std::vector<Limits>& stages) {
+    return isolated([&] {
+      Params params = small_params();
+      params.stages = stages;
+      return notes(run(params));
+    });
+  };
+  EXPECT_EQ(told({Limits{}, coarse(8)}), "the picture was complete in stage 1; ");
+  EXPECT_EQ(told({coarse(8), Limits{}, coarse(4)}), "the picture was complete in stage 2; ");
+  EXPECT_EQ(told({coarse(8), Limits{}}), "");
+}
+
 // What the coordinator has been told is over changes nothing.
 TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   run_isolated([] {

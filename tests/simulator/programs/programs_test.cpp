@@ -168,5 +168,30 @@ TEST(Programs, ParametersKnowWhatTheyAllow) {
   EXPECT_EQ(sources.find("messages")->assign(of_sources, 3), "a whole number from 4 to 10000000");
 }
 
+// [[stage]] of an experiment file.
+TEST(Programs, LimitsOfAStageKnowWhatTheyAllow) {
+  for (const char* name : {"farm", "iirra"}) {
+    SCOPED_TRACE(name);
+    const auto& lists = get_program(name).lists;
+    const auto stage = std::ranges::find(lists, "stage", &RecordList::key);
+    ASSERT_NE(stage, lists.end());
+    const auto assign = [&](const char* field, const base::Scalar& value) {
+      std::any record = stage->make_record();
+      const auto found = std::ranges::find(stage->fields, field, &Parameter::name);
+      return found == stage->fields.end() ? "no such field" : found->assign(record, value);
+    };
+    for (const double good : {0.0, 0.5, 1.0}) EXPECT_EQ(assign("min_influence", good), "");
+    for (const double bad : {-0.5, 1.5})
+      EXPECT_EQ(assign("min_influence", bad), "a number from 0 to 1");
+    for (const char* depth : {"depth_reflected", "depth_transmitted"}) {
+      for (const int good : {0, 1, 1000}) EXPECT_EQ(assign(depth, good), "");
+      for (const int bad : {-1, 1001})
+        EXPECT_EQ(assign(depth, bad), "a whole number from 0 to 1000");
+    }
+    EXPECT_EQ(assign("min_cell", 1), "");
+    EXPECT_NE(assign("min_cell", 0), "");
+  }
+}
+
 }  // namespace
 }  // namespace programs

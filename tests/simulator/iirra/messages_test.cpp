@@ -1,0 +1,31 @@
+// How long the messages of IIRRA are.
+#include "simulator/iirra/messages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace iirra {
+namespace {
+
+// In words: each has a tag first.
+TEST(IirraMessages, AreAsLongAsWhatTheySay) {
+  const Sizes sizes(machine::load_model("t805-25"));
+  const auto words_of = [&](const IirraMessage::Content& content) {
+    const auto bytes = sizes.of(content);
+    EXPECT_EQ(bytes % Sizes::WORD, 0u);
+    return bytes / Sizes::WORD;
+  };
+  constexpr std::uint64_t TAG = 1, NUMBER = 1, LIMITS = 6, AREA = 4, WEIGHTS = 6;
+  EXPECT_EQ(words_of(UserOrder{}), TAG + NUMBER + LIMITS + AREA);
+  NewPhase phase;
+  EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA);  // the phase's and the order's
+  phase.limits.weights = Weights{};
+  EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA + WEIGHTS);
+  EXPECT_EQ(words_of(Report{}), TAG + 3 * NUMBER);
+  EXPECT_EQ(words_of(TaskRequest{}), TAG + NUMBER);
+  EXPECT_EQ(words_of(NoTasks{}), TAG + NUMBER);
+  EXPECT_EQ(words_of(Stop{}), TAG);
+  EXPECT_EQ(words_of(Finish{}), TAG);
+}
+
+}  // namespace
+}  // namespace iirra
