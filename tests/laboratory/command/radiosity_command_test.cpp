@@ -116,11 +116,11 @@ TEST_F(RadiosityCommand, CreasesAreTheFilesFoundOrNone) {
 }
 
 TEST_F(RadiosityCommand, AdaptivePatchesReachTheErrorAndSaySo) {
-  const auto done = run({"i.png", "--stats", "s.json", "--adaptive", "0.1"});
+  const auto done = run({"i.png", "--stats", "s.json", "--adaptive", "0.02"});
   const auto adapted = nlohmann::json::parse(read("s.json"));
   EXPECT_GT(adapted["patches"], 21);
   EXPECT_GT(adapted["rounds"], 0);
-  EXPECT_LE(adapted["estimated_error"], 0.1);
+  EXPECT_LE(adapted["estimated_error"], 0.02);
   EXPECT_NE(done.out.find("halved "), std::string::npos) << done.out;
   EXPECT_EQ(run({"i.png"}).out.find("halved "), std::string::npos);
   EXPECT_EQ(done.err, "");
