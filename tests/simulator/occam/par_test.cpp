@@ -159,6 +159,26 @@ TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   EXPECT_EQ(found.at(3), started.value + 500 + (2 * s.end_process + s.return_to_low).value);
 }
 
+// What a process without debts is told of its time is exact: it has paid for the CPU's loss.
+TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
+  const Model model = make_complete_model();
+  const auto found = isolated_numbers([&] {
+    Lab lab(model);
+    Numbers at;
+    lab.cpu().start("parent", Priority::low, [&] {
+      par({{"high", Priority::high, [] { compute(500); }},
+           {"low", Priority::low, [&] {
+              const auto& self = this_process();
+              at.push_back(self.own_time().value * self.processor().clock().value);
+              at.push_back(own_cycles());
+            }}});
+    });
+    lab.machine.run();
+    return at;
+  });
+  EXPECT_EQ(found.at(0), found.at(1));
+}
+
 // A low branch ends last and wakes its high parent. It has ended: that is no pre-emption.
 TEST(Par, LowBranchOfAHighParentWakesIt) {
   const Model model = make_complete_model();

@@ -152,6 +152,22 @@ TEST(Programs, OfRoutersNeedTwoProcessors) {
         << name;
 }
 
+// Of the two messages of 2 ms one is still on its way at their end, but not for long.
+TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
+  const auto found = occam::isolated([] {
+    const auto model = machine::load_model("t805-25");
+    programs::Setup setup{model, topologies::make_topology("line:4")};
+    setup.routes = topologies::make_routes(setup.topology);
+    const auto outcome = run_program(
+        "router_load", setup,
+        {{"warm_up_s", 0.0}, {"window_s", 0.002}, {"load", 0.002}, {"seed", std::int64_t{6}}});
+    const Row& row = outcome.rows.at(0);
+    return fmt::format("{} {} {}", get_number(row, "accepted_per_s"), get_number(row, "overflowed"),
+                       get_number(row, "saturated"));
+  });
+  EXPECT_EQ(found, "125 0 0");  // one message: 1 / 2 ms / 4 processors
+}
+
 TEST(Programs, ParametersKnowWhatTheyAllow) {
   const auto& program = get_program("global");
   std::any params = program.defaults;

@@ -212,5 +212,37 @@ TEST(DataManagers, BadInputIsNamed) {
   EXPECT_EQ(refusal(make_load(10, 1, 1)), "");
 }
 
+// Who looks at a run is told of each processor's cache, and of no other processor.
+TEST(DataManagers, EachIsShownWithItsNumbers) {
+  struct Reader : observe::Onlooker {
+    void begin(const machine::Machine&, const observe::View& shown) override { view = shown; }
+    void before_change(double) override {}
+    void end(double) override {
+      for (int processor = -1; processor <= 4; ++processor) {
+        double cached = -1;
+        for (const auto& inspect : view.inspections)
+          for (const auto& reading : inspect(processor))
+            if (reading.name == "of") cached = reading.value;
+        capacities.push_back(cached);
+      }
+    }
+    observe::View view;
+    occam::Numbers capacities;
+  };
+  const auto found = occam::isolated_numbers([] {
+    const auto topology = topologies::make_topology("line:4");
+    const auto load = make_load(40, 5, 30);
+    Reader reader;
+    observe::Watch watch;
+    watch.onlooker = &reader;
+    programs::Setup setup{model(), topology};
+    setup.watch = &watch;
+    const auto routes = topologies::make_routes(topology);
+    run_data(setup, network::make_routing(load.network.method, topology, routes), load);
+    return reader.capacities;
+  });
+  EXPECT_EQ(found, (occam::Numbers{-1, 5 * ITEM, 5 * ITEM, 5 * ITEM, 5 * ITEM, -1}));
+}
+
 }  // namespace
 }  // namespace programs
