@@ -238,10 +238,11 @@ std::vector<Rgb> find_shares(const Mesh& mesh, const renderer::View& view,
   Work ignored;
   Tracer tracer{mesh, make_sides(mesh), params.depth, ignored};
   std::vector<Rgb> shares(mesh.patches.size());
+  const renderer::Params pixels = make_params(params);
   const double pixel = 1.0 / params.width / params.height;
   for (int y = 0; y < params.height; ++y)
     for (int x = 0; x < params.width; ++x)
-      if (const auto seen = tracer.trace(make_primary(eye, make_params(params), x, y)))
+      if (const auto seen = tracer.trace(make_primary(eye, pixels, x, y)))
         shares[seen->spot.patch] += pixel * (seen->influence * seen->influence);
   return shares;
 }

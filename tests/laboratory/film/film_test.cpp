@@ -8,7 +8,7 @@
 #include "simulator/observe/watch.hpp"
 #include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
-#include "tests/support/lab.hpp"
+#include "tests/laboratory/support/two_processors.hpp"
 #include "tests/support/webp_frames.hpp"
 #include "topologies/draw/load_drawing.hpp"
 #include "topologies/make/generators.hpp"
@@ -41,24 +41,12 @@ Pixel pixel_of_link(const test::WebpFrame& frame, const MachineDrawing& drawing,
   return frame.pixel(0.3 * p2.x + 0.7 * p3.x, p3.y);
 }
 
-// At 2^24 cycles and 2^20 bytes a second the first computes for a quarter of a second, sends for
-// another, and then the second computes for half a second. Of thirds of this second the first is
-// busy for 3/4, 0 and 0, the link for 1/4, 1/2 and 0, and the second for 0, 1/2 and 1.
+// Of thirds of the run the first processor is busy for 3/4, 0 and 0, the link for 1/4, 1/2 and 0,
+// and the second processor for 0, 1/2 and 1.
 TEST(Film, ShowsSharesOfEachFramesTimeInTheColoursOfTheScale) {
   const TemporaryFolder folder;
   occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
-  auto& first = lab.cpu();
-  auto& second = lab.neighbour(first);
-  auto& channel = lab.hard(first, second);
-  first.start("first", machine::Priority::low, [&] {
-    occam::compute(1 << 22);
-    occam::out(channel, {1 << 18, 0});
-  });
-  second.start("second", machine::Priority::low, [&] {
-    occam::Words words;
-    occam::in(channel, words);
-    occam::compute(1 << 23);
-  });
+  start_two_processors(lab);
   const auto file = (folder.path / "film.webp").string();
   const auto line = topologies::make_line(2);
   Film film({.picture = "", .network = file, .frames = 3}, line, 0);

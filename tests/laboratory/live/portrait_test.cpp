@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/laboratory/live/spans.hpp"
-#include "tests/support/lab.hpp"
+#include "tests/laboratory/support/two_processors.hpp"
 
 namespace laboratory {
 namespace {
@@ -15,20 +15,10 @@ struct Portrait : testing::Test {
   occam::Lab lab{occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct}};
 };
 
-// Of a second the first computes a quarter and sends another, then the second computes a half.
+// Loads are in thousandths of the time: one processor computes for a quarter of the run, the other
+// for a half, and the link sends for a quarter.
 TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
-  auto& first = lab.cpu();
-  auto& second = lab.neighbour(first);
-  auto& channel = lab.hard(first, second);
-  first.start("first", machine::Priority::low, [&] {
-    occam::compute(1 << 22);
-    occam::out(channel, {1 << 18, 0});
-  });
-  second.start("second", machine::Priority::low, [&] {
-    occam::Words words;
-    occam::in(channel, words);
-    occam::compute(1 << 23);
-  });
+  start_two_processors(lab);
   RecentLoads loads;
   const auto describe = [&] { return loads.describe(lab.machine, lab.machine.now().value); };
   const auto begun = describe();

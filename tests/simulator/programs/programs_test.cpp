@@ -152,7 +152,7 @@ TEST(Programs, OfRoutersNeedTwoProcessors) {
         << name;
 }
 
-// Of the two messages of 2 ms one is still on its way at their end, but not for long.
+// Two messages are sent within the window of 2 ms. One arrives a moment after the window's end.
 TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
   const auto found = occam::isolated([] {
     const auto model = machine::load_model("t805-25");

@@ -1,0 +1,24 @@
+#pragma once
+// A run of one second, of which it is known when each processor and the link are busy.
+#include "tests/support/lab.hpp"
+
+namespace laboratory {
+
+/// At 2^24 cycles and 2^20 bytes a second: one processor computes for a quarter of a second and
+/// sends for another quarter; then the one that has received computes for half a second.
+inline void start_two_processors(occam::Lab& lab) {
+  auto& first = lab.cpu();
+  auto& second = lab.neighbour(first);
+  auto& channel = lab.hard(first, second);
+  first.start("first", machine::Priority::low, [&] {
+    occam::compute(1 << 22);
+    occam::out(channel, {1 << 18, 0});
+  });
+  second.start("second", machine::Priority::low, [&] {
+    occam::Words words;
+    occam::in(channel, words);
+    occam::compute(1 << 23);
+  });
+}
+
+}  // namespace laboratory
