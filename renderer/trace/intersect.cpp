@@ -7,7 +7,6 @@ namespace renderer {
 namespace {
 
 struct Nearest {
-  double distance;
   std::uint32_t object = NO_OBJECT;
   Place place;
 };
@@ -17,7 +16,7 @@ struct Walk {
   const Scene& scene;
   const Ray& ray;
   Nearest best;
-  Probe probe;
+  Probe probe;  // it reaches to the nearest hit so far
   std::uint32_t boxes = 0;
   std::uint32_t tests[4] = {};  // by Kind
 };
@@ -55,7 +54,8 @@ struct Somebody {
 template <class Primitive>
 [[gnu::always_inline]] inline double intersect_moved(const Primitive& primitive, Walk& walk) {
   const Vec origin = walk.ray.origin - eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
-  Probe probe{origin, walk.ray.direction, walk.probe.from, walk.probe.epsilon, walk.probe.corners};
+  Probe probe{origin,           walk.ray.direction, walk.probe.from, walk.probe.epsilon,
+              walk.probe.reach, walk.probe.corners};
   const double distance = intersect(primitive, probe);
   walk.probe.roots += probe.roots;
   walk.probe.edges += probe.edges;
@@ -77,9 +77,12 @@ template <bool MOVES, class Told>
           return intersect(primitive, walk.probe);
       });
   Nearest& best = walk.best;
-  if (distance < best.distance ||
-      (distance == best.distance && tag.object < best.object && best.object != NO_OBJECT))
-    best = {distance, tag.object, place};
+  double& reach = walk.probe.reach;
+  if (distance < reach ||
+      (distance == reach && tag.object < best.object && best.object != NO_OBJECT)) {
+    reach = distance;
+    best = {tag.object, place};
+  }
 }
 
 template <bool MOVES, class Told>
@@ -104,6 +107,8 @@ void walk_boxes(Walk& walk, const Told& told) {
   const Face out_x = inverse.x < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
+  double begin = 0;
+  asm("" : "+m"(begin));  // not a constant, or GCC branches where it compares
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
@@ -118,7 +123,7 @@ void walk_boxes(Walk& walk, const Told& told) {
     ++tested;
     // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
     // compares false and leaves the interval as it is.
-    double enter = 0, leave = CLIP ? walk.best.distance : NO_HIT;
+    double enter = begin, leave = CLIP ? walk.probe.reach : NO_HIT;
     const auto clip = [&](Face in_face, Face out_face, double Vec::*axis) {
       double in_plane = (box.bounds.*in_face).*axis, out_plane = (box.bounds.*out_face).*axis;
       if constexpr (MOVES) {
@@ -146,7 +151,7 @@ template <bool MOVES>
   const Ray& ray = walk.ray;
   const Place place = walk.best.place;
   Hit hit;
-  hit.distance = walk.best.distance;
+  hit.distance = walk.probe.reach;
   hit.object = walk.best.object;
   if (ray.kind == RayKind::shadow) return hit;
   hit.point = ray.origin + hit.distance * ray.direction;
@@ -176,8 +181,8 @@ template <bool MOVES>
 [[gnu::always_inline]] inline Walk make_walk(const Scene& scene, const Ray& ray) {
   return {scene,
           ray,
-          {ray.reach, NO_OBJECT, {}},
-          {ray.origin, ray.direction, ray.from, scene.epsilon, scene.corners.data()}};
+          {},
+          {ray.origin, ray.direction, ray.from, scene.epsilon, ray.reach, scene.corners.data()}};
 }
 
 // What the walk found.

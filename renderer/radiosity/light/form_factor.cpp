@@ -10,9 +10,6 @@ using renderer::Work;
 
 namespace {
 
-// The share of the distance to a point within which a ray does not meet the object of the point.
-constexpr double NEARLY = 1 - 1e-9;
-
 // How a vertex sees a patch directly, for DeltaAreas.
 struct DirectSight {
   const Eye& eye;
@@ -60,21 +57,6 @@ base::Fields<FactorParams> factor_fields() {
 }
 
 void check(const FactorParams& params) { renderer::require_allowed(factor_fields(), params); }
-
-bool sees(const Eye& eye, const Vec& from, std::uint32_t object, const Vec& to, std::uint32_t other,
-          Work& work) {
-  if (object == other) return true;
-  const Vec way = to - from;
-  const double distance = length(way);
-  renderer::Ray ray;
-  ray.origin = from;
-  ray.direction = (1 / distance) * way;
-  ray.reach = distance * NEARLY;
-  ray.from = object;
-  ray.kind = renderer::RayKind::shadow;
-  const auto& blockers = eye.mesh.blockers;
-  return !intersect(blockers, ray, eye.params.traversal, work, eye.access);
-}
 
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   return eval_direct(eye, vertex, patch, Quad(patch), Even{}, work);
