@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "renderer/scene/primitives.hpp"
+#include "renderer/scene/require.hpp"
 
 namespace renderer {
 

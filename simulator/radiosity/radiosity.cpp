@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "simulator/declare/routers.hpp"
 #include "simulator/radiosity/application.hpp"
 
 namespace amp {

@@ -19,11 +19,12 @@ using occam::Signal;
 namespace {
 
 constexpr int ROUNDS = 20;
-constexpr machine::Cycles WORK{2000};  // of a round
+constexpr int USUAL_WORK = 2000;  // cycles of a round
 
 // A processor's three processes beside its router: in every round one sends to all neighbours,
 // one receives as much from them, and one computes with it.
 struct Exchange {
+  machine::Cycles work;
   Channel<Signal> computed{"computed"}, received{"received"};
 
   void source(StoreAndForward& network, int id, const std::vector<topologies::Neighbour>& around) {
@@ -42,14 +43,14 @@ struct Exchange {
   void compute() {
     for (int round = 1; round <= ROUNDS; ++round) {
       in(received);
-      occam::this_process().charge(WORK);
+      occam::this_process().charge(work);
       if (round < ROUNDS) out(computed, Signal{});
     }
   }
 };
 
 // Memory is of all there is to a machine: what is built, and what has grown when it has run.
-Sample exchange(int side, machine::EngineParams engine) {
+Sample exchange(int side, int work, machine::EngineParams engine) {
   // As in a process that has allocated nothing yet: what the parent freed would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
@@ -60,11 +61,11 @@ Sample exchange(int side, machine::EngineParams engine) {
   for (int id = 0; id < topology.processors; ++id)
     machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
   StoreAndForward network(machine, topology);
-  std::deque<Exchange> exchanges(static_cast<std::size_t>(topology.processors));
+  std::deque<Exchange> exchanges;
   std::size_t hops = 0;
   for (int id = 0; id < topology.processors; ++id) {
     auto& processor = *machine.processors()[id];
-    auto& own = exchanges[static_cast<std::size_t>(id)];
+    auto& own = exchanges.emplace_back(machine::Cycles{work});
     const auto& neighbours = around[static_cast<std::size_t>(id)];
     processor.start("source", Priority::high, [&, id] { own.source(network, id, neighbours); });
     processor.start("sink", Priority::high, [&, id] { own.sink(network, id, neighbours.size()); });
@@ -73,23 +74,34 @@ Sample exchange(int side, machine::EngineParams engine) {
   }
   Sample sample = run(machine, hops);
   sample.memory_kb = memory_kb() - before_kb;
+  sample.events = machine.events();
   return sample;
 }
 
 }  // namespace
 
 void add_neighbours() {
-  for (const Engine& engine : ENGINES)
-    for (const int side : {8, 16, 32, 128}) {
-      if (side > 32 && engine.params.links == machine::Links::simgrid) continue;  // for minutes
-      if (engine.params.processes == machine::Processes::actors) continue;
-      add(fmt::format("neighbours of a {0} x {0} mesh", side), engine.by,
-          [side, engine](benchmark::State& state) {
-            const Sample sample = in_child([&] { return exchange(side, engine.params); });
-            state.counters["KB_per_transputer"] = sample.memory_kb / (side * side);
-            return sample;
-          });
+  const auto add_one = [](const std::string& what, const Engine& engine, int side, int work) {
+    return add(what, engine.by, [=](benchmark::State& state) {
+      const Sample sample = in_child([&] { return exchange(side, work, engine.params); });
+      state.counters["KB_per_transputer"] = sample.memory_kb / (side * side);
+      state.counters["ns_per_event"] = 1e9 * sample.cpu_s / static_cast<double>(sample.events);
+      return sample;
+    });
+  };
+  for (const Engine& engine : ENGINES) {
+    if (engine.params.processes == machine::Processes::actors) continue;
+    const bool is_direct = engine.params.links == machine::Links::direct;
+    for (const int side : {4, 8, 16, 32, 64, 128, 256}) {
+      if (side > 32 && !is_direct) continue;  // for minutes
+      auto* one =
+          add_one(fmt::format("neighbours of a {0} x {0} mesh", side), engine, side, USUAL_WORK);
+      if (side > 64) one->Repetitions(1);  // as long
     }
+    for (const int work : {200, 20'000, 200'000})
+      if (is_direct)
+        add_one(fmt::format("neighbours of a 16 x 16 mesh, {} cycles", work), engine, 16, work);
+  }
 }
 
 }  // namespace benchmarks

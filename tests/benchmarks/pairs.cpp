@@ -32,8 +32,9 @@ class Reporter : public benchmark::ConsoleReporter {
           fmt::print("{:34} {:9.3f}M {:>12} {:8.3f}M {:7.2f}\n", what, 1e-6 * ours->second, who,
                      1e-6 * rate, ours->second / rate);
     }
-    for (const auto& [what, kb] : memory_kb_)
-      fmt::print("{:34} {:9.0f} KB of memory a transputer\n", what, kb);
+    for (const auto& [machine, cost] : costs_)
+      fmt::print("{:48} {:6.0f} KB a transputer {:6.0f} ns an event\n", machine, cost.memory_kb,
+                 cost.event_ns);
   }
 
  private:
@@ -42,11 +43,16 @@ class Reporter : public benchmark::ConsoleReporter {
     const auto what = name.substr(0, slash);
     rates_[what][name.substr(slash + 1)] = counters.at("items_per_second");
     const auto memory = counters.find("KB_per_transputer");
-    if (memory != counters.end()) memory_kb_[what] = memory->second;
+    if (memory != counters.end())
+      costs_[what + ", " + name.substr(slash + 1)] = {memory->second, counters.at("ns_per_event")};
   }
 
+  struct Cost {
+    double memory_kb, event_ns;  // for each transputer, for each event
+  };
+
   std::map<std::string, std::map<std::string, double>> rates_;  // by what, by who
-  std::map<std::string, double> memory_kb_;                     // by what
+  std::map<std::string, Cost> costs_;                           // by what and who
 };
 
 }  // namespace
