@@ -32,15 +32,6 @@ void check_word(const std::string& name) {
           "a name without blanks and #");
 }
 
-void check_polygon(const std::vector<Vec>& corners, const std::vector<Vec>& normals) {
-  std::vector<Corner> pool;
-  std::vector<Vec> normal_pool;
-  if (normals.empty())
-    make_polygon(corners, {}, pool);
-  else
-    make_patch(corners, normals, {}, pool, normal_pool);
-}
-
 std::string find_from(const std::string& folder, const std::string& file) {
   const auto path =
       std::filesystem::proximate(file, folder.empty() ? "." : folder).generic_string();

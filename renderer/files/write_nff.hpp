@@ -43,7 +43,5 @@ std::string describe(const Rgb& colour);
 void check_word(const std::string& name);
 /// How `file` is found from `folder`, by check_word().
 std::string find_from(const std::string& folder, const std::string& file);
-/// BadInput for what no scene can have as a polygon, such as one without an area.
-void check_polygon(const std::vector<Vec>& corners, const std::vector<Vec>& normals);
 
 }  // namespace renderer

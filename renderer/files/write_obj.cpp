@@ -1,6 +1,7 @@
 #include "renderer/files/write_obj.hpp"
 
 #include "renderer/files/write_nff.hpp"
+#include "renderer/scene/primitives.hpp"
 
 namespace renderer {
 

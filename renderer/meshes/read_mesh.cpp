@@ -13,7 +13,7 @@
 #include "base/text.hpp"
 #include "renderer/files/statements.hpp"
 #include "renderer/files/tokens.hpp"
-#include "renderer/files/write_nff.hpp"
+#include "renderer/scene/primitives.hpp"
 
 namespace renderer {
 

@@ -72,6 +72,15 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
   return made;
 }
 
+void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals) {
+  std::vector<Corner> pool;
+  std::vector<Vec> normal_pool;
+  if (corner_normals.empty())
+    make_polygon(corners, {}, pool);
+  else
+    make_patch(corners, corner_normals, {}, pool, normal_pool);
+}
+
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag) {
   require(base_radius >= 0 && apex_radius >= 0,
           fmt::format("a cone of radii {} and {}", base_radius, apex_radius), "radii >= 0");

@@ -58,6 +58,9 @@ Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>&
 /// `corner_normals`: one for every corner, of any length but 0.
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
                  std::vector<Corner>& pool, std::vector<Vec>& normal_pool);
+/// BadInput for what no scene can have as a polygon, such as one without an area, or as a patch if
+/// its corners have normals.
+void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals);
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag);
 
 /// Where a corner of a polygon is: the dropped coordinate follows from the plane.
