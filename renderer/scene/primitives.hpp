@@ -96,7 +96,7 @@ Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
                        std::span<const Vec> normal_pool, const Vec& point);
 
 // One ray against one primitive. Each intersect() returns the least distance greater than epsilon
-// at which the ray meets the primitive, or infinity.
+// at which the ray meets the primitive, or infinity. A polygon may return infinity beyond `reach`.
 //
 // Self-intersection: a ray may start on this very primitive. The root at the origin is then exactly
 // 0 and left out, whatever rounding would make of it: a flat primitive has no other root, a quadric
@@ -113,7 +113,7 @@ struct Probe {
   double epsilon;                      ///< the scene's
   double reach;                        ///< hits beyond it do not matter
   const Corner* corners;               ///< the scene's pool
-  std::uint32_t roots = 0, edges = 0;  ///< spheres that took a root, polygons that looked at edges
+  std::uint32_t roots = 0, edges = 0;  ///< spheres that took a root, polygons that lie ahead
 
   bool starts_on(const Tag& tag) const { return tag.object == from; }
 };
@@ -149,8 +149,8 @@ struct Probe {
   return inside;
 }
 
-// One branch, which is seldom taken: the planes of a room's walls are ahead of half the feelers and
-// beyond nearly all of them.
+// All that rules a polygon out is decided in one branch, which is easy to predict: half the feelers
+// go towards a room's wall, but nearly all end before it.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;

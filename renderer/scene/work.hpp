@@ -15,7 +15,7 @@ enum class Op : std::uint8_t {
   sphere_root,         ///< a sphere test that took a root: the ray's line meets the sphere
   polygon_test,        ///< a ray against the plane of one polygon
   patch_test,          ///< a ray against the plane of one polygon with normals
-  polygon_edges,       ///< a test of a polygon that looked at the edges: the plane is ahead
+  polygon_edges,       ///< a test of a polygon whose plane is ahead
   cone_test,           ///< a ray against one cone or cylinder
   ray_intersected,     ///< one call of intersect()
   hit_made,            ///< a hit that had to have a point and a normal: not a feeler's

@@ -108,7 +108,7 @@ void walk_boxes(Walk& walk, const Told& told) {
   const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
   double begin = 0;
-  asm("" : "+m"(begin));  // not a constant, or GCC branches where it compares
+  asm("" : "+m"(begin));  // seen as a constant, GCC makes a branch of the first maximum
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];

@@ -20,7 +20,7 @@ struct Sample {
   double cpu_s = 0;          // host CPU time it took
   double simulated_s = 0;    // of a simulation: when it ended
   double memory_kb = 0;      // of some: what it added to the resident memory
-  std::uint64_t events = 0;  // of some: what the machine handled
+  std::uint64_t events = 0;  // that the machine handled; 0: not counted
 };
 
 // Host CPU time used by this process, in seconds: waiting for the CPU does not count.

@@ -24,6 +24,7 @@ constexpr int USUAL_WORK = 2000;  // cycles of a round
 // A processor's three processes beside its router: in every round one sends to all neighbours,
 // one receives as much from them, and one computes with it.
 struct Exchange {
+  explicit Exchange(machine::Cycles work) : work(work) {}
   machine::Cycles work;
   Channel<Signal> computed{"computed"}, received{"received"};
 
@@ -81,7 +82,8 @@ Sample exchange(int side, int work, machine::EngineParams engine) {
 }  // namespace
 
 void add_neighbours() {
-  const auto add_one = [](const std::string& what, const Engine& engine, int side, int work) {
+  const auto add_one = [](const Engine& engine, int side, int work) {
+    const auto what = fmt::format("neighbours of a {0} x {0} mesh, {1} cycles", side, work);
     return add(what, engine.by, [=](benchmark::State& state) {
       const Sample sample = in_child([&] { return exchange(side, work, engine.params); });
       state.counters["KB_per_transputer"] = sample.memory_kb / (side * side);
@@ -93,14 +95,12 @@ void add_neighbours() {
     if (engine.params.processes == machine::Processes::actors) continue;
     const bool is_direct = engine.params.links == machine::Links::direct;
     for (const int side : {4, 8, 16, 32, 64, 128, 256}) {
-      if (side > 32 && !is_direct) continue;  // for minutes
-      auto* one =
-          add_one(fmt::format("neighbours of a {0} x {0} mesh", side), engine, side, USUAL_WORK);
-      if (side > 64) one->Repetitions(1);  // as long
+      if (side > 32 && !is_direct) continue;  // takes SimGrid minutes
+      auto* one = add_one(engine, side, USUAL_WORK);
+      if (side > 64) one->Repetitions(1);  // a run takes minutes
     }
     for (const int work : {200, 20'000, 200'000})
-      if (is_direct)
-        add_one(fmt::format("neighbours of a 16 x 16 mesh, {} cycles", work), engine, 16, work);
+      if (is_direct) add_one(engine, 16, work);
   }
 }
 

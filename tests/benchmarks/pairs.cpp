@@ -33,7 +33,7 @@ class Reporter : public benchmark::ConsoleReporter {
                      1e-6 * rate, ours->second / rate);
     }
     for (const auto& [machine, cost] : costs_)
-      fmt::print("{:48} {:6.0f} KB a transputer {:6.0f} ns an event\n", machine, cost.memory_kb,
+      fmt::print("{:58} {:6.0f} KB a transputer {:6.0f} ns an event\n", machine, cost.memory_kb,
                  cost.event_ns);
   }
 

@@ -45,8 +45,8 @@ struct Eye {
   renderer::Access* access = nullptr;
 };
 
-/// Whether nothing blocks the way from a point on one object to a point on another. Inlined, as
-/// what calls it has found the way too.
+/// Whether nothing blocks the way from a point on one object to a point on another. Inlined: the
+/// caller computes the way and its length too, and shares them.
 [[gnu::always_inline]] inline bool sees(const Eye& eye, const Vec& from, std::uint32_t object,
                                         const Vec& to, std::uint32_t other, renderer::Work& work) {
   // The share of the distance within which a ray does not meet the other object.
