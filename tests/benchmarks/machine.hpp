@@ -35,13 +35,13 @@ void add_on_all(const std::string& what, Run run) {
     add_simulation(what, engine.by, [run, engine] { return run(engine.params); });
 }
 
-void add_line();        // a line of store-and-forward hops
-void add_mesh();        // routers on an 8 x 8 mesh
-void add_farm();        // the farm of chapter 4
-void add_scheduler();   // rendezvous and pre-emptions on one processor
-void add_neighbours();  // neighbours of a mesh exchange; memory per transputer, host time per event
-void add_renderers();   // the sequential renderer
-void add_noise();       // the same, with a lens and a light that has a size
+void add_line();          // a line of store-and-forward hops
+void add_mesh();          // routers on an 8 x 8 mesh
+void add_farm();          // the farm of chapter 4
+void add_scheduler();     // rendezvous and pre-emptions on one processor
+void add_neighbours();    // neighbours of a mesh exchange: costs of a transputer and an event
+void add_renderers();     // the sequential renderer
+void add_noise();         // the same, with a lens and a light that has a size
 void add_form_factors();  // radiosity
 
 }  // namespace benchmarks

@@ -97,7 +97,7 @@ void add_neighbours() {
     for (const int side : {4, 8, 16, 32, 64, 128, 256}) {
       if (side > 32 && !is_direct) continue;  // takes SimGrid minutes
       auto* one = add_one(engine, side, USUAL_WORK);
-      if (side > 64) one->Repetitions(1);  // a run takes minutes
+      if (side > 64) one->Repetitions(1);  // five take minutes
     }
     for (const int work : {200, 20'000, 200'000})
       if (is_direct) add_one(engine, 16, work);

@@ -41,8 +41,10 @@ Pixel pixel_of_link(const test::WebpFrame& frame, const MachineDrawing& drawing,
   return frame.pixel(0.3 * p2.x + 0.7 * p3.x, p3.y);
 }
 
-// Of thirds of the run the first processor is busy for 3/4, 0 and 0, the link for 1/4, 1/2 and 0,
-// and the second processor for 0, 1/2 and 1.
+// A film of three frames, each a third of the run. How much of it each is busy:
+//   first processor   3/4  0    0
+//   link              1/4  1/2  0
+//   second processor  0    1/2  1
 TEST(Film, ShowsSharesOfEachFramesTimeInTheColoursOfTheScale) {
   const TemporaryFolder folder;
   occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
