@@ -96,12 +96,17 @@ struct Wedge {
   std::array<Vec, 2> from, through;
 };
 
+// Creases on a receiver.
+struct Found {
+  std::vector<Crease> borders;  // of penumbrae
+  std::vector<Crease> within;   // where light changes its slope within one
+};
+
 struct Shadow {
   const Stage& stage;
   std::size_t blocker;
   Vec light_mean, blocker_mean, blocker_normal;
   std::vector<Plane> edges;  // of the receiver
-  std::vector<Crease>& creases;
 };
 
 Vec project(const Plane& ground, const Vec& from, const Vec& through) {
@@ -139,15 +144,16 @@ std::vector<Pencil> step_aside(const Wedge& wedge, const Shadow& shadow) {
   return pencils;
 }
 
-void add_seen(const std::vector<Interval>& seen, const Vec& a, const Vec& b, Shadow& shadow) {
+void add_seen(const std::vector<Interval>& seen, const Vec& a, const Vec& b, double tolerance,
+              std::vector<Crease>& creases) {
   for (const Interval& part : seen) {
     const Crease crease{lerp(a, b, part.from), lerp(a, b, part.to)};
-    if (max_abs(crease.b - crease.a) > shadow.stage.tolerance) shadow.creases.push_back(crease);
+    if (max_abs(crease.b - crease.a) > tolerance) creases.push_back(crease);
   }
 }
 
 // Adds the creases along which the wedge meets the receiver.
-void add_wedge(Wedge wedge, Shadow& shadow) {
+void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) {
   const Stage& stage = shadow.stage;
   const Plane& ground = stage.receiver.plane;
   const auto fall = [&](int i) {
@@ -181,7 +187,8 @@ void add_wedge(Wedge wedge, Shadow& shadow) {
   const std::vector<Pencil> pencils = step_aside(wedge, shadow);
   const bool passes_one = wedge.through[0] == wedge.through[1];
   const auto seen = find_seen(stage.between, shadow.blocker, pencils, passes_one);
-  add_seen(seen, lerp(far[0], far[1], inside->from), lerp(far[0], far[1], inside->to), shadow);
+  add_seen(seen, lerp(far[0], far[1], inside->from), lerp(far[0], far[1], inside->to),
+           stage.tolerance, creases);
 }
 
 // Whether the polygon has corners on both sides of the plane.
@@ -201,20 +208,24 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// Whether the plane through a corner of one polygon and an edge of the other cuts neither of them.
-bool is_critical(const Stage& stage, std::span<const Vec> blocker, const Vec& corner, const Vec& a,
-                 const Vec& b) {
+// What the plane through a corner and an edge, one of the light and one of a blocker, does.
+enum class Cut : std::uint8_t { neither, light, blocker };
+// Nothing if there is no such plane, or the light lies in it.
+std::optional<Cut> find_cut(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
+                            const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
   const Vec across = cross(b - a, corner - a);
-  if (length(across) <= tolerance * length(b - a)) return false;
+  if (length(across) <= tolerance * length(b - a)) return std::nullopt;
   const Plane plane = make_plane(normalize(across), corner);
-  return !contains(plane, stage.light.corners, 10 * tolerance) &&
-         length(cross(plane.normal, stage.light.plane.normal)) > ASIDE &&
-         !cuts(plane, stage.light.corners, tolerance) && !cuts(plane, blocker, tolerance);
+  if (contains(plane, stage.light.corners, 10 * tolerance) ||
+      length(cross(plane.normal, stage.light.plane.normal)) <= ASIDE)
+    return std::nullopt;
+  if (cuts(plane, blocker, tolerance)) return Cut::blocker;
+  return cuts(plane, stage.light.corners, tolerance) ? Cut::light : Cut::neither;
 }
 
 // Adds the creases where the blocker's own plane, if it cuts the light, meets the receiver.
-void add_own_plane_creases(Shadow& shadow) {
+void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   const auto& light = shadow.stage.light.corners;
   const auto& face = shadow.stage.between[shadow.blocker];
   const Plane own = make_plane(shadow.blocker_normal, shadow.blocker_mean);
@@ -223,44 +234,48 @@ void add_own_plane_creases(Shadow& shadow) {
   if (!ends) return;
   for (std::size_t i = 0; i < face.size(); ++i) {
     for (const Vec& end : *ends)
-      add_wedge({{end, end}, {face[i], face[(i + 1) % face.size()]}}, shadow);
-    add_wedge({*ends, {face[i], face[i]}}, shadow);
+      add_wedge({{end, end}, {face[i], face[(i + 1) % face.size()]}}, shadow, creases);
+    add_wedge({*ends, {face[i], face[i]}}, shadow, creases);
   }
 }
 
-// Adds the creases that between[blocker] makes on the receiver. They lie where the planes through
-// an edge of light or blocker and a corner of the other that cut neither (on one side of such a
-// plane the blocker hides nothing of the light, or all it can) meet the receiver; where the
-// blocker's own plane does, if it cuts the light; and where the blocker touches the receiver. Only
-// what no other face hides from the light counts.
-void add_shadow_creases(const Stage& stage, std::size_t blocker, std::vector<Crease>& creases) {
+// Adds the creases that between[blocker] makes on the receiver. The borders lie where the planes
+// through an edge of light or blocker and a corner of the other that cut neither (on one side of
+// such a plane the blocker hides nothing of the light, or all it can) meet the receiver; where the
+// blocker's own plane does, if it cuts the light; and where the blocker touches the receiver.
+// Within are those through an edge of the blocker and the other corners of the light. Only what no
+// other face hides from the light counts.
+void add_shadow_creases(const Stage& stage, std::size_t blocker, Found& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];
   const auto next = [](const std::vector<Vec>& polygon, std::size_t i) {
     return polygon[(i + 1) % polygon.size()];
   };
-  Shadow shadow{stage,
-                blocker,
-                eval_mean(light),
-                eval_mean(face),
-                normalize(eval_area_normal(face)),
-                make_edge_planes(stage.receiver.corners, stage.receiver.plane.normal),
-                creases};
+  const Shadow shadow{stage,
+                      blocker,
+                      eval_mean(light),
+                      eval_mean(face),
+                      normalize(eval_area_normal(face)),
+                      make_edge_planes(stage.receiver.corners, stage.receiver.plane.normal)};
   const auto touches = [&](const Vec& p) {
     return std::abs(eval_height(stage.receiver.plane, p)) <= stage.tolerance;
   };
   for (const Vec& corner : light)
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Vec a = face[i], b = next(face, i);
-      if ((touches(a) && touches(b)) || is_critical(stage, face, corner, a, b))
-        add_wedge({{corner, corner}, {a, b}}, shadow);
+      const auto cut =
+          touches(a) && touches(b) ? Cut::neither : find_cut(stage, face, corner, a, b);
+      if (cut && cut != Cut::blocker)
+        add_wedge({{corner, corner}, {a, b}}, shadow,
+                  cut == Cut::light ? found.within : found.borders);
     }
   for (const Vec& corner : face)
     for (std::size_t i = 0; i < light.size(); ++i) {
       const Vec a = light[i], b = next(light, i);
-      if (is_critical(stage, face, corner, a, b)) add_wedge({{a, b}, {corner, corner}}, shadow);
+      if (find_cut(stage, face, corner, a, b) == Cut::neither)
+        add_wedge({{a, b}, {corner, corner}}, shadow, found.borders);
     }
-  add_own_plane_creases(shadow);
+  add_own_plane_creases(shadow, found.borders);
 }
 
 // Adds the crease where the light's own plane cuts the receiver: it shines on one side only.
@@ -276,13 +291,13 @@ void add_horizon_crease(const Stage& stage, std::vector<Crease>& creases) {
   const auto [a, b] = *ends;
   const auto inside = clip_segment(a, b, edges, stage.tolerance);
   if (!inside) return;
-  Shadow shadow{stage, nobody, mean, mean, light.plane.normal, edges, creases};
   const Vec from = lerp(a, b, inside->from), to = lerp(a, b, inside->to);
   for (const Vec& corner : light.corners) {
     const Vec apex = lerp(corner, mean, ASIDE);
     const Vec aside = ASIDE * length(mean - corner) * light.plane.normal;
     const Pencil pencil{apex + aside, from + aside, to + aside};
-    add_seen(find_seen(stage.between, nobody, std::array{pencil}, false), from, to, shadow);
+    add_seen(find_seen(stage.between, nobody, std::array{pencil}, false), from, to, stage.tolerance,
+             creases);
   }
 }
 
@@ -362,7 +377,8 @@ std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const 
   return order;
 }
 
-// A crease, and how many lights are stronger than the one that makes it.
+// A crease, and twice the number of lights stronger than the one that makes it; one more within a
+// penumbra.
 struct Ranked {
   Crease crease;
   std::size_t rank = 0;
@@ -408,7 +424,7 @@ std::vector<Crease> find_creases(const Room& room) {
                                    [](const Piece& a, const Piece& b) { return a.face == b.face; });
   faces.erase(seconds, faces.end());
 
-  std::vector<Crease> all, found;
+  std::vector<Crease> all;
   std::vector<Ranked> merged;
   for (std::size_t r = 0; r < receivers.size(); ++r) {
     const Piece& receiver = receivers[r];
@@ -416,10 +432,11 @@ std::vector<Crease> find_creases(const Room& room) {
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
       const Stage stage = make_stage(*order[rank], receiver, faces, TOLERANCE * size);
       if (stage.light.corners.empty()) continue;
-      add_horizon_crease(stage, found);
+      Found found;
+      add_horizon_crease(stage, found.borders);
       for (std::size_t i = 0; i < stage.between.size(); ++i) add_shadow_creases(stage, i, found);
-      for (const Crease& crease : found) merge({crease, rank}, SAME * size, merged);
-      found.clear();
+      for (const Crease& crease : found.borders) merge({crease, 2 * rank}, SAME * size, merged);
+      for (const Crease& crease : found.within) merge({crease, 2 * rank + 1}, SAME * size, merged);
     }
     // The creases of both sides of a face cut it.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;

@@ -11,12 +11,13 @@ namespace radiosity {
 /// planes (edge and corner) of the light and of every other face that can be between meet it, as
 /// far as they touch both (G. Drettakis and E. Fiume, "A Fast Shadow Algorithm for Area Light
 /// Sources Using Backprojection", SIGGRAPH 1994), and where the light's own plane does. These are
-/// the borders of penumbrae, and within them where a face hides all that it can; not every change
-/// of slope. Light by way of mirrors is not followed. Creases on one line are joined; those shorter
-/// than 0.001 of their face are left out. They come in the order of the faces they lie on; of
-/// one face, the creases of the light that is strongest on it come first. The room must pass
-/// check(). With n faces, e of them emitting, some e n^2 pairs are looked at, and all n for each
-/// crease.
+/// the borders of penumbrae, and within them where a face hides all that it can; and, from the
+/// other corners of the light, where a straight edge's penumbra changes its slope; not every such
+/// change. Light by way of mirrors is not followed. Creases on one line are joined; those shorter
+/// than 0.001 of their face are left out. They come in the order of the faces they lie on; of one
+/// face, the creases of the light that is strongest on it come first, borders before what is
+/// within. The room must pass check(). With n faces, e of them emitting, some e n^2 pairs are
+/// looked at, and all n for each crease.
 std::vector<Crease> find_creases(const Room& room);
 
 /// Which creases the mesh of a room keeps.

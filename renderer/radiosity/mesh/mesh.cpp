@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -116,15 +117,47 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
   return share;
 }
 
-// Sets Vertex::lit of all vertices on an edge of one patch only (MeshParams::inset). `fringes`: by
-// face.
-void inset_borders(Mesh& mesh, double inset, std::span<const Fringe> fringes) {
+// By vertex, whether it is on an edge of one patch only.
+std::vector<bool> find_borders(const Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const Patch& patch : mesh.patches)
     for (std::size_t side = 0; side < 4; ++side) ++sides[edge_of(patch, side)];
   std::vector<bool> is_border(mesh.vertices.size());
   for (const auto& [edge, count] : sides)
     if (count == 1) is_border[edge.first] = is_border[edge.second] = true;
+  return is_border;
+}
+
+// By vertex, the sum of its patches' angles.
+std::vector<double> find_angles(const Mesh& mesh) {
+  std::vector<double> angles(mesh.vertices.size());
+  for (const Patch& patch : mesh.patches)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec a = patch.at[(i + 1) % 4] - patch.at[i], b = patch.at[(i + 3) % 4] - patch.at[i];
+      angles[patch.corners[i]] += std::atan2(length(cross(a, b)), dot(a, b));
+    }
+  return angles;
+}
+
+// Those of the creases that end where a contact turns, and the surface around it is more than half
+// a plane: at the foot of an edge. All that the edge's shadow is elsewhere, from light to dark,
+// meets there.
+Edges find_fans(const Mesh& mesh, const Edges& contacts, const Edges& creases) {
+  constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;
+  const auto angles = find_angles(mesh);
+  std::set<std::uint32_t> feet;
+  for (const auto& [a, b] : contacts)
+    for (const auto v : {a, b})
+      if (angles[v] > MORE_THAN_HALF) feet.insert(v);
+  Edges fans;
+  for (const auto& [a, b] : creases)
+    if (feet.contains(a) || feet.contains(b)) fans.insert({a, b});
+  return fans;
+}
+
+// Sets Vertex::lit of all vertices on a border (MeshParams::inset). `fringes`: by face.
+void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
+                   std::span<const Fringe> fringes) {
   const auto surroundings = find_surroundings(mesh);
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     if (!is_border[v]) continue;
@@ -227,7 +260,11 @@ class Builder {
     std::vector<std::array<std::uint32_t, 4>> before;
     for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
     split_at_creases(mesh_, touched_);
-    inset_borders(mesh_, params_.inset, make_fringes());
+    auto borders = find_borders(mesh_);
+    split_at_creases(
+        mesh_, find_fans(mesh_, rename(mesh_, before, touched_), rename(mesh_, before, creases_)));
+    borders.resize(mesh_.vertices.size(), true);
+    inset_borders(mesh_, borders, params_.inset, make_fringes());
     split_at_creases(mesh_, rename(mesh_, before, creases_));
     sum_up();
     return std::move(mesh_);

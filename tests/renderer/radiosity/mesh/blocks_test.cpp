@@ -200,10 +200,10 @@ TEST(Contacts, WhatHangsAHairAboveCountsAsTouching) {
   const auto block = [](double gap, double half) {
     return Block{4.2, 4.1, gap, gap + 1, half, half, 0.3};
   };
-  EXPECT_EQ(count(block(0.19, 1.5), 1), 4u);
-  EXPECT_EQ(count(block(0.21, 1.5), 1), 0u) << "a penumbra that patches can show";
-  EXPECT_EQ(count(block(0.19, 1.5), 2), 0u) << "likewise";
-  EXPECT_EQ(count(block(0.09, 1.5), 2), 4u);
+  EXPECT_EQ(count(block(0.49, 1.5), 1), 4u);
+  EXPECT_EQ(count(block(0.51, 1.5), 1), 0u) << "a penumbra that patches can show";
+  EXPECT_EQ(count(block(0.49, 1.5), 2), 0u) << "likewise";
+  EXPECT_EQ(count(block(0.24, 1.5), 2), 4u);
   EXPECT_EQ(count(block(0.1, 0.4), 1), 0u) << "narrower than a patch";
   EXPECT_EQ(count({4.2, 4.1, 0.1, 1, 3, 0.05, 0.3}, 1), 0u) << "likewise, though long";
 }
@@ -266,7 +266,7 @@ TEST(Contacts, FacetsAboveTheFloorHaveNone) {
 
 // Dark does not leak out from under a block that hangs a hair above the floor, nor light in.
 TEST(Contacts, AHairAboveTheFloorLightChangesByALeap) {
-  for (const double gap : {0.01, 0.1, 0.19}) {
+  for (const double gap : {0.01, 0.1, 0.19, 0.3, 0.45}) {
     SCOPED_TRACE(testing::Message() << "gap " << gap);
     Room room = make_floor();
     const Block block{4.2, 4.1, gap, 1, 1.5, 1.5, 0.3};
@@ -299,8 +299,47 @@ TEST(Contacts, AHairAboveTheFloorLightChangesByALeap) {
     std::printf("gap %.2f: %td of %zu vertices under the block are dark\n", gap, dark,
                 under.size());
     EXPECT_GT(dark, 20);
-    EXPECT_GT(4 * dark, 3 * std::ssize(under));  // others are of patches as narrow as the gap
+    // Others are of patches as narrow as the gap, or nearer to the edge than light fades.
+    EXPECT_GT(4 * dark, (gap < 0.2 ? 3 : 2) * std::ssize(under));
   }
+}
+
+// At the foot of an edge light is found apart between any two creases that go out from there.
+TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
+  Room room = make_floor();
+  const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
+  add_block(room, block, false, 1, 1);
+  add_quad(room, 1, {1, 6, 4}, {0, 1, 0}, {1, 0, 0}, 1, 1);
+  choose_creases(room, Creases::found);
+  const Mesh mesh = make_mesh(room, {});
+  const Surroundings around = find_surroundings(mesh);
+  std::size_t most = 0;
+  for (const Vec& foot : block.ring(0)) {
+    std::size_t ways = 0;  // from the foot along a crease, and off the block
+    for (const Crease& crease : room.creases) {
+      if (crease.a.z != 0 || crease.b.z != 0 || distance_to(foot, crease.a, crease.b) > 1e-9)
+        continue;
+      for (const Vec& end : {crease.a, crease.b})
+        if (const double far = length(end - foot); far > 1e-9)
+          ways += !is_within(block, foot + 0.01 / far * (end - foot), -1e-6);
+    }
+    std::size_t sides = 0;
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+      const Vertex& vertex = mesh.vertices[v];
+      if (vertex.object != 0 || length(vertex.at - foot) > 1e-9) continue;
+      if (is_within(block, vertex.lit, 0)) continue;
+      ++sides;
+      const auto lies_on = [&](std::uint32_t p) {
+        const auto edges = make_edge_planes(mesh.patches[p].at, mesh.patches[p].normal);
+        return std::ranges::all_of(
+            edges, [&](const Plane& edge) { return eval_height(edge, vertex.lit) > -1e-12; });
+      };
+      EXPECT_TRUE(std::ranges::any_of(around.of(v), lies_on));
+    }
+    EXPECT_EQ(sides > 1, ways > 0);
+    most = std::max(most, sides);
+  }
+  EXPECT_EQ(most, 4u);
 }
 
 // A shadow along a foot that is narrower than patches keep is not spread over a whole patch.
