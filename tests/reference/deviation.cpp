@@ -3,12 +3,14 @@
 #include <numeric>
 
 #include "renderer/scene/require.hpp"
+#include "renderer/trace/shade.hpp"
 
 namespace radiosity::reference {
 
 namespace {
 
-constexpr double DARK = 0.02;  // share of the mean radiosity below which errors count less
+constexpr double DARK = 0.02;      // share of the mean radiosity below which errors count less
+constexpr double TOO_NEAR = 5e-6;  // angle between a ray and an edge
 
 double grey(const Rgb& colour) { return (colour.r + colour.g + colour.b) / 3; }
 
@@ -54,6 +56,14 @@ double find_quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(rank) - 1];
 }
 
+// Whether a ray passes the segment from a to b at an angle of no more than TOO_NEAR.
+bool grazes(const renderer::Ray& ray, const Vec& a, const Vec& b) {
+  const Vec to_a = a - ray.origin, to_b = b - ray.origin, across = cross(to_a, to_b);
+  const Vec way = normalize(ray.direction);
+  return std::abs(dot(across, way)) <= TOO_NEAR * length(across) &&
+         dot(cross(to_a, way), across) >= 0 && dot(cross(way, to_b), across) >= 0;
+}
+
 void check_size(const Picture& picture, const Reference& reference) {
   const auto write = [](const Picture& p) {
     return fmt::format("{}x{} pixels", p.width, p.height);
@@ -64,6 +74,23 @@ void check_size(const Picture& picture, const Reference& reference) {
 }
 
 }  // namespace
+
+void leave_out_edges(Reference& reference, const Room& room) {
+  const renderer::View view = make_image_plane(room.view);
+  renderer::Params pixels;
+  pixels.width = reference.picture.width;
+  pixels.height = reference.picture.height;
+  pixels.sample = renderer::SamplePosition::center;
+  for (int y = 0; y < pixels.height; ++y)
+    for (int x = 0; x < pixels.width; ++x) {
+      const renderer::Ray ray = make_primary(view, pixels, x, y);
+      for (const Face& face : room.faces)
+        for (std::size_t i = 0; i < face.corners.size(); ++i)
+          if (grazes(ray, face.corners[i], face.corners[(i + 1) % face.corners.size()]))
+            reference.faces[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                            static_cast<std::size_t>(x)] = 0;
+    }
+}
 
 std::vector<bool> find_inner(const Reference& reference) {
   const std::size_t count = reference.faces.size();

@@ -21,6 +21,10 @@ struct Deviation {
   int group = 0;     ///< pixels in the largest group that is off, neighbours by edge or corner
 };
 
+/// Leaves out the pixels whose ray from the eye passes an edge of a face so near that single
+/// precision does not tell the side (Embree's): from then on they show nothing.
+void leave_out_edges(Reference& reference, const Room& room);
+
 /// For each pixel whether it shows something that does not emit and its neighbours all show the
 /// same, by Reference::faces.
 std::vector<bool> find_inner(const Reference& reference);

@@ -102,7 +102,8 @@ class Comparison {
     tracer.height = picture_.height;
     tracer.samples = o_.samples;
     tracer.threads = o_.threads;
-    const Reference reference = find_reference(named.text, room, tracer, o_.cache);
+    Reference reference = find_reference(named.text, room, tracer, o_.cache);
+    leave_out_edges(reference, room);
     save(reference.picture, reference, named.name + "-reference");
     for (const int refine : o_.refine)
       for (const auto& creases : o_.creases) try_way(named, room, reference, refine, creases);

@@ -98,8 +98,8 @@ struct Wedge {
 
 // Creases on a receiver.
 struct Found {
-  std::vector<Crease> borders;  // of penumbrae
-  std::vector<Crease> within;   // where light changes its slope within one
+  std::vector<Crease> borders;  // of penumbrae and umbrae
+  std::vector<Crease> within;   // a penumbra: another corner of the light comes into sight
 };
 
 struct Shadow {
@@ -208,20 +208,19 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// What the plane through a corner and an edge, one of the light and one of a blocker, does.
-enum class Cut : std::uint8_t { neither, light, blocker };
-// Nothing if there is no such plane, or the light lies in it.
-std::optional<Cut> find_cut(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
-                            const Vec& a, const Vec& b) {
+// The plane through a corner and an edge, one of the light and one of the blocker, if there is one
+// and it cuts not the blocker, nor holds the light.
+std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
+                                const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
   const Vec across = cross(b - a, corner - a);
   if (length(across) <= tolerance * length(b - a)) return std::nullopt;
   const Plane plane = make_plane(normalize(across), corner);
   if (contains(plane, stage.light.corners, 10 * tolerance) ||
-      length(cross(plane.normal, stage.light.plane.normal)) <= ASIDE)
+      length(cross(plane.normal, stage.light.plane.normal)) <= ASIDE ||
+      cuts(plane, blocker, tolerance))
     return std::nullopt;
-  if (cuts(plane, blocker, tolerance)) return Cut::blocker;
-  return cuts(plane, stage.light.corners, tolerance) ? Cut::light : Cut::neither;
+  return plane;
 }
 
 // Adds the creases where the blocker's own plane, if it cuts the light, meets the receiver.
@@ -243,8 +242,8 @@ void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
 // through an edge of light or blocker and a corner of the other that cut neither (on one side of
 // such a plane the blocker hides nothing of the light, or all it can) meet the receiver; where the
 // blocker's own plane does, if it cuts the light; and where the blocker touches the receiver.
-// Within are those through an edge of the blocker and the other corners of the light. Only what no
-// other face hides from the light counts.
+// Where the plane through an edge of the blocker and a corner cuts the light, the crease is within
+// the penumbra. Only what no other face hides from the light counts.
 void add_shadow_creases(const Stage& stage, std::size_t blocker, Found& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];
@@ -263,16 +262,16 @@ void add_shadow_creases(const Stage& stage, std::size_t blocker, Found& found) {
   for (const Vec& corner : light)
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Vec a = face[i], b = next(face, i);
-      const auto cut =
-          touches(a) && touches(b) ? Cut::neither : find_cut(stage, face, corner, a, b);
-      if (cut && cut != Cut::blocker)
-        add_wedge({{corner, corner}, {a, b}}, shadow,
-                  cut == Cut::light ? found.within : found.borders);
+      const bool is_contact = touches(a) && touches(b);
+      const auto plane = find_plane(stage, face, corner, a, b);
+      if (!is_contact && !plane) continue;
+      const bool is_within = !is_contact && cuts(*plane, light, stage.tolerance);
+      add_wedge({{corner, corner}, {a, b}}, shadow, is_within ? found.within : found.borders);
     }
   for (const Vec& corner : face)
     for (std::size_t i = 0; i < light.size(); ++i) {
       const Vec a = light[i], b = next(light, i);
-      if (find_cut(stage, face, corner, a, b) == Cut::neither)
+      if (find_plane(stage, face, corner, a, b))  // it does not cut the light, which is convex
         add_wedge({{a, b}, {corner, corner}}, shadow, found.borders);
     }
   add_own_plane_creases(shadow, found.borders);
@@ -377,11 +376,11 @@ std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const 
   return order;
 }
 
-// A crease, and twice the number of lights stronger than the one that makes it; one more within a
-// penumbra.
+// A crease; whether it lies within a penumbra, and how many lights are stronger than the one that
+// makes it.
 struct Ranked {
   Crease crease;
-  std::size_t rank = 0;
+  std::pair<bool, std::size_t> rank;
 };
 
 // Joins the crease with those on the same line that it overlaps or touches; the result is last, and
@@ -435,8 +434,9 @@ std::vector<Crease> find_creases(const Room& room) {
       Found found;
       add_horizon_crease(stage, found.borders);
       for (std::size_t i = 0; i < stage.between.size(); ++i) add_shadow_creases(stage, i, found);
-      for (const Crease& crease : found.borders) merge({crease, 2 * rank}, SAME * size, merged);
-      for (const Crease& crease : found.within) merge({crease, 2 * rank + 1}, SAME * size, merged);
+      for (const Crease& crease : found.borders)
+        merge({crease, {false, rank}}, SAME * size, merged);
+      for (const Crease& crease : found.within) merge({crease, {true, rank}}, SAME * size, merged);
     }
     // The creases of both sides of a face cut it.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;
@@ -454,7 +454,8 @@ base::Field<Creases> creases_field() {
       {"file", Creases::file}, {"auto", Creases::found}, {"none", Creases::none}};
   return base::Declare<Creases>::choice(
       "creases", [](Creases & c) -> auto& { return c; }, names,
-      "borders of penumbrae that patches keep: the room's; these and others that are found; none");
+      "lines at which patches end: the room's; these and the borders of penumbrae and lines within "
+      "them that are found; none");
 }
 
 void choose_creases(Room& room, Creases creases) {

@@ -15,7 +15,8 @@ namespace {
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
 // So many times its height inside an edge, a tenth of the light below the edge is left.
 constexpr double HEIGHTS_INSIDE = 2;
-// What hangs over a face touches it if the light fades within a patch; a share of its width.
+// What hangs over a face touches it if the light fades within a patch; a share of its width. (The
+// mesh lights vertices at most half way to the middle of a patch, where less of it has faded.)
 constexpr double GAP = 1 / HEIGHTS_INSIDE;
 // Pairs of faces that may touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;

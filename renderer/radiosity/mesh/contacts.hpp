@@ -23,9 +23,9 @@ struct Contacts {
 /// For each face the segments along which other faces touch it in front of it (of a two-sided one,
 /// on either side), or overlap it in its plane, within 1e-6 of the larger face's size. What a face
 /// touches by its border only, as walls do each other, is none, unless the surface goes on there in
-/// a third face. What hangs over a face, nowhere higher than half the width of its patches
-/// and itself nowhere narrower than one, touches it below its open edges: those from which nothing
-/// goes down, and beyond which nothing hangs as near. A face's patches are those that it has by its
+/// a third face. What hangs over a face, nowhere higher than half the width of its patches and
+/// itself nowhere narrower than one, touches it below its open edges: those from which nothing goes
+/// down, and beyond which nothing hangs as near. A face's patches are those that it has by its
 /// `along` and `across`, times `refine`. BadInput if more than 1,000,000 + 100 n of the pairs of n
 /// faces touch or nearly so.
 std::vector<Contacts> find_contacts(const Room& room, int refine);

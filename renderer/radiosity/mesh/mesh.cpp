@@ -139,23 +139,37 @@ std::vector<double> find_angles(const Mesh& mesh) {
   return angles;
 }
 
-// Those of the creases that end where a contact turns, and the surface around it is more than half
-// a plane: at the foot of an edge. All that the edge's shadow is elsewhere, from light to dark,
-// meets there.
-Edges find_fans(const Mesh& mesh, const Edges& contacts, const Edges& creases) {
-  constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;
+// The vertices at which a contact turns, and more than half a plane is around it: the feet of
+// edges. The shadow of an upright edge narrows to a point at its foot, so that light there depends
+// on the side from which one comes.
+std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
+  constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;  // a contact may bend by rounding
   const auto angles = find_angles(mesh);
   std::set<std::uint32_t> feet;
   for (const auto& [a, b] : contacts)
     for (const auto v : {a, b})
       if (angles[v] > MORE_THAN_HALF) feet.insert(v);
-  Edges fans;
-  for (const auto& [a, b] : creases)
-    if (feet.contains(a) || feet.contains(b)) fans.insert({a, b});
-  return fans;
+  return feet;
 }
 
-// Sets Vertex::lit of all vertices on a border (MeshParams::inset). `fringes`: by face.
+// Gives every group of patches that creases divide around one of the vertices a vertex of its own.
+void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& creases) {
+  const auto surroundings = find_surroundings(mesh);
+  for (const auto vertex : vertices) {
+    const auto around = surroundings.of(vertex);
+    const auto group = find_groups(mesh, around, vertex, creases);
+    std::map<std::size_t, std::uint32_t> vertex_of{{0, vertex}};
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const auto [known, added] =
+          vertex_of.emplace(group[i], static_cast<std::uint32_t>(mesh.vertices.size()));
+      if (added) mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
+      auto& patch = mesh.patches[around[i]];
+      patch.corners[corner_at(patch, vertex)] = known->second;
+    }
+  }
+}
+
+// Sets Vertex::lit of the vertices on a border (MeshParams::inset). `fringes`: by face.
 void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
                    std::span<const Fringe> fringes) {
   const auto surroundings = find_surroundings(mesh);
@@ -260,11 +274,12 @@ class Builder {
     std::vector<std::array<std::uint32_t, 4>> before;
     for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
     split_at_creases(mesh_, touched_);
-    auto borders = find_borders(mesh_);
-    split_at_creases(
-        mesh_, find_fans(mesh_, rename(mesh_, before, touched_), rename(mesh_, before, creases_)));
-    borders.resize(mesh_.vertices.size(), true);
-    inset_borders(mesh_, borders, params_.inset, make_fringes());
+    auto is_border = find_borders(mesh_);
+    const auto feet = find_feet(mesh_, rename(mesh_, before, touched_));
+    split_at(mesh_, feet, rename(mesh_, before, creases_));
+    for (const auto foot : feet) is_border[foot] = true;
+    is_border.resize(mesh_.vertices.size(), true);  // the feet's copies
+    inset_borders(mesh_, is_border, params_.inset, make_fringes());
     split_at_creases(mesh_, rename(mesh_, before, creases_));
     sum_up();
     return std::move(mesh_);
@@ -390,21 +405,9 @@ Surroundings find_surroundings(const Mesh& mesh) {
 }
 
 void split_at_creases(Mesh& mesh, const Edges& creases) {
-  const auto surroundings = find_surroundings(mesh);
-  std::set<std::uint32_t> touched;
-  for (const auto& [a, b] : creases) touched.insert({a, b});
-  for (const auto vertex : touched) {
-    const auto around = surroundings.of(vertex);
-    const auto group = find_groups(mesh, around, vertex, creases);
-    std::map<std::size_t, std::uint32_t> vertex_of{{0, vertex}};
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      const auto [known, added] =
-          vertex_of.emplace(group[i], static_cast<std::uint32_t>(mesh.vertices.size()));
-      if (added) mesh.vertices.push_back(Vertex(mesh.vertices[vertex]));
-      auto& patch = mesh.patches[around[i]];
-      patch.corners[corner_at(patch, vertex)] = known->second;
-    }
-  }
+  std::set<std::uint32_t> ends;
+  for (const auto& [a, b] : creases) ends.insert({a, b});
+  split_at(mesh, ends, creases);
 }
 
 base::Fields<MeshParams> mesh_fields() {

@@ -73,7 +73,8 @@ struct MeshParams {
 base::Fields<MeshParams> mesh_fields();
 
 /// The room must pass check(). Where faces touch each other (find_contacts) is a crease by itself,
-/// and the illumination on its two sides is found apart. BadInput beyond 10 million patches.
+/// and the illumination on its two sides is found apart; where it turns, at the foot of an edge,
+/// between any two creases that go out from there. BadInput beyond 10 million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
 
 /// The patches around every vertex, in order: those of vertex v are `patches` from first[v] to

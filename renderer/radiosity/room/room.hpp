@@ -41,8 +41,8 @@ struct Face {
   std::string where;  ///< "room.txt:12", for errors; may be empty
 };
 
-/// A straight border of a penumbra, to be kept by the mesh: across it the illumination is
-/// continuous, its slope is not (3.1.4.2).
+/// A straight line that the mesh keeps: a border of a penumbra, across which the illumination is
+/// continuous and its slope is not (3.1.4.2), or a line within one, where its curvature is not.
 struct Crease {
   Vec a, b;
 };

@@ -116,10 +116,12 @@ TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
 }
 
-// The penumbra of an upright edge is a fan, from its foot on: light changes its slope below every
-// corner of the lamp.
+// The penumbra of an upright edge is a fan, from its foot on: between its borders go lines at which
+// other corners of the lamp come into sight. They come after all borders.
 TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
-  Room room = make_floor();
+  Room room = make_room();
+  add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
+  add_face(room, turn(make_rectangle(-0.3, 1, 0.7, 2, 4)), LIGHT);
   add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
   const auto creases = find_creases(room);
   for (const double foot : {-1.0, 1.0})
@@ -128,6 +130,17 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
       const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
       EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
     }
+  const auto find = [&](double x, double y) {
+    const Vec end{1 + (1 - x) / 3, -y / 3, 0};
+    return std::ranges::find_if(creases, [&](const Crease& crease) {
+      return crease.a.z == 0 && crease.b.z == 0 && is_crease({1, 0, 0}, end, std::array{crease});
+    });
+  };
+  // Seen from the foot the lamp lies between two of its corners.
+  EXPECT_LT(find(-0.3, 1), find(-0.3, 2));
+  EXPECT_LT(find(-0.3, 1), find(0.7, 1));
+  EXPECT_LT(find(0.7, 2), find(-0.3, 2));
+  EXPECT_LT(find(0.7, 2), find(0.7, 1));
 }
 
 TEST(Discontinuities, WhereAPanelsLightBegins) {

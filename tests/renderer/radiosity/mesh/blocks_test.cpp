@@ -299,12 +299,13 @@ TEST(Contacts, AHairAboveTheFloorLightChangesByALeap) {
     std::printf("gap %.2f: %td of %zu vertices under the block are dark\n", gap, dark,
                 under.size());
     EXPECT_GT(dark, 20);
-    // Others are of patches as narrow as the gap, or nearer to the edge than light fades.
+    // Light reaches other vertices: those of patches as narrow as the gap, and where the gap is
+    // wide those below the block's edge.
     EXPECT_GT(4 * dark, (gap < 0.2 ? 3 : 2) * std::ssize(under));
   }
 }
 
-// At the foot of an edge light is found apart between any two creases that go out from there.
+// At the foot of an edge light is found apart between creases that go out from there.
 TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
@@ -332,14 +333,50 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
       const auto lies_on = [&](std::uint32_t p) {
         const auto edges = make_edge_planes(mesh.patches[p].at, mesh.patches[p].normal);
         return std::ranges::all_of(
-            edges, [&](const Plane& edge) { return eval_height(edge, vertex.lit) > -1e-12; });
+            edges, [&](const Plane& edge) { return eval_height(edge, vertex.lit) > 1e-6; });
       };
-      EXPECT_TRUE(std::ranges::any_of(around.of(v), lies_on));
+      EXPECT_TRUE(std::ranges::any_of(around.of(v), lies_on)) << "on a crease";
     }
     EXPECT_EQ(sides > 1, ways > 0);
     most = std::max(most, sides);
   }
   EXPECT_EQ(most, 4u);
+  // Elsewhere creases do not move what is lit.
+  for (const Vertex& vertex : mesh.vertices) {
+    if (vertex.object != 0 || vertex.at.x == 0 || vertex.at.x == 8 || vertex.at.y == 0 ||
+        vertex.at.y == 8)
+      continue;
+    const auto ring = block.ring(0);
+    double away = 1e300;
+    for (std::size_t i = 0; i < 4; ++i)
+      away = std::min(away, distance_to(vertex.at, ring[i], ring[(i + 1) % 4]));
+    if (away > 0.1) {
+      EXPECT_EQ(length(vertex.lit - vertex.at), 0);
+    }
+  }
+}
+
+// At the end of a screen light is found apart on its sides, and between creases that go out there.
+TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
+  for (const double turn : {0.0, 0.3}) {
+    Room room = make_floor();
+    const Vec end{4.3, 4, 0}, way{2.4 * std::cos(turn), 2.4 * std::sin(turn), 0};
+    add_quad(room, 0, end, way, {0, 0, 1}, 2, 1);
+    room.faces.back().two_sided = true;
+    const auto count = [&](std::vector<Crease> creases) {
+      room.creases = std::move(creases);
+      const Mesh mesh = make_mesh(room, {});
+      std::size_t sides = 0;
+      for (const Vertex& vertex : mesh.vertices)
+        if (vertex.object == 0 && length(vertex.at - end) < 1e-9) {
+          ++sides;
+          EXPECT_GT(length(vertex.lit - vertex.at), 1e-3);
+        }
+      return sides;
+    };
+    EXPECT_EQ(count({}), 1u);
+    EXPECT_GE(count({{end, {2.1, 1.3, 0}}, {end, {1.2, 3.1, 0}}}), 2u);
+  }
 }
 
 // A shadow along a foot that is narrower than patches keep is not spread over a whole patch.
