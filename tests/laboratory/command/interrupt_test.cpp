@@ -21,37 +21,45 @@ bool comes_true(const Holds& holds) {
   return holds();
 }
 
-// Programs in a folder that is first on PATH: each writes its number into the file "started" there
-// and then sleeps.
+// Programs in a folder that is first on PATH: each writes its number into the file that STARTED
+// names and then sleeps. Every tlab has another file: a program of the one before may be late.
 struct Interrupt : Sweep {
   Interrupt() {
     fs::create_directory(bin);
     for (const char* name : {"gnuplot", "neato", "dot"}) {
-      write_file(
-          bin / name,
-          "#!/bin/sh\ncd \"$(dirname \"$0\")\"\necho $$ > started.$$\nmv started.$$ started\n"
-          "exec sleep 600\n");
+      write_file(bin / name,
+                 "#!/bin/sh\necho $$ > \"$STARTED.$$\"\nmv \"$STARTED.$$\" \"$STARTED\"\nexec "
+                 "sleep 600\n");
       fs::permissions(bin / name, fs::perms::owner_all);
     }
     setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
   }
-  ~Interrupt() { setenv("PATH", path.c_str(), 1); }
+  ~Interrupt() {
+    setenv("PATH", path.c_str(), 1);
+    unsetenv("STARTED");
+  }
+
+  void next_tlab() {
+    started = bin / fmt::format("started-{}", ++tlabs);
+    setenv("STARTED", started.c_str(), 1);
+  }
 
   // Starts tlab and sends the signal when it waits for one of the programs.
   Outcome interrupt_drawing(int signal, const Arguments& arguments) {
-    fs::remove(started);
+    next_tlab();
     const pid_t tlab = start_tlab(folder.path, arguments);
     EXPECT_TRUE(comes_true([&] { return fs::exists(started); }));
     kill(tlab, signal);
     const auto outcome = wait_for_tlab(folder.path, tlab);
     const auto program = static_cast<pid_t>(std::stol(read_file(started)));
     EXPECT_TRUE(comes_true([&] { return test::is_gone(program); }));
-    fs::remove(started);
     return outcome;
   }
 
   const std::string path = std::getenv("PATH");
-  const fs::path bin = folder.path / "bin", started = bin / "started";
+  const fs::path bin = folder.path / "bin";
+  fs::path started;
+  int tlabs = 0;
 };
 
 TEST_F(Interrupt, PlotsAreNotWaitedFor) {
@@ -190,6 +198,7 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
              "[machine]\ndatabase_memory_bytes = 1000000000\n");
+  next_tlab();
   const pid_t tlab = start_tlab(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"});
   EXPECT_TRUE(comes_true([&] { return records("r").size() == 1; }));
   usleep(300'000);  // the other point has begun
@@ -201,7 +210,6 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   EXPECT_EQ(ended.err, SENTENCE);
   EXPECT_TRUE(visible("r").empty());
   EXPECT_EQ(records("r").size(), 1u);
-  fs::remove(started);
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
