@@ -3,7 +3,6 @@
 #include <numeric>
 
 #include "renderer/scene/require.hpp"
-#include "renderer/trace/shade.hpp"
 
 namespace radiosity::reference {
 
@@ -77,10 +76,7 @@ void check_size(const Picture& picture, const Reference& reference) {
 
 void leave_out_edges(Reference& reference, const Room& room) {
   const renderer::View view = make_image_plane(room.view);
-  renderer::Params pixels;
-  pixels.width = reference.picture.width;
-  pixels.height = reference.picture.height;
-  pixels.sample = renderer::SamplePosition::center;
+  const auto pixels = make_pixels(reference.picture.width, reference.picture.height);
   for (int y = 0; y < pixels.height; ++y)
     for (int x = 0; x < pixels.width; ++x) {
       const renderer::Ray ray = make_primary(view, pixels, x, y);

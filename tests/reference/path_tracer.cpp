@@ -9,7 +9,6 @@
 
 #include "base/random.hpp"
 #include "renderer/scene/require.hpp"
-#include "renderer/trace/shade.hpp"
 #include "tests/reference/room_geometry.hpp"
 
 namespace radiosity::reference {
@@ -210,14 +209,6 @@ double eval_error(std::span<const Rgb> rounds) {
   return std::sqrt(squares / (n * (n - 1)));
 }
 
-renderer::Params make_pixels(const PictureParams& size) {
-  renderer::Params pixels;
-  pixels.width = size.width;
-  pixels.height = size.height;
-  pixels.sample = renderer::SamplePosition::center;
-  return pixels;
-}
-
 // Finds the pixels of a picture, in tiles. What a path finds where it goes from one pixel's surface
 // counts for all pixels of the tile that show the same face, weighted by the balance heuristic (P.
 // Bekaert, M. Sbert and J. Halton, "Accelerating Path Tracing by Re-Using Paths", EGRW 2002).
@@ -227,7 +218,7 @@ class Painter {
       : params_(params),
         tracer_(room),
         view_(make_image_plane(room.view)),
-        pixels_(make_pixels(size)),
+        pixels_(make_pixels(size.width, size.height)),
         points_(make_points(std::max(1, params.samples / params.rounds))) {
     const auto count = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     made_.picture = {size.width, size.height, std::vector<Rgb>(count)};
@@ -355,6 +346,14 @@ class Painter {
 };
 
 }  // namespace
+
+renderer::Params make_pixels(int width, int height) {
+  renderer::Params pixels;
+  pixels.width = width;
+  pixels.height = height;
+  pixels.sample = renderer::SamplePosition::center;
+  return pixels;
+}
 
 Reference trace_paths(const Room& room, const TracerParams& params) {
   renderer::require(params.rounds >= 2, fmt::format("{} rounds", params.rounds), "2 or more");

@@ -4,6 +4,7 @@
 // eye, and nothing of how light is found.
 
 #include "renderer/radiosity/show/picture.hpp"
+#include "renderer/trace/shade.hpp"
 
 namespace radiosity::reference {
 
@@ -27,6 +28,9 @@ struct Reference {
   std::vector<std::uint32_t> faces;  ///< number of what the pixel shows: equal for the same face
                                      ///< by way of the same mirrors; 0 for nothing
 };
+
+/// The rays from the eye, for renderer::make_primary(): one through each pixel's centre.
+renderer::Params make_pixels(int width, int height);
 
 /// Faces are flat (the normals of corners have no effect); backs are black and block light. Two
 /// faces that lie back to back show their fronts. The room must pass check(). BadInput as

@@ -208,8 +208,8 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through a corner and an edge, one of the light and one of the blocker, if there is one
-// and it cuts not the blocker, nor holds the light.
+// The plane through a corner and an edge, one of the light and one of the blocker. Nothing if there
+// is none, if it cuts the blocker, or if the light lies in it.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;

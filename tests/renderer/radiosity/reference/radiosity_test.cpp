@@ -77,6 +77,28 @@ TEST(RandomRooms, AreClosedAndSeenFromInside) {
   }
 }
 
+// The rays of the middle column meet the border of a face, or pass it a thousandth aside.
+TEST(Deviation, LeavesOutRaysThatPassAnEdge) {
+  constexpr int W = 5, H = 3;
+  for (const double aside : {0.0, 1e-6, 1e-3}) {
+    Room room;
+    room.view.from = {0, 0, 0};
+    room.view.at = {0, 1, 0};
+    room.view.up = {0, 0, 1};
+    room.view.angle = 60;
+    Face face;
+    face.corners = {{aside, 2, -9}, {9, 2, -9}, {9, 2, 9}, {aside, 2, 9}};
+    room.faces.push_back(face);
+    Reference reference;
+    reference.picture = {W, H, std::vector<Rgb>(W * H)};
+    reference.faces.assign(W * H, 1);
+    leave_out_edges(reference, room);
+    for (int i = 0; i < W * H; ++i)
+      EXPECT_EQ(reference.faces[static_cast<std::size_t>(i)] == 0, i % W == 2 && aside < 1e-4)
+          << i << ' ' << aside;
+  }
+}
+
 TEST(Deviation, FindsGroupsBiasAndEdges) {
   // A reference of two faces, and a picture that is 10 % too bright and has a group that is dark.
   Reference reference;
