@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <stdexcept>
 #include <thread>
@@ -11,6 +10,7 @@
 #include "base/host_program.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
+#include "renderer/trace/share.hpp"
 
 namespace laboratory {
 namespace {
@@ -88,19 +88,17 @@ void draw_plot(const Plot& plot, const fs::path& folder) {
 
 // Each thread only waits for its gnuplot.
 std::vector<std::string> draw_plots(const std::vector<Plot>& plots, const fs::path& folder) {
-  std::atomic<std::size_t> next = 0;
   std::vector<std::string> failures(plots.size());
-  auto draw = [&] {
-    for (std::size_t i = next++; i < plots.size(); i = next++) try {
-        draw_plot(plots[i], folder);
-      } catch (const std::exception& error) {
-        failures[i] = error.what();
-      }
+  const auto threads = std::max(1u, std::thread::hardware_concurrency());
+  const auto draw = [&](int i) {
+    const auto n = static_cast<std::size_t>(i);
+    try {
+      draw_plot(plots[n], folder);
+    } catch (const std::exception& error) {
+      failures[n] = error.what();
+    }
   };
-  const auto most = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 0; i < std::min(most, plots.size()); ++i) threads.emplace_back(draw);
-  threads.clear();
+  renderer::share(static_cast<int>(plots.size()), static_cast<int>(threads), draw);
   return failures;
 }
 

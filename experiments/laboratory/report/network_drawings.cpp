@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <unordered_map>
 
 #include "base/whole_file.hpp"
@@ -13,6 +14,7 @@
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "renderer/trace/share.hpp"
 #include "topologies/draw/layout.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
@@ -129,41 +131,68 @@ std::vector<bool> find_largest(const Simulation& s) {
   return is_largest;
 }
 
+fs::path drawing_of(const Point& point) {
+  return fs::path("networks") / (file_name(point) + ".svg");
+}
+
+// What became of a point's drawing: the workers that it shows, or would, or why there is none.
+struct Drawn {
+  int workers = 0;
+  std::string failure;
+};
+
+// Draws points that have one network; each has its own place in `drawn`.
+void draw_all(const fs::path& folder, const Simulation& s, const std::vector<std::size_t>& points,
+              std::map<std::size_t, Drawn>& drawn) {
+  std::optional<topologies::Topology> network;
+  for (const auto point : points) try {
+      if (!network) network = make_workers(s.file.points[point].experiment);
+      drawn.at(point).workers = network->processors;
+      if (network->processors > topologies::MAX_DRAWN) continue;
+      const auto use = load_record(folder / s.records[point]).use;
+      base::save_whole(folder / drawing_of(s.file.points[point]),
+                       draw(*network, make_caption(s, point), use));
+    } catch (const std::exception& error) {
+      drawn.at(point).failure = error.what();
+    }
+}
+
 }  // namespace
 
-NetworkDrawings draw_networks(const fs::path& folder, const Simulation& s) {
+NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
+                              const Simulation& s) {
   NetworkDrawings networks;
   if (s.file.report.networks == "none" || !is_farm(s.file)) return networks;
   const auto is_largest = find_largest(s);
   make_folders(folder / "networks");
+  std::map<std::size_t, Drawn> drawn;  // by point
+  std::map<std::string, std::vector<std::size_t>>
+      alike;  // points, by what their network depends on
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;
+    drawn[i] = {};
+    alike[network_key(s.file.points[i].experiment)].push_back(i);
+  }
+  const auto groups = std::views::values(alike);
+  renderer::share(static_cast<int>(alike.size()), static_cast<int>(options.jobs),
+                  [&](int n) { draw_all(folder, s, *std::next(groups.begin(), n), drawn); });
+  for (const auto& [i, of] : drawn) {
+    const auto& [workers, failure] = of;
     const Point& point = s.file.points[i];
-    try {
-      const auto caption = make_caption(s, i);
-      const auto topology = make_workers(point.experiment);
-      const int workers = topology.processors;
-      if (workers > topologies::MAX_DRAWN) {
-        networks.notes.push_back(
-            fmt::format("not drawn: network at {}: {} workers, a drawing has at most {}",
-                        name_of(point), workers, topologies::MAX_DRAWN));
-        continue;
-      }
-      const auto use = load_record(folder / s.records[i]).use;
-      const auto svg = draw(topology, caption, use);
-      const auto file = fs::path("networks") / (file_name(point) + ".svg");
-      base::save_whole(folder / file, svg);
-      if (!is_largest[i]) continue;
-      if (workers <= MAX_SHOWN)
-        networks.drawings.push_back({caption, svg});
-      else
-        networks.notes.push_back(
-            fmt::format("the network at {} is in {}: {} workers, this page shows at most {}",
-                        name_of(point), file.string(), workers, MAX_SHOWN));
-    } catch (const std::exception& error) {
-      networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), error.what()));
-    }
+    const auto file = drawing_of(point);
+    if (!failure.empty())
+      networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), failure));
+    else if (workers > topologies::MAX_DRAWN)
+      networks.notes.push_back(
+          fmt::format("not drawn: network at {}: {} workers, a drawing has at most {}",
+                      name_of(point), workers, topologies::MAX_DRAWN));
+    else if (is_largest[i] && workers > MAX_SHOWN)
+      networks.notes.push_back(
+          fmt::format("the network at {} is in {}: {} workers, this page shows at most {}",
+                      name_of(point), file.string(), workers, MAX_SHOWN));
+    else if (is_largest[i])
+      networks.drawings.push_back({make_caption(s, i), base::read_text(folder / file)});
   }
   return networks;
 }

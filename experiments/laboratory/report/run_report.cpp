@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <thread>
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
@@ -376,7 +377,7 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   add_sureness(report, undrawn, folder);
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
-  auto networks = draw_networks(folder, s);
+  auto networks = draw_networks(folder, options, s);
   report.networks = std::move(networks.drawings);
   append(undrawn, networks.failures);
   append(report.notes, networks.notes);
@@ -399,6 +400,7 @@ void throw_undrawn(std::size_t undrawn, const std::string& results) {
 
 void report_results(const std::string& results, const Texts& columns) {
   Origin origin = load_origin(results, "run.json");
+  origin.options.jobs = std::max(1u, std::thread::hardware_concurrency());
   if (!columns.empty()) origin.file.report.columns = columns;
   ResultsFolder folder(results);
   Texts undrawn;

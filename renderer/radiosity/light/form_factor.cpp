@@ -62,12 +62,15 @@ double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Wor
   return eval_direct(eye, vertex, patch, Quad(patch), Even{}, work);
 }
 
-Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
+Rgb eval_direct_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
   const auto& [patch, quad, glow, is_even] = sender;
-  const Rgb direct = is_even ? eval_direct(eye, vertex, patch, quad, Even{}, work) * glow.at
-                             : eval_direct(eye, vertex, patch, quad, glow, work);
-  if (eye.mesh.mirrors.empty() || eye.params.reflections == 0) return direct;
-  return direct + eval_mirrored_light(eye, vertex, sender, work);
+  return is_even ? eval_direct(eye, vertex, patch, quad, Even{}, work) * glow.at
+                 : eval_direct(eye, vertex, patch, quad, glow, work);
+}
+
+Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
+  const Rgb direct = eval_direct_light(eye, vertex, sender, work);
+  return has_mirrors(eye) ? direct + eval_mirrored_light(eye, vertex, sender, work) : direct;
 }
 
 Glow::Glow(const std::array<Rgb, 4>& corners)

@@ -10,6 +10,7 @@
 
 #include "base/fields.hpp"
 #include "renderer/radiosity/mesh/mesh.hpp"
+#include "renderer/scene/lanes.hpp"
 #include "renderer/trace/intersect.hpp"
 
 namespace radiosity {
@@ -45,12 +46,14 @@ struct Eye {
   renderer::Access* access = nullptr;
 };
 
+/// The share of the distance between two points within which a ray does not meet the other's
+/// object.
+inline constexpr double NEARLY = 1 - 1e-9;
+
 /// Whether nothing blocks the way from a point on one object to a point on another. Inlined: the
 /// caller computes the way and its length too, and shares them.
 [[gnu::always_inline]] inline bool sees(const Eye& eye, const Vec& from, std::uint32_t object,
                                         const Vec& to, std::uint32_t other, renderer::Work& work) {
-  // The share of the distance within which a ray does not meet the other object.
-  constexpr double NEARLY = 1 - 1e-9;
   if (object == other) return true;
   const Vec way = to - from;
   const double distance = length(way);
@@ -94,7 +97,8 @@ struct Glow {
   explicit Glow(const Rgb& even) : at(even) {}
   /// From those of the corners, in their order.
   explicit Glow(const std::array<Rgb, 4>& corners);
-  [[gnu::always_inline]] Rgb eval(double s, double t) const {
+  template <class Number>
+  [[gnu::always_inline]] auto eval(const Number& s, const Number& t) const {
     return at + s * along + t * (across + s * twist);
   }
   /// Whether it is the same everywhere.
@@ -116,6 +120,15 @@ struct Sender {
 /// its cosine, in which the patch is seen, 0..1; B_1 = rho_1 B_2 times it. Adds to `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
+/// Whether there are mirrors by way of which light arrives.
+inline bool has_mirrors(const Eye& eye) {
+  return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
+}
+
+/// The light that arrives at a vertex directly: its form factor times the glow. Adds to `work`.
+Rgb eval_direct_light(const Eye& eye, const Vertex& vertex, const Sender& sender,
+                      renderer::Work& work);
+
 /// The light that arrives at a vertex, also by way of mirrors, each colour times their reflectance.
 /// Where the patch glows evenly, that is its form factors, direct and over mirrors, times the glow.
 /// Adds to `work`.
@@ -132,35 +145,103 @@ inline double eval_delta(double area, double square, double here, double there) 
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// A side of a delta area, at its middle, as a point sees it from afar.
+/// A side of a delta area, at its middle, as a point sees it from afar, or as several points do.
+template <class Number>
 struct DeltaSide {
-  double turn;    ///< its part along the way to the delta area's centre, over the way's length
-  double rise;    ///< its part along the viewpoint's normal, over the way's part along that
-  double square;  ///< of its length over the way's
+  Number turn;    ///< its part along the way to the delta area's centre, over the way's length
+  Number rise;    ///< its part along the viewpoint's normal, over the way's part along that
+  Number square;  ///< of its length over the way's
   double growth;  ///< how much longer the other side is at its end than at its beginning, over that
 
   /// Its share of eval_extent().
-  [[gnu::always_inline]] double eval_extent() const {
+  [[gnu::always_inline]] Number eval_extent() const {
     return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
-           1.0 / 12 * growth * (rise - 4 * turn);
+           1.0 / 12 * growth * (rise - 4.0 * turn);
   }
   /// How far off the delta area's centre the middle of its factor lies along the side, as a share
   /// of its length, to the first order.
-  double eval_drift() const { return std::clamp(1.0 / 12 * (growth + rise - 4 * turn), -0.5, 0.5); }
+  [[gnu::always_inline]] Number eval_drift() const {
+    using renderer::clamp, std::clamp;
+    return clamp(1.0 / 12 * (growth + rise - 4.0 * turn), -0.5, 0.5);
+  }
 };
 
 /// How much a delta area differs from a point with its area: its factor is 1 + eval_extent() times
 /// that of the point, up to the fourth power of side over distance. The kernel's second derivatives
 /// along the sides, over 24, make the difference, and, where a side grows, that more of the area
 /// lies towards its end.
-[[gnu::always_inline]] inline double eval_extent(const DeltaSide& a, const DeltaSide& b) {
+template <class Number>
+[[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number>& a,
+                                                 const DeltaSide<Number>& b) {
   return a.eval_extent() + b.eval_extent();
 }
 
 /// A patch that glows evenly, with 1.
 struct Even {
-  static double eval(double, double) { return 1; }
+  template <class Number>
+  [[gnu::always_inline]] static double eval(const Number&, const Number&) {
+    return 1;
+  }
 };
+
+/// A part of a patch around (s, t); its sides are shares of the patch's.
+struct Delta {
+  double s, t, along, across;
+};
+
+/// Where a delta area is looked at. Not quite the centre: in rooms full of symmetry lines between
+/// centres pass exactly through edges, of two mirrors above all, and rounding would say by which
+/// side.
+[[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
+  constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
+  return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
+}
+
+/// What a delta area measures at its middle.
+struct DeltaSize {
+  DeltaSize(const Quad& quad, const Delta& delta)
+      : density(quad.eval_density(delta.s, delta.t)),
+        area(delta.along * delta.across * density),
+        square_a(delta.along * delta.along *
+                 (quad.aa + delta.t * (2 * quad.ac + delta.t * quad.cc))),
+        square_b(delta.across * delta.across *
+                 (quad.bb + delta.s * (2 * quad.bc + delta.s * quad.cc))) {}
+  double density, area;
+  double square_a, square_b;  ///< of the lengths of its sides
+};
+
+/// How the patch's sides rise along a viewpoint's normal: its products with Quad's a, b and c.
+template <class Number>
+struct Rise {
+  Number a, b, c;
+};
+
+/// The term of a delta area whose sides are shorter than its distance, exact to the second order in
+/// side over distance, times `source.eval(s, t)`. `way` leads there, `square` is its length's,
+/// `here` and `there` are as in eval_delta(). Vector may be of several ways, as Number.
+template <class Vector, class Number, class Source>
+[[gnu::always_inline]] inline auto eval_far(const Quad& quad, const Delta& delta,
+                                            const DeltaSize& size, const Rise<Number>& rise,
+                                            const Vector& way, const Number& square,
+                                            const Number& here, const Number& there,
+                                            const Source& source) {
+  const auto [s, t, along, across] = delta;
+  // Divisions are what costs here.
+  const Number per_square = 1.0 / square, per_here = 1.0 / here;
+  const double per_density = 1 / size.density;
+  const Number way_c = dot(way, quad.c);
+  const DeltaSide<Number> a{per_square * along * (dot(way, quad.a) + t * way_c),
+                            per_here * along * (rise.a + t * rise.c), per_square * size.square_a,
+                            per_density * along * quad.by_s};
+  const DeltaSide<Number> b{per_square * across * (dot(way, quad.b) + s * way_c),
+                            per_here * across * (rise.b + s * rise.c), per_square * size.square_b,
+                            per_density * across * quad.by_t};
+  const Number extent = eval_extent(a, b);
+  const Number factor = std::numbers::inv_pi * here * there * size.area * (per_square * per_square);
+  const Number term = extent > 0.0 ? factor * (1.0 + extent) : factor / (1.0 - extent);
+  const Number at_s = s + a.eval_drift() * along, at_t = t + b.eval_drift() * across;
+  return term * source.eval(at_s, at_t);
+}
 
 /// The sum over a patch: of Eq 3.8 where a delta area is wider than it is far, else of what is
 /// exact to the second order in side over distance (Eq 3.8 is for a disc that faces the viewpoint,
@@ -182,9 +263,7 @@ class DeltaAreas {
         sight_(sight),
         source_(source),
         work_(work),
-        rise_a_(dot(eye.normal, quad.a)),
-        rise_b_(dot(eye.normal, quad.b)),
-        rise_c_(dot(eye.normal, quad.c)) {}
+        rise_{dot(eye.normal, quad.a), dot(eye.normal, quad.b), dot(eye.normal, quad.c)} {}
 
   Sum sum() {
     const int n = params_.samples;
@@ -196,17 +275,9 @@ class DeltaAreas {
   }
 
  private:
-  // A delta area around (s, t); its sides are shares of the patch's.
-  struct Delta {
-    double s, t, along, across;
-  };
-
   Sum add(const Delta& delta, int halvings) {
     work_[renderer::Op::delta_area] += 1;
-    // Not quite the centre: in rooms full of symmetry lines between centres pass exactly through
-    // edges, of two mirrors above all, and rounding would say by which side.
-    constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
-    const Vec point = quad_.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
+    const Vec point = find_aim(quad_, delta);
     const Vec way = point - eye_.at;
     const double square = dot(way, way);
     if (halvings > 0) {
@@ -225,26 +296,11 @@ class DeltaAreas {
 
   // The term of a delta area that is `way` off.
   Sum eval_seen(const Delta& delta, const Vec& way, double square, double here, double there) {
-    const auto [s, t, along, across] = delta;
-    const double density = quad_.eval_density(s, t), area = along * across * density;
-    const double long_a = along * along * (quad_.aa + t * (2 * quad_.ac + t * quad_.cc));
-    const double long_b = across * across * (quad_.bb + s * (2 * quad_.bc + s * quad_.cc));
+    const DeltaSize size(quad_, delta);
     if constexpr (std::same_as<Source, Glow>) work_[renderer::Op::glow_found] += 1;
-    if (std::max(long_a, long_b) > square)
-      return eval_delta(area, square, here, there) * source_.eval(s, t);
-    // Divisions are what costs here.
-    const double per_square = 1 / square, per_here = 1 / here, per_density = 1 / density;
-    const double way_c = dot(way, quad_.c);
-    const DeltaSide a{per_square * along * (dot(way, quad_.a) + t * way_c),
-                      per_here * along * (rise_a_ + t * rise_c_), per_square * long_a,
-                      per_density * along * quad_.by_s};
-    const DeltaSide b{per_square * across * (dot(way, quad_.b) + s * way_c),
-                      per_here * across * (rise_b_ + s * rise_c_), per_square * long_b,
-                      per_density * across * quad_.by_t};
-    const double extent = eval_extent(a, b);
-    const double factor = std::numbers::inv_pi * here * there * area * (per_square * per_square);
-    return (extent > 0 ? factor * (1 + extent) : factor / (1 - extent)) *
-           source_.eval(s + a.eval_drift() * along, t + b.eval_drift() * across);
+    if (std::max(size.square_a, size.square_b) > square)
+      return eval_delta(size.area, square, here, there) * source_.eval(delta.s, delta.t);
+    return eval_far(quad_, delta, size, rise_, way, square, here, there, source_);
   }
 
   // The sum over the parts of a delta area that is halved along, across, or both.
@@ -266,7 +322,7 @@ class DeltaAreas {
   const Sight& sight_;
   const Source& source_;
   renderer::Work& work_;
-  double rise_a_, rise_b_, rise_c_;  // the parts of a, b and c along the viewpoint's normal
+  Rise<double> rise_;
 };
 
 /// Whether a part of the patch is in front of the viewpoint, and the viewpoint in front of it.

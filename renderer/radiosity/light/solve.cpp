@@ -5,8 +5,11 @@
 #include <numeric>
 #include <set>
 
+#include "renderer/radiosity/light/receivers.hpp"
+
 namespace radiosity {
 
+using renderer::LANES;
 using renderer::Op;
 using renderer::Work;
 
@@ -133,19 +136,34 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
 
 void receive(const Eye& eye, const Sender& sender, std::span<const std::uint32_t> vertices,
              State& state, Work& work) {
-  for (const auto v : vertices) {
-    const Vertex& vertex = eye.mesh.vertices[v];
-    state.received[v] = eval_light(eye, vertex, sender, work);
-    state.radiosity[v] += eye.mesh.materials[vertex.material].reflectance * state.received[v];
+  for (; !vertices.empty(); vertices = vertices.subspan(std::min(LANES, vertices.size()))) {
+    const auto some = vertices.first(std::min(LANES, vertices.size()));
+    Receivers receivers{};
+    for (std::size_t k = 0; k < some.size(); ++k) receivers[k] = &eye.mesh.vertices[some[k]];
+    const Lights lights = eval_lights(eye, receivers, sender, work);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      state.received[some[k]] = lights[k];
+      state.radiosity[some[k]] +=
+          eye.mesh.materials[receivers[k]->material].reflectance * lights[k];
+    }
+    work[Op::vertex_lit] += some.size();
   }
-  work[Op::vertex_lit] += vertices.size();
 }
 
 void receive_in_centres(const Eye& eye, const Sender& sender,
                         std::span<const std::uint32_t> patches, State& state, Work& work) {
-  for (const auto p : patches)
-    state.in_centre[p] = eval_light(eye, make_centre(eye.mesh.patches[p]), sender, work);
-  work[Op::vertex_lit] += patches.size();
+  for (; !patches.empty(); patches = patches.subspan(std::min(LANES, patches.size()))) {
+    const auto some = patches.first(std::min(LANES, patches.size()));
+    std::array<Vertex, LANES> centres;
+    Receivers receivers{};
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      centres[k] = make_centre(eye.mesh.patches[some[k]]);
+      receivers[k] = &centres[k];
+    }
+    const Lights lights = eval_lights(eye, receivers, sender, work);
+    for (std::size_t k = 0; k < some.size(); ++k) state.in_centre[some[k]] = lights[k];
+    work[Op::vertex_lit] += some.size();
+  }
 }
 
 void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,

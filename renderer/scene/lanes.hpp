@@ -1,0 +1,88 @@
+#pragma once
+// Four numbers, points or colours at once: what is done to each lane is what would be done to a
+// number alone, bit for bit, only faster where the processor has wide registers.
+
+#include <cstdint>
+
+#include "renderer/scene/vec.hpp"
+
+// The compiler may make a function once for processors with wide registers and once for all
+// others, and choose when the program starts. (No fused multiply-add: results are the same.)
+#if defined(__x86_64__)
+#define TLAB_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
+#else
+#define TLAB_WIDE_REGISTERS
+#endif
+
+// Lanes as such are passed to inlined functions alone, so that it does not matter how others would.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace renderer {
+
+inline constexpr std::size_t LANES = 4;
+
+using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
+/// Whole numbers; of a comparison -1 in lanes where it holds and 0 elsewhere.
+using Mask = std::int64_t __attribute__((vector_size(LANES * sizeof(std::int64_t))));
+
+[[gnu::always_inline]] inline bool holds_any(const Mask& mask) {
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+/// The lanes in which it holds; of a sum of masks those of all.
+[[gnu::always_inline]] inline std::uint64_t count(const Mask& mask) {
+  return static_cast<std::uint64_t>(-(mask[0] + mask[1] + mask[2] + mask[3]));
+}
+[[gnu::always_inline]] inline std::int64_t min(const Mask& mask) {
+  return std::min({mask[0], mask[1], mask[2], mask[3]});
+}
+
+struct Vecs {
+  Lanes x, y, z;
+  [[gnu::always_inline]] const Lanes& operator[](int axis) const {
+    return axis == 0 ? x : axis == 1 ? y : z;
+  }
+};
+
+[[gnu::always_inline]] inline Vecs operator-(const Vec& a, const Vecs& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[gnu::always_inline]] inline Vecs operator-(const Vecs& a, const Vec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[gnu::always_inline]] inline Vecs operator*(const Lanes& s, const Vecs& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+[[gnu::always_inline]] inline Lanes dot(const Vecs& a, const Vecs& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[gnu::always_inline]] inline Lanes dot(const Vecs& a, const Vec& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+struct Rgbs {
+  Lanes r, g, b;
+};
+
+[[gnu::always_inline]] inline Rgbs operator+(const Rgb& a, const Rgbs& b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+[[gnu::always_inline]] inline Rgbs operator+(const Rgbs& a, const Rgbs& b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+[[gnu::always_inline]] inline Rgbs operator*(const Lanes& s, const Rgb& a) {
+  return {s * a.r, s * a.g, s * a.b};
+}
+[[gnu::always_inline]] inline Rgbs operator*(const Lanes& s, const Rgbs& a) {
+  return {s * a.r, s * a.g, s * a.b};
+}
+
+[[gnu::always_inline]] inline Lanes sqrt(const Lanes& a) {
+  return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+/// As std::clamp() of each.
+[[gnu::always_inline]] inline Lanes clamp(const Lanes& a, double lo, double hi) {
+  const Lanes least = a < lo ? lo - Lanes{} : a;
+  return hi < least ? hi - Lanes{} : least;
+}
+
+}  // namespace renderer
