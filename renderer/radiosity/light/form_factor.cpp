@@ -10,7 +10,7 @@ using renderer::Work;
 
 namespace {
 
-// How a vertex sees a patch directly, for DeltaAreas.
+// How a vertex sees a patch directly, for sum_deltas().
 struct DirectSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -22,17 +22,15 @@ struct DirectSight {
   static bool misses(const Vec&, double) { return false; }
 };
 
-// What a vertex gets from a patch directly, for DeltaAreas's `source`.
+// What a vertex gets from a patch directly, for sum_deltas()'s `source`.
 template <class Source>
 auto eval_direct(const Eye& eye, const Vertex& vertex, const Patch& patch, const Quad& quad,
                  const Source& source, Work& work) {
-  using Areas = DeltaAreas<DirectSight, Source>;
   work[Op::factor_begun] += 1;
   const Viewpoint view{vertex.lit, vertex.normal};
-  if (!face_each_other(view, patch)) return typename Areas::Sum{};
+  if (!face_each_other(view, patch)) return SumOf<Source>{};
   const DirectSight sight{eye, vertex, patch, work};
-  const double enough = eye.params.spread * eye.params.spread;
-  return Areas(eye.params, enough, view, quad, sight, source, work).sum();
+  return sum_deltas(direct_cut(eye.params), view, quad, sight, source, work);
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Wor
 
 Rgb eval_direct_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
   const auto& [patch, quad, glow, is_even] = sender;
-  return is_even ? eval_direct(eye, vertex, patch, quad, Even{}, work) * glow.at
+  return is_even ? eval_direct(eye, vertex, patch, quad, EvenGlow{glow.at}, work)
                  : eval_direct(eye, vertex, patch, quad, glow, work);
 }
 

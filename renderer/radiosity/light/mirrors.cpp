@@ -125,7 +125,7 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   return false;
 }
 
-// How a vertex sees a patch over a chain, for DeltaAreas.
+// How a vertex sees a patch over a chain, for sum_deltas().
 struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -198,7 +198,7 @@ struct Way {
 template <class Source>
 class PieceSum {
  public:
-  using Sum = typename DeltaAreas<MirroredSight, Source>::Sum;
+  using Sum = SumOf<Source>;
 
   PieceSum(const MirroredSight& seen, const Source& source) : seen_(seen), source_(source) {
     for (const Mirror* mirror : seen.chain.mirrors)
@@ -312,9 +312,8 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
   constexpr double LEAST = 0.25;
   const double spread =
       std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
-  return DeltaAreas<MirroredSight, Source>(params, spread * spread, sight.chain.last(), sight.quad,
-                                           sight, source, sight.work)
-      .sum();
+  const Cut cut{params.samples, params.halvings, spread * spread};
+  return sum_deltas(cut, sight.chain.last(), sight.quad, sight, source, sight.work);
 }
 
 // The sum over all chains that begin with that of `sight`, without its own.

@@ -18,7 +18,7 @@ namespace {
 
 // The receivers in lanes; what is missing is somewhere, and left out.
 struct Points {
-  explicit Points(const Receivers& receivers) {
+  [[gnu::always_inline]] explicit Points(const Receivers& receivers) {
     const auto& [a, b, c, d] = receivers;
     const Vertex &second = b ? *b : *a, &third = c ? *c : *a, &fourth = d ? *d : *a;
     const auto gather = [&](Vec Vertex::*point) __attribute__((always_inline)) {
@@ -56,68 +56,174 @@ struct Points {
   return looking & ~rays.blocked;
 }
 
-// What arrives directly at those that see the patch as one delta area, to which Eq 3.8 does not
-// apply; of the others 0, and who they are.
-struct Far {
-  Lights lights{};
-  Mask near{};
+// Delta areas that are looked at, one in each lane or one by all.
+template <class Share>
+struct Looks {
+  DeltaOf<Share> delta;
+  Vecs way;  // this and the following: see Look
+  Lanes square, here, there;
+  Mask looking;
 };
 
-TLAB_WIDE_REGISTERS
-void eval_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Far& result,
-                     Work& work) {
+// Adds to the lights the terms of what is seen, as eval_seen() of each delta area that is not wide.
+template <class Share, class Add>
+[[gnu::always_inline]] inline void add_terms(const Eye& eye, const Sender& sender,
+                                             const Points& points, const Looks<Share>& looks,
+                                             const Add& add, Work& work) {
   const auto& [patch, quad, glow, is_even] = sender;
-  const Points points(receivers);
-  const Mask facing = find_facing(points, patch);
-  result = Far{};
-  if (!holds_any(facing)) {
-    work[Op::factor_begun] += count(points.present);
-    return;
-  }
-
-  constexpr Delta WHOLE{0.5, 0.5, 1, 1};
-  const DeltaSize size(quad, WHOLE);
-  const Vecs way = find_aim(quad, WHOLE) - points.at;
-  const Lanes square = dot(way, way);
-  const double enough = eye.params.spread * eye.params.spread;
-  result.near = facing & (std::max(size.square_a, size.square_b) > square);
-  if (eye.params.halvings > 0)
-    result.near |= facing & (std::max(quad.along, quad.across) > enough * square);
-  work[Op::factor_begun] += count(points.present & ~result.near);
-  work[Op::delta_area] += count(facing & ~result.near);
-
-  const Lanes here = dot(way, points.normal), there = -dot(way, quad.normal);
-  Mask seeing = facing & ~result.near & (here > 0.0) & (there > 0.0);
+  const auto& [delta, way, square, here, there, looking] = looks;
+  const Mask seeing = find_seeing(eye, points, patch, looking, way, square, work);
   if (!holds_any(seeing)) return;
-  seeing = find_seeing(eye, points, patch, seeing, way, square, work);
-  if (!holds_any(seeing)) return;
+  const DeltaSize size(quad, delta);
   const Rise<Lanes> rise{dot(points.normal, quad.a), dot(points.normal, quad.b),
                          dot(points.normal, quad.c)};
+  renderer::Rgbs terms;
   if (is_even) {
-    const Lanes terms = eval_far(quad, WHOLE, size, rise, way, square, here, there, Even{});
-    for (std::size_t k = 0; k < LANES; ++k)
-      if (seeing[k]) result.lights[k] = terms[k] * glow.at;
+    terms = eval_far(quad, delta, size, rise, way, square, here, there, EvenGlow{glow.at});
   } else {
+    terms = eval_far(quad, delta, size, rise, way, square, here, there, glow);
     work[Op::glow_found] += count(seeing);
-    const renderer::Rgbs terms = eval_far(quad, WHOLE, size, rise, way, square, here, there, glow);
-    for (std::size_t k = 0; k < LANES; ++k)
-      if (seeing[k]) result.lights[k] = {terms.r[k], terms.g[k], terms.b[k]};
   }
+  for (std::size_t k = 0; k < LANES; ++k)
+    if (seeing[k]) add(k, Rgb{terms.r[k], terms.g[k], terms.b[k]});
 }
+
+// Adds what arrives directly at those that see the patch as one delta area. `near`: those that do
+// not, or to which it is wide.
+TLAB_WIDE_REGISTERS
+void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender,
+                    Lights& lights, Mask& near, Work& work) {
+  const auto& quad = sender.quad;
+  const Points points(receivers);
+  const Mask facing = find_facing(points, sender.patch);
+  work[Op::factor_begun] += count(points.present);
+  near = Mask{};
+  if (!holds_any(facing)) return;
+  const Cut cut = direct_cut(eye.params);
+  if (cut.samples > 1) {
+    near = facing;
+    return;
+  }
+  Looks<double> looks;
+  looks.delta = {0.5, 0.5, 1, 1};
+  looks.way = find_aim(quad, looks.delta) - points.at;
+  looks.square = dot(looks.way, looks.way);
+  const DeltaSize size(quad, looks.delta);
+  near = facing & (std::max(size.square_a, size.square_b) > looks.square);
+  if (cut.halvings > 0)
+    near |= facing & (std::max(quad.along, quad.across) > cut.enough * looks.square);
+  work[Op::delta_area] += count(facing & ~near);
+  looks.here = dot(looks.way, points.normal);
+  looks.there = -dot(looks.way, quad.normal);
+  looks.looking = facing & ~near & (looks.here > 0.0) & (looks.there > 0.0);
+  if (holds_any(looks.looking))
+    add_terms(
+        eye, sender, points, looks, [&](std::size_t k, const Rgb& term) { lights[k] += term; },
+        work);
+}
+
+// A delta area that a receiver looks at.
+struct Seen {
+  const Vertex* vertex;
+  std::size_t receiver;
+  Delta delta;
+  Look look;
+};
+using SeenLanes = std::array<Seen, LANES>;
+
+TLAB_WIDE_REGISTERS
+void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Lights& lights,
+                     Work& work) {
+  const auto& [a, b, c, d] = seen;
+  const Points points({a.vertex, b.vertex, c.vertex, d.vertex});
+  const auto gather = [&](const auto& of) __attribute__((always_inline)) {
+    return Lanes{of(a), of(b), of(c), of(d)};
+  };
+  Looks<Lanes> looks;
+  looks.delta = {gather([](const Seen& s) { return s.delta.s; }),
+                 gather([](const Seen& s) { return s.delta.t; }),
+                 gather([](const Seen& s) { return s.delta.along; }),
+                 gather([](const Seen& s) { return s.delta.across; })};
+  looks.way = {gather([](const Seen& s) { return s.look.way.x; }),
+               gather([](const Seen& s) { return s.look.way.y; }),
+               gather([](const Seen& s) { return s.look.way.z; })};
+  looks.square = gather([](const Seen& s) { return s.look.square; });
+  looks.here = gather([](const Seen& s) { return s.look.here; });
+  looks.there = gather([](const Seen& s) { return s.look.there; });
+  looks.looking = points.present;
+  add_terms(
+      eye, sender, points, looks,
+      [&](std::size_t k, const Rgb& term) { lights[seen[k].receiver] += term; }, work);
+}
+
+// Collects what receivers look at until there is one for each lane.
+class Near {
+ public:
+  Near(const Eye& eye, const Sender& sender, Lights& lights, Work& work)
+      : eye_(eye), sender_(sender), lights_(lights), work_(work) {}
+  ~Near() { flush(); }
+
+  // Adds what arrives directly at the vertex, which the patch faces, sooner or later.
+  void add(const Vertex& vertex, std::size_t receiver) {
+    const Viewpoint view{vertex.lit, vertex.normal};
+    const auto misses = [](const Vec&, double) { return false; };
+    const auto take = [&](const Delta& delta, const Look& look) {
+      if (is_wide({sender_.quad, delta}, look.square))
+        return add_wide(vertex, receiver, delta, look);
+      seen_[count_++] = {&vertex, receiver, delta, look};
+      if (count_ == LANES) flush();
+    };
+    Cutter(direct_cut(eye_.params), view, sender_.quad, misses, take, work_).run();
+  }
+
+ private:
+  void add_wide(const Vertex& vertex, std::size_t receiver, const Delta& delta, const Look& look) {
+    flush();  // terms are added in their order
+    const auto& [patch, quad, glow, is_even] = sender_;
+    if (!sees(eye_, vertex.lit, vertex.object, look.point, patch.object, work_)) return;
+    lights_[receiver] += is_even
+                             ? eval_seen(quad, delta, vertex.normal, look, EvenGlow{glow.at}, work_)
+                             : eval_seen(quad, delta, vertex.normal, look, glow, work_);
+  }
+  void flush() {
+    if (count_ == 0) return;
+    for (std::size_t k = count_; k < LANES; ++k) seen_[k].vertex = nullptr;
+    add_near_lights(eye_, seen_, sender_, lights_, work_);
+    count_ = 0;
+  }
+
+  const Eye& eye_;
+  const Sender& sender_;
+  Lights& lights_;
+  Work& work_;
+  SeenLanes seen_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
 Lights eval_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Work& work) {
-  const bool alone =
-      eye.params.samples > 1 || eye.access || eye.params.traversal != renderer::Traversal::nearest;
-  Far far;
-  if (!alone) eval_far_lights(eye, receivers, sender, far, work);
-  for (std::size_t k = 0; k < LANES && receivers[k]; ++k) {
-    const Vertex& vertex = *receivers[k];
-    if (alone || far.near[k]) far.lights[k] = eval_direct_light(eye, vertex, sender, work);
-    if (has_mirrors(eye)) far.lights[k] += eval_mirrored_light(eye, vertex, sender, work);
+  Lights lights{};
+  const auto for_each = [&](const auto& f) {
+    for (std::size_t k = 0; k < LANES && receivers[k]; ++k) f(*receivers[k], k);
+  };
+  if (eye.access || eye.params.traversal != renderer::Traversal::nearest) {
+    for_each([&](const Vertex& v, std::size_t k) { lights[k] = eval_light(eye, v, sender, work); });
+    return lights;
   }
-  return far.lights;
+  Mask near;
+  add_far_lights(eye, receivers, sender, lights, near, work);
+  if (holds_any(near)) {
+    Near rest(eye, sender, lights, work);
+    for_each([&](const Vertex& v, std::size_t k) {
+      if (near[k]) rest.add(v, k);
+    });
+  }
+  if (has_mirrors(eye))
+    for_each([&](const Vertex& v, std::size_t k) {
+      lights[k] += eval_mirrored_light(eye, v, sender, work);
+    });
+  return lights;
 }
 
 }  // namespace radiosity

@@ -1,0 +1,263 @@
+#pragma once
+// A patch cut into delta areas, as a point sees it: the sum of Eq 3.8.
+//
+// Formulas are written once for a number and for several in lanes (renderer/scene/lanes.hpp).
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "renderer/radiosity/mesh/mesh.hpp"
+#include "renderer/scene/lanes.hpp"
+#include "renderer/scene/work.hpp"
+
+namespace radiosity {
+
+/// A patch as a function of its parameters: p + s a + t b + s t c.
+struct Quad {
+  explicit Quad(const Patch& patch) : normal(patch.normal) {
+    p = patch.at[0];
+    a = patch.at[1] - p;
+    b = patch.at[3] - p;
+    c = patch.at[2] - patch.at[1] - b;
+    aa = dot(a, a), ac = dot(a, c), bb = dot(b, b), bc = dot(b, c), cc = dot(c, c);
+    along = std::max(aa, dot(a + c, a + c));
+    across = std::max(bb, dot(b + c, b + c));
+    density = dot(normal, cross(a, b));
+    by_s = dot(normal, cross(a, c));
+    by_t = dot(normal, cross(c, b));
+  }
+  [[gnu::always_inline]] Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
+  /// Area for each unit of s and t.
+  template <class Number>
+  [[gnu::always_inline]] Number eval_density(const Number& s, const Number& t) const {
+    return density + s * by_s + t * by_t;
+  }
+  Vec p, a, b, c, normal;
+  double along, across;        // squares of the longer of opposite sides
+  double density, by_s, by_t;  // eval_density() at (0, 0), and how it grows
+  double aa, ac, bb, bc, cc;   // products of a, b and c
+};
+
+/// A point that looks, and the normal of the surface that it lies on.
+struct Viewpoint {
+  Vec at, normal;
+};
+
+/// A term of Eq 3.8, with A_2/N = `area`; `square` of the distance, `here` and `there` the cosines
+/// times the distance.
+inline double eval_delta(double area, double square, double here, double there) {
+  return here * there / square * area / (std::numbers::pi * square + area);
+}
+
+/// A side of a delta area, at its middle, as a point sees it from afar.
+template <class Number, class Share>
+struct DeltaSide {
+  Number turn;    ///< its part along the way to the delta area's centre, over the way's length
+  Number rise;    ///< its part along the viewpoint's normal, over the way's part along that
+  Number square;  ///< of its length over the way's
+  Share growth;   ///< how much longer the other side is at its end than at its beginning, over that
+
+  /// Its share of eval_extent().
+  [[gnu::always_inline]] Number eval_extent() const {
+    return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
+           1.0 / 12 * growth * (rise - 4.0 * turn);
+  }
+  /// How far off the delta area's centre the middle of its factor lies along the side, as a share
+  /// of its length, to the first order.
+  [[gnu::always_inline]] Number eval_drift() const {
+    using renderer::clamp, std::clamp;
+    return clamp(1.0 / 12 * (growth + rise - 4.0 * turn), -0.5, 0.5);
+  }
+};
+
+/// How much a delta area differs from a point with its area: its factor is 1 + eval_extent() times
+/// that of the point, up to the fourth power of side over distance. The kernel's second derivatives
+/// along the sides, over 24, make the difference, and, where a side grows, that more of the area
+/// lies towards its end.
+template <class Number, class Share>
+[[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number, Share>& a,
+                                                 const DeltaSide<Number, Share>& b) {
+  return a.eval_extent() + b.eval_extent();
+}
+
+/// A patch that glows evenly, with 1.
+struct Even {
+  static constexpr bool IS_EVEN = true;
+  template <class Number>
+  [[gnu::always_inline]] static double eval(const Number&, const Number&) {
+    return 1;
+  }
+};
+
+/// A part of a patch around (s, t); its sides are shares of the patch's.
+template <class Share>
+struct DeltaOf {
+  Share s, t, along, across;
+};
+using Delta = DeltaOf<double>;
+
+/// Where a delta area is looked at. Not quite the centre: in rooms full of symmetry lines between
+/// centres pass exactly through edges, of two mirrors above all, and rounding would say by which
+/// side.
+[[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
+  constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
+  return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
+}
+
+/// What a delta area measures at its middle.
+template <class Share>
+struct DeltaSize {
+  [[gnu::always_inline]] DeltaSize(const Quad& quad, const DeltaOf<Share>& delta)
+      : density(quad.eval_density(delta.s, delta.t)),
+        area(delta.along * delta.across * density),
+        square_a(delta.along * delta.along *
+                 (quad.aa + delta.t * (2.0 * quad.ac + delta.t * quad.cc))),
+        square_b(delta.across * delta.across *
+                 (quad.bb + delta.s * (2.0 * quad.bc + delta.s * quad.cc))) {}
+  Share density, area;
+  Share square_a, square_b;  ///< of the lengths of its sides
+};
+
+/// How the patch's sides rise along a viewpoint's normal: its products with Quad's a, b and c.
+template <class Number>
+struct Rise {
+  Number a, b, c;
+};
+
+/// The term of a delta area whose sides are shorter than its distance, exact to the second order in
+/// side over distance, times `source.eval(s, t)`. `way` leads there, `square` is its length's,
+/// `here` and `there` are as in eval_delta(). Share is of one delta area or of several, Vector,
+/// Number and Slope of one viewpoint or of several.
+template <class Share, class Vector, class Number, class Slope, class Source>
+[[gnu::always_inline]] inline auto eval_far(const Quad& quad, const DeltaOf<Share>& delta,
+                                            const DeltaSize<Share>& size, const Rise<Slope>& rise,
+                                            const Vector& way, const Number& square,
+                                            const Number& here, const Number& there,
+                                            const Source& source) {
+  const auto [s, t, along, across] = delta;
+  // Divisions are what costs here.
+  const Number per_square = 1.0 / square, per_here = 1.0 / here;
+  const Share per_density = 1.0 / size.density;
+  const Number way_c = dot(way, quad.c);
+  const DeltaSide<Number, Share> a{per_square * along * (dot(way, quad.a) + t * way_c),
+                                   per_here * along * (rise.a + t * rise.c),
+                                   per_square * size.square_a, per_density * along * quad.by_s};
+  const DeltaSide<Number, Share> b{per_square * across * (dot(way, quad.b) + s * way_c),
+                                   per_here * across * (rise.b + s * rise.c),
+                                   per_square * size.square_b, per_density * across * quad.by_t};
+  const Number extent = eval_extent(a, b);
+  const Number factor = std::numbers::inv_pi * here * there * size.area * (per_square * per_square);
+  const Number term = extent > 0.0 ? factor * (1.0 + extent) : factor / (1.0 - extent);
+  const Number at_s = s + a.eval_drift() * along, at_t = t + b.eval_drift() * across;
+  return term * source.eval(at_s, at_t);
+}
+
+/// How a patch is cut: into samples x samples delta areas, each of them halved up to `halvings`
+/// times while it is wider than its distance times the root of `enough`.
+struct Cut {
+  int samples, halvings;
+  double enough;
+};
+
+/// How a viewpoint sees a delta area that it faces, and that faces it.
+struct Look {
+  Vec point, way;      ///< find_aim(), and the way there
+  double square;       ///< of the distance
+  double here, there;  ///< see eval_delta()
+};
+
+/// Calls `take(delta, look)` for each delta area that faces the viewpoint. `misses(point, radius)`
+/// says whether the viewpoint surely sees no point of the patch within the radius.
+template <class Misses, class Take>
+class Cutter {
+ public:
+  Cutter(const Cut& cut, const Viewpoint& eye, const Quad& quad, const Misses& misses,
+         const Take& take, renderer::Work& work)
+      : cut_(cut), eye_(eye), quad_(quad), misses_(misses), take_(take), work_(work) {}
+
+  void run() {
+    const int n = cut_.samples;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        add({(i + 0.5) / n, (j + 0.5) / n, 1.0 / n, 1.0 / n}, cut_.halvings);
+  }
+
+ private:
+  void add(const Delta& delta, int halvings) {
+    work_[renderer::Op::delta_area] += 1;
+    Look look;
+    look.point = find_aim(quad_, delta);
+    look.way = look.point - eye_.at;
+    look.square = dot(look.way, look.way);
+    if (halvings > 0) {
+      const double along = delta.along * delta.along * quad_.along;
+      const double across = delta.across * delta.across * quad_.across;
+      const double wide = std::max(along, across);
+      if (wide > cut_.enough * look.square) {
+        if (!misses_(look.point, std::sqrt(along + across) / 2))
+          add_parts(delta, 2 * along > wide, 2 * across > wide, halvings - 1);
+        return;
+      }
+    }
+    look.here = dot(eye_.normal, look.way);
+    look.there = -dot(quad_.normal, look.way);
+    if (look.here > 0 && look.there > 0) take_(delta, look);
+  }
+
+  // The parts of a delta area that is halved along, across, or both.
+  void add_parts(const Delta& delta, bool along, bool across, int halvings) {
+    const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
+    const double width = along ? delta.along / 2 : delta.along;
+    const double height = across ? delta.across / 2 : delta.across;
+    for (int j = across ? -1 : 0; j <= (across ? 1 : 0); j += 2)
+      for (int i = along ? -1 : 0; i <= (along ? 1 : 0); i += 2)
+        add({delta.s + i * step, delta.t + j * rise, width, height}, halvings);
+  }
+
+  const Cut& cut_;
+  const Viewpoint& eye_;
+  const Quad& quad_;
+  const Misses& misses_;
+  const Take& take_;
+  renderer::Work& work_;
+};
+
+/// Whether Eq 3.8 is for a delta area: it is wider than it is far.
+inline bool is_wide(const DeltaSize<double>& size, double square) {
+  return std::max(size.square_a, size.square_b) > square;
+}
+
+template <class Source>
+using SumOf = decltype(1.0 * std::declval<Source>().eval(0, 0));
+
+/// The term of a delta area that is seen: of Eq 3.8 where it is wide, else what is exact to the
+/// second order in side over distance (Eq 3.8 is for a disc that faces the viewpoint, and loses 0.3
+/// % of the light of a room); times `source.eval(s, t)`.
+template <class Source>
+SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal, const Look& look,
+                        const Source& source, renderer::Work& work) {
+  const DeltaSize size(quad, delta);
+  if constexpr (!Source::IS_EVEN) work[renderer::Op::glow_found] += 1;
+  if (is_wide(size, look.square))
+    return eval_delta(size.area, look.square, look.here, look.there) *
+           source.eval(delta.s, delta.t);
+  const Rise<double> rise{dot(normal, quad.a), dot(normal, quad.b), dot(normal, quad.c)};
+  return eval_far(quad, delta, size, rise, look.way, look.square, look.here, look.there, source);
+}
+
+/// The sum over a patch of what is seen. `sight.sees(point)` says whether the viewpoint sees a
+/// point of the patch; see Cutter for `sight.misses(point, radius)`.
+template <class Sight, class Source>
+SumOf<Source> sum_deltas(const Cut& cut, const Viewpoint& eye, const Quad& quad, const Sight& sight,
+                         const Source& source, renderer::Work& work) {
+  SumOf<Source> total{};
+  const auto misses = [&](const Vec& point, double radius) { return sight.misses(point, radius); };
+  const auto take = [&](const Delta& delta, const Look& look) {
+    if (sight.sees(look.point)) total += eval_seen(quad, delta, eye.normal, look, source, work);
+  };
+  Cutter(cut, eye, quad, misses, take, work).run();
+  return total;
+}
+
+}  // namespace radiosity
