@@ -242,7 +242,20 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
   });
 }
 
+Ledge make_ledge(const Pair& pair, const Crease& foot) {
+  const Vec &normal = pair.on.plane.normal, &up = pair.other.plane.normal;
+  return {foot, normalize(normal - dot(normal, up) * up), pair.other.edges};
+}
+
 }  // namespace
+
+double eval_width(const Ledge& ledge, const Vec& at) {
+  double width = INFINITY;
+  for (const Plane& edge : ledge.edges)
+    if (const double slope = -dot(edge.normal, ledge.out); slope > 0)
+      width = std::min(width, std::max(0.0, eval_height(edge, at)) / slope);
+  return width;
+}
 
 std::vector<Contacts> find_contacts(const Room& room, int refine) {
   std::vector<Flat> flats;
@@ -270,6 +283,8 @@ std::vector<Contacts> find_contacts(const Room& room, int refine) {
         const auto border = clip_to(on, *touch, -tolerance, tolerance);
         if (is_inside || (border && goes_on(on, *border, flats, neighbours[f])))
           lines.push_back(*border);
+        else if (border && !on.face->two_sided && clip_to(flats[i], *border, tolerance, tolerance))
+          contacts[f].ledges.push_back(make_ledge(pair, *border));
       }
     }
   }

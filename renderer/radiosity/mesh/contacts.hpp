@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "renderer/radiosity/room/planar.hpp"
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {
@@ -14,10 +15,21 @@ struct HangingEdge {
   Vec inward;    ///< how far the light that falls in under the edge goes, in the face's plane
 };
 
+/// What a face stands on by its border, and that goes on behind it.
+struct Ledge {
+  Crease foot;               ///< on the border
+  Vec out;                   ///< unit; before the face, in the plane of what it stands on
+  std::vector<Plane> edges;  ///< of that: its inside is above them
+};
+
+/// How far a ledge goes out from a point of its foot.
+double eval_width(const Ledge& ledge, const Vec& at);
+
 /// Where others touch a face.
 struct Contacts {
   std::vector<Crease> lines;         ///< light changes abruptly across them
   std::vector<HangingEdge> hanging;  ///< `below` is one of the lines
+  std::vector<Ledge> ledges;         ///< of a one-sided face
 };
 
 /// For each face the segments along which other faces touch it in front of it (of a two-sided one,

@@ -76,8 +76,8 @@ bool is_on(const Patch& patch, const Vec& point) {
 // What vertices on a face's border, or at a contact, are lit beyond.
 struct Fringe {
   std::vector<Crease> creases;  // of the face
-  std::vector<HangingEdge> hanging;
-  double width = 0;  // of a patch
+  const Contacts& contacts;
+  double width;  // of a patch
 };
 
 // The share of the way from a point at which it crosses a crease that runs so near that no patch
@@ -100,6 +100,18 @@ bool is_at(const Vec& point, const Crease& line, double touch) {
   return length(point - lerp(line.a, line.b, t)) <= touch;
 }
 
+// A bright ledge that is narrower than the patch on it lights the patch at its foot and little
+// above, but what is found at the foot would be carried up to the patch's top. The light of a long
+// ledge of width w falls as (1 - z / sqrt(z^2 + w^2)) / 2 with the height z. This is the height at
+// which it is such that between there and the patch's top, as if the foot had it, the mean is
+// right. In patches' heights.
+double eval_ledge_height(double width) {
+  if (width <= 0) return 0;
+  const double slope = std::hypot(1, width);
+  const double sine = 2 * slope - 2 * width - 1 / slope;  // z / sqrt(z^2 + w^2) there
+  return width * sine / std::sqrt(1 - sine * sine);
+}
+
 // The share of the way from a vertex to a point inside at which it is lit.
 double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe& fringe,
                   double inset) {
@@ -110,10 +122,17 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (const double t = find_crossing(at, way, normal, crease, fringe.width);
         t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  for (const auto& [below, inward] : fringe.hanging)
+  for (const auto& [below, inward] : fringe.contacts.hanging)
     if (const double along = dot(way, inward);
         along > 0 && is_at(at, below, 2 * CONTACT_TOUCH * fringe.width))
       share = std::max(share, std::min(dot(inward, inward) / along, MOST));
+  for (const Ledge& ledge : fringe.contacts.ledges) {
+    if (!is_at(at, ledge.foot, 2 * CONTACT_TOUCH * fringe.width)) continue;
+    const Vec up = cross(normal, normalize(ledge.foot.b - ledge.foot.a));
+    const double height = 2 * std::abs(dot(way, up));  // of the patch
+    if (const double width = eval_width(ledge, at); width < height)
+      share = std::max(share, 2 * eval_ledge_height(width / height));
+  }
   return share;
 }
 
@@ -315,7 +334,7 @@ class Builder {
     std::vector<Fringe> fringes;
     for (std::size_t f = 0; f < room_.faces.size(); ++f) {
       const Face& face = room_.faces[f];
-      fringes.push_back({select_creases(face, room_.creases, 0), contacts_[f].hanging,
+      fringes.push_back({select_creases(face, room_.creases, 0), contacts_[f],
                          find_patch_width(face, params_.refine)});
     }
     return fringes;

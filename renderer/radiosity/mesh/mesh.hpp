@@ -65,8 +65,8 @@ struct MeshParams {
   double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
                           ///< the way to the mean centre of their patches, 0..0.5; if that is not
                           ///< on them, to the centre of the largest. Further, to half the way,
-                          ///< beyond creases that are too near to be kept, and under what hangs
-                          ///< over them; 0: none of this
+                          ///< beyond creases that are too near to be kept, under what hangs over
+                          ///< them, and over a ledge that is narrower than a patch; 0: none of this
 };
 
 /// The fields refine and crease_growth.

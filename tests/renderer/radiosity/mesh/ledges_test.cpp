@@ -1,0 +1,70 @@
+// The foot of a face that stands near the border of another.
+
+#include <gtest/gtest.h>
+
+#include "renderer/radiosity/mesh/contacts.hpp"
+#include "tests/renderer/radiosity/support.hpp"
+
+namespace radiosity::test {
+namespace {
+
+constexpr double LONG = 60, HEIGHT = 1;
+
+// A face one patch high on a bright one that goes on for `width` before it.
+Room make_room(double width) {
+  Room room;
+  room.materials = {{"face", grey(0.5), {}}, {"ledge", grey(0), grey(1)}};
+  add_quad(room, 1, {0, -width, 0}, {LONG, 0, 0}, {0, width + 2, 0});
+  add_quad(room, 0, {1, 0, 0}, {LONG - 2, 0, 0}, {0, 0, HEIGHT}, 20, 1);
+  return room;
+}
+
+// What the ledge gives a vertex.
+double eval_share(const Mesh& mesh, const Vertex& vertex) {
+  return sum_factors({mesh, {}}, vertex, [](const Patch& patch) { return patch.material == 1; });
+}
+
+TEST(Ledges, AreFoundWithTheirWidths) {
+  for (const double width : {0.01, 0.5, 4.0}) {
+    const auto contacts = find_contacts(make_room(width), 1);
+    EXPECT_TRUE(contacts[0].ledges.empty());
+    ASSERT_EQ(contacts[1].ledges.size(), 1u);
+    const Ledge& ledge = contacts[1].ledges[0];
+    EXPECT_NEAR(length(ledge.foot.b - ledge.foot.a), LONG - 2, 1e-3);
+    for (const double x : {1.0, 20.0, LONG - 1})
+      EXPECT_NEAR(eval_width(ledge, {x, 0, 0}), width, 1e-9);
+  }
+  // A wall does not stand on the floor that it ends at.
+  Room box;
+  box.materials = {{"wall", grey(0.5), grey(1)}};
+  add_box(box, 0, {0, 0, 0}, {3, 2, 1});
+  for (const auto& contacts : find_contacts(box, 1)) EXPECT_TRUE(contacts.ledges.empty());
+}
+
+// A narrow ledge's light at the foot is found where it makes the mean of the patch right; a wide
+// one's at the foot.
+TEST(Ledges, GiveAPatchItsMeanLight) {
+  for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 3.0}) {
+    SCOPED_TRACE(testing::Message() << "width " << width);
+    const Mesh mesh = make_mesh(make_room(width), {});
+    const auto patch = std::ranges::find_if(mesh.patches, [](const Patch& p) {
+      return p.face == 1 && std::abs(p.centre.x - LONG / 2) < 2;
+    });
+    ASSERT_NE(patch, mesh.patches.end());
+    double mean = 0;
+    for (const auto corner : patch->corners) {
+      const Vertex& vertex = mesh.vertices[corner];
+      mean += eval_share(mesh, vertex) / 4;
+      if (width > HEIGHT) {
+        EXPECT_LT(vertex.lit.z - vertex.at.z, 0.01);
+      }
+    }
+    const double expected = (1 - std::hypot(1, width) + width) / 2;
+    if (width < HEIGHT) {
+      EXPECT_NEAR(mean, expected, 0.02 * expected);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace radiosity::test
