@@ -2,8 +2,8 @@
 
 #include <mutex>
 
+#include "base/share.hpp"
 #include "renderer/scene/require.hpp"
-#include "renderer/trace/share.hpp"
 
 namespace renderer::progressive {
 
@@ -112,7 +112,7 @@ std::size_t Refinement::find_index(const Pixel& pixel) const {
 template <class Trace>
 void Refinement::share_work(int parts, const Trace& trace) {
   std::mutex one_by_one;
-  share(parts, threads_, [&](int part) {
+  base::share(parts, threads_, [&](int part) {
     SampleTracer tracer(scene_, params_);
     trace(part, tracer);
     const std::lock_guard lock(one_by_one);

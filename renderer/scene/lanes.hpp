@@ -2,19 +2,25 @@
 // Four numbers, points or colours at once: what is done to each lane is what would be done to a
 // number alone, bit for bit, only faster where the processor has wide registers.
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "renderer/scene/vec.hpp"
 
-// The compiler may make a function once for processors with wide registers and once for all
-// others, and choose when the program starts. (No fused multiply-add: results are the same.)
-#if defined(__x86_64__)
+// GCC makes such a function once for processors with wide registers and once for all others; which
+// one is called is found when the program starts, but not before a sanitizer is ready for it.
+// (No fused multiply-add: results are the same.)
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TLAB_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
 #else
 #define TLAB_WIDE_REGISTERS
 #endif
 
-// Lanes as such are passed to inlined functions alone, so that it does not matter how others would.
+// Lanes are passed to inlined functions only: that others would pass them otherwise does not
+// matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace renderer {
@@ -28,7 +34,7 @@ using Mask = std::int64_t __attribute__((vector_size(LANES * sizeof(std::int64_t
 [[gnu::always_inline]] inline bool holds_any(const Mask& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
-/// The lanes in which it holds; of a sum of masks those of all.
+/// Number of lanes in which it holds; of a sum of masks, the total over them.
 [[gnu::always_inline]] inline std::uint64_t count(const Mask& mask) {
   return static_cast<std::uint64_t>(-(mask[0] + mask[1] + mask[2] + mask[3]));
 }

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <mutex>
 
+#include "base/share.hpp"
 #include "renderer/scene/require.hpp"
 #include "renderer/trace/pixel_tracer.hpp"
-#include "renderer/trace/share.hpp"
 
 namespace renderer {
 
@@ -105,14 +105,14 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     result.work += tracer.work;
   };
   CornerObjects corners(params, area);
-  share(corners.rows(), threads, [&](int row) {
+  base::share(corners.rows(), threads, [&](int row) {
     SampleTracer tracer(scene, params);
     corners.find_row(row, tracer);
     add_counts(tracer);
   });
   int done = 0;
   std::atomic<bool> is_ended = false;
-  share(area.height, threads, [&](int row) {
+  base::share(area.height, threads, [&](int row) {
     if (is_ended) return;
     SampleTracer tracer(scene, params);
     PixelTracer pixels(params, area, corners, tracer);

@@ -1,5 +1,8 @@
 #include "renderer/trace/shadow_rays.hpp"
 
+#include <limits>
+#include <span>
+
 #include "renderer/scene/primitives.hpp"
 
 namespace renderer {

@@ -7,9 +7,9 @@
 
 namespace renderer {
 
-/// Each lane's feeler, as a Ray has it.
+/// Each lane's feeler, as a Ray has it. Lanes that have none may hold anything.
 struct ShadowRays {
-  Vecs origin, direction;
+  Vecs origin, direction;  ///< unit length
   Lanes reach;
   Mask from;     ///< Ray::from
   Mask cast;     ///< -1: the lane has a feeler; 0: it has none
@@ -17,7 +17,8 @@ struct ShadowRays {
 };
 
 /// Sets `blocked` where intersect() under Traversal::nearest would find a hit, and adds the same
-/// work. The scene must be of polygons at rest. Thread-safe.
+/// work; 0 where none is cast. The scene must be of polygons at rest, which is not checked.
+/// Thread-safe.
 void find_blocked(const Scene& scene, ShadowRays& rays, Work& work);
 
 }  // namespace renderer

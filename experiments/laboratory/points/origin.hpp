@@ -16,7 +16,7 @@ struct RunOptions {
   std::string file;                    ///< the experiment
   std::string output;                  ///< results folder; "": results/NAME
   std::vector<std::string> overrides;  ///< --set
-  unsigned jobs = 1;                   ///< points run side by side
+  unsigned jobs = 1;                   ///< points run side by side, and networks drawn
   bool profile = false;
   double until_s = std::numeric_limits<double>::infinity();  ///< simulated
   double from_s = 0;     ///< simulated; of trace, timeline and films

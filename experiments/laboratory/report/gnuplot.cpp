@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "base/host_program.hpp"
+#include "base/share.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
-#include "renderer/trace/share.hpp"
 
 namespace laboratory {
 namespace {
@@ -98,7 +98,7 @@ std::vector<std::string> draw_plots(const std::vector<Plot>& plots, const fs::pa
       failures[n] = error.what();
     }
   };
-  renderer::share(static_cast<int>(plots.size()), static_cast<int>(threads), draw);
+  base::share(static_cast<int>(plots.size()), static_cast<int>(threads), draw);
   return failures;
 }
 

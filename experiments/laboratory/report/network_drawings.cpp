@@ -6,15 +6,14 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <unordered_map>
 
+#include "base/share.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "renderer/trace/share.hpp"
 #include "topologies/draw/layout.hpp"
 #include "topologies/draw/load_drawing.hpp"
 
@@ -135,26 +134,36 @@ fs::path drawing_of(const Point& point) {
   return fs::path("networks") / (file_name(point) + ".svg");
 }
 
-// What became of a point's drawing: the workers that it shows, or would, or why there is none.
-struct Drawn {
-  int workers = 0;
-  std::string failure;
+// A network that points have in common, or why there is none.
+struct Network {
+  std::size_t point;  // one of them
+  topologies::Topology topology = {};
+  std::string failure = {};
 };
 
-// Draws points that have one network; each has its own place in `drawn`.
-void draw_all(const fs::path& folder, const Simulation& s, const std::vector<std::size_t>& points,
-              std::map<std::size_t, Drawn>& drawn) {
-  std::optional<topologies::Topology> network;
-  for (const auto point : points) try {
-      if (!network) network = make_workers(s.file.points[point].experiment);
-      drawn.at(point).workers = network->processors;
-      if (network->processors > topologies::MAX_DRAWN) continue;
-      const auto use = load_record(folder / s.records[point]).use;
-      base::save_whole(folder / drawing_of(s.file.points[point]),
-                       draw(*network, make_caption(s, point), use));
-    } catch (const std::exception& error) {
-      drawn.at(point).failure = error.what();
-    }
+// A point's drawing, or why there is none.
+struct Drawn {
+  std::size_t point;
+  const Network* network;
+  std::string svg = {}, failure = {};
+};
+
+void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
+  drawn.failure = drawn.network->failure;
+  const auto& topology = drawn.network->topology;
+  if (!drawn.failure.empty() || topology.processors > topologies::MAX_DRAWN) return;
+  const auto use = load_record(folder / s.records[drawn.point]).use;
+  drawn.svg = draw(topology, make_caption(s, drawn.point), use);
+  base::save_whole(folder / drawing_of(s.file.points[drawn.point]), drawn.svg);
+} catch (const std::exception& error) {
+  drawn.failure = error.what();
+}
+
+// Calls f for each, RunOptions::jobs at the same time.
+template <class Thing, class F>
+void share(const RunOptions& options, std::vector<Thing>& things, const F& f) {
+  base::share(static_cast<int>(things.size()), static_cast<int>(options.jobs),
+              [&](int n) { f(things[static_cast<std::size_t>(n)]); });
 }
 
 }  // namespace
@@ -165,22 +174,33 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
   if (s.file.report.networks == "none" || !is_farm(s.file)) return networks;
   const auto is_largest = find_largest(s);
   make_folders(folder / "networks");
-  std::map<std::size_t, Drawn> drawn;  // by point
-  std::map<std::string, std::vector<std::size_t>>
-      alike;  // points, by what their network depends on
+  std::map<std::string, std::size_t> known;  // networks, by what they depend on
+  std::vector<Network> made;
+  std::vector<std::pair<std::size_t, std::size_t>> asked;  // point and network
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;
-    drawn[i] = {};
-    alike[network_key(s.file.points[i].experiment)].push_back(i);
+    const auto [network, is_new] =
+        known.emplace(network_key(s.file.points[i].experiment), made.size());
+    if (is_new) made.push_back({i});
+    asked.emplace_back(i, network->second);
   }
-  const auto groups = std::views::values(alike);
-  renderer::share(static_cast<int>(alike.size()), static_cast<int>(options.jobs),
-                  [&](int n) { draw_all(folder, s, *std::next(groups.begin(), n), drawn); });
-  for (const auto& [i, of] : drawn) {
-    const auto& [workers, failure] = of;
+  share(options, made, [&](Network& network) {
+    try {
+      network.topology = make_workers(s.file.points[network.point].experiment);
+    } catch (const std::exception& error) {
+      network.failure = error.what();
+    }
+  });
+  std::vector<Drawn> drawn;
+  for (const auto& [point, network] : asked) drawn.push_back({point, &made[network]});
+  share(options, drawn, [&](Drawn& one) {
+    draw_point(folder, s, one);
+    if (!is_largest[one.point]) one.svg.clear();
+  });
+  for (auto& [i, network, svg, failure] : drawn) {
     const Point& point = s.file.points[i];
-    const auto file = drawing_of(point);
+    const int workers = network->topology.processors;
     if (!failure.empty())
       networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), failure));
     else if (workers > topologies::MAX_DRAWN)
@@ -190,9 +210,9 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
     else if (is_largest[i] && workers > MAX_SHOWN)
       networks.notes.push_back(
           fmt::format("the network at {} is in {}: {} workers, this page shows at most {}",
-                      name_of(point), file.string(), workers, MAX_SHOWN));
+                      name_of(point), drawing_of(point).string(), workers, MAX_SHOWN));
     else if (is_largest[i])
-      networks.drawings.push_back({make_caption(s, i), base::read_text(folder / file)});
+      networks.drawings.push_back({make_caption(s, i), std::move(svg)});
   }
   return networks;
 }

@@ -19,8 +19,8 @@ struct NetworkDrawings {
 /// Writes networks/NAME.svg into `folder`, which holds the points' records, as [report] networks
 /// asks: for every point ("all"), or for those with the most workers among points that are alike
 /// otherwise ("largest"). Only the farm has such drawings. The report has none of more than 1024
-/// workers; of more than topologies::MAX_DRAWN there is no file either. RunOptions::jobs are drawn
-/// side by side.
+/// workers; of more than topologies::MAX_DRAWN there is no file either. Up to RunOptions::jobs are
+/// drawn at the same time.
 NetworkDrawings draw_networks(const std::filesystem::path& folder, const RunOptions& options,
                               const Simulation& s);
 

@@ -4,6 +4,7 @@
 // Formulas are written once for a number and for several in lanes (renderer/scene/lanes.hpp).
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -127,11 +128,11 @@ struct Rise {
 
 /// The term of a delta area whose sides are shorter than its distance, exact to the second order in
 /// side over distance, times `source.eval(s, t)`. `way` leads there, `square` is its length's,
-/// `here` and `there` are as in eval_delta(). Share is of one delta area or of several, Vector,
-/// Number and Slope of one viewpoint or of several.
-template <class Share, class Vector, class Number, class Slope, class Source>
+/// `here` and `there` are as in eval_delta(). Share is of one delta area or of several, Vector
+/// and Number of one viewpoint or of several.
+template <class Share, class Vector, class Number, class Source>
 [[gnu::always_inline]] inline auto eval_far(const Quad& quad, const DeltaOf<Share>& delta,
-                                            const DeltaSize<Share>& size, const Rise<Slope>& rise,
+                                            const DeltaSize<Share>& size, const Rise<Number>& rise,
                                             const Vector& way, const Number& square,
                                             const Number& here, const Number& there,
                                             const Source& source) {
@@ -215,7 +216,7 @@ class Cutter {
         add({delta.s + i * step, delta.t + j * rise, width, height}, halvings);
   }
 
-  const Cut& cut_;
+  Cut cut_;
   const Viewpoint& eye_;
   const Quad& quad_;
   const Misses& misses_;
@@ -228,6 +229,7 @@ inline bool is_wide(const DeltaSize<double>& size, double square) {
   return std::max(size.square_a, size.square_b) > square;
 }
 
+/// What terms times `source.eval(s, t)` add up to: a number or a colour.
 template <class Source>
 using SumOf = decltype(1.0 * std::declval<Source>().eval(0, 0));
 

@@ -60,14 +60,10 @@ double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Wor
   return eval_direct(eye, vertex, patch, Quad(patch), Even{}, work);
 }
 
-Rgb eval_direct_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
-  const auto& [patch, quad, glow, is_even] = sender;
-  return is_even ? eval_direct(eye, vertex, patch, quad, EvenGlow{glow.at}, work)
-                 : eval_direct(eye, vertex, patch, quad, glow, work);
-}
-
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
-  const Rgb direct = eval_direct_light(eye, vertex, sender, work);
+  const auto& [patch, quad, glow, is_even] = sender;
+  const Rgb direct = is_even ? eval_direct(eye, vertex, patch, quad, EvenGlow{glow.at}, work)
+                             : eval_direct(eye, vertex, patch, quad, glow, work);
   return has_mirrors(eye) ? direct + eval_mirrored_light(eye, vertex, sender, work) : direct;
 }
 

@@ -46,8 +46,7 @@ struct Eye {
   renderer::Access* access = nullptr;
 };
 
-/// The share of the distance between two points within which a ray does not meet the other's
-/// object.
+/// The share of the distance at which a ray ends, so that it does not meet the object it goes to.
 inline constexpr double NEARLY = 1 - 1e-9;
 
 /// Whether nothing blocks the way from a point on one object to a point on another. Inlined: the
@@ -82,7 +81,7 @@ struct Glow {
   Rgb at, along, across, twist;
 };
 
-/// The same of a patch that glows evenly.
+/// An even glow, for templates that take a Glow.
 struct EvenGlow {
   static constexpr bool IS_EVEN = true;
   template <class Number>
@@ -110,10 +109,6 @@ double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, ren
 inline bool has_mirrors(const Eye& eye) {
   return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
 }
-
-/// The light that arrives at a vertex directly: its form factor times the glow. Adds to `work`.
-Rgb eval_direct_light(const Eye& eye, const Vertex& vertex, const Sender& sender,
-                      renderer::Work& work);
 
 /// The light that arrives at a vertex, also by way of mirrors, each colour times their reflectance.
 /// Where the patch glows evenly, that is its form factors, direct and over mirrors, times the glow.

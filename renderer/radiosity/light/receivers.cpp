@@ -16,19 +16,23 @@ using renderer::Work;
 
 namespace {
 
-// The receivers in lanes; what is missing is somewhere, and left out.
+// The receivers in lanes. One that is missing is where the first is, and not `present`.
 struct Points {
   [[gnu::always_inline]] explicit Points(const Receivers& receivers) {
-    const auto& [a, b, c, d] = receivers;
-    const Vertex &second = b ? *b : *a, &third = c ? *c : *a, &fourth = d ? *d : *a;
+    const Vertex& first = *receivers[0];
+    const auto get = [&](std::size_t k) -> const Vertex& {
+      return receivers[k] ? *receivers[k] : first;
+    };
+    const Vertex &second = get(1), &third = get(2), &fourth = get(3);
     const auto gather = [&](Vec Vertex::*point) __attribute__((always_inline)) {
-      const Vec &e = a->*point, &f = second.*point, &g = third.*point, &h = fourth.*point;
+      const Vec &e = first.*point, &f = second.*point, &g = third.*point, &h = fourth.*point;
       return Vecs{{e.x, f.x, g.x, h.x}, {e.y, f.y, g.y, h.y}, {e.z, f.z, g.z, h.z}};
     };
     at = gather(&Vertex::lit);
     normal = gather(&Vertex::normal);
-    object = Mask{a->object, second.object, third.object, fourth.object};
-    present = Mask{-1, -(b != nullptr), -(c != nullptr), -(d != nullptr)};
+    object = Mask{first.object, second.object, third.object, fourth.object};
+    present = Mask{-1, -(receivers[1] != nullptr), -(receivers[2] != nullptr),
+                   -(receivers[3] != nullptr)};
   }
   Vecs at, normal;
   Mask object, present;
@@ -134,10 +138,9 @@ using SeenLanes = std::array<Seen, LANES>;
 TLAB_WIDE_REGISTERS
 void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Lights& lights,
                      Work& work) {
-  const auto& [a, b, c, d] = seen;
-  const Points points({a.vertex, b.vertex, c.vertex, d.vertex});
+  const Points points({seen[0].vertex, seen[1].vertex, seen[2].vertex, seen[3].vertex});
   const auto gather = [&](const auto& of) __attribute__((always_inline)) {
-    return Lanes{of(a), of(b), of(c), of(d)};
+    return Lanes{of(seen[0]), of(seen[1]), of(seen[2]), of(seen[3])};
   };
   Looks<Lanes> looks;
   looks.delta = {gather([](const Seen& s) { return s.delta.s; }),
@@ -156,14 +159,13 @@ void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender
       [&](std::size_t k, const Rgb& term) { lights[seen[k].receiver] += term; }, work);
 }
 
-// Collects what receivers look at until there is one for each lane.
+// Collects delta areas that receivers look at until there is one for each lane.
 class Near {
  public:
   Near(const Eye& eye, const Sender& sender, Lights& lights, Work& work)
       : eye_(eye), sender_(sender), lights_(lights), work_(work) {}
-  ~Near() { flush(); }
 
-  // Adds what arrives directly at the vertex, which the patch faces, sooner or later.
+  // Adds what arrives directly at the vertex, which the patch faces; the last of it in flush().
   void add(const Vertex& vertex, std::size_t receiver) {
     const Viewpoint view{vertex.lit, vertex.normal};
     const auto misses = [](const Vec&, double) { return false; };
@@ -175,6 +177,15 @@ class Near {
     };
     Cutter(direct_cut(eye_.params), view, sender_.quad, misses, take, work_).run();
   }
+  void flush() {
+    if (count_ == 0) return;
+    for (std::size_t k = count_; k < LANES; ++k) {
+      seen_[k] = seen_[0];
+      seen_[k].vertex = nullptr;
+    }
+    add_near_lights(eye_, seen_, sender_, lights_, work_);
+    count_ = 0;
+  }
 
  private:
   void add_wide(const Vertex& vertex, std::size_t receiver, const Delta& delta, const Look& look) {
@@ -184,12 +195,6 @@ class Near {
     lights_[receiver] += is_even
                              ? eval_seen(quad, delta, vertex.normal, look, EvenGlow{glow.at}, work_)
                              : eval_seen(quad, delta, vertex.normal, look, glow, work_);
-  }
-  void flush() {
-    if (count_ == 0) return;
-    for (std::size_t k = count_; k < LANES; ++k) seen_[k].vertex = nullptr;
-    add_near_lights(eye_, seen_, sender_, lights_, work_);
-    count_ = 0;
   }
 
   const Eye& eye_;
@@ -218,6 +223,7 @@ Lights eval_lights(const Eye& eye, const Receivers& receivers, const Sender& sen
     for_each([&](const Vertex& v, std::size_t k) {
       if (near[k]) rest.add(v, k);
     });
+    rest.flush();
   }
   if (has_mirrors(eye))
     for_each([&](const Vertex& v, std::size_t k) {

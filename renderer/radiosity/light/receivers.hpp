@@ -1,7 +1,10 @@
 #pragma once
-// Points that receive the light of one patch together, which takes half the time.
+// Points that receive the light of one patch together, which is faster than one by one.
+
+#include <array>
 
 #include "renderer/radiosity/light/form_factor.hpp"
+#include "renderer/scene/lanes.hpp"
 
 namespace radiosity {
 
@@ -10,8 +13,8 @@ namespace radiosity {
 using Receivers = std::array<const Vertex*, renderer::LANES>;
 using Lights = std::array<Rgb, renderer::LANES>;
 
-/// What eval_light() is at each vertex, with the same work; of those that are missing 0. At least
-/// one must be there.
+/// Returns for each vertex what eval_light() returns, and adds the same work; 0 for one that is
+/// missing. The first must be there.
 Lights eval_lights(const Eye& eye, const Receivers& receivers, const Sender& sender,
                    renderer::Work& work);
 

@@ -24,6 +24,13 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
+// Calls f with as many indices as there are lanes, at last with those that are left.
+template <class F>
+void for_lanes(std::span<const std::uint32_t> all, const F& f) {
+  for (std::size_t begin = 0; begin < all.size(); begin += LANES)
+    f(all.subspan(begin, std::min(LANES, all.size() - begin)));
+}
+
 // The mean of what arrived at a patch in the last shot.
 Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
   Rgb corners;
@@ -136,8 +143,7 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
 
 void receive(const Eye& eye, const Sender& sender, std::span<const std::uint32_t> vertices,
              State& state, Work& work) {
-  for (; !vertices.empty(); vertices = vertices.subspan(std::min(LANES, vertices.size()))) {
-    const auto some = vertices.first(std::min(LANES, vertices.size()));
+  for_lanes(vertices, [&](std::span<const std::uint32_t> some) {
     Receivers receivers{};
     for (std::size_t k = 0; k < some.size(); ++k) receivers[k] = &eye.mesh.vertices[some[k]];
     const Lights lights = eval_lights(eye, receivers, sender, work);
@@ -146,14 +152,13 @@ void receive(const Eye& eye, const Sender& sender, std::span<const std::uint32_t
       state.radiosity[some[k]] +=
           eye.mesh.materials[receivers[k]->material].reflectance * lights[k];
     }
-    work[Op::vertex_lit] += some.size();
-  }
+  });
+  work[Op::vertex_lit] += vertices.size();
 }
 
 void receive_in_centres(const Eye& eye, const Sender& sender,
                         std::span<const std::uint32_t> patches, State& state, Work& work) {
-  for (; !patches.empty(); patches = patches.subspan(std::min(LANES, patches.size()))) {
-    const auto some = patches.first(std::min(LANES, patches.size()));
+  for_lanes(patches, [&](std::span<const std::uint32_t> some) {
     std::array<Vertex, LANES> centres;
     Receivers receivers{};
     for (std::size_t k = 0; k < some.size(); ++k) {
@@ -162,8 +167,8 @@ void receive_in_centres(const Eye& eye, const Sender& sender,
     }
     const Lights lights = eval_lights(eye, receivers, sender, work);
     for (std::size_t k = 0; k < some.size(); ++k) state.in_centre[some[k]] = lights[k];
-    work[Op::vertex_lit] += some.size();
-  }
+  });
+  work[Op::vertex_lit] += patches.size();
 }
 
 void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,

@@ -242,17 +242,38 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
   });
 }
 
-Ledge make_ledge(const Pair& pair, const Crease& foot) {
+// Whether the first face, which touches the other by its border, stands on its front.
+bool stands_on(const Pair& pair, const Crease& border) {
+  constexpr double MOST_COSINE = 0.5;
+  const bool is_upright =
+      std::abs(dot(pair.on.plane.normal, pair.other.plane.normal)) < MOST_COSINE;
+  const bool is_before = find_heights({pair.other, pair.on, pair.tolerance}).high > pair.tolerance;
+  return is_upright && is_before && !pair.on.face->two_sided &&
+         clip_to(pair.other, border, pair.tolerance, pair.tolerance);
+}
+
+// `neighbours`: of what the first face stands on.
+Ledge make_ledge(const Pair& pair, const Crease& foot, std::span<const Flat> flats,
+                 std::span<const std::uint32_t> neighbours) {
   const Vec &normal = pair.on.plane.normal, &up = pair.other.plane.normal;
-  return {foot, normalize(normal - dot(normal, up) * up), pair.other.edges};
+  Ledge ledge{foot, normalize(normal - dot(normal, up) * up), {}};
+  const auto& corners = pair.other.face->corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Crease edge{corners[i], corners[(i + 1) % corners.size()]};
+    const Vec inward = cross(up, edge.b - edge.a);
+    if (length(inward) > 0 && !goes_on(pair.other, edge, flats, neighbours))
+      ledge.edges.push_back(make_plane(normalize(inward), edge.a));
+  }
+  return ledge;
 }
 
 }  // namespace
 
 double eval_width(const Ledge& ledge, const Vec& at) {
+  constexpr double PARALLEL = 1e-6;
   double width = INFINITY;
   for (const Plane& edge : ledge.edges)
-    if (const double slope = -dot(edge.normal, ledge.out); slope > 0)
+    if (const double slope = -dot(edge.normal, ledge.out); slope > PARALLEL)
       width = std::min(width, std::max(0.0, eval_height(edge, at)) / slope);
   return width;
 }
@@ -283,8 +304,8 @@ std::vector<Contacts> find_contacts(const Room& room, int refine) {
         const auto border = clip_to(on, *touch, -tolerance, tolerance);
         if (is_inside || (border && goes_on(on, *border, flats, neighbours[f])))
           lines.push_back(*border);
-        else if (border && !on.face->two_sided && clip_to(flats[i], *border, tolerance, tolerance))
-          contacts[f].ledges.push_back(make_ledge(pair, *border));
+        else if (border && stands_on(pair, *border))
+          contacts[f].ledges.push_back(make_ledge(pair, *border, flats, neighbours[i]));
       }
     }
   }

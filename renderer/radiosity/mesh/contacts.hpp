@@ -15,21 +15,21 @@ struct HangingEdge {
   Vec inward;    ///< how far the light that falls in under the edge goes, in the face's plane
 };
 
-/// What a face stands on by its border, and that goes on behind it.
+/// The strip of a surface before a face that stands on it.
 struct Ledge {
-  Crease foot;               ///< on the border
-  Vec out;                   ///< unit; before the face, in the plane of what it stands on
-  std::vector<Plane> edges;  ///< of that: its inside is above them
+  Crease foot;               ///< on the face's border
+  Vec out;                   ///< unit, in the strip's plane, away from the face
+  std::vector<Plane> edges;  ///< where the surface ends, which is above them
 };
 
-/// How far a ledge goes out from a point of its foot.
+/// How far a ledge goes out from a point of its foot; infinitely far where no edge is ahead.
 double eval_width(const Ledge& ledge, const Vec& at);
 
 /// Where others touch a face.
 struct Contacts {
   std::vector<Crease> lines;         ///< light changes abruptly across them
   std::vector<HangingEdge> hanging;  ///< `below` is one of the lines
-  std::vector<Ledge> ledges;         ///< of a one-sided face
+  std::vector<Ledge> ledges;         ///< that it stands on
 };
 
 /// For each face the segments along which other faces touch it in front of it (of a two-sided one,
@@ -37,7 +37,8 @@ struct Contacts {
 /// touches by its border only, as walls do each other, is none, unless the surface goes on there in
 /// a third face. What hangs over a face, nowhere higher than half the width of its patches and
 /// itself nowhere narrower than one, touches it below its open edges: those from which nothing goes
-/// down, and beyond which nothing hangs as near. A face's patches are those that it has by its
+/// down, and beyond which nothing hangs as near. A one-sided face whose border lies within another,
+/// about upright on its front, stands on a ledge. A face's patches are those that it has by its
 /// `along` and `across`, times `refine`. BadInput if more than 1,000,000 + 100 n of the pairs of n
 /// faces touch or nearly so.
 std::vector<Contacts> find_contacts(const Room& room, int refine);

@@ -100,15 +100,16 @@ bool is_at(const Vec& point, const Crease& line, double touch) {
   return length(point - lerp(line.a, line.b, t)) <= touch;
 }
 
-// A bright ledge that is narrower than the patch on it lights the patch at its foot and little
-// above, but what is found at the foot would be carried up to the patch's top. The light of a long
-// ledge of width w falls as (1 - z / sqrt(z^2 + w^2)) / 2 with the height z. This is the height at
-// which it is such that between there and the patch's top, as if the foot had it, the mean is
-// right. In patches' heights.
+// The height at which the foot of a patch is to be lit that stands on a ledge, by the ledge's
+// width; both in heights of the patch. A long ledge of width w gives f(z) = (1 - z / sqrt(z^2 +
+// w^2)) / 2 at the height z, much at the foot and, if it is narrow, little above. With what is
+// found at the height z0 that is returned, the mean of foot and top, (f(z0) + f(1)) / 2, is that of
+// f over the patch.
 double eval_ledge_height(double width) {
-  if (width <= 0) return 0;
+  constexpr double NONE = 1e-9;
+  if (width < NONE) return 0;
   const double slope = std::hypot(1, width);
-  const double sine = 2 * slope - 2 * width - 1 / slope;  // z / sqrt(z^2 + w^2) there
+  const double sine = 2 * slope - 2 * width - 1 / slope;  // z0 / sqrt(z0^2 + w^2)
   return width * sine / std::sqrt(1 - sine * sine);
 }
 
@@ -130,6 +131,7 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (!is_at(at, ledge.foot, 2 * CONTACT_TOUCH * fringe.width)) continue;
     const Vec up = cross(normal, normalize(ledge.foot.b - ledge.foot.a));
     const double height = 2 * std::abs(dot(way, up));  // of the patch
+    // Wider ones light the patch nearly evenly.
     if (const double width = eval_width(ledge, at); width < height)
       share = std::max(share, 2 * eval_ledge_height(width / height));
   }

@@ -20,11 +20,11 @@ const Thing& pick(Random& random, const std::vector<Thing>& things) {
 
 // Somewhere in the room, often exactly on a wall or at the height of an edge.
 Vec make_place(Random& random, const Bounds& bounds) {
-  const auto pick = [&](double lo, double hi) {
+  const auto choose = [&](double lo, double hi) {
     return random.below(4) == 0 ? lo : random.range(lo, hi);
   };
-  return {pick(bounds.lo.x, bounds.hi.x), pick(bounds.lo.y, bounds.hi.y),
-          pick(bounds.lo.z, bounds.hi.z)};
+  return {choose(bounds.lo.x, bounds.hi.x), choose(bounds.lo.y, bounds.hi.y),
+          choose(bounds.lo.z, bounds.hi.z)};
 }
 
 renderer::Ray make_shadow_ray(Random& random, const Bounds& bounds, std::uint32_t objects) {
@@ -96,6 +96,7 @@ TEST(Receivers, GetWhatEachGetsAlone) {
     if (seed % 3 == 0) params.halvings = 0;
     if (seed % 3 == 1) params.spread = 2;
     if (seed % 8 == 7) params.samples = 2;
+    if (seed % 8 == 5) params.traversal = renderer::Traversal::exhaustive;
     const Eye eye{mesh, params};
     double lit = 0;
     for (int i = 0; i < 200; ++i) {

@@ -41,6 +41,38 @@ TEST(Ledges, AreFoundWithTheirWidths) {
   for (const auto& contacts : find_contacts(box, 1)) EXPECT_TRUE(contacts.ledges.empty());
 }
 
+// The front of a face stands on the surface, which may go on in another face.
+TEST(Ledges, EndWhereTheSurfaceDoes) {
+  Room room = make_room(0.2);
+  add_quad(room, 1, {0, -5, 0}, {LONG, 0, 0}, {0, 4.8, 0});
+  const auto contacts = find_contacts(room, 1);
+  ASSERT_EQ(contacts[1].ledges.size(), 1u);
+  EXPECT_EQ(eval_width(contacts[1].ledges[0], {20, 0, 0}), INFINITY);
+  Room under = make_room(0.2);
+  under.faces[0] = turn(under.faces[0]);
+  EXPECT_TRUE(find_contacts(under, 1)[1].ledges.empty());
+}
+
+// Whatever the angle between foot and edge, also where they meet and however the room is turned.
+TEST(Ledges, MayNarrowToAPoint) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    const double width = random.range(0, 0.4), angle = random.range(0, 7);
+    Room room = make_room(0);
+    room.faces.resize(1);
+    add_quad(room, 0, {1, width, 0}, {10, -width, 0}, {0, 0, HEIGHT}, 10, 1);
+    for (Face& face : room.faces)
+      for (Vec& p : face.corners)
+        p = {std::cos(angle) * p.x - std::sin(angle) * p.y,
+             std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
+    for (const Vertex& vertex : make_mesh(room, {}).vertices) {
+      const double moved = length(vertex.lit - vertex.at);
+      EXPECT_LT(moved, 0.4) << vertex.at.x << ' ' << vertex.at.y;  // no infinity, no NaN
+    }
+  }
+}
+
 // A narrow ledge's light at the foot is found where it makes the mean of the patch right; a wide
 // one's at the foot.
 TEST(Ledges, GiveAPatchItsMeanLight) {

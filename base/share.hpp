@@ -6,7 +6,7 @@
 #include <future>
 #include <vector>
 
-namespace renderer {
+namespace base {
 
 /// Calls work(i) for every i from 0 below `count`; the threads are handed them one by one. After an
 /// exception, which is thrown again, no more are handed out.
@@ -28,4 +28,4 @@ void share(int count, int threads, const Work& work) {
   for (auto& helper : helpers) helper.get();
 }
 
-}  // namespace renderer
+}  // namespace base
