@@ -280,7 +280,9 @@ TEST_F(Sweep, ARecordThatCannotBeReadCostsItsDrawingAlone) {
   const auto networks = visible("r").size();
   fs::remove_all(results / "networks");
   write_file(results / simulation.records.front(), "{");
-  const auto drawn = draw_networks(results, {.jobs = 2}, simulation);
+  RunOptions options;
+  options.jobs = 2;
+  const auto drawn = draw_networks(results, options, simulation);
   ASSERT_EQ(drawn.failures.size(), 1u);
   EXPECT_TRUE(drawn.failures[0].starts_with("network at objects = 20, workers = 1: "))
       << drawn.failures[0];
