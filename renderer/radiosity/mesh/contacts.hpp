@@ -38,9 +38,9 @@ struct Contacts {
 /// a third face. What hangs over a face, nowhere higher than half the width of its patches and
 /// itself nowhere narrower than one, touches it below its open edges: those from which nothing goes
 /// down, and beyond which nothing hangs as near. A ledge is what is left of a face before
-/// a one-sided one that stands on its front, about upright, by its border. A face's patches are those that it has by its
-/// `along` and `across`, times `refine`. BadInput if more than 1,000,000 + 100 n of the pairs of n
-/// faces touch or nearly so.
+/// a one-sided one that stands on its front, about upright, by its border. A face's patches are
+/// those that it has by its `along` and `across`, times `refine`. BadInput if more than 1,000,000 +
+/// 100 n of the pairs of n faces touch or nearly so.
 std::vector<Contacts> find_contacts(const Room& room, int refine);
 
 }  // namespace radiosity
