@@ -463,6 +463,7 @@ void choose_creases(Room& room, Creases creases) {
   if (creases != Creases::found) return;
   const auto found = find_creases(room);
   room.creases.insert(room.creases.end(), found.begin(), found.end());
+  room.fine_near_lights = true;
 }
 
 }  // namespace radiosity

@@ -228,7 +228,13 @@ void add_hanging(const Pair& pair, std::span<const Flat> flats,
     if (!line) continue;
     const double height = std::max(length(edge.a - below.a), length(edge.b - below.b));
     contacts.lines.push_back(*line);
-    contacts.hanging.push_back({*line, HEIGHTS_INSIDE * height * inward});
+    contacts.hanging.push_back({*line, inward, height});
+    // The light that falls in under the edge fades on a strip of its own.
+    const double deep = HEIGHTS_INSIDE * height;
+    if (2 * deep > pair.other.width) continue;
+    if (const auto inner = clip_to(pair.on, {below.a + deep * inward, below.b + deep * inward},
+                                   pair.tolerance, pair.tolerance))
+      contacts.lines.push_back(*inner);
   }
 }
 

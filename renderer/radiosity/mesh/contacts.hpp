@@ -11,8 +11,9 @@ namespace radiosity {
 
 /// An open edge of what hangs a little above a face.
 struct HangingEdge {
-  Crease below;  ///< on the face
-  Vec inward;    ///< how far the light that falls in under the edge goes, in the face's plane
+  Crease below;   ///< on the face
+  Vec inward;     ///< unit, in the face's plane
+  double height;  ///< of the edge over the face
 };
 
 /// The strip of a surface before a face that stands on it.

@@ -8,6 +8,7 @@
 
 #include "renderer/radiosity/mesh/contacts.hpp"
 #include "renderer/radiosity/mesh/divide.hpp"
+#include "renderer/radiosity/mesh/grade.hpp"
 #include "renderer/radiosity/mesh/weld.hpp"
 #include "renderer/scene/require.hpp"
 
@@ -100,12 +101,12 @@ bool is_at(const Vec& point, const Crease& line, double touch) {
   return length(point - lerp(line.a, line.b, t)) <= touch;
 }
 
-// The height at which the foot of a patch is to be lit that stands on a ledge, by the ledge's
-// width; both in heights of the patch. A long ledge of width w gives f(z) = (1 - z / sqrt(z^2 +
-// w^2)) / 2 at the height z, much at the foot and, if it is narrow, little above. With what is
-// found at the height z0 that is returned, the mean of foot and top, (f(z0) + f(1)) / 2, is that of
-// f over the patch.
-double eval_ledge_height(double width) {
+// The distance from a patch's border at which it is to be lit there, where light comes in by a gap
+// along the border and fades behind it; distance and the gap's width in lengths of the patch. A long
+// gap of width w lets in f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z, much at the border
+// and, if it is narrow, little behind. With what is found at the distance z0 that is returned, the
+// mean of the patch's two ends, (f(z0) + f(1)) / 2, is that of f over the patch.
+double eval_fade(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
   const double slope = std::hypot(1, width);
@@ -123,17 +124,19 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (const double t = find_crossing(at, way, normal, crease, fringe.width);
         t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  for (const auto& [below, inward] : fringe.contacts.hanging)
-    if (const double along = dot(way, inward);
-        along > 0 && is_at(at, below, 2 * CONTACT_TOUCH * fringe.width))
-      share = std::max(share, std::min(dot(inward, inward) / along, MOST));
+  // Through a gap between the border and an edge that is parallel to it; `inside`: unit. Wider ones
+  // light the patch nearly evenly.
+  const auto light_through = [&](double width, const Vec& inside) {
+    const double length = 2 * dot(way, inside);  // of the patch
+    if (width < length) share = std::max(share, 2 * eval_fade(width / length));
+  };
+  const double touch = 2 * CONTACT_TOUCH * fringe.width;
+  for (const auto& [below, inward, height] : fringe.contacts.hanging)
+    if (is_at(at, below, touch)) light_through(height, inward);
   for (const Ledge& ledge : fringe.contacts.ledges) {
-    if (!is_at(at, ledge.foot, 2 * CONTACT_TOUCH * fringe.width)) continue;
+    if (!is_at(at, ledge.foot, touch)) continue;
     const Vec up = cross(normal, normalize(ledge.foot.b - ledge.foot.a));
-    const double height = 2 * std::abs(dot(way, up));  // of the patch
-    // Wider ones light the patch nearly evenly.
-    if (const double width = eval_width(ledge, at); width < height)
-      share = std::max(share, 2 * eval_ledge_height(width / height));
+    light_through(eval_width(ledge, at), dot(way, up) > 0 ? up : -up);
   }
   return share;
 }
@@ -442,7 +445,10 @@ base::Fields<MeshParams> mesh_fields() {
 
 Mesh make_mesh(const Room& room, const MeshParams& params) {
   check_count(room, params.refine);
-  return Builder(room, params).build();
+  if (!room.fine_near_lights) return Builder(room, params).build();
+  Room graded = room;
+  grade_near_lights(graded, params.refine);
+  return Builder(graded, params).build();
 }
 
 }  // namespace radiosity
