@@ -455,7 +455,7 @@ base::Field<Creases> creases_field() {
   return base::Declare<Creases>::choice(
       "creases", [](Creases & c) -> auto& { return c; }, names,
       "lines at which patches end: the room's; these and the borders of penumbrae and lines within "
-      "them that are found; none");
+      "them that are found, and near lights smaller patches; none");
 }
 
 void choose_creases(Room& room, Creases creases) {

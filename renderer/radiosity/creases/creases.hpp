@@ -24,7 +24,7 @@ std::vector<Crease> find_creases(const Room& room);
 /// Which creases the mesh of a room keeps.
 enum class Creases : std::uint8_t {
   file,   ///< those that the room's file marks
-  found,  ///< those and the ones that find_creases() finds
+  found,  ///< those and the ones that find_creases() finds; patches near lights are finer, too
   none
 };
 

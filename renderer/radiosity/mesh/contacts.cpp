@@ -230,10 +230,10 @@ void add_hanging(const Pair& pair, std::span<const Flat> flats,
     contacts.lines.push_back(*line);
     contacts.hanging.push_back({*line, inward, height});
     // The light that falls in under the edge fades on a strip of its own.
-    const double deep = HEIGHTS_INSIDE * height;
-    if (2 * deep > pair.other.width) continue;
-    if (const auto inner = clip_to(pair.on, {below.a + deep * inward, below.b + deep * inward},
-                                   pair.tolerance, pair.tolerance))
+    const Vec deep = HEIGHTS_INSIDE * height * inward;
+    if (2 * length(deep) > pair.other.width) continue;
+    if (const auto inner =
+            clip_to(pair.on, {below.a + deep, below.b + deep}, pair.tolerance, pair.tolerance))
       contacts.lines.push_back(*inner);
   }
 }

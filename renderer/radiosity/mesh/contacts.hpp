@@ -11,7 +11,7 @@ namespace radiosity {
 
 /// An open edge of what hangs a little above a face.
 struct HangingEdge {
-  Crease below;   ///< on the face
+  Crease below;   ///< on the face, one of the lines
   Vec inward;     ///< unit, in the face's plane
   double height;  ///< of the edge over the face
 };
@@ -28,9 +28,9 @@ double eval_width(const Ledge& ledge, const Vec& at);
 
 /// Where others touch a face.
 struct Contacts {
-  std::vector<Crease> lines;         ///< light changes abruptly across them
-  std::vector<HangingEdge> hanging;  ///< `below` is one of the lines
-  std::vector<Ledge> ledges;         ///< that it stands on
+  std::vector<Crease> lines;  ///< light changes abruptly across them
+  std::vector<HangingEdge> hanging;
+  std::vector<Ledge> ledges;  ///< that it stands on
 };
 
 /// For each face the segments along which other faces touch it in front of it (of a two-sided one,
@@ -38,7 +38,8 @@ struct Contacts {
 /// touches by its border only, as walls do each other, is none, unless the surface goes on there in
 /// a third face. What hangs over a face, nowhere higher than half the width of its patches and
 /// itself nowhere narrower than one, touches it below its open edges: those from which nothing goes
-/// down, and beyond which nothing hangs as near. A ledge is what is left of a face before
+/// down, and beyond which nothing hangs as near; and, if it is no narrower than four times as far
+/// as it hangs, along lines twice as far inside. A ledge is what is left of a face before
 /// a one-sided one that stands on its front, about upright, by its border. A face's patches are
 /// those that it has by its `along` and `across`, times `refine`. BadInput if more than 1,000,000 +
 /// 100 n of the pairs of n faces touch or nearly so.

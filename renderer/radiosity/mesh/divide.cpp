@@ -245,6 +245,15 @@ Grid find_grid(const Face& face, int refine) {
   return {make_even_lines(face.along * refine), make_even_lines(face.across * refine)};
 }
 
+void halve(std::vector<double>& lines, const std::vector<bool>& marks) {
+  std::vector<double> finer;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    finer.push_back(lines[i]);
+    if (i + 1 < lines.size() && marks[i]) finer.push_back((lines[i] + lines[i + 1]) / 2);
+  }
+  lines = std::move(finer);
+}
+
 std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases,
                                    double touch) {
   const auto& corners = face.corners;

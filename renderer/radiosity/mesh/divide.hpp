@@ -22,6 +22,8 @@ struct Division {
 Division divide_face(const Face& face, int refine);
 /// Its lines, if it has 4 corners: its own, or even ones.
 Grid find_grid(const Face& face, int refine);
+/// Adds the middles of the marked steps between lines: the one after lines[i] if marks[i].
+void halve(std::vector<double>& lines, const std::vector<bool>& marks);
 /// Those of the creases that lie in the face's plane, and on the face or no further off it than
 /// `touch`.
 std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases, double touch);

@@ -9,7 +9,7 @@ namespace radiosity {
 
 namespace {
 
-// A patch's length near a light, in distances from it.
+// The longest side of a patch near a light, in distances from it.
 constexpr double LONGEST = 0.5;
 // Times that a row is halved: a light may touch a face.
 constexpr int MOST_HALVINGS = 3;
@@ -33,25 +33,20 @@ std::vector<Light> find_lights(const Room& room) {
   return lights;
 }
 
-double eval_distance(const Vec& a, const Vec& b, const Vec& point) {
-  const Vec along = b - a;
-  const double t = std::clamp(dot(point - a, along) / dot(along, along), 0.0, 1.0);
-  return length(point - lerp(a, b, t));
-}
-
-double eval_distance(const Light& light, const Vec& point) {
+// How far a point is from a light.
+double find_distance(const Light& light, const Vec& point) {
   if (std::ranges::all_of(light.edges,
                           [&](const Plane& edge) { return eval_height(edge, point) >= 0; }))
     return std::abs(eval_height(light.plane, point));
   double least = INFINITY;
   for (std::size_t i = 0; i < light.corners.size(); ++i)
-    least = std::min(least, eval_distance(light.corners[i],
-                                          light.corners[(i + 1) % light.corners.size()], point));
+    least = std::min(least, eval_distance(point, light.corners[i],
+                                          light.corners[(i + 1) % light.corners.size()]));
   return least;
 }
 
 // Whether some of the light is before the face, and the point before the light.
-bool faces(const Light& light, const Face& face, const Plane& plane, const Vec& point) {
+bool is_lit(const Light& light, const Face& face, const Plane& plane, const Vec& point) {
   const auto is_before = [](double height, bool two_sided) {
     return two_sided ? height != 0 : height > 0;
   };
@@ -61,18 +56,10 @@ bool faces(const Light& light, const Face& face, const Plane& plane, const Vec& 
          });
 }
 
-void halve(std::vector<double>& lines, const std::vector<bool>& marks) {
-  std::vector<double> finer;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    finer.push_back(lines[i]);
-    if (i + 1 < lines.size() && marks[i]) finer.push_back((lines[i] + lines[i + 1]) / 2);
-  }
-  lines = std::move(finer);
-}
-
-// Halves what is too long, once; whether there was any.
+// Halves the rows in which a patch is too long, once; whether there are any.
 bool halve_once(const Face& face, const std::vector<Light>& lights, Grid& grid) {
-  const Plane plane = make_plane(normalize(eval_area_normal(face.corners)), eval_mean(face.corners));
+  const Plane plane =
+      make_plane(normalize(eval_area_normal(face.corners)), eval_mean(face.corners));
   auto& [along, across] = grid;
   std::vector<bool> wide(along.size()), high(across.size());
   for (std::size_t j = 0; j + 1 < across.size(); ++j)
@@ -82,20 +69,23 @@ bool halve_once(const Face& face, const std::vector<Light>& lights, Grid& grid) 
       const double width = length(at(along[i + 1], t) - at(along[i], t));
       const double height = length(at(s, across[j + 1]) - at(s, across[j]));
       for (const Light& light : lights) {
-        if (!faces(light, face, plane, at(s, t))) continue;
-        const double longest = LONGEST * eval_distance(light, at(s, t));
+        if (!is_lit(light, face, plane, at(s, t))) continue;
+        const double longest = LONGEST * find_distance(light, at(s, t));
         if (width > longest) wide[i] = true;
         if (height > longest) high[j] = true;
       }
     }
+  const auto lines = along.size() + across.size();
   halve(along, wide);
   halve(across, high);
-  return std::ranges::count(wide, true) + std::ranges::count(high, true) > 0;
+  return along.size() + across.size() > lines;
 }
 
 }  // namespace
 
 void grade_near_lights(Room& room, int refine) {
+  if (!room.fine_near_lights) return;
+  room.fine_near_lights = false;
   const auto lights = find_lights(room);
   for (Face& face : room.faces) {
     const Material& material = room.materials[face.material];

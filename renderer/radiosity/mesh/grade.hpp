@@ -5,10 +5,11 @@
 
 namespace radiosity {
 
-/// Halves rows of the patches of faces with 4 corners (as many as `refine` times their own, or
-/// Face::grid) until none is longer, along either side, than half its distance from a light that it
-/// can see but for what is between, three times at most: there illumination changes over that
-/// distance.
+/// If Room::fine_near_lights, and then not again: sets Face::grid of faces with 4 corners that
+/// reflect, from the grid that they have with `refine`, so that no patch is longer, along either
+/// side, than half the distance from its middle to a light before it: over that distance
+/// illumination changes. Rows are halved for it, three times at most. What is between light and
+/// patch, and mirrors, are not looked at.
 void grade_near_lights(Room& room, int refine);
 
 }  // namespace radiosity

@@ -95,17 +95,11 @@ double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Cre
   return place >= 0 && place <= 1 ? off / across : 0;
 }
 
-bool is_at(const Vec& point, const Crease& line, double touch) {
-  const Vec along = line.b - line.a;
-  const double t = std::clamp(dot(point - line.a, along) / dot(along, along), 0.0, 1.0);
-  return length(point - lerp(line.a, line.b, t)) <= touch;
-}
-
 // The distance from a patch's border at which it is to be lit there, where light comes in by a gap
-// along the border and fades behind it; distance and the gap's width in lengths of the patch. A long
-// gap of width w lets in f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z, much at the border
-// and, if it is narrow, little behind. With what is found at the distance z0 that is returned, the
-// mean of the patch's two ends, (f(z0) + f(1)) / 2, is that of f over the patch.
+// along the border and fades behind it; distance and the gap's width in lengths of the patch. A
+// long gap of width w lets in f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z, much at the
+// border and, if it is narrow, little behind. With what is found at the distance z0 that is
+// returned, the mean of the patch's two ends, (f(z0) + f(1)) / 2, is that of f over the patch.
 double eval_fade(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
@@ -132,9 +126,9 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
   };
   const double touch = 2 * CONTACT_TOUCH * fringe.width;
   for (const auto& [below, inward, height] : fringe.contacts.hanging)
-    if (is_at(at, below, touch)) light_through(height, inward);
+    if (eval_distance(at, below.a, below.b) <= touch) light_through(height, inward);
   for (const Ledge& ledge : fringe.contacts.ledges) {
-    if (!is_at(at, ledge.foot, touch)) continue;
+    if (eval_distance(at, ledge.foot.a, ledge.foot.b) > touch) continue;
     const Vec up = cross(normal, normalize(ledge.foot.b - ledge.foot.a));
     light_through(eval_width(ledge, at), dot(way, up) > 0 ? up : -up);
   }
@@ -445,7 +439,6 @@ base::Fields<MeshParams> mesh_fields() {
 
 Mesh make_mesh(const Room& room, const MeshParams& params) {
   check_count(room, params.refine);
-  if (!room.fine_near_lights) return Builder(room, params).build();
   Room graded = room;
   grade_near_lights(graded, params.refine);
   return Builder(graded, params).build();

@@ -2,6 +2,13 @@
 
 namespace radiosity {
 
+double eval_distance(const Vec& point, const Vec& a, const Vec& b) {
+  const Vec along = b - a;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(point - a, along) / square, 0.0, 1.0) : 0;
+  return length(point - lerp(a, b, t));
+}
+
 Vec eval_mean(std::span<const Vec> corners) {
   Vec sum;
   for (const Vec& corner : corners) sum += corner;

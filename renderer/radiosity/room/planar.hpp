@@ -26,6 +26,8 @@ inline Plane make_plane(const Vec& normal, const Vec& point) {
   return {normal, dot(normal, point)};
 }
 inline Vec lerp(const Vec& a, const Vec& b, double t) { return a + t * (b - a); }
+/// How far a point is from the segment from a to b, which may have no length.
+double eval_distance(const Vec& point, const Vec& a, const Vec& b);
 Vec eval_mean(std::span<const Vec> corners);
 /// The mean, too, but of other rounding: each corner is divided before it is added.
 Vec eval_centre(std::span<const Vec> corners);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "renderer/radiosity/mesh/divide.hpp"
+#include "renderer/radiosity/mesh/grade.hpp"
 #include "renderer/radiosity/show/locate.hpp"
 #include "renderer/radiosity/show/picture.hpp"
 #include "renderer/scene/require.hpp"
@@ -121,15 +122,6 @@ void mark(const std::vector<double>& lines, double from, double to, std::vector<
   }
 }
 
-void halve(std::vector<double>& lines, const std::vector<bool>& marks) {
-  std::vector<double> finer;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    finer.push_back(lines[i]);
-    if (i + 1 < lines.size() && marks[i]) finer.push_back((lines[i] + lines[i + 1]) / 2);
-  }
-  lines = std::move(finer);
-}
-
 // The rows of a face's patches that are to be halved.
 struct Marks {
   std::vector<bool> along, across;
@@ -184,6 +176,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
+  grade_near_lights(room, 1);
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;

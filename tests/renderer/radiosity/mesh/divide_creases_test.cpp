@@ -80,7 +80,7 @@ void check_creases(const Flat& flat, const Division& division, std::span<const C
       if (!is_inside(p)) continue;
       double nearest = 1e9;
       for (const auto& [a, b] : division.creases)
-        nearest = std::min(nearest, distance_to(p, division.points[a], division.points[b]));
+        nearest = std::min(nearest, eval_distance(p, division.points[a], division.points[b]));
       // A crease's end may run through a corner of a cell for up to a touch.
       ASSERT_LE(nearest, 1.5 * touch) << "crease not covered";
     }
@@ -88,7 +88,7 @@ void check_creases(const Flat& flat, const Division& division, std::span<const C
     for (const auto point : {a, b}) {
       double nearest = 1e9;
       for (const Crease& crease : creases)
-        nearest = std::min(nearest, distance_to(division.points[point], crease.a, crease.b));
+        nearest = std::min(nearest, eval_distance(division.points[point], crease.a, crease.b));
       ASSERT_LE(nearest, 1.5 * touch) << "edge not on a crease";
     }
 }

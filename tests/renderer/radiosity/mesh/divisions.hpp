@@ -51,9 +51,4 @@ inline double check_division(const Face& face, int refine, const Division& divis
   return least;
 }
 
-inline double distance_to(const Vec& p, const Vec& a, const Vec& b) {
-  const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
-  return length(a + t * (b - a) - p);
-}
-
 }  // namespace radiosity::test

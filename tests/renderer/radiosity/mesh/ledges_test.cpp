@@ -1,4 +1,4 @@
-// The foot of a face that stands near the border of another.
+// The foot of a face that stands near the border of another, and the floor under an edge.
 
 #include <gtest/gtest.h>
 
@@ -95,6 +95,30 @@ TEST(Ledges, GiveAPatchItsMeanLight) {
     if (width < HEIGHT) {
       EXPECT_NEAR(mean, expected, 0.02 * expected);
     }
+  }
+}
+
+// What falls in under the edge of something that hangs a little above a floor has the right mean on
+// the strip where it fades.
+TEST(Hanging, GivesTheStripUnderItsEdgeItsMeanLight) {
+  for (const double gap : {0.01, 0.1, 0.3, 0.49}) {
+    SCOPED_TRACE(testing::Message() << "gap " << gap);
+    Room room;
+    room.materials = {{"floor", grey(0.5), {}}, {"sky", grey(0), grey(1)}};
+    add_quad(room, 0, {0, 0, 0}, {LONG, 0, 0}, {0, 12, 0}, 60, 12);
+    add_quad(room, 0, {-LONG, 6, gap}, {0, 6, 0}, {3 * LONG, 0, 0});  // looks down
+    add_quad(room, 1, {2000, -40, 0}, {-4000, 0, 0}, {0, 0, 2000});  // as good as half the sky
+    const Mesh mesh = make_mesh(room, {});
+    const auto patch = std::ranges::find_if(mesh.patches, [&](const Patch& p) {
+      return p.face == 0 && std::abs(p.centre.x - LONG / 2) < 2 && p.centre.y > 6 &&
+             p.centre.y < 6 + 2 * gap;
+    });
+    ASSERT_NE(patch, mesh.patches.end());
+    EXPECT_NEAR(patch->at[2].y, 6 + 2 * gap, 1e-9);
+    double mean = 0;
+    for (const auto corner : patch->corners) mean += eval_share(mesh, mesh.vertices[corner]) / 4;
+    const double expected = (3 - std::sqrt(5.0)) / 4;  // of (1 - z / sqrt(z^2 + gap^2)) / 2
+    EXPECT_NEAR(mean, expected, 0.02 * expected);
   }
 }
 
