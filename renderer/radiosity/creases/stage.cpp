@@ -1,0 +1,284 @@
+#include "renderer/radiosity/creases/stage.hpp"
+
+#include <algorithm>
+
+namespace radiosity {
+
+namespace {
+
+// Sights pass light and blocker at this distance, a share of their sizes, so that they touch
+// neither.
+constexpr double ASIDE = 1e-4;
+// Least height by which light must fall from light to blocker, in tolerances: it limits how far
+// shadows reach.
+constexpr double LEAST_FALL = 0.1;
+
+// Sights through a point to the way from a to b.
+struct Pencil {
+  Vec apex, a, b;
+};
+
+// Adds the parts of the way from a to b, both beyond the apex, that a face hides from sights
+// through the apex: it lies between the apex and the way or, if they come from `behind`, before the
+// apex.
+void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const Vec& b, bool behind,
+                std::vector<Interval>& hidden) {
+  const Vec u = a - apex, w = b - apex, across = cross(u, w);
+  const double square = dot(across, across);
+  if (!(square > 0)) return;
+  const auto ends = cut(face, make_plane(normalize(across), apex));
+  if (!ends) return;
+  // x - apex = p u + q w
+  double p[2], q[2];
+  for (int i = 0; i < 2; ++i) {
+    const Vec x = (*ends)[i] - apex;
+    p[i] = dot(cross(x, w), across) / square;
+    q[i] = dot(cross(u, x), across) / square;
+  }
+  for (const double sign : {1.0, -1.0}) {
+    if (sign < 0 && !behind) break;
+    Interval inside;
+    if (!inside.keep_positive(sign * p[0], sign * p[1]) ||
+        !inside.keep_positive(sign * q[0], sign * q[1]) || !(inside.from < inside.to))
+      continue;
+    const auto share = [&](double s) {
+      const double beside = p[0] + s * (p[1] - p[0]), along = q[0] + s * (q[1] - q[0]);
+      return std::clamp(along / (along + beside), 0.0, 1.0);
+    };
+    const double one = share(inside.from), other = share(inside.to);
+    if (one != other) hidden.push_back({std::min(one, other), std::max(one, other)});
+  }
+}
+
+// The parts of the way that every pencil reaches past all faces except one; the pencils' ways are
+// almost the same. Sights begin at the apex or, if they come from `behind` it, before.
+std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
+                                std::span<const Pencil> pencils, bool behind) {
+  std::vector<Interval> hidden, seen;
+  for (const auto& [apex, a, b] : pencils)
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (i != except) add_hidden(faces[i], apex, a, b, behind, hidden);
+  std::ranges::sort(hidden, {}, &Interval::from);
+  double reached = 0;
+  for (const Interval& part : hidden) {
+    if (part.from > reached) seen.push_back({reached, part.from});
+    reached = std::max(reached, part.to);
+  }
+  if (reached < 1) seen.push_back({reached, 1});
+  return seen;
+}
+
+// Sights in a critical plane: from the light, through a point of the blocker's border, to the
+// receiver. Either all start at one point or all pass one.
+struct Wedge {
+  std::array<Vec, 2> from, through;
+};
+
+struct Shadow {
+  const Stage& stage;
+  std::size_t blocker;
+  Vec light_mean, blocker_mean, blocker_normal;
+  std::vector<Plane> edges;  // of the receiver
+};
+
+Vec project(const Plane& ground, const Vec& from, const Vec& through) {
+  const double high = eval_height(ground, from), low = eval_height(ground, through);
+  return from + (high / (high - low)) * (through - from);
+}
+
+// Pencils a little aside of the wedge: from the light inside its border, past the blocker. Where
+// all sights pass one corner of the blocker, there is one on either side of it along the wedge's
+// plane: where another face continues the blocker, it has no corner.
+std::vector<Pencil> step_aside(const Wedge& wedge, const Shadow& shadow) {
+  const Plane& ground = shadow.stage.receiver.plane;
+  const bool passes_one = wedge.through[0] == wedge.through[1];
+  Vec beside;
+  Vec off;  // off the blocker's plane: within it sights would pass a face at one point only
+  if (passes_one) {
+    off = 0.1 * ASIDE * (lerp(wedge.from[0], wedge.from[1], 0.5) - wedge.through[0]);
+    const Vec plane = cross(wedge.from[1] - wedge.from[0], wedge.through[0] - wedge.from[0]);
+    const Vec trace = cross(plane, shadow.blocker_normal);
+    if (dot(trace, trace) > ASIDE * ASIDE * dot(plane, plane))
+      beside = length(wedge.through[0] - shadow.blocker_mean) * normalize(trace);
+  }
+  std::vector<Pencil> pencils;
+  for (const double side : {10 * ASIDE, -10 * ASIDE}) {
+    Vec from[2], to[2], through[2];
+    for (int i = 0; i < 2; ++i) {
+      from[i] = lerp(wedge.from[i], shadow.light_mean, ASIDE);
+      through[i] = lerp(wedge.through[i], shadow.blocker_mean, -0.1 * ASIDE) + side * beside + off;
+      if (eval_height(ground, from[i]) <= eval_height(ground, through[i])) return pencils;
+      to[i] = project(ground, from[i], through[i]);
+    }
+    pencils.push_back({passes_one ? through[0] : from[0], to[0], to[1]});
+    if (!passes_one) break;
+  }
+  return pencils;
+}
+
+void add_seen(const std::vector<Interval>& seen, const Vec& a, const Vec& b, double tolerance,
+              std::vector<Crease>& creases) {
+  for (const Interval& part : seen) {
+    const Crease crease{lerp(a, b, part.from), lerp(a, b, part.to)};
+    if (max_abs(crease.b - crease.a) > tolerance) creases.push_back(crease);
+  }
+}
+
+// Adds the creases along which the wedge meets the receiver.
+void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) {
+  const Stage& stage = shadow.stage;
+  const Plane& ground = stage.receiver.plane;
+  const auto fall = [&](int i) {
+    return eval_height(ground, wedge.from[i]) - eval_height(ground, wedge.through[i]);
+  };
+  const auto shorten = [&](const Interval& part) {
+    const Wedge whole = wedge;
+    const double ends[] = {part.from, part.to};
+    for (int i = 0; i < 2; ++i) {
+      wedge.from[i] = lerp(whole.from[0], whole.from[1], ends[i]);
+      wedge.through[i] = lerp(whole.through[0], whole.through[1], ends[i]);
+    }
+  };
+  // Only light that falls reaches the receiver.
+  const double least = LEAST_FALL * stage.tolerance;
+  Interval falling;
+  const double above[] = {fall(0) - least, fall(1) - least};
+  if (above[0] <= 0 && above[1] <= 0) return;
+  falling.keep_positive(above[0], above[1]);
+  shorten(falling);
+
+  const Vec far[] = {project(ground, wedge.from[0], wedge.through[0]),
+                     project(ground, wedge.from[1], wedge.through[1])};
+  const auto inside = clip_segment(far[0], far[1], shadow.edges, stage.tolerance);
+  if (!inside) return;
+  // The share on the edge that belongs to a share of the way on the receiver.
+  const double falls[] = {fall(0), fall(1)};
+  const auto back = [&](double t) { return t * falls[0] / ((1 - t) * falls[1] + t * falls[0]); };
+  shorten({back(inside->from), back(inside->to)});
+
+  const std::vector<Pencil> pencils = step_aside(wedge, shadow);
+  const bool passes_one = wedge.through[0] == wedge.through[1];
+  const auto seen = find_seen(stage.between, shadow.blocker, pencils, passes_one);
+  add_seen(seen, lerp(far[0], far[1], inside->from), lerp(far[0], far[1], inside->to),
+           stage.tolerance, creases);
+}
+
+// Whether the polygon has corners on both sides of the plane.
+bool cuts(const Plane& plane, std::span<const Vec> polygon, double tolerance) {
+  bool above = false, below = false;
+  for (const Vec& corner : polygon) {
+    const double height = eval_height(plane, corner);
+    above = above || height > tolerance;
+    below = below || height < -tolerance;
+  }
+  return above && below;
+}
+
+bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance) {
+  return std::ranges::all_of(polygon, [&](const Vec& corner) {
+    return std::abs(eval_height(plane, corner)) <= tolerance;
+  });
+}
+
+// The plane through a corner and an edge, one of the light and one of the blocker. Nothing if there
+// is none, if it cuts the blocker, or if the light lies in it.
+std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
+                                const Vec& a, const Vec& b) {
+  const double tolerance = stage.tolerance;
+  const Vec across = cross(b - a, corner - a);
+  if (length(across) <= tolerance * length(b - a)) return std::nullopt;
+  const Plane plane = make_plane(normalize(across), corner);
+  if (contains(plane, stage.light.corners, 10 * tolerance) ||
+      length(cross(plane.normal, stage.light.plane.normal)) <= ASIDE ||
+      cuts(plane, blocker, tolerance))
+    return std::nullopt;
+  return plane;
+}
+
+// Adds the creases where the blocker's own plane, if it cuts the light, meets the receiver.
+void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
+  const auto& light = shadow.stage.light.corners;
+  const auto& face = shadow.stage.between[shadow.blocker];
+  const Plane own = make_plane(shadow.blocker_normal, shadow.blocker_mean);
+  if (!cuts(own, light, shadow.stage.tolerance)) return;
+  const auto ends = cut(light, own);
+  if (!ends) return;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    for (const Vec& end : *ends)
+      add_wedge({{end, end}, {face[i], face[(i + 1) % face.size()]}}, shadow, creases);
+    add_wedge({*ends, {face[i], face[i]}}, shadow, creases);
+  }
+}
+
+// Adds the creases that between[blocker] makes on the receiver. The borders lie where the planes
+// through an edge of light or blocker and a corner of the other that cut neither (on one side of
+// such a plane the blocker hides nothing of the light, or all it can) meet the receiver; where the
+// blocker's own plane does, if it cuts the light; and where the blocker touches the receiver.
+// Where the plane through an edge of the blocker and a corner cuts the light, the crease is within
+// the penumbra. Only what no other face hides from the light counts.
+void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& found) {
+  const auto& light = stage.light.corners;
+  const auto& face = stage.between[blocker];
+  const auto next = [](const std::vector<Vec>& polygon, std::size_t i) {
+    return polygon[(i + 1) % polygon.size()];
+  };
+  const Shadow shadow{stage,
+                      blocker,
+                      eval_mean(light),
+                      eval_mean(face),
+                      normalize(eval_area_normal(face)),
+                      make_edge_planes(stage.receiver.corners, stage.receiver.plane.normal)};
+  const auto touches = [&](const Vec& p) {
+    return std::abs(eval_height(stage.receiver.plane, p)) <= stage.tolerance;
+  };
+  for (const Vec& corner : light)
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vec a = face[i], b = next(face, i);
+      const bool is_contact = touches(a) && touches(b);
+      const auto plane = find_plane(stage, face, corner, a, b);
+      if (!is_contact && !plane) continue;
+      const bool is_within = !is_contact && cuts(*plane, light, stage.tolerance);
+      add_wedge({{corner, corner}, {a, b}}, shadow, is_within ? found.within : found.borders);
+    }
+  for (const Vec& corner : face)
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      const Vec a = light[i], b = next(light, i);
+      if (find_plane(stage, face, corner, a, b))  // it does not cut the light, which is convex
+        add_wedge({{a, b}, {corner, corner}}, shadow, found.borders);
+    }
+  add_own_plane_creases(shadow, found.borders);
+}
+
+// Adds the crease where the light's own plane cuts the receiver: it shines on one side only.
+void add_horizon_crease(const Stage& stage, std::vector<Crease>& creases) {
+  const Side& light = stage.light;
+  if (!cuts(light.plane, stage.receiver.corners, stage.tolerance)) return;
+  const auto ends = cut(stage.receiver.corners, light.plane);
+  if (!ends) return;
+  const std::size_t nobody = stage.between.size();
+  const Vec mean = eval_mean(light.corners);
+  const std::vector<Plane> edges =
+      make_edge_planes(stage.receiver.corners, stage.receiver.plane.normal);
+  const auto [a, b] = *ends;
+  const auto inside = clip_segment(a, b, edges, stage.tolerance);
+  if (!inside) return;
+  const Vec from = lerp(a, b, inside->from), to = lerp(a, b, inside->to);
+  for (const Vec& corner : light.corners) {
+    const Vec apex = lerp(corner, mean, ASIDE);
+    const Vec aside = ASIDE * length(mean - corner) * light.plane.normal;
+    const Pencil pencil{apex + aside, from + aside, to + aside};
+    add_seen(find_seen(stage.between, nobody, std::array{pencil}, false), from, to, stage.tolerance,
+             creases);
+  }
+}
+
+}  // namespace
+
+StageCreases find_creases(const Stage& stage) {
+  StageCreases found;
+  add_horizon_crease(stage, found.borders);
+  for (std::size_t i = 0; i < stage.between.size(); ++i) add_shadow_creases(stage, i, found);
+  return found;
+}
+
+}  // namespace radiosity
