@@ -172,11 +172,11 @@ base::Field<Creases> creases_field() {
 }
 
 void choose_creases(Room& room, Creases creases) {
+  room.fine_near_lights = creases == Creases::found;
   if (creases == Creases::none) room.creases.clear();
   if (creases != Creases::found) return;
   const auto found = find_creases(room);
   room.creases.insert(room.creases.end(), found.begin(), found.end());
-  room.fine_near_lights = true;
 }
 
 }  // namespace radiosity

@@ -15,8 +15,7 @@ namespace {
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
 // So many times its height inside an edge, a tenth of the light below the edge is left.
 constexpr double HEIGHTS_INSIDE = 2;
-// What hangs over a face touches it if the light fades within a patch; a share of its width. (The
-// mesh lights vertices at most half way to the middle of a patch, where less of it has faded.)
+// What hangs over a face touches it if the light fades within a patch; a share of its width.
 constexpr double GAP = 1 / HEIGHTS_INSIDE;
 // Pairs of faces that may touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
@@ -212,12 +211,23 @@ bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
+// Planes across a face's plane through the outline below what hangs over it, whose inside is above.
+std::vector<Plane> make_shape(const Pair& pair) {
+  std::vector<Vec> below;
+  for (const Vec& corner : pair.other.face->corners)
+    below.push_back(project(pair.on.plane, corner));
+  return make_edge_planes(below, normalize(eval_area_normal(below)));
+}
+
 // Adds the open edges of what hangs over a face. `neighbours`: of what hangs.
 void add_hanging(const Pair& pair, std::span<const Flat> flats,
                  std::span<const std::uint32_t> neighbours, Contacts& contacts) {
   const Plane& plane = pair.on.plane;
   const auto& corners = pair.other.face->corners;
   const Vec middle = project(plane, eval_mean(corners));
+  const auto shape = make_shape(pair);
+  const bool is_wide =
+      corners.size() == 4 && pair.other.width >= 2 * HEIGHTS_INSIDE * find_heights(pair).high;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Crease edge{corners[i], corners[(i + 1) % corners.size()]};
     const Crease below{project(plane, edge.a), project(plane, edge.b)};
@@ -226,15 +236,17 @@ void add_hanging(const Pair& pair, std::span<const Flat> flats,
     if (is_shut(pair, edge, -inward, flats, neighbours)) continue;
     const auto line = clip_to(pair.on, below, pair.tolerance, pair.tolerance);
     if (!line) continue;
-    const double height = std::max(length(edge.a - below.a), length(edge.b - below.b));
     contacts.lines.push_back(*line);
-    contacts.hanging.push_back({*line, inward, height});
-    // The light that falls in under the edge fades on a strip of its own.
-    const Vec deep = HEIGHTS_INSIDE * height * inward;
-    if (2 * length(deep) > pair.other.width) continue;
-    if (const auto inner =
-            clip_to(pair.on, {below.a + deep, below.b + deep}, pair.tolerance, pair.tolerance))
-      contacts.lines.push_back(*inner);
+    contacts.hanging.push_back({*line, inward, pair.other.plane});
+    if (!is_wide) continue;
+    const Crease inner{below.a + HEIGHTS_INSIDE * length(edge.a - below.a) * inward,
+                       below.b + HEIGHTS_INSIDE * length(edge.b - below.b) * inward};
+    const auto under = clip_segment(inner.a, inner.b, shape, 0);
+    if (!under) continue;
+    if (const auto part = clip_to(
+            pair.on, {lerp(inner.a, inner.b, under->from), lerp(inner.a, inner.b, under->to)},
+            pair.tolerance, pair.tolerance))
+      contacts.lines.push_back(*part);
   }
 }
 

@@ -11,9 +11,9 @@ namespace radiosity {
 
 /// An open edge of what hangs a little above a face.
 struct HangingEdge {
-  Crease below;   ///< on the face, one of the lines
-  Vec inward;     ///< unit, in the face's plane
-  double height;  ///< of the edge over the face
+  Crease below;  ///< on the face, one of the lines
+  Vec inward;    ///< unit, in the face's plane
+  Plane above;   ///< what hangs
 };
 
 /// The strip of a surface before a face that stands on it.
@@ -28,7 +28,7 @@ double eval_width(const Ledge& ledge, const Vec& at);
 
 /// Where others touch a face.
 struct Contacts {
-  std::vector<Crease> lines;  ///< light changes abruptly across them
+  std::vector<Crease> lines;  ///< light, or how fast it fades, changes abruptly there
   std::vector<HangingEdge> hanging;
   std::vector<Ledge> ledges;  ///< that it stands on
 };
@@ -38,8 +38,9 @@ struct Contacts {
 /// touches by its border only, as walls do each other, is none, unless the surface goes on there in
 /// a third face. What hangs over a face, nowhere higher than half the width of its patches and
 /// itself nowhere narrower than one, touches it below its open edges: those from which nothing goes
-/// down, and beyond which nothing hangs as near; and, if it is no narrower than four times as far
-/// as it hangs, along lines twice as far inside. A ledge is what is left of a face before
+/// down, and beyond which nothing hangs as near. If it has 4 corners and is no narrower than four
+/// times its height over the face, light that falls in under such an edge fades up to a second
+/// line, twice the edge's height inside. A ledge is what is left of a face before
 /// a one-sided one that stands on its front, about upright, by its border. A face's patches are
 /// those that it has by its `along` and `across`, times `refine`. BadInput if more than 1,000,000 +
 /// 100 n of the pairs of n faces touch or nearly so.

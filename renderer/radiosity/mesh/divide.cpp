@@ -185,11 +185,16 @@ Division make_grid(const Cutting& cutting, const Rows& rows, const Grid& even) {
   return division;
 }
 
-// Every second line, and the last.
+// Without every second of the lines between steps of one length.
 std::vector<double> thin_out(const std::vector<double>& lines) {
-  std::vector<double> some;
-  for (std::size_t i = 0; i + 1 < lines.size(); i += 2) some.push_back(lines[i]);
-  some.push_back(lines.back());
+  std::vector<double> some{lines.front()};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const bool was_kept = some.back() == lines[i - 1];
+    const auto step = [&](std::size_t k) { return lines[k] - lines[k - 1]; };
+    if (i + 1 < lines.size() && was_kept && std::abs(step(i) - step(i + 1)) < 1e-6 * step(i))
+      continue;
+    some.push_back(lines[i]);
+  }
   return some;
 }
 

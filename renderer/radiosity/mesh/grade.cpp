@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/radiosity/mesh/divide.hpp"
 
@@ -9,94 +10,154 @@ namespace radiosity {
 
 namespace {
 
-// The longest side of a patch near a light, in distances from it.
-constexpr double LONGEST = 0.5;
-// Times that a row is halved: a light may touch a face.
-constexpr int MOST_HALVINGS = 3;
+// Of the room's mean illumination: how far that of a side's middle may be off.
+constexpr double MOST_OFF = 0.2;
+constexpr int MOST_HALVINGS = 2;
+constexpr std::size_t MOST_MORE = 2;  // of the room's patches
+// Sides end so far inside a face, a share of it: at its border a light may touch it.
+constexpr double INSIDE = 1e-3;
+// Share of a face's size: what is nearer to its plane lies in it.
+constexpr double IN_PLANE_OF = 1e-6;
+// A light is left out if all of it at the nearest point would give this share of MOST_OFF.
+constexpr double WEAK = 0.01;
 
 struct Light {
-  std::span<const Vec> corners;
-  bool two_sided;
+  std::vector<Vec> corners;
   Plane plane;
-  std::vector<Plane> edges;  // their insides are above
+  bool two_sided;
+  double emission;  // mean of the colours
 };
 
-std::vector<Light> find_lights(const Room& room) {
-  std::vector<Light> lights;
+double eval_area(const Face& face) {
+  return (face.two_sided ? 2 : 1) * length(eval_area_normal(face.corners)) / 2;
+}
+
+// What the patches of a room receive in the mean, per area.
+double eval_mean_illumination(const Room& room) {
+  double emitted = 0, absorbed = 0;
   for (const Face& face : room.faces) {
     const Material& material = room.materials[face.material];
-    if (material.mirror || !(max_component(material.emission) > 0)) continue;
-    const Vec normal = normalize(eval_area_normal(face.corners));
-    lights.push_back({face.corners, face.two_sided, make_plane(normal, eval_mean(face.corners)),
-                      make_edge_planes(face.corners, normal)});
+    if (material.mirror) continue;
+    emitted += eval_area(face) * sum(material.emission) / 3;
+    absorbed += eval_area(face) * (1 - sum(material.reflectance) / 3);
+  }
+  return emitted / absorbed;
+}
+
+Plane make_front(const Face& face) {
+  return make_plane(normalize(eval_area_normal(face.corners)), eval_mean(face.corners));
+}
+
+// The square of the distance between bounds.
+double eval_square_apart(const renderer::Bounds& a, const renderer::Bounds& b) {
+  double square = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double apart = std::max({0.0, b.lo[axis] - a.hi[axis], a.lo[axis] - b.hi[axis]});
+    square += apart * apart;
+  }
+  return square;
+}
+
+// The lights that matter to a face, as far as they are before it; before its back too, if it has
+// two sides: then only one side of each is clipped.
+std::vector<Light> find_lights(const Room& room, const Face& face, double least) {
+  const Plane front = make_front(face);
+  const auto bounds = renderer::make_bounds(face.corners);
+  const double tolerance = IN_PLANE_OF * length(bounds.hi - bounds.lo);
+  std::vector<Light> lights;
+  for (const Face& light : room.faces) {
+    const Material& material = room.materials[light.material];
+    const double emission = sum(material.emission) / 3;
+    if (&light == &face || material.mirror || !(emission > 0)) continue;
+    const double square = eval_square_apart(bounds, renderer::make_bounds(light.corners));
+    if (emission * eval_area(light) < least * std::numbers::pi * square) continue;
+    const auto add = [&](const Plane& side) {
+      auto corners = clip(light.corners, side, tolerance);
+      if (!corners.empty())
+        lights.push_back({std::move(corners), make_front(light), light.two_sided, emission});
+    };
+    add(front);
+    if (face.two_sided) add({-front.normal, -front.offset});
   }
   return lights;
 }
 
-// How far a point is from a light.
-double find_distance(const Light& light, const Vec& point) {
-  if (std::ranges::all_of(light.edges,
-                          [&](const Plane& edge) { return eval_height(edge, point) >= 0; }))
-    return std::abs(eval_height(light.plane, point));
-  double least = INFINITY;
-  for (std::size_t i = 0; i < light.corners.size(); ++i)
-    least = std::min(least, eval_distance(point, light.corners[i],
-                                          light.corners[(i + 1) % light.corners.size()]));
-  return least;
+// What a light gives a point of a surface that it is before: its emission times the form factor of
+// a polygon (Lambert's formula).
+double eval_illumination(const Light& light, const Vec& point, const Vec& normal) {
+  if (!light.two_sided && eval_height(light.plane, point) <= 0) return 0;
+  double twice_pi = 0;
+  for (std::size_t i = 0; i < light.corners.size(); ++i) {
+    const Vec a = light.corners[i] - point;
+    const Vec b = light.corners[(i + 1) % light.corners.size()] - point;
+    const Vec across = cross(a, b);
+    const double sine = length(across);
+    if (sine > 0) twice_pi += std::atan2(sine, dot(a, b)) / sine * dot(normal, across);
+  }
+  return light.emission * std::abs(twice_pi) / (2 * std::numbers::pi);
 }
 
-// Whether some of the light is before the face, and the point before the light.
-bool is_lit(const Light& light, const Face& face, const Plane& plane, const Vec& point) {
-  const auto is_before = [](double height, bool two_sided) {
-    return two_sided ? height != 0 : height > 0;
+// Halves the rows of a face's grid in which a patch has a middle too far off.
+void halve_where_off(const Face& face, const std::vector<Light>& lights, double most, Grid& grid) {
+  const Vec normal = make_front(face).normal;
+  const auto find_light = [&](double s, double t) {
+    const auto inside = [](double share) { return std::lerp(INSIDE, 1 - INSIDE, share); };
+    const Vec point = eval_bilinear(face.corners, inside(s), inside(t));
+    double light = 0;
+    for (const Light& one : lights) light += eval_illumination(one, point, normal);
+    return light;
   };
-  return is_before(eval_height(light.plane, point), light.two_sided) &&
-         std::ranges::any_of(light.corners, [&](const Vec& corner) {
-           return is_before(eval_height(plane, corner), face.two_sided);
-         });
+  const auto& [along, across] = grid;
+  const std::size_t row = along.size();
+  std::vector<double> at;
+  for (const double t : across)
+    for (const double s : along) at.push_back(find_light(s, t));
+  std::vector<bool> wide(along.size()), high(across.size());
+  const auto is_off = [&](double s, double t, std::size_t a, std::size_t b) {
+    return std::abs(find_light(s, t) - (at[a] + at[b]) / 2) > most;
+  };
+  for (std::size_t j = 0; j < across.size(); ++j)
+    for (std::size_t i = 0; i < row; ++i) {
+      const std::size_t here = j * row + i;
+      if (i + 1 < row && !wide[i])
+        wide[i] = is_off((along[i] + along[i + 1]) / 2, across[j], here, here + 1);
+      if (j + 1 < across.size() && !high[j])
+        high[j] = is_off(along[i], (across[j] + across[j + 1]) / 2, here, here + row);
+    }
+  halve(grid.along, wide);
+  halve(grid.across, high);
 }
 
-// Halves the rows in which a patch is too long, once; whether there are any.
-bool halve_once(const Face& face, const std::vector<Light>& lights, Grid& grid) {
-  const Plane plane =
-      make_plane(normalize(eval_area_normal(face.corners)), eval_mean(face.corners));
-  auto& [along, across] = grid;
-  std::vector<bool> wide(along.size()), high(across.size());
-  for (std::size_t j = 0; j + 1 < across.size(); ++j)
-    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
-      const auto at = [&](double s, double t) { return eval_bilinear(face.corners, s, t); };
-      const double s = (along[i] + along[i + 1]) / 2, t = (across[j] + across[j + 1]) / 2;
-      const double width = length(at(along[i + 1], t) - at(along[i], t));
-      const double height = length(at(s, across[j + 1]) - at(s, across[j]));
-      for (const Light& light : lights) {
-        if (!is_lit(light, face, plane, at(s, t))) continue;
-        const double longest = LONGEST * find_distance(light, at(s, t));
-        if (width > longest) wide[i] = true;
-        if (height > longest) high[j] = true;
-      }
-    }
-  const auto lines = along.size() + across.size();
-  halve(along, wide);
-  halve(across, high);
-  return along.size() + across.size() > lines;
+std::size_t count_patches(const Room& room, int refine) {
+  std::size_t count = 0;
+  for (const Face& face : room.faces) count += count_quads(face, refine);
+  return count;
 }
 
 }  // namespace
 
-void grade_near_lights(Room& room, int refine) {
-  if (!room.fine_near_lights) return;
-  room.fine_near_lights = false;
-  const auto lights = find_lights(room);
-  for (Face& face : room.faces) {
-    const Material& material = room.materials[face.material];
-    if (face.corners.size() != 4 || material.mirror || !(max_component(material.reflectance) > 0))
-      continue;
-    Grid grid = find_grid(face, refine);
-    for (int i = 0; i < MOST_HALVINGS; ++i) {
-      if (!halve_once(face, lights, grid)) break;
-      face.grid = grid;
+Room make_graded(Room room, int refine) {
+  const double most = MOST_OFF * eval_mean_illumination(room);
+  if (!(most > 0)) return room;
+  const std::size_t allowed = MOST_MORE * count_patches(room, refine);
+  for (int halvings = 0; halvings < MOST_HALVINGS; ++halvings) {
+    Room finer = room;
+    for (Face& face : finer.faces) {
+      const Material& material = room.materials[face.material];
+      if (face.corners.size() != 4 || material.mirror || !(max_component(material.reflectance) > 0))
+        continue;
+      const auto lights = find_lights(finer, face, WEAK * most);
+      if (lights.empty()) continue;
+      const Grid grid = find_grid(face, refine);
+      Grid halved = grid;
+      halve_where_off(face, lights, most, halved);
+      if (halved.along.size() + halved.across.size() > grid.along.size() + grid.across.size())
+        face.grid = std::move(halved);
     }
+    if (count_patches(finer, refine) > allowed) break;
+    room = std::move(finer);
   }
+  return room;
 }
 
 }  // namespace radiosity

@@ -5,11 +5,11 @@
 
 namespace radiosity {
 
-/// If Room::fine_near_lights, and then not again: sets Face::grid of faces with 4 corners that
-/// reflect, from the grid that they have with `refine`, so that no patch is longer, along either
-/// side, than half the distance from its middle to a light before it: over that distance
-/// illumination changes. Rows are halved for it, three times at most. What is between light and
-/// patch, and mirrors, are not looked at.
-void grade_near_lights(Room& room, int refine);
+/// The room with finer grids (Face::grid, from what the faces have with `refine`) on faces of 4
+/// corners that reflect. Rows of patches are halved where the illumination from the lights, if
+/// nothing were between, is in the middle of a side of a patch far from the mean of its two ends:
+/// by more than a fifth of the room's mean illumination. Twice at most, and as long as the room has
+/// no more than twice as many patches.
+Room make_graded(Room room, int refine);
 
 }  // namespace radiosity

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t MOST_PATCHES = 10'000'000;
 // Patches that creases may make of any room, and times as many as without of one face.
 constexpr std::size_t MOST_ANYHOW = 2000;
-constexpr int MOST_GROWTH = 64;
+constexpr int MOST_FACE_GROWTH = 64;
 
 std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
   return std::minmax(patch.corners[side], patch.corners[(side + 1) % 4]);
@@ -95,12 +95,12 @@ double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Cre
   return place >= 0 && place <= 1 ? off / across : 0;
 }
 
-// The distance from a patch's border at which it is to be lit there, where light comes in by a gap
-// along the border and fades behind it; distance and the gap's width in lengths of the patch. A
-// long gap of width w lets in f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z, much at the
-// border and, if it is narrow, little behind. With what is found at the distance z0 that is
-// returned, the mean of the patch's two ends, (f(z0) + f(1)) / 2, is that of f over the patch.
-double eval_fade(double width) {
+// How far from its border a patch is to be lit there, if light comes in by a gap along the border
+// and fades behind it; that and the gap's width in lengths of the patch. A long gap of width w lets
+// in f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z, much at the border and, if it is
+// narrow, little behind. With what is found at the distance z0 that is returned, the mean of the
+// patch's two ends, (f(z0) + f(1)) / 2, is that of f over the patch.
+double eval_lit_place(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
   const double slope = std::hypot(1, width);
@@ -118,15 +118,16 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (const double t = find_crossing(at, way, normal, crease, fringe.width);
         t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  // Through a gap between the border and an edge that is parallel to it; `inside`: unit. Wider ones
-  // light the patch nearly evenly.
+  // Through a gap between the border and an edge that is parallel to it; `inside`: unit.
   const auto light_through = [&](double width, const Vec& inside) {
-    const double length = 2 * dot(way, inside);  // of the patch
-    if (width < length) share = std::max(share, 2 * eval_fade(width / length));
+    constexpr double WIDE = 4;                  // it lights the patch evenly
+    const double depth = 2 * dot(way, inside);  // of the patch
+    if (width < WIDE * depth) share = std::max(share, 2 * eval_lit_place(width / depth));
   };
   const double touch = 2 * CONTACT_TOUCH * fringe.width;
-  for (const auto& [below, inward, height] : fringe.contacts.hanging)
-    if (eval_distance(at, below.a, below.b) <= touch) light_through(height, inward);
+  for (const auto& [below, inward, above] : fringe.contacts.hanging)
+    if (eval_distance(at, below.a, below.b) <= touch)
+      light_through(std::abs(eval_height(above, at) / dot(above.normal, normal)), inward);
   for (const Ledge& ledge : fringe.contacts.ledges) {
     if (eval_distance(at, ledge.foot.a, ledge.foot.b) > touch) continue;
     const Vec up = cross(normal, normalize(ledge.foot.b - ledge.foot.a));
@@ -321,7 +322,7 @@ class Builder {
     });
     const std::size_t most =
         std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
-    for (growth_ = MOST_GROWTH; growth_ > 1; growth_ /= 2)
+    for (growth_ = MOST_FACE_GROWTH; growth_ > 1; growth_ /= 2)
       if (count([&](const Face& face, const std::vector<Crease>& contacts) {
             return divide_face(face, params_.refine, {room_.creases, contacts, growth_})
                 .quads.size();
@@ -439,8 +440,9 @@ base::Fields<MeshParams> mesh_fields() {
 
 Mesh make_mesh(const Room& room, const MeshParams& params) {
   check_count(room, params.refine);
-  Room graded = room;
-  grade_near_lights(graded, params.refine);
+  if (!room.fine_near_lights) return Builder(room, params).build();
+  const Room graded = make_graded(room, params.refine);
+  check_count(graded, params.refine);
   return Builder(graded, params).build();
 }
 

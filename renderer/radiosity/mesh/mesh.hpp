@@ -65,8 +65,9 @@ struct MeshParams {
   double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
                           ///< the way to the mean centre of their patches, 0..0.5; if that is not
                           ///< on them, to the centre of the largest. Further, to half the way,
-                          ///< beyond creases that are too near to be kept, under what hangs over
-                          ///< them, and over a ledge that is narrower than a patch; 0: none of this
+                          ///< beyond creases that are too near to be kept; and where light falls in
+                          ///< by a gap along the border, under what hangs over it or over a narrow
+                          ///< ledge, as far as makes the mean of the patch right; 0: none of this
 };
 
 /// The fields refine and crease_growth.
@@ -74,7 +75,8 @@ base::Fields<MeshParams> mesh_fields();
 
 /// The room must pass check(). Where faces touch each other (find_contacts) is a crease by itself,
 /// and the illumination on its two sides is found apart; where it turns, at the foot of an edge,
-/// between any two creases that go out from there. BadInput beyond 10 million patches.
+/// between any two creases that go out from there. If Room::fine_near_lights, the room's patches
+/// are those of make_graded(). BadInput beyond 10 million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
 
 /// The patches around every vertex, in order: those of vertex v are `patches` from first[v] to

@@ -51,7 +51,7 @@ struct Room {
   std::vector<Material> materials;
   std::vector<Face> faces;
   std::vector<Crease> creases;
-  bool fine_near_lights = false;  ///< whether patches there are halved, see grade_near_lights()
+  bool fine_near_lights = false;  ///< whether make_mesh() halves patches there
   renderer::View view;
 };
 

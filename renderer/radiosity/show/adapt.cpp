@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "renderer/radiosity/mesh/divide.hpp"
-#include "renderer/radiosity/mesh/grade.hpp"
 #include "renderer/radiosity/show/locate.hpp"
 #include "renderer/radiosity/show/picture.hpp"
 #include "renderer/scene/require.hpp"
@@ -176,7 +175,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
-  grade_near_lights(room, 1);
+  room.fine_near_lights = false;  // this finds them
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;

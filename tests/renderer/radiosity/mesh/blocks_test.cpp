@@ -185,15 +185,15 @@ TEST(Contacts, WhatHangsAHairAboveCountsAsTouching) {
     Room room = make_floor();
     add_block(room, block, true, 1, 1);
     const auto contacts = find_contacts(room, refine);
-    for (const auto& [below, inward, height] : contacts[0].hanging) {
+    for (const auto& [below, inward, above] : contacts[0].hanging) {
       const auto& [a, b] = below;
       EXPECT_NEAR(a.z, 0, 1e-12);
       EXPECT_NEAR(b.z, 0, 1e-12);
-      EXPECT_NEAR(height, block.low, 1e-9);
+      EXPECT_NEAR(std::abs(eval_height(above, a)), block.low, 1e-9);
       EXPECT_NEAR(length(inward), 1, 1e-9);
       EXPECT_NEAR(dot(inward, b - a), 0, 1e-9);
       EXPECT_LT(length(a + 0.1 * inward - Vec{4.2, 4.1, 0}), length(a - Vec{4.2, 4.1, 0}));
-      for (const double deep : {0.0, 2 * height})
+      for (const double deep : {0.0, 2 * block.low})
         EXPECT_EQ(std::ranges::count_if(contacts[0].lines,
                                         [&](const Crease& line) {
                                           return length(line.a - a - deep * inward) < 1e-9 &&
@@ -254,6 +254,21 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   leg.faces.push_back(bottom);
   EXPECT_EQ(find_contacts(leg, 1)[0].lines.size(), 0u);
 
+  // Of three corners, and of 32, each as wide as a patch or more: without strips.
+  for (const int corners : {3, 32}) {
+    Room lid = make_floor();
+    Face face = lid.faces[0];
+    face.corners.clear();
+    for (int i = 0; i < corners; ++i) {
+      const double angle = -2 * std::numbers::pi * i / corners;
+      face.corners.push_back({4.2 + 2 * std::cos(angle), 4.1 + 2 * std::sin(angle), 0.1});
+    }
+    lid.faces.push_back(face);
+    const auto contacts = find_contacts(lid, 1);
+    EXPECT_EQ(contacts[0].lines.size(), static_cast<std::size_t>(corners));
+    EXPECT_EQ(contacts[0].hanging.size(), static_cast<std::size_t>(corners));
+  }
+
   Room behind = make_floor();
   add_quad(behind, 0, {2, 2, -0.1}, {0, 3, 0}, {3, 0, 0}, 1, 1);
   EXPECT_EQ(find_contacts(behind, 1)[0].lines.size(), 0u);
@@ -302,7 +317,7 @@ TEST(Contacts, AHairAboveTheFloorLightChangesByALeap) {
         EXPECT_EQ(is_within(block, {seen.x, seen.y, gap}, 0), is_under) << seen.x << ' ' << seen.y;
         if (is_under) {
           ++under;
-          EXPECT_LT(factor, 0.4) << "less than half a view";
+          EXPECT_LT(factor, 0.4) << "of 0.5 at most under a straight edge";
           if (is_within(inside, {seen.x, seen.y, gap}, 1e-3)) {
             ++deep;
             EXPECT_LT(factor, 0.1) << seen.x << ' ' << seen.y;

@@ -13,83 +13,32 @@
 namespace radiosity::test {
 namespace {
 
-bool is_light(const Room& room, const Face& face) {
-  return max_component(room.materials[face.material].emission) > 0;
-}
-
-// Of many points of a light, the nearest.
-double find_distance(const Face& light, const Vec& point) {
-  constexpr int STEPS = 40;
-  double least = INFINITY;
-  for (int i = 0; i <= STEPS; ++i)
-    for (int j = 0; j <= STEPS; ++j) {
-      const Vec at = eval_bilinear(light.corners, double(i) / STEPS, double(j) / STEPS);
-      least = std::min(least, length(at - point));
-    }
-  return least;
-}
-
-// The lines are those of the even grid, halved up to three times, and no others.
-void check_halved(const std::vector<double>& lines, int even) {
-  for (int i = 0; i <= even; ++i)
-    EXPECT_TRUE(std::ranges::any_of(
-        lines, [&](double line) { return std::abs(line - double(i) / even) < 1e-12; }));
-  for (const double line : lines)
-    EXPECT_NEAR(line * even * 8, std::round(line * even * 8), 1e-9) << "halved more than thrice";
-  EXPECT_TRUE(std::ranges::is_sorted(lines));
-}
-
-TEST(Grade, NoPatchIsLongerThanHalfItsDistanceFromALight) {
-  std::size_t halved = 0, near = 0, checked = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const int refine = 1 + static_cast<int>(seed % 3);
-    Room room = make_blocks(seed).room;
-    room.fine_near_lights = true;
-    grade_near_lights(room, refine);
-    EXPECT_FALSE(room.fine_near_lights);
-    for (const Face& face : room.faces) {
-      if (face.grid.along.empty()) continue;
-      ASSERT_FALSE(is_light(room, face));
-      ++halved;
-      const auto& [along, across] = face.grid;
-      check_halved(along, face.along * refine);
-      check_halved(across, face.across * refine);
-      const Plane plane = make_plane(normalize(eval_area_normal(face.corners)), face.corners[0]);
-      for (std::size_t j = 0; j + 1 < across.size(); ++j)
-        for (std::size_t i = 0; i + 1 < along.size(); ++i) {
-          const Vec middle = eval_bilinear(face.corners, (along[i] + along[i + 1]) / 2,
-                                           (across[j] + across[j + 1]) / 2);
-          const auto thrice = [](double step, int even) { return step * even < 1.01 / 8; };
-          const double wide = along[i + 1] - along[i], high = across[j + 1] - across[j];
-          for (const Face& light : room.faces) {
-            if (!is_light(room, light)) continue;
-            const Plane front =
-                make_plane(normalize(eval_area_normal(light.corners)), light.corners[0]);
-            if (eval_height(front, middle) <= 0 || eval_height(plane, light.corners[0]) <= 0)
-              continue;
-            const double most = 0.5 * find_distance(light, middle) * 1.02;
-            const double u = wide * length(face.corners[1] - face.corners[0]);
-            const double v = high * length(face.corners[3] - face.corners[0]);
-            EXPECT_TRUE(u <= most || thrice(wide, face.along * refine)) << u << ' ' << most;
-            EXPECT_TRUE(v <= most || thrice(high, face.across * refine)) << v << ' ' << most;
-            ++checked;
-            near += std::min(u, v) > 0.5 * most;
-          }
-        }
-    }
-  }
-  std::printf("%zu faces, %zu of %zu patches near what is allowed\n", halved, near, checked);
-  EXPECT_GT(halved, 20u);
-}
-
-// A box with a lamp under its ceiling, near a wall.
+// A box with a lamp that looks down from under its ceiling, near the wall at low x.
 Room make_lamp_room(double away) {
   Room room;
   room.materials = {{"wall", grey(0.5), {}}, {"lamp", grey(0), grey(1)}};
   add_box(room, 0, {0, 0, 0}, {3, 3, 2.5}, 8);
   add_quad(room, 1, {away, 1, 2.45}, {0, 0.5, 0}, {0.4, 0, 0});
   return room;
+}
+
+std::size_t count_patches(const Room& room) {
+  std::size_t count = 0;
+  for (const Face& face : room.faces) count += count_quads(face, 1);
+  return count;
+}
+
+// The number of steps of length 1/even, and of its halves and quarters; there are no others.
+std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int even) {
+  std::array<std::size_t, 3> count{};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const double halvings = -std::log2((lines[i] - lines[i - 1]) * even);
+    EXPECT_NEAR(halvings, std::round(halvings), 1e-9);
+    const auto h = static_cast<std::size_t>(std::lround(halvings));
+    EXPECT_LT(h, 3u);
+    if (h < 3) ++count[h];
+  }
+  return count;
 }
 
 // The error of the lamp's light in the middles of the patches of the wall beside it, root mean
@@ -127,19 +76,73 @@ TEST(Grade, ShowsTheLightOfALampBesideAWall) {
     const double coarse = find_error(room);
     std::printf("%.2f from the wall: %.2f %%, without finer patches %.2f %%\n", away, 100 * fine,
                 100 * coarse);
-    EXPECT_LT(fine, coarse / 3);
+    EXPECT_LT(fine, 0.04);
+    EXPECT_LT(fine, coarse / 4);
   }
 }
 
-TEST(Grade, LeavesRoomsAloneThatDoNotAskForIt) {
+// Rows are halved where the light varies, and only there.
+TEST(Grade, HalvesRowsBesideTheLamp) {
+  const Room room = make_lamp_room(0.3);
+  const Room graded = make_graded(room, 1);
+  EXPECT_TRUE(graded.faces[1].grid.along.empty()) << "behind the lamp it is dark";
+  EXPECT_TRUE(graded.faces[6].grid.along.empty()) << "the lamp";
+  EXPECT_TRUE(graded.faces[3].grid.along.empty()) << "the wall that is far";
+  const Grid& wall = graded.faces[2].grid;  // along y, across z
+  ASSERT_FALSE(wall.along.empty());
+  count_steps(wall.along, 8);
+  count_steps(wall.across, 8);
+  EXPECT_LE(wall.across[5], 0.625) << "the lower half is as it was";
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(wall.across[i], 0.125 * double(i), 1e-12);
+  EXPECT_LE(wall.across.back() - wall.across[wall.across.size() - 2], 0.0626);
+  EXPECT_LE(count_patches(graded), 2 * count_patches(room));
+  EXPECT_EQ(count_patches(make_graded(make_lamp_room(1.3), 3)), count_patches(make_lamp_room(1.3)))
+      << "far from all walls, by the patches of refine 3";
+}
+
+// Rooms of any shape, in any place: what is halved is halved twice at most, and no more than a
+// room of twice as many patches comes of it; a turned room has the same grids.
+TEST(Grade, IsTheSameHoweverTheRoomIsTurned) {
+  std::size_t halved = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    Room room = make_blocks(seed).room;
+    if (seed % 2 == 0) {  // a window in a wall, a lamp on the floor, with a glow of its own
+      room.materials.push_back({"glow", grey(0.5), grey(2)});
+      const Vec low = room.faces[0].corners[0];
+      add_quad(room, static_cast<std::uint32_t>(room.materials.size() - 1), low, {0, 1, 0},
+               {0, 0, 1}, 2, 2)
+          .two_sided = seed % 4 == 0;
+    }
+    const Room graded = make_graded(room, 1);
+    EXPECT_LE(count_patches(graded), 2 * count_patches(room));
+    Room turned = room;
+    const double angle = random.range(0, 7);
+    const Vec shift{random.range(-9, 9), random.range(-9, 9), random.range(-9, 9)};
+    for (Face& face : turned.faces)
+      for (Vec& p : face.corners)
+        p = shift + Vec{std::cos(angle) * p.x - std::sin(angle) * p.y,
+                        std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
+    turned = make_graded(turned, 1);
+    for (std::size_t f = 0; f < room.faces.size(); ++f) {
+      const Face& face = graded.faces[f];
+      EXPECT_EQ(face.grid.along, turned.faces[f].grid.along) << f;
+      EXPECT_EQ(face.grid.across, turned.faces[f].grid.across) << f;
+      if (face.grid.along.empty()) continue;
+      ++halved;
+      count_steps(face.grid.along, face.along);
+      count_steps(face.grid.across, face.across);
+    }
+  }
+  std::printf("%zu faces with halved rows\n", halved);
+  EXPECT_GT(halved, 20u);
+}
+
+TEST(Grade, ARoomWithoutLightStaysAsItIs) {
   Room room = make_lamp_room(0.3);
-  grade_near_lights(room, 1);
-  for (const Face& face : room.faces) EXPECT_TRUE(face.grid.along.empty());
-  // Behind a light it is dark.
-  room.fine_near_lights = true;
-  grade_near_lights(room, 1);
-  EXPECT_TRUE(room.faces[1].grid.along.empty()) << "the ceiling";
-  EXPECT_FALSE(room.faces[2].grid.along.empty()) << "the wall beside the lamp";
+  room.materials[1].emission = grey(0);
+  for (const Face& face : make_graded(room, 1).faces) EXPECT_TRUE(face.grid.along.empty());
 }
 
 }  // namespace
