@@ -17,7 +17,7 @@ constexpr double SHORTEST = 1e-3;
 
 // A side of a face, with the number of the face.
 struct Piece {
-  Side side;
+  FaceSide side;
   std::size_t face;
   renderer::Bounds bounds;
   double emission;  // the largest of the three

@@ -251,7 +251,7 @@ void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& f
 
 // Adds the crease where the light's own plane cuts the receiver: it shines on one side only.
 void add_horizon_crease(const Stage& stage, std::vector<Crease>& creases) {
-  const Side& light = stage.light;
+  const FaceSide& light = stage.light;
   if (!cuts(light.plane, stage.receiver.corners, stage.tolerance)) return;
   const auto ends = cut(stage.receiver.corners, light.plane);
   if (!ends) return;

@@ -6,15 +6,15 @@
 namespace radiosity {
 
 /// A side of a face that light leaves or reaches.
-struct Side {
+struct FaceSide {
   std::vector<Vec> corners;  ///< counter-clockwise
   Plane plane;               ///< the side is above
 };
 
 /// One light, one receiver and what is between them.
 struct Stage {
-  Side light;  ///< the part above the receiver
-  Side receiver;
+  FaceSide light;  ///< the part above the receiver
+  FaceSide receiver;
   std::vector<std::vector<Vec>> between;  ///< the parts of other faces that are above both
   double tolerance = 0;                   ///< lengths below are rounding
 };
