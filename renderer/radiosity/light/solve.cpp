@@ -269,7 +269,9 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
   if (params.senders == 0) return solve(mesh, params.solve, step);
   MeshParams coarse = params.mesh;
   coarse.refine = params.senders;
-  return solve(make_mesh(room, coarse), params.solve, step, &mesh);
+  Room even = room;
+  even.fine_near_lights = false;
+  return solve(make_mesh(even, coarse), params.solve, step, &mesh);
 }
 
 LitRoom light_room(const Room& room, const LightParams& params) {

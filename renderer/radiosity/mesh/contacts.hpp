@@ -28,7 +28,7 @@ double eval_width(const Ledge& ledge, const Vec& at);
 
 /// Where others touch a face.
 struct Contacts {
-  std::vector<Crease> lines;  ///< light, or how fast it fades, changes abruptly there
+  std::vector<Crease> lines;  ///< across them light changes abruptly, or it has just faded
   std::vector<HangingEdge> hanging;
   std::vector<Ledge> ledges;  ///< that it stands on
 };

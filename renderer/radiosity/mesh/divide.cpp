@@ -19,7 +19,7 @@ constexpr double ASIDE = 1.1, BEYOND = 1.01;
 constexpr std::size_t LEAST_PATCHES = 16;
 // A crease off the face's plane by less than this share of the face's size lies in it.
 constexpr double IN_PLANE = 1e-5;
-// Points of a grid that are nearer to a crease than this share of a cell move to it.
+// Points of a grid that are nearer to a crease than this share of twice a patch's width move to it.
 constexpr double REACH = 0.3;
 
 // Adds a grid over four corners, with lines at these parameters. Its points are its own: where
@@ -297,6 +297,14 @@ std::size_t count_quads(const Face& face, int refine) {
   const auto along = static_cast<std::size_t>(face.along) * static_cast<std::size_t>(refine);
   const auto across = static_cast<std::size_t>(face.across) * static_cast<std::size_t>(refine);
   return face.corners.size() == 4 ? along * across : face.corners.size() * along * along;
+}
+
+std::size_t count_patches(const Room& room, int refine) {
+  std::size_t count = 0;
+  for (const Face& face : room.faces)
+    if (!room.materials[face.material].mirror)
+      count += (face.two_sided ? 2 : 1) * count_quads(face, refine);
+  return count;
 }
 
 Division divide_face(const Face& face, int refine) {

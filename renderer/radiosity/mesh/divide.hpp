@@ -31,6 +31,11 @@ std::vector<Crease> select_creases(const Face& face, std::span<const Crease> cre
 double find_patch_width(const Face& face, int refine);
 /// The number of its quads.
 std::size_t count_quads(const Face& face, int refine);
+/// That of a room without creases, on all sides of its faces but mirrors.
+std::size_t count_patches(const Room& room, int refine);
+
+/// That a room may have.
+inline constexpr std::size_t MOST_PATCHES = 10'000'000;
 
 /// A crease, and a contact, that is nearer to a vertex than this share of a patch's width is taken
 /// to be there.

@@ -24,6 +24,7 @@ constexpr double WEAK = 0.01;
 struct Light {
   std::vector<Vec> corners;
   Plane plane;
+  double tolerance;  // what is nearer to the plane lies in it
   bool two_sided;
   double emission;  // mean of the colours
 };
@@ -32,12 +33,11 @@ double eval_area(const Face& face) {
   return (face.two_sided ? 2 : 1) * length(eval_area_normal(face.corners)) / 2;
 }
 
-// What the patches of a room receive in the mean, per area.
+// What the faces of a room would receive in the mean, per area, if it were closed.
 double eval_mean_illumination(const Room& room) {
   double emitted = 0, absorbed = 0;
   for (const Face& face : room.faces) {
     const Material& material = room.materials[face.material];
-    if (material.mirror) continue;
     emitted += eval_area(face) * sum(material.emission) / 3;
     absorbed += eval_area(face) * (1 - sum(material.reflectance) / 3);
   }
@@ -74,7 +74,8 @@ std::vector<Light> find_lights(const Room& room, const Face& face, double least)
     const auto add = [&](const Plane& side) {
       auto corners = clip(light.corners, side, tolerance);
       if (!corners.empty())
-        lights.push_back({std::move(corners), make_front(light), light.two_sided, emission});
+        lights.push_back(
+            {std::move(corners), make_front(light), tolerance, light.two_sided, emission});
     };
     add(front);
     if (face.two_sided) add({-front.normal, -front.offset});
@@ -85,7 +86,8 @@ std::vector<Light> find_lights(const Room& room, const Face& face, double least)
 // What a light gives a point of a surface that it is before: its emission times the form factor of
 // a polygon (Lambert's formula).
 double eval_illumination(const Light& light, const Vec& point, const Vec& normal) {
-  if (!light.two_sided && eval_height(light.plane, point) <= 0) return 0;
+  const double height = eval_height(light.plane, point);
+  if ((light.two_sided ? std::abs(height) : height) <= light.tolerance) return 0;
   double twice_pi = 0;
   for (std::size_t i = 0; i < light.corners.size(); ++i) {
     const Vec a = light.corners[i] - point;
@@ -97,7 +99,8 @@ double eval_illumination(const Light& light, const Vec& point, const Vec& normal
   return light.emission * std::abs(twice_pi) / (2 * std::numbers::pi);
 }
 
-// Halves the rows of a face's grid in which a patch has a middle too far off.
+// Halves the rows of a face's grid in which a patch has a side whose middle is off the mean of its
+// ends by more than `most`.
 void halve_where_off(const Face& face, const std::vector<Light>& lights, double most, Grid& grid) {
   const Vec normal = make_front(face).normal;
   const auto find_light = [&](double s, double t) {
@@ -113,25 +116,19 @@ void halve_where_off(const Face& face, const std::vector<Light>& lights, double 
   for (const double t : across)
     for (const double s : along) at.push_back(find_light(s, t));
   std::vector<bool> wide(along.size()), high(across.size());
-  const auto is_off = [&](double s, double t, std::size_t a, std::size_t b) {
-    return std::abs(find_light(s, t) - (at[a] + at[b]) / 2) > most;
-  };
   for (std::size_t j = 0; j < across.size(); ++j)
     for (std::size_t i = 0; i < row; ++i) {
       const std::size_t here = j * row + i;
+      const auto is_off = [&](double u, double v, std::size_t next) {
+        return std::abs(find_light(u, v) - (at[here] + at[next]) / 2) > most;
+      };
       if (i + 1 < row && !wide[i])
-        wide[i] = is_off((along[i] + along[i + 1]) / 2, across[j], here, here + 1);
+        wide[i] = is_off((along[i] + along[i + 1]) / 2, across[j], here + 1);
       if (j + 1 < across.size() && !high[j])
-        high[j] = is_off(along[i], (across[j] + across[j + 1]) / 2, here, here + row);
+        high[j] = is_off(along[i], (across[j] + across[j + 1]) / 2, here + row);
     }
   halve(grid.along, wide);
   halve(grid.across, high);
-}
-
-std::size_t count_patches(const Room& room, int refine) {
-  std::size_t count = 0;
-  for (const Face& face : room.faces) count += count_quads(face, refine);
-  return count;
 }
 
 }  // namespace
@@ -139,7 +136,8 @@ std::size_t count_patches(const Room& room, int refine) {
 Room make_graded(Room room, int refine) {
   const double most = MOST_OFF * eval_mean_illumination(room);
   if (!(most > 0)) return room;
-  const std::size_t allowed = MOST_MORE * count_patches(room, refine);
+  const std::size_t count = count_patches(room, refine);
+  const std::size_t allowed = std::max(count, std::min(MOST_MORE * count, MOST_PATCHES));
   for (int halvings = 0; halvings < MOST_HALVINGS; ++halvings) {
     Room finer = room;
     for (Face& face : finer.faces) {

@@ -16,7 +16,6 @@ namespace radiosity {
 
 namespace {
 
-constexpr std::size_t MOST_PATCHES = 10'000'000;
 // Patches that creases may make of any room, and times as many as without of one face.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
@@ -120,7 +119,7 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
       share = std::max(share, t + inset);
   // Through a gap between the border and an edge that is parallel to it; `inside`: unit.
   const auto light_through = [&](double width, const Vec& inside) {
-    constexpr double WIDE = 4;                  // it lights the patch evenly
+    constexpr double WIDE = 4;                  // beyond, light falls evenly
     const double depth = 2 * dot(way, inside);  // of the patch
     if (width < WIDE * depth) share = std::max(share, 2 * eval_lit_place(width / depth));
   };
@@ -308,26 +307,20 @@ class Builder {
   // Halves the patches that creases may make of each face until the room has as few as are allowed.
   void limit_creases() {
     if (room_.creases.empty()) return;
-    const auto count = [&](const auto& count_face) {
+    const auto count = [&] {
       std::size_t patches = 0;
       for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
         const Face& face = room_.faces[i];
-        if (!room_.materials[face.material].mirror)
-          patches += (face.two_sided ? 2 : 1) * count_face(face, contacts_[i].lines);
+        if (room_.materials[face.material].mirror) continue;
+        const Cuts cuts{room_.creases, contacts_[i].lines, growth_};
+        patches += (face.two_sided ? 2 : 1) * divide_face(face, params_.refine, cuts).quads.size();
       }
       return patches;
     };
-    const std::size_t plain = count([&](const Face& face, const std::vector<Crease>&) {
-      return count_quads(face, params_.refine);
-    });
+    const std::size_t plain = count_patches(room_, params_.refine);
     const std::size_t most =
         std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
-    for (growth_ = MOST_FACE_GROWTH; growth_ > 1; growth_ /= 2)
-      if (count([&](const Face& face, const std::vector<Crease>& contacts) {
-            return divide_face(face, params_.refine, {room_.creases, contacts, growth_})
-                .quads.size();
-          }) <= most)
-        break;
+    for (growth_ = MOST_FACE_GROWTH; growth_ > 1 && count() > most;) growth_ /= 2;
   }
 
   std::vector<Fringe> make_fringes() const {
