@@ -269,7 +269,7 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
   if (params.senders == 0) return solve(mesh, params.solve, step);
   MeshParams coarse = params.mesh;
   coarse.refine = params.senders;
-  Room even = room;
+  Room even = room;  // those that send are not halved near lights
   even.fine_near_lights = false;
   return solve(make_mesh(even, coarse), params.solve, step, &mesh);
 }

@@ -211,7 +211,7 @@ bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
-// Planes across a face's plane through the outline below what hangs over it, whose inside is above.
+// The planes, upright on a face, through the edges of what hangs over it; its inside is above them.
 std::vector<Plane> make_shape(const Pair& pair) {
   std::vector<Vec> below;
   for (const Vec& corner : pair.other.face->corners)

@@ -40,10 +40,10 @@ struct Contacts {
 /// itself nowhere narrower than one, touches it below its open edges: those from which nothing goes
 /// down, and beyond which nothing hangs as near. If it has 4 corners and is no narrower than four
 /// times its height over the face, light that falls in under such an edge fades up to a second
-/// line, twice the edge's height inside. A ledge is what is left of a face before
-/// a one-sided one that stands on its front, about upright, by its border. A face's patches are
-/// those that it has by its `along` and `across`, times `refine`. BadInput if more than 1,000,000 +
-/// 100 n of the pairs of n faces touch or nearly so.
+/// line, twice the edge's height inside. A ledge is what is left of a face before a one-sided one
+/// that stands on its front, about upright, by its border. A face's patches are those that it has
+/// by its `along` and `across`, times `refine`. BadInput if more than 1,000,000 + 100 n of the
+/// pairs of n faces touch or nearly so.
 std::vector<Contacts> find_contacts(const Room& room, int refine);
 
 }  // namespace radiosity

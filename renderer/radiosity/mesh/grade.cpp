@@ -10,14 +10,16 @@ namespace radiosity {
 
 namespace {
 
-// Of the room's mean illumination: how far that of a side's middle may be off.
+// How far the illumination of a side's middle may be off, as a share of the room's mean. Chosen: of
+// 0.5, 0.2 and 0.1, which make 0.1, 0.7 and 1.9 % more patches of 300 random rooms, the one below
+// which the rooms that were worst gained little.
 constexpr double MOST_OFF = 0.2;
 constexpr int MOST_HALVINGS = 2;
 constexpr std::size_t MOST_MORE = 2;  // of the room's patches
-// Sides end so far inside a face, a share of it: at its border a light may touch it.
+// Illumination is found this share of the face inside its border, where a light may touch it.
 constexpr double INSIDE = 1e-3;
 // Share of a face's size: what is nearer to its plane lies in it.
-constexpr double IN_PLANE_OF = 1e-6;
+constexpr double COPLANAR = 1e-6;
 // A light is left out if all of it at the nearest point would give this share of MOST_OFF.
 constexpr double WEAK = 0.01;
 
@@ -63,7 +65,7 @@ double eval_square_apart(const renderer::Bounds& a, const renderer::Bounds& b) {
 std::vector<Light> find_lights(const Room& room, const Face& face, double least) {
   const Plane front = make_front(face);
   const auto bounds = renderer::make_bounds(face.corners);
-  const double tolerance = IN_PLANE_OF * length(bounds.hi - bounds.lo);
+  const double tolerance = COPLANAR * length(bounds.hi - bounds.lo);
   std::vector<Light> lights;
   for (const Face& light : room.faces) {
     const Material& material = room.materials[light.material];

@@ -58,17 +58,17 @@ struct Mesh {
 };
 
 struct MeshParams {
-  int refine = 1;  ///< factor of the divisions of every face, 1 to 1000
-  int crease_growth =
-      4;  ///< times as many patches as without creases (halved near lights or
-          ///< not) that the room may have with them, or 2000 patches if that is more, 1 to 1000;
-          ///< further creases of the faces that grow most are left out, on each the last first
-  double inset = 0.01;  ///< distance inside the border at which its vertices are lit, a share of
-                        ///< the way to the mean centre of their patches, 0..0.5; if that is not
-                        ///< on them, to the centre of the largest. Further, to half the way,
-                        ///< beyond creases that are too near to be kept; and where light falls in
-                        ///< by a gap along the border, under what hangs over it or over a narrow
-                        ///< ledge, as far as makes the mean of the patch right; 0: none of this
+  int refine = 1;         ///< factor of the divisions of every face, 1 to 1000
+  int crease_growth = 4;  ///< times as many patches as without creases (after halving near lights)
+                          ///< that the room may have with them, or 2000 patches if that is more, 1
+                          ///< to 1000; further creases of the faces that grow most are left out, on
+                          ///< each the last first
+  double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
+                          ///< the way to the mean centre of their patches, 0..0.5; if that is not
+                          ///< on them, to the centre of the largest. Further, to half the way,
+                          ///< beyond creases that are too near to be kept; and where light falls in
+                          ///< by a gap along the border, under what hangs over it or over a narrow
+                          ///< ledge, as far as makes the mean of the patch right; 0: none of this
 };
 
 /// The fields refine and crease_growth.

@@ -175,7 +175,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
-  room.fine_near_lights = false;  // this finds them
+  room.fine_near_lights = false;  // rows are halved here where the solution needs it
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;

@@ -254,7 +254,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   leg.faces.push_back(bottom);
   EXPECT_EQ(find_contacts(leg, 1)[0].lines.size(), 0u);
 
-  // Of three corners, and of 32, each as wide as a patch or more: without strips.
+  // Lids of 3 and of 32 corners touch the floor below their edges, but make no strips.
   for (const int corners : {3, 32}) {
     Room lid = make_floor();
     Face face = lid.faces[0];

@@ -73,8 +73,9 @@ TEST(Ledges, MayNarrowToAPoint) {
   }
 }
 
-// A narrow ledge's light at the foot is found where it makes the mean of the patch right; a wide
-// one's at the foot.
+// The light of a ledge is found where it makes the mean of the patch right; of one wider than
+// four times the patch, at the foot. (There the test's ledge, a single patch, is too near for its
+// factor.)
 TEST(Ledges, GiveAPatchItsMeanLight) {
   for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 1.1, 3.0, 5.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);
