@@ -6,6 +6,7 @@
 
 #include "renderer/preview/preview.hpp"
 #include "simulator/farm/centre.hpp"
+#include "simulator/farm/coordination.hpp"
 #include "simulator/observe/watch.hpp"
 #include "simulator/tracing/busy.hpp"
 #include "simulator/tracing/pixel_order.hpp"

@@ -119,6 +119,52 @@ TEST(DivideCreases, AnyFaceAndCreases) {
   EXPECT_GT(angles[angles.size() / 2], 10);
 }
 
+// The step between lines at `middle`.
+double find_step(const std::vector<double>& lines, double middle) {
+  const auto after = std::ranges::upper_bound(lines, middle);
+  return *after - *std::prev(after);
+}
+
+// Rows that are halved stay narrow where creases run across them.
+TEST(DivideCreases, NarrowRowsStayNarrow) {
+  double widest = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    Flat flat = make_rectangle(random);
+    auto& grid = flat.face.grid = find_grid(flat.face, 1);
+    for (auto* lines : {&grid.along, &grid.across})
+      for (int halvings = 0; halvings < 2; ++halvings) {
+        std::vector<bool> marks;
+        for (std::size_t i = 0; i < lines->size(); ++i) marks.push_back(random.below(3) == 0);
+        halve(*lines, marks);
+      }
+    flat.width = find_patch_width(flat.face, 1);
+    const auto creases = make_creases(random, flat, 1 + random.below(4));
+    const Division division = divide_face(flat.face, 1, {.creases = creases});
+    check_division(flat.face, 1, division);
+    check_creases(flat, division, creases);
+    const auto& c = flat.face.corners;
+    const auto find_share = [&](const Vec& p, const Vec& side) {
+      return dot(p - c[0], side) / dot(side, side);
+    };
+    for (const auto& quad : division.quads)
+      for (const auto& [lines, side] :
+           {std::pair{&grid.along, c[1] - c[0]}, {&grid.across, c[3] - c[0]}}) {
+        double low = 1, high = 0;
+        for (const auto corner : quad) {
+          const double share = find_share(division.points[corner], side);
+          low = std::min(low, share);
+          high = std::max(high, share);
+        }
+        widest = std::max(widest, (high - low) / find_step(*lines, (low + high) / 2));
+      }
+    if (testing::Test::HasFailure()) return;
+  }
+  std::printf("patches are at most %.2f times as wide as their rows\n", widest);
+  EXPECT_LT(widest, 2);
+}
+
 TEST(DivideCreases, Hundreds) {
   Random random{77};
   const Flat flat = make_rectangle(random);

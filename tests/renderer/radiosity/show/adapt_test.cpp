@@ -71,6 +71,20 @@ TEST(Adapt, TheErrorIsWhatIsAskedFor) {
   }
 }
 
+// Rows are halved where the solution needs it: they do not begin with those near lights halved.
+TEST(Adapt, BeginsWithEvenRows) {
+  Room room = make_floor(10);
+  for (Vec& corner : room.faces[1].corners) corner.z = 1;
+  LightParams params;
+  params.mesh.refine = 4;
+  const Mesh even = make_mesh(room, params.mesh);
+  room.fine_near_lights = true;
+  ASSERT_GT(make_mesh(room, params.mesh).patches.size(), even.patches.size());
+  const AdaptedMesh adapted = adapt_mesh(room, params, BILINEAR, {1});
+  EXPECT_EQ(adapted.rounds, 0);
+  EXPECT_EQ(adapted.mesh.patches.size(), even.patches.size());
+}
+
 // Patches of a face meet at their corners: the face's area is theirs, and no edge is in two patches
 // on the same side, or in one only unless it is on the border.
 TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {

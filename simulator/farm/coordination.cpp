@@ -1,0 +1,379 @@
+#include "simulator/farm/coordination.hpp"
+
+#include <limits>
+#include <unordered_map>
+
+#include "simulator/farm/ledger.hpp"
+#include "simulator/occam/alt.hpp"
+#include "simulator/occam/case_of.hpp"
+#include "simulator/occam/process.hpp"
+
+namespace farm {
+
+using namespace occam;
+
+namespace {
+
+template <class Content>
+void wait_for(Channel<Command>& from_interaction) {
+  Command command;
+  do in(from_interaction, command);
+  while (!std::holds_alternative<Content>(command.content));
+}
+
+// Sends the scene to all workers, and waits until they have it. No task is under way, and the
+// sender's signal has not been taken.
+void send_scene(CoordinationChannels to, SceneMessages load) {
+  if (load.bytes == 0) return;
+  for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
+    in(to.from_sender);
+    const auto left = load.bytes - sent;
+    const auto size = static_cast<std::uint32_t>(std::min<std::uint64_t>(load.message, left));
+    out(to.into_sender, Task{SceneData{left <= load.message}, size});
+  }
+  for (std::uint64_t sent = 0; sent < load.display_bytes; sent += load.message) {
+    const auto left = std::min<std::uint64_t>(load.message, load.display_bytes - sent);
+    out(to.into_visualisation, Answer{SceneData{}, static_cast<std::uint32_t>(left)});
+  }
+  Answer acknowledgement;
+  for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
+}
+
+// Stops every process of the farm, in the order of the wires, once nothing is in it.
+void stop_all(CoordinationChannels to, bool sender_is_ready) {
+  if (!sender_is_ready) in(to.from_sender);
+  out(to.into_sender, Task{});
+  Answer last;
+  in(to.from_workers, last);
+  out(to.into_visualisation, Answer{});
+  out(to.into_database, DatabaseRequest{});
+}
+
+enum class Mode { null, interactive, non_interactive, aborted, ended };
+
+// The process's variables, named as in figure 4.15, and the handling of its guards.
+class Coordinator {
+ public:
+  Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
+      : setup_(setup), to_(channels), progress_(progress), limits_(setup.stages[0]) {
+    if (is_adaptive(setup.params.sampling)) ledger_.emplace(setup.params);
+  }
+
+  void run() {
+    wait_for<Begin>(to_.from_interaction);
+    send_scene(to_, setup_.load);
+    for (const auto& ray :
+         make_initial_rays(setup_.scene, setup_.params, setup_.cells, setup_.seed))
+      deposit(ray);
+    progress_.begin();
+    mode_ = Mode::interactive;
+    while (mode_ != Mode::ended) serve(mode_);
+    progress_.end();
+    Command late;
+    while (!quitting_) {
+      in(to_.from_interaction, late);
+      obey(late);
+    }
+    stop_all(to_, sender_is_ready_);
+  }
+
+ private:
+  // Figure 4.15, and what it leaves out: the null mode, which has no ray to look for and waits for
+  // an order; and the mode in which no more rays are looked for, since the user has had enough.
+  void serve(Mode mode) {
+    rays_db_is_empty_ = mode == Mode::aborted;
+    Command user_message;
+    Signal dummy;
+    Answer intersection;
+    if (mode == Mode::null) {
+      if (!quitting_) {
+        progress_.is_null = true;
+        in(to_.from_interaction, user_message);
+        progress_.is_null = false;
+        obey(user_message);
+      }
+      if (quitting_ && mode_ == Mode::null) leave_interactive();
+      return;
+    }
+    if (!sender_is_ready_) {
+      in(to_.from_sender, dummy);
+      sender_is_ready_ = true;
+    }
+    if (rays_db_is_empty_ && rays_in_farm_ == 0) next_stage();
+    while (turn(mode_ == mode)) {
+      pri_alt(when(to_.from_interaction, user_message, [&] { obey(user_message); }),
+              when(!sender_is_ready_, to_.from_sender, dummy, [&] { sender_is_ready_ = true; }),
+              otherwise(!rays_db_is_empty_ && sender_is_ready_, [&] { feed_sender(); }),
+              when(to_.from_workers, intersection, [&] { take(intersection); }));
+      if (rays_db_is_empty_ && rays_in_farm_ == 0) next_stage();
+    }
+  }
+
+  // An order that has an effect leaves a picture of what it found.
+  void obey(const Command& command) {
+    const auto heed = [&](const std::string& why_without_effect, auto action) {
+      const bool is_over = mode_ == Mode::aborted;
+      if (!progress_.note_order(is_over ? "the run had been aborted" : why_without_effect)) return;
+      keep(fmt::format("order{}", progress_.orders));
+      action();
+    };
+    case_of(
+        command, [](Begin) {},
+        [&](NonInteractive) {
+          heed(is_interactive() ? "" : "the interactive phase was over already",
+               [&] { leave_interactive(); });
+        },
+        [&](Interactive) {
+          heed(is_interactive() ? "it was the interactive phase already" : "", [&] {
+            mode_ = Mode::interactive;
+            progress_.begin_interactive();
+          });
+        },
+        [&](Abort) {
+          heed("", [&] {
+            progress_.is_aborted = true;
+            progress_.notes.push_back(fmt::format(
+                "order {} ended the run at {:.4g} s: the picture is as it was when the rays that "
+                "were under way had come",
+                progress_.orders, progress_.since_begun_s()));
+            mode_ = Mode::aborted;
+            rays_db_is_empty_ = true;
+          });
+        },
+        [&](const Save& save) {
+          if (progress_.note_order()) keep(save.name);
+        },
+        [&](const Limits& limits) {
+          heed(limits == limits_ ? "its limits were set already" : "", [&] {
+            set_limits(limits, number_of_order());
+            if (mode_ == Mode::null) mode_ = Mode::interactive;
+          });
+        },
+        [&](Leave) { quitting_ = true; });
+  }
+
+  // Rays know orders up to 255; what later ones change is not told apart.
+  std::uint8_t number_of_order() const {
+    const bool fits = progress_.orders <= std::numeric_limits<std::uint8_t>::max();
+    return fits ? static_cast<std::uint8_t>(progress_.orders) : std::uint8_t{0};
+  }
+
+  bool is_interactive() const { return mode_ == Mode::null || mode_ == Mode::interactive; }
+
+  void leave_interactive() {
+    mode_ = Mode::non_interactive;
+    progress_.end_interactive();
+  }
+
+  void keep(const std::string& name) { out(to_.into_visualisation, Answer{KeepImage{name}}); }
+
+  void feed_sender() {
+    DatabaseRequest ask{AskAny{}};
+    if (mode_ == Mode::interactive) ask.content = AskInteractive{};
+    this_process().charge(setup_.message.made + setup_.message.read);
+    out(to_.into_database, ask);
+    DatabaseReply reply;
+    in(to_.from_database, reply);
+    rays_db_is_empty_ = !reply.ray;
+    if (!reply.ray) return;
+    this_process().charge(setup_.message.made);
+    out(to_.into_sender, Task{*reply.ray, setup_.bytes.ray});
+    sender_is_ready_ = false;
+    progress_.note_task(++rays_in_farm_);
+  }
+
+  void take(const Answer& answer) {
+    const auto& [ray, hit] = std::get<Intersection>(answer.content);
+    --rays_in_farm_;
+    progress_.rays.add(ray.kind, hit.has_value());
+    this_process().charge(setup_.message.read);
+    if (ray.kind == renderer::RayKind::probe) {
+      if (mode_ != Mode::aborted) take_probe(ray, hit);
+      return;
+    }
+    this_process().charge(setup_.message.made);
+    out(to_.into_visualisation, answer);
+    if (mode_ == Mode::aborted) return;
+    const bool is_primary = ray.level == 1;
+    if (is_primary && ray.pass == 0 && setup_.cells.order == CellOrder::adaptive) divide(ray, hit);
+    if (hit || ledger_) shade(ray, hit);
+    if (ledger_)
+      note_sample(ray, hit);
+    else if (is_primary && ray.pass + 1 < setup_.params.sampling.pixel_samples)
+      deposit_sample(ray, ray.pass + 1);
+    if (hit)
+      for (const auto& child : shaded_.rays) deposit(child);
+  }
+
+  // What the ray leaves where it hits; with adaptive sampling, what it contributes as well.
+  void shade(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    setup_.cost(shaded_, scratch_,
+                [&setup = setup_, is_adaptive = ledger_.has_value(), ray, hit](
+                    Shaded& to, renderer::Work& work) {
+                  to.rays.clear();
+                  if (is_adaptive)
+                    to.contribution = eval_contribution(setup.scene, setup.params, ray, hit, work);
+                  if (hit) make_children(setup.scene, setup.params, ray, *hit, to.rays, work);
+                });
+  }
+
+  // The primary ray of another of the samples of the pixel of `ray`.
+  void deposit_sample(const renderer::Ray& ray, int pass) {
+    auto primary = make_primary_of(ray.sample, pass);
+    primary.is_urgent = ray.is_urgent;
+    primary.order = ray.order;
+    deposit(primary);
+  }
+
+  renderer::Ray make_primary_of(std::uint32_t pixel, int pass) const {
+    const auto width = static_cast<std::uint32_t>(setup_.params.width);
+    return make_primary(setup_.scene.view, setup_.params, static_cast<int>(pixel % width),
+                        static_cast<int>(pixel / width), pass);
+  }
+
+  // Adaptive sampling: where the pixel's first sample has come its corners are asked for.
+  void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    const std::size_t held = ledger_->samples_held();
+    ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
+    if (ray.level == 1 && ray.pass == 0)
+      for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
+        auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
+        probe.pass = 1;             // after all first samples
+        probe.sample = ray.sample;  // with it within the limits
+        probe.order = ray.order;
+        deposit(probe);
+      }
+    if (const auto next = ledger_->next_sample(ray.sample)) deposit_sample(ray, *next);
+    account(held);
+  }
+
+  void take_probe(const renderer::Ray& probe, const std::optional<renderer::Hit>& hit) {
+    const std::size_t held = ledger_->samples_held();
+    const auto object = hit ? hit->object : renderer::NO_OBJECT;
+    for (const auto pixel : ledger_->note_corner(probe.path, object))
+      if (const auto next = ledger_->next_sample(pixel)) {
+        auto primary = make_primary_of(pixel, *next);
+        primary.order = probe.order;
+        deposit(primary);
+      }
+    account(held);
+  }
+
+  // The memory of the samples that the ledger holds; there were `before`.
+  void account(std::size_t before) {
+    auto& memory = this_process().processor().memory();
+    const std::size_t now = ledger_->samples_held();
+    if (now > before)
+      memory.allocate((now - before) * setup_.bytes.pixel, "samples of pixels",
+                      this_process().own_time());
+    else
+      memory.release((before - now) * setup_.bytes.pixel);
+  }
+
+  void deposit(const renderer::Ray& ray) {
+    this_process().charge(setup_.message.made);
+    out(to_.into_database, DatabaseRequest{ray, setup_.bytes.ray});
+    rays_db_is_empty_ = false;
+  }
+
+  // CellOrder::adaptive: what a sample shows is compared with the samples that are a cell away, as
+  // far as they have come, and the primary rays of the cells it is divided into are made.
+  void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    const auto object = hit ? hit->object : renderer::NO_OBJECT;
+    seen_[ray.sample] = object;
+    const int width = setup_.cells.width, size = setup_.cells.size_of(ray.sample);
+    const int x = static_cast<int>(ray.sample) % width, y = static_cast<int>(ray.sample) / width;
+    bool is_urgent = false;
+    for (const auto& [dx, dy] : {std::pair{-size, 0}, {size, 0}, {0, -size}, {0, size}}) {
+      if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= setup_.params.height) continue;
+      const auto other = seen_.find(static_cast<std::uint32_t>((y + dy) * width + x + dx));
+      is_urgent = is_urgent || (other != seen_.end() && other->second != object);
+      this_process().charge(setup_.cell_judged);
+    }
+    for (const auto sample : setup_.cells.divide(ray.sample, get_area(setup_.params))) {
+      auto primary = make_primary_of(sample, 0);
+      primary.is_urgent = is_urgent;
+      primary.order = ray.order;
+      deposit(primary);
+    }
+  }
+
+  void set_limits(const Limits& limits, std::uint8_t order = 0) {
+    limits_ = limits;
+    out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, bytes_of(limits)});
+    rays_db_is_empty_ = false;
+  }
+
+  // No ray of the phase is left anywhere: the next limits are set, or the phase ends.
+  void next_stage() {
+    if (mode_ == Mode::interactive && stage_ + 1 < setup_.stages.size()) {
+      ++stage_;
+      keep(fmt::format("stage{}", stage_));
+      set_limits(setup_.stages[stage_]);
+    } else {
+      mode_ = mode_ == Mode::interactive ? Mode::null : Mode::ended;
+    }
+  }
+
+  const CoordinationSetup& setup_;
+  CoordinationChannels to_;
+  Mode mode_ = Mode::null;
+  bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
+  std::size_t rays_in_farm_ = 0, stage_ = 0;
+  // What shading a ray gives.
+  struct Shaded {
+    renderer::Children rays;
+    renderer::Rgb contribution;
+  };
+  Shaded shaded_, scratch_;
+  std::optional<Ledger> ledger_;  // with adaptive sampling
+  Progress& progress_;
+  Limits limits_;                                          // that are set
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // objects at samples, to divide by
+};
+
+}  // namespace
+
+void coordination(const CoordinationSetup& setup, CoordinationChannels channels,
+                  Progress& progress) {
+  Coordinator(setup, channels, progress).run();
+}
+
+std::vector<renderer::Area> make_blocks(const renderer::Params& params, Block size) {
+  const renderer::Area area = renderer::get_area(params);
+  std::vector<renderer::Area> blocks;
+  for (int y = area.y; y < area.y + area.height; y += size.height)
+    for (int x = area.x; x < area.x + area.width; x += size.width)
+      blocks.push_back({x, y, std::min(size.width, area.x + area.width - x),
+                        std::min(size.height, area.y + area.height - y)});
+  return blocks;
+}
+
+void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages load,
+                        CoordinationChannels to, Progress& progress) {
+  wait_for<Begin>(to.from_interaction);
+  send_scene(to, load);
+  progress.begin();
+  std::size_t next = 0, in_farm = 0;
+  bool sender_is_ready = false;
+  Signal dummy;
+  Answer found;
+  while (turn(next < blocks.size() || in_farm > 0))
+    pri_alt(when(!sender_is_ready, to.from_sender, dummy, [&] { sender_is_ready = true; }),
+            otherwise(sender_is_ready && next < blocks.size(),
+                      [&] {
+                        out(to.into_sender, Task{blocks[next++], BLOCK_BYTES});
+                        sender_is_ready = false;
+                        progress.note_task(++in_farm);
+                      }),
+            when(to.from_workers, found, [&] {
+              --in_farm;
+              progress.rays += std::get<RenderedBlock>(found.content)->rays;
+              out(to.into_visualisation, found);
+            }));
+  progress.end();
+  wait_for<Leave>(to.from_interaction);
+  stop_all(to, sender_is_ready);
+}
+
+}  // namespace farm
