@@ -59,7 +59,8 @@ std::vector<std::string> note_short(const std::vector<KernelUse>& uses);
 class KernelCost {
  public:
   /// With `cycles_per_host_s` host time is charged instead of counts; with `profile` it is measured
-  /// in any case, roughly: each call by itself.
+  /// in any case, roughly: call by call, but of short calls only some, since to read the clock may
+  /// take longer than a call.
   KernelCost(std::string name, ByModel<machine::OperationCosts> counted,
              std::optional<double> cycles_per_host_s, bool profile = false)
       : counted_(std::move(counted)), cycles_per_host_s_(cycles_per_host_s), profile_(profile) {
@@ -73,7 +74,7 @@ class KernelCost {
   template <class Kernel>
   auto operator()(Kernel kernel) {
     renderer::Work work;
-    const double start_s = profile_ ? host_cpu_s() : 0;
+    const double start_s = is_profiled() ? host_cpu_s() : 0;
     auto result = kernel(work);
     note_profile(start_s);
     charge(work, [&] { return make_replay(std::move(kernel)); });
@@ -84,7 +85,7 @@ class KernelCost {
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;
-    const double start_s = profile_ ? host_cpu_s() : 0;
+    const double start_s = is_profiled() ? host_cpu_s() : 0;
     kernel(state, work);
     note_profile(start_s);
     charge(work, [&] { return make_replay(std::move(kernel), scratch); });
@@ -144,14 +145,14 @@ class KernelCost {
   void charge(const renderer::Work& work, Make make) {
     machine::this_process().charge(eval(counted_.here()(work.counts), std::move(make)));
   }
-  void note_profile(double start_s) {
-    if (profile_) profile_s_ += std::max(0.0, host_cpu_s() - start_s - clock_interval_s());
-  }
+  bool is_profiled() const { return profile_ && use_.calls == next_profiled_; }
+  void note_profile(double start_s);
 
   ByModel<machine::OperationCosts> counted_;
   std::optional<double> cycles_per_host_s_;
   bool profile_;
   double profile_s_ = 0;
+  std::uint64_t next_profiled_ = 0;  // the number of the call that is measured next
   std::unique_ptr<Timed> timed_;  // where costs are timed
   KernelUse use_;
   machine::Seconds charged_s_{};

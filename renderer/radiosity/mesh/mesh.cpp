@@ -304,7 +304,8 @@ class Builder {
   }
 
  private:
-  // Halves the patches that creases may make of each face until the room has as few as are allowed.
+  // Finds how many patches creases may make of each face, as many as the room may have: halved until
+  // they are few enough, then as many more as are still allowed.
   void limit_creases() {
     if (room_.creases.empty()) return;
     const auto count = [&] {
@@ -320,7 +321,13 @@ class Builder {
     const std::size_t plain = count_patches(room_, params_.refine);
     const std::size_t most =
         std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
-    for (growth_ = MOST_FACE_GROWTH; growth_ > 1 && count() > most;) growth_ /= 2;
+    growth_ = MOST_FACE_GROWTH;
+    while (growth_ > 1 && count() > most) growth_ /= 2;
+    if (growth_ == MOST_FACE_GROWTH) return;
+    for (int more = growth_ / 2; more > 0; more /= 2) {
+      growth_ += more;
+      if (count() > most) growth_ -= more;
+    }
   }
 
   std::vector<Fringe> make_fringes() const {

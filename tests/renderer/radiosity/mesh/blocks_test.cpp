@@ -112,6 +112,41 @@ TEST(Blocks, AnyRoomIsCutAlongItsCreases) {
   EXPECT_LT(count.left_out, count.creases / 100);
 }
 
+// Where creases would make too many patches, as many are cut as the room may have: no few are left
+// out for one patch too many.
+TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
+  std::size_t limited = 0;
+  double fullest = 0, emptiest = 1;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Room room = make_blocks(seed, 3).room;
+    room.creases = find_creases(room);
+    MeshParams params;
+    const std::size_t plain = count_patches(room, params.refine);
+    params.crease_growth = 1000;
+    const Mesh all = make_mesh(room, params);
+    EXPECT_LE(all.patches.size(), 1000 * plain);
+    params.crease_growth = 3;
+    const std::size_t allowed = std::max<std::size_t>(2000, 3 * plain);
+    const Mesh some = make_mesh(room, params);
+    if (all.patches.size() <= allowed) {
+      EXPECT_EQ(some.patches.size(), all.patches.size());
+      EXPECT_EQ(some.left_out, all.left_out);
+      continue;
+    }
+    ++limited;
+    const double full = double(some.patches.size()) / double(allowed);
+    fullest = std::max(fullest, full);
+    emptiest = std::min(emptiest, full);
+    EXPECT_GT(some.left_out, all.left_out);
+  }
+  std::printf("%zu rooms with %.2f to %.2f of the patches that they may have\n", limited, emptiest,
+              fullest);
+  EXPECT_GT(limited, 5u);
+  EXPECT_LE(fullest, 1);
+  EXPECT_GT(emptiest, 0.8);
+}
+
 bool is_within(const Block& block, const Vec& p, double margin) {
   const auto ring = block.ring(p.z);
   return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&  // (the ring is at the point's height)
