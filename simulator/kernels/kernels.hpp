@@ -153,7 +153,7 @@ class KernelCost {
   bool profile_;
   double profile_s_ = 0;
   std::uint64_t next_profiled_ = 0;  // the number of the call that is measured next
-  std::unique_ptr<Timed> timed_;  // where costs are timed
+  std::unique_ptr<Timed> timed_;     // where costs are timed
   KernelUse use_;
   machine::Seconds charged_s_{};
 };

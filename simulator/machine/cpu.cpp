@@ -8,7 +8,14 @@ namespace machine {
 
 namespace {
 constexpr double HAIR = 1e-9;  // time slices: a date that is a tick may be rounded off it
+
+Process& take_first(std::vector<Process*>& queue) {
+  Process& first = *queue.front();
+  queue.erase(queue.begin());
+  return first;
 }
+
+}  // namespace
 
 std::uint32_t CpuDiary::number_of(const std::string& name) {
   if (!observer_) return 0;
@@ -20,10 +27,10 @@ std::uint32_t CpuDiary::number_of(const std::string& name) {
 
 void CpuDiary::note(const Process& process, Observer::Doing doing, Seconds from, Seconds to) {
   if (!observer_ || to <= from) return;
-  for (; !spans_.empty() && spans_.front().to <= from; spans_.pop_front()) {
-    const Span& over = spans_.front();
-    observer_->ran(processor_, over.process, over.doing, over.from, over.to);
-  }
+  auto over = spans_.begin();
+  for (; over != spans_.end() && over->to <= from; ++over)
+    observer_->ran(processor_, over->process, over->doing, over->from, over->to);
+  spans_.erase(spans_.begin(), over);
   spans_.push_back({process.trace_id(), doing, from, to});
 }
 
@@ -80,13 +87,9 @@ void Cpu::dispatch() {
   dispatching_ = false;
   if (stopped()) return engine_.ignore_event();
   if (!high_queue_.empty()) {
-    Process& next = *high_queue_.front();
-    high_queue_.pop_front();
-    execute(next);
+    execute(take_first(high_queue_));
   } else if (!low_queue_.empty()) {
-    Process& next = *low_queue_.front();
-    low_queue_.pop_front();
-    begin_slice(next);
+    begin_slice(take_first(low_queue_));
   }
 }
 

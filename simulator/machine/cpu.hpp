@@ -6,7 +6,6 @@
 // slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <limits>
 #include <map>
 #include <string>
@@ -68,7 +67,7 @@ class CpuDiary {
  private:
   const Processor& processor_;
   Observer* observer_ = nullptr;
-  std::deque<Span> spans_;  // not told yet
+  std::vector<Span> spans_;  // not told yet
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
 
@@ -159,7 +158,7 @@ class Cpu {
   Engine& engine_;
   const Model& model_;
   Processor& processor_;
-  std::deque<Process*> high_queue_, low_queue_;  // ready
+  std::vector<Process*> high_queue_, low_queue_;  // ready; few
   Process* running_ = nullptr;                   // has the CPU; null when idle
   Process* interrupted_ = nullptr;               // the low process that lost it to a high one
   Seconds free_at_{};                            // when the last high-priority process gave it up

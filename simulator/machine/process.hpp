@@ -57,15 +57,14 @@ class Process {
   }
   void charge(Seconds duration);
   /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
-  inline void sync();
+  /// Returns whether others may have run meanwhile.
+  inline bool sync();
   void sync_if_low() {
     if (priority_ == Priority::low) sync();
   }
   /// The same before it meets others: a high process syncs if it owes so much that the speed of the
   /// CPU, which the links' DMA changes, is not certain so far ahead.
-  void sync_if_long() {
-    if (priority_ == Priority::low || debt_ > LONG_DEBT) sync();
-  }
+  bool sync_if_long() { return (priority_ == Priority::low || debt_ > LONG_DEBT) && sync(); }
   /// Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(Wait& wait);
   /// Pays the debt, and returns the time. Throws Misuse outside of this process.

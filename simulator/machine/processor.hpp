@@ -114,8 +114,10 @@ class Processor {
   std::exception_ptr failure_;
 };
 
-inline void Process::sync() {
-  if (debt_.value > 0 || processor_.cpu().is_interrupted(*this)) suspend();
+inline bool Process::sync() {
+  if (debt_.value <= 0 && !processor_.cpu().is_interrupted(*this)) return false;
+  suspend();
+  return true;
 }
 
 inline Seconds Process::own_time() const {

@@ -120,8 +120,8 @@ std::size_t select(std::span<const Guard> guards) {
     looks_at_others |= guard.channel->joins_cpus();
   }
   auto settle = [&] {
-    if (looks_at_others) self.sync();
-    self.sync_if_long();
+    const bool waited = looks_at_others && self.sync();
+    return self.sync_if_long() || waited;
   };
   auto some_ready = [&] {
     return std::ranges::any_of(
@@ -140,8 +140,7 @@ std::size_t select(std::span<const Guard> guards) {
   };
   spend_enabling();
   bool ready = some_ready();
-  if (!ready) {
-    settle();
+  if (!ready && settle()) {
     ready = some_ready();
     spend_enabling();
   }

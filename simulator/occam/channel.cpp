@@ -59,8 +59,10 @@ void ChannelBase::check_may_take(Side side, Process& self) {
 void ChannelBase::pay(Cycles instructions, Cycles copy) {
   charge(instructions);
   this_process().charge(copy);
-  if (joins_cpus() && !hard()) return this_process().sync();
-  this_process().sync_if_long();
+  if (joins_cpus() && !hard())
+    this_process().sync();
+  else
+    this_process().sync_if_long();
 }
 
 // Spends what the operation takes up to the rendezvous. The partner may come while a low-priority

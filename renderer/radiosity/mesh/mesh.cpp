@@ -304,8 +304,8 @@ class Builder {
   }
 
  private:
-  // Finds how many patches creases may make of each face, as many as the room may have: halved until
-  // they are few enough, then as many more as are still allowed.
+  // Finds how many patches creases may make of each face, as many as the room may have: halved
+  // until they are few enough, then as many more as are still allowed.
   void limit_creases() {
     if (room_.creases.empty()) return;
     const auto count = [&] {

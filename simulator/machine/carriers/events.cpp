@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "base/errors.hpp"
+
 namespace machine {
 
 namespace {
@@ -12,21 +14,22 @@ void request_stop() { stop_requested = 1; }
 
 void Events::ask(double date, std::uint64_t order, Callback callback) {
   if (free_.empty()) {
+    if (callbacks_.size() >> PLACE_BITS != 0) throw base::InvariantBroken("too many events to come");
     free_.push_back(static_cast<std::uint32_t>(callbacks_.size()));
     callbacks_.emplace_back();
   }
   const std::uint32_t place = free_.back();
   free_.pop_back();
   callbacks_[place] = callback;
-  heap_.push({date, order, place});
+  heap_.push({date, order << PLACE_BITS | place});
 }
 
 void Events::handle_next() {
   const Event event = heap_.top();
   heap_.pop();
-  free_.push_back(event.callback);
+  free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date;
-  handle(callbacks_[event.callback]);
+  handle(callbacks_[event.place()]);
 }
 
 void Events::handle(Callback callback) {
@@ -39,11 +42,11 @@ void Events::handle(Callback callback) {
   ignored_ = false;
   callback();
   if (!ignored_) last_useful_ = now_;
-  while (!soon_.empty() && !stopped_) {
-    soon_now_.swap(soon_);
-    for (auto& then : soon_now_) then();
-    soon_now_.clear();
+  for (std::size_t i = 0; i < soon_.size() && !stopped_; ++i) {
+    Callback then = soon_[i];  // which may ask for more
+    then();
   }
+  soon_.clear();
 }
 
 void Events::stop(End why) {

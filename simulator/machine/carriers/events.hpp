@@ -34,7 +34,7 @@ class Events {
   void set_pace(Pace* pace) { pace_ = pace; }
   Pace* pace() const { return pace_; }
 
-  /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
+  /// Asks for a callback at `date`, not before now; at most 2^24 at a time. Those of one date come in the order they were
   /// asked for; those asked for as first before all others.
   void at(double date, Callback callback) { ask(date, asked_++, callback); }
   void first_at(double date, Callback callback) { ask(date, asked_first_++, callback); }
@@ -65,15 +65,16 @@ class Events {
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:
-  static constexpr std::uint64_t FIRST = 1u
-                                         << 31;  // orders from here on are not asked for as first
+  // Orders from here on are not asked for as first.
+  static constexpr std::uint64_t FIRST = std::uint64_t{1} << 38;
+  static constexpr int PLACE_BITS = 24;  // of the events in the heap at one time
 
   struct Event {
     double date;
-    std::uint64_t order;
-    std::uint32_t callback;                 // its place
+    std::uint64_t order_and_place;  // what it is asked for as, before its callback's place
+    std::size_t place() const { return order_and_place & ((std::size_t{1} << PLACE_BITS) - 1); }
     bool operator<(const Event& o) const {  // for a heap whose top is the next event
-      return date != o.date ? date > o.date : order > o.order;
+      return date > o.date || (date == o.date && order_and_place > o.order_and_place);
     }
   };
   void ask(double date, std::uint64_t order, Callback callback);
@@ -82,7 +83,7 @@ class Events {
   boost::heap::d_ary_heap<Event, boost::heap::arity<4>> heap_;
   std::vector<Callback> callbacks_;  // of the events in the heap, which moves them often
   std::vector<std::uint32_t> free_;  // places
-  std::vector<Callback> soon_, soon_now_;
+  std::vector<Callback> soon_;
   std::uint64_t asked_first_ = 0, asked_ = FIRST, handled_ = 0;
   Pace* pace_ = nullptr;
   bool stopped_ = false, ignored_ = false;

@@ -44,7 +44,7 @@ void Forecast::end(std::size_t direction, double date) {
 
 // SimGrid solves a link's newest message first; this decides which of two ends that fall on the
 // same date comes first.
-void Forecast::settle() {
+void Forecast::foresee_changed() {
   for (const std::size_t number : changed_) {
     Link& link = links_[number];
     link.changed = false;

@@ -17,8 +17,13 @@ class Forecast {
   /// seconds, ascending.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
-  /// Foresees the ends on the links where messages have started or ended.
-  void settle();
+  /// Foresees the ends on the links where messages have started or ended. Returns whether there
+  /// were any.
+  bool settle() {
+    if (changed_.empty()) return false;
+    foresee_changed();
+    return true;
+  }
 
   /// The bytes of a message that are left at `date`, if none starts or ends on its link before; 0
   /// without one.
@@ -69,6 +74,7 @@ class Forecast {
     }
   };
   const Way& way(std::size_t direction) const { return links_[direction / 2].ways[direction % 2]; }
+  void foresee_changed();
   void drop_top();
   static double left(const Link& link, std::size_t way, double date);
   Link& change(std::size_t direction, double date);
