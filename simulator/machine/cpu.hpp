@@ -159,10 +159,10 @@ class Cpu {
   const Model& model_;
   Processor& processor_;
   std::vector<Process*> high_queue_, low_queue_;  // ready; few
-  Process* running_ = nullptr;                   // has the CPU; null when idle
-  Process* interrupted_ = nullptr;               // the low process that lost it to a high one
-  Seconds free_at_{};                            // when the last high-priority process gave it up
-  bool dispatching_ = false;                     // dispatch() is due
+  Process* running_ = nullptr;                    // has the CPU; null when idle
+  Process* interrupted_ = nullptr;                // the low process that lost it to a high one
+  Seconds free_at_{};                             // when the last high-priority process gave it up
+  bool dispatching_ = false;                      // dispatch() is due
   High high_;
   Low low_;
   Timer low_timer_;

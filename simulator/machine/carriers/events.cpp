@@ -14,7 +14,8 @@ void request_stop() { stop_requested = 1; }
 
 void Events::ask(double date, std::uint64_t order, Callback callback) {
   if (free_.empty()) {
-    if (callbacks_.size() >> PLACE_BITS != 0) throw base::InvariantBroken("too many events to come");
+    if (callbacks_.size() >> PLACE_BITS != 0)
+      throw base::InvariantBroken("too many events to come");
     free_.push_back(static_cast<std::uint32_t>(callbacks_.size()));
     callbacks_.emplace_back();
   }
