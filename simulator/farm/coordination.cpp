@@ -1,5 +1,6 @@
 #include "simulator/farm/coordination.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <unordered_map>
 

@@ -73,15 +73,17 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
   return charged;
 }
 
-// A call that is short beside the clock's own time stands for those that follow it, too: a prime
-// number of them, so that it is not always a ray of one kind.
+// The call stands for those since the last that was measured. Where calls have been short beside
+// the clock's own time, one of 17 is measured: a prime number, or it might be the same kind of ray
+// each time.
 void KernelCost::note_profile(double start_s) {
-  if (!is_profiled()) return;
+  constexpr std::uint64_t SAMPLED = 17;
   const double interval_s = clock_interval_s();
-  const double call_s = std::max(0.0, host_cpu_s() - start_s - interval_s);
-  const int stands_for = call_s < KernelTimer::LEAST_INTERVALS * interval_s ? 17 : 1;
-  profile_s_ += stands_for * call_s;
-  next_profiled_ += static_cast<std::uint64_t>(stands_for);
+  profile_s_ += static_cast<double>(each_of_) * std::max(0.0, host_cpu_s() - start_s - interval_s);
+  profiled_ += each_of_;
+  const double mean_s = profile_s_ / static_cast<double>(profiled_);
+  each_of_ = mean_s < KernelTimer::LEAST_INTERVALS * interval_s ? SAMPLED : 1;
+  next_profiled_ = use_.calls + each_of_;
 }
 
 machine::OperationCosts intersection_costs(const machine::Model& model) {

@@ -74,9 +74,9 @@ class KernelCost {
   template <class Kernel>
   auto operator()(Kernel kernel) {
     renderer::Work work;
-    const double start_s = is_profiled() ? host_cpu_s() : 0;
+    const auto start_s = begin_profile();
     auto result = kernel(work);
-    note_profile(start_s);
+    if (start_s) note_profile(*start_s);
     charge(work, [&] { return make_replay(std::move(kernel)); });
     return result;
   }
@@ -85,9 +85,9 @@ class KernelCost {
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;
-    const double start_s = is_profiled() ? host_cpu_s() : 0;
+    const auto start_s = begin_profile();
     kernel(state, work);
-    note_profile(start_s);
+    if (start_s) note_profile(*start_s);
     charge(work, [&] { return make_replay(std::move(kernel), scratch); });
     return work;
   }
@@ -109,7 +109,7 @@ class KernelCost {
   const machine::OperationCosts& counted() const { return counted_.here(); }
   machine::Cycles charged() const { return use_.charged; }   ///< for all calls
   machine::Seconds charged_s() const { return charged_s_; }  ///< the same as time
-  double profile_s() const { return profile_s_; }            ///< host time of all calls
+  double profile_s() const { return profile_s_; }            ///< host time of all calls, about
   KernelUse use() const;
 
  private:
@@ -145,14 +145,20 @@ class KernelCost {
   void charge(const renderer::Work& work, Make make) {
     machine::this_process().charge(eval(counted_.here()(work.counts), std::move(make)));
   }
-  bool is_profiled() const { return profile_ && use_.calls == next_profiled_; }
+  // The clock, if this call is to be measured.
+  std::optional<double> begin_profile() const {
+    const bool is_profiled = profile_ && use_.calls >= next_profiled_;
+    return is_profiled ? std::optional(host_cpu_s()) : std::nullopt;
+  }
   void note_profile(double start_s);
 
   ByModel<machine::OperationCosts> counted_;
   std::optional<double> cycles_per_host_s_;
   bool profile_;
   double profile_s_ = 0;
-  std::uint64_t next_profiled_ = 0;  // the number of the call that is measured next
+  std::uint64_t profiled_ = 0;       // calls that this is the time of
+  std::uint64_t each_of_ = 1;        // one of so many calls is measured
+  std::uint64_t next_profiled_ = 0;  // the number of the one that is measured next
   std::unique_ptr<Timed> timed_;     // where costs are timed
   KernelUse use_;
   machine::Seconds charged_s_{};

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "simulator/machine/engine.hpp"
 #include "simulator/machine/model.hpp"
@@ -158,7 +159,7 @@ class Cpu {
   Engine& engine_;
   const Model& model_;
   Processor& processor_;
-  std::vector<Process*> high_queue_, low_queue_;  // ready; few
+  std::vector<Process*> high_queue_, low_queue_;  // ready; seldom more than a few
   Process* running_ = nullptr;                    // has the CPU; null when idle
   Process* interrupted_ = nullptr;                // the low process that lost it to a high one
   Seconds free_at_{};                             // when the last high-priority process gave it up

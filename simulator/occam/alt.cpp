@@ -119,6 +119,7 @@ std::size_t select(std::span<const Guard> guards) {
     guard.channel->take_input(self);
     looks_at_others |= guard.channel->joins_cpus();
   }
+  // Returns whether others may have run.
   auto settle = [&] {
     const bool waited = looks_at_others && self.sync();
     return self.sync_if_long() || waited;

@@ -304,8 +304,8 @@ class Builder {
   }
 
  private:
-  // Finds how many patches creases may make of each face, as many as the room may have: halved
-  // until they are few enough, then as many more as are still allowed.
+  // Finds the largest growth of a face with which the room has no more patches than it may: halves
+  // it until that is so, then raises it by bisection.
   void limit_creases() {
     if (room_.creases.empty()) return;
     const auto count = [&] {

@@ -43,16 +43,16 @@ class Direct final : public Carrier {
         continue;
       }
       // Links that have changed are looked at again only when the clock is about to go on.
-      double end = forecast_.next_date();
-      const bool together = end < last_end + PICOSECOND;
-      if (!together && forecast_.settle()) end = forecast_.next_date();
+      double next_end = forecast_.next_date();
+      const bool together = next_end < last_end + PICOSECOND;
+      if (!together && forecast_.settle()) next_end = forecast_.next_date();
       if (events_.pace() && !together && !may_go_on()) continue;
-      if (events_.next() <= end) {
+      if (events_.next() <= next_end) {
         if (events_.next() == Events::NEVER) return;
         events_.handle_next();
         continue;
       }
-      if (!together) last_end = end;
+      if (!together) last_end = next_end;
       const std::size_t direction = forecast_.next().direction;
       events_.advance(last_end);
       forecast_.end(direction, events_.now());

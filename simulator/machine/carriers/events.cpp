@@ -1,5 +1,7 @@
 #include "simulator/machine/carriers/events.hpp"
 
+#include <fmt/format.h>
+
 #include <csignal>
 
 #include "base/errors.hpp"
@@ -13,9 +15,12 @@ volatile std::sig_atomic_t stop_requested = 0;
 void request_stop() { stop_requested = 1; }
 
 void Events::ask(double date, std::uint64_t order, Callback callback) {
+  if (order >> (64 - PLACE_BITS) != 0)
+    throw base::InvariantBroken(fmt::format("{} events asked for: too many to tell apart", order));
   if (free_.empty()) {
     if (callbacks_.size() >> PLACE_BITS != 0)
-      throw base::InvariantBroken("too many events to come");
+      throw base::InvariantBroken(
+          fmt::format("{} events to come, which is the most", callbacks_.size()));
     free_.push_back(static_cast<std::uint32_t>(callbacks_.size()));
     callbacks_.emplace_back();
   }

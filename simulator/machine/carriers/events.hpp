@@ -34,7 +34,7 @@ class Events {
   void set_pace(Pace* pace) { pace_ = pace; }
   Pace* pace() const { return pace_; }
 
-  /// Asks for a callback at `date`, not before now; at most 2^24 at a time. Those of one date come
+  /// Asks for a callback at `date`, not before now. Those of one date come
   /// in the order they were asked for; those asked for as first before all others.
   void at(double date, Callback callback) { ask(date, asked_++, callback); }
   void first_at(double date, Callback callback) { ask(date, asked_first_++, callback); }
@@ -71,7 +71,7 @@ class Events {
 
   struct Event {
     double date;
-    std::uint64_t order_and_place;  // what it is asked for as, before its callback's place
+    std::uint64_t order_and_place;  // of being asked for, above its callback's place
     std::size_t place() const { return order_and_place & ((std::size_t{1} << PLACE_BITS) - 1); }
     bool operator<(const Event& o) const {  // for a heap whose top is the next event
       return date > o.date || (date == o.date && order_and_place > o.order_and_place);
