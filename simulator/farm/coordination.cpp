@@ -4,7 +4,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "simulator/farm/ledger.hpp"
+#include "simulator/farm/rays/ledger.hpp"
 #include "simulator/occam/alt.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 // The coordination at the farm's centre, in two kinds: it hands out rays (thesis, 4.3.6.3), or
 // blocks of pixels.
-#include "simulator/farm/cells.hpp"
 #include "simulator/farm/messages.hpp"
 #include "simulator/farm/progress.hpp"
+#include "simulator/farm/rays/cells.hpp"
 #include "simulator/tracing/rendering.hpp"
 
 namespace farm {

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "renderer/trace/render.hpp"
-#include "simulator/farm/ray_stores.hpp"
+#include "simulator/farm/rays/ray_stores.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/occam/channel.hpp"
 #include "simulator/tracing/session.hpp"

@@ -1,5 +1,5 @@
 // Image cells, their orders, and the display's picture against a plain oracle.
-#include "simulator/farm/cells.hpp"
+#include "simulator/farm/rays/cells.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The ray database's stores against a plain oracle.
-#include "simulator/farm/ray_stores.hpp"
+#include "simulator/farm/rays/ray_stores.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulator/farm/cells.hpp"
+#include "simulator/farm/rays/cells.hpp"
 
 namespace farm {
 

@@ -1,4 +1,4 @@
-#include "simulator/farm/ray_stores.hpp"
+#include "simulator/farm/rays/ray_stores.hpp"
 
 #include <algorithm>
 #include <cmath>

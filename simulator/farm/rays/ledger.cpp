@@ -1,4 +1,4 @@
-#include "simulator/farm/ledger.hpp"
+#include "simulator/farm/rays/ledger.hpp"
 
 namespace farm {
 

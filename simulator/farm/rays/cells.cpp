@@ -1,4 +1,4 @@
-#include "simulator/farm/cells.hpp"
+#include "simulator/farm/rays/cells.hpp"
 
 #include <algorithm>
 #include <bit>
