@@ -9,9 +9,9 @@ namespace machine {
 namespace {
 constexpr double HAIR = 1e-9;  // time slices: a date that is a tick may be rounded off it
 
-Process& take_first(std::vector<Process*>& queue) {
+Process& take_first(std::deque<Process*>& queue) {
   Process& first = *queue.front();
-  queue.erase(queue.begin());
+  queue.pop_front();
   return first;
 }
 
@@ -70,7 +70,10 @@ void Cpu::make_ready(Process& process, Seconds at) {
   auto& queue = high ? high_queue_ : low_queue_;
   auto place = queue.end();
   while (place != queue.begin() && (*std::prev(place))->ready_at_ > at) --place;
-  queue.insert(place, &process);
+  if (place == queue.end())
+    queue.push_back(&process);  // insert() into an empty one takes new memory at its front
+  else
+    queue.insert(place, &process);
   if (!running_) return dispatch_at(free_at_);
   if (!high && low_.computing && !interrupted_) arm_low_timer();
 }

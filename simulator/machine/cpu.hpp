@@ -6,6 +6,7 @@
 // slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <limits>
 #include <map>
 #include <string>
@@ -159,11 +160,11 @@ class Cpu {
   Engine& engine_;
   const Model& model_;
   Processor& processor_;
-  std::vector<Process*> high_queue_, low_queue_;  // ready; seldom more than a few
-  Process* running_ = nullptr;                    // has the CPU; null when idle
-  Process* interrupted_ = nullptr;                // the low process that lost it to a high one
-  Seconds free_at_{};                             // when the last high-priority process gave it up
-  bool dispatching_ = false;                      // dispatch() is due
+  std::deque<Process*> high_queue_, low_queue_;  // ready
+  Process* running_ = nullptr;                   // has the CPU; null when idle
+  Process* interrupted_ = nullptr;               // the low process that lost it to a high one
+  Seconds free_at_{};                            // when the last high-priority process gave it up
+  bool dispatching_ = false;                     // dispatch() is due
   High high_;
   Low low_;
   Timer low_timer_;

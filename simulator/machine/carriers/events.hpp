@@ -34,8 +34,8 @@ class Events {
   void set_pace(Pace* pace) { pace_ = pace; }
   Pace* pace() const { return pace_; }
 
-  /// Asks for a callback at `date`, not before now. Those of one date come
-  /// in the order they were asked for; those asked for as first before all others.
+  /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
+  /// asked for; those asked for as first before all others.
   void at(double date, Callback callback) { ask(date, asked_++, callback); }
   void first_at(double date, Callback callback) { ask(date, asked_first_++, callback); }
   /// Asks for a callback when the event being handled is over, at the same instant.

@@ -19,6 +19,14 @@ struct Block {
   }
 };
 
+/// Whether a point is over the block and further than `margin` inside its sides.
+inline bool is_within(const Block& block, const Vec& p, double margin) {
+  const auto ring = block.ring(p.z);
+  return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&  // (the ring is at the point's height)
+         std::ranges::all_of(make_edge_planes(ring, {0, 0, 1}),
+                             [&](const Plane& edge) { return eval_height(edge, p) > margin; });
+}
+
 /// Adds the sides and the top, and the bottom if asked for.
 inline void add_block(Room& room, const Block& block, bool bottom, int n, int high) {
   const auto low = block.ring(block.low), top = block.ring(block.high);
