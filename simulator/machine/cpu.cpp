@@ -9,8 +9,9 @@ namespace machine {
 namespace {
 constexpr double HAIR = 1e-9;  // time slices: a date that is a tick may be rounded off it
 
-Process& take_first(std::deque<Process*>& queue) {
-  Process& first = *queue.front();
+template <class Queue>
+Process& take_first(Queue& queue) {
+  Process& first = queue.front();
   queue.pop_front();
   return first;
 }
@@ -69,11 +70,8 @@ void Cpu::make_ready(Process& process, Seconds at) {
   // First come, first served by simulated time: a process's own time may be ahead of the clock.
   auto& queue = high ? high_queue_ : low_queue_;
   auto place = queue.end();
-  while (place != queue.begin() && (*std::prev(place))->ready_at_ > at) --place;
-  if (place == queue.end())
-    queue.push_back(&process);  // insert() into an empty one takes new memory at its front
-  else
-    queue.insert(place, &process);
+  while (place != queue.begin() && std::prev(place)->ready_at_ > at) --place;
+  queue.insert(place, process);
   if (!running_) return dispatch_at(free_at_);
   if (!high && low_.computing && !interrupted_) arm_low_timer();
 }
@@ -223,7 +221,7 @@ void Cpu::compute(Process& low, Seconds time) {
 void Cpu::arm_low_timer() {
   if (!low_queue_.empty() && low_.gives_way_at == NEVER)
     low_.gives_way_at = std::max(
-        low_.slice_end, tick_of_slices(std::ceil(slices(low_queue_.front()->ready_at_) - HAIR)));
+        low_.slice_end, tick_of_slices(std::ceil(slices(low_queue_.front().ready_at_) - HAIR)));
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
@@ -248,7 +246,7 @@ void Cpu::low_timer() {
   low.remaining_ = speed_ * left;
   low.state_ = Process::State::ready;
   low.ready_at_ = now();
-  low_queue_.push_back(&low);
+  low_queue_.push_back(low);
   running_ = nullptr;
   dispatch();
 }

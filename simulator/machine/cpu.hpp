@@ -6,7 +6,7 @@
 // slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
 #include <algorithm>
 #include <array>
-#include <deque>
+#include <boost/intrusive/list.hpp>
 #include <limits>
 #include <map>
 #include <string>
@@ -67,8 +67,8 @@ class CpuDiary {
   std::vector<Span> untold(Seconds now) const;
 
  private:
-  const Processor& processor_;
   Observer* observer_ = nullptr;
+  const Processor& processor_;
   std::vector<Span> spans_;  // not told yet
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
@@ -116,12 +116,15 @@ class Cpu {
  private:
   static constexpr Seconds NEVER{std::numeric_limits<double>::infinity()};
 
+  using ReadyQueue = boost::intrusive::list<
+      Process, boost::intrusive::member_hook<Process, Process::ReadyHook, &Process::ready_hook_>>;
+
   // The high-priority process that has the CPU.
   struct High {
     bool computing = false;   // it has synced: its end moves with the speed
+    bool preempting = false;  // its next charge begins with a switch
     std::uint64_t id = 0;     // ends with another id are stale
     Seconds until{};          // up to when use_ already counts high-priority time
-    bool preempting = false;  // its next charge begins with a switch
   };
   // The low-priority process that is computing or interrupted.
   struct Low {
@@ -157,22 +160,23 @@ class Cpu {
   void low_timer();
   void account_low();  // what the low process has computed since low_.since
 
+  // What every process that comes and goes touches is first: the host fetches it together.
   Engine& engine_;
   const Model& model_;
   Processor& processor_;
-  std::deque<Process*> high_queue_, low_queue_;  // ready
-  Process* running_ = nullptr;                   // has the CPU; null when idle
-  Process* interrupted_ = nullptr;               // the low process that lost it to a high one
-  Seconds free_at_{};                            // when the last high-priority process gave it up
-  bool dispatching_ = false;                     // dispatch() is due
+  Process* running_ = nullptr;      // has the CPU; null when idle
+  Process* interrupted_ = nullptr;  // the low process that lost it to a high one
+  ReadyQueue high_queue_, low_queue_;
+  Seconds free_at_{};  // when the last high-priority process gave it up
+  double speed_ = 1;   // share of the cycles that the links' DMA and a companion leave
+  Seconds stopped_at_ = NEVER;
+  bool dispatching_ = false;  // dispatch() is due
   High high_;
-  Low low_;
-  Timer low_timer_;
-  double speed_ = 1;  // share of the cycles that the links' DMA and a companion leave
-  std::array<double, 2 * BY_COMPANION + 1> stolen_{};
   CpuUse use_;
   CpuDiary diary_;
-  Seconds stopped_at_ = NEVER;
+  Low low_;
+  Timer low_timer_;
+  std::array<double, 2 * BY_COMPANION + 1> stolen_{};
 };
 
 }  // namespace machine

@@ -93,14 +93,14 @@ class LinkDirection {
   Seconds delay_;
   LinkUse use_;
   bool busy_ = false, cut_ = false;
-  bool moves_ = false;                  // it is no more delayed, and has bytes
-  std::optional<std::string> carries_;  // a channel
+  bool moves_ = false;  // it is no more delayed, and has bytes
   // The transfer under way:
   Seconds since_{};
   std::uint64_t bytes_ = 0;
   const std::string* channel_ = nullptr;
   Engine::Callback arrived_;
   Observer* observer_ = nullptr;
+  std::optional<std::string> carries_;  // a channel
 };
 
 }  // namespace machine

@@ -19,15 +19,25 @@ void throw_outside_of_process() {
 
 Process::Process(Processor& processor, std::string name, Priority priority, Body body)
     : processor_(processor),
-      id_(++last_id),
-      name_(std::move(name)),
       priority_(priority),
+      id_(++last_id),
+      coroutine_(processor.engine().make_coroutine(processor.id(), name, [this] { live(); })),
       body_(std::move(body)),
-      coroutine_(processor.engine().make_coroutine(processor.id(), name_, [this] { live(); })) {}
+      name_(std::move(name)) {}
+
+Process::Process(Processor& processor, std::string name, Priority priority, Task task)
+    : processor_(processor),
+      priority_(priority),
+      task_(std::move(task)),
+      id_(++last_id),
+      name_(std::move(name)) {}
 
 Process::~Process() {
   cancelled_ = true;
-  while (!coroutine_->has_ended()) resume();
+  while (coroutine_ && !coroutine_->has_ended()) resume();
+  Process* const other = std::exchange(executing, this);  // what the task destroys may ask
+  task_ = {};
+  executing = other;
 }
 
 void Process::live() {
@@ -42,13 +52,27 @@ void Process::live() {
   state_ = State::ended;
 }
 
+void Process::live_on() {
+  try {
+    if (!task_.go_on(*this) || debt_.value > 0) return;
+  } catch (const std::exception&) {
+    processor_.fail(std::current_exception());
+  }
+  state_ = State::ended;
+}
+
 void Process::resume() {
   executing = this;
-  coroutine_->resume();
+  if (coroutine_)
+    coroutine_->resume();
+  else
+    live_on();
   executing = nullptr;
 }
 
 void Process::suspend() {
+  if (!coroutine_)
+    throw base::InvariantBroken(name_ + " has no stack to wait on: a Task waits by co_await");
   coroutine_->suspend();
   if (cancelled_) throw Cancelled{};
 }
@@ -57,12 +81,16 @@ void Process::charge(Seconds duration) {
   charge(round_to_cycles(duration.value * processor_.clock().value));
 }
 
-void Process::block(Wait& wait) {
+void Process::start_wait(Wait& wait) {
   wait_ = &wait;
   waits_for_ = wait.kind();
   blocked_since_ = own_time();
   ++waits_;
   state_ = State::blocked;
+}
+
+void Process::block(Wait& wait) {
+  start_wait(wait);
   suspend();
 }
 
@@ -73,11 +101,19 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
+bool Process::sync() {
+  if (!must_sync()) return false;
+  suspend();
+  return true;
+}
+
 // A process that only computes would not let the run end at its limit; nor, if there is none, at a
 // failure, or when the user wants.
 void Process::sync_if_much() {
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();
-  if (executing == this && (debt_ > MOST_DEBT || earliest > processor_.engine().until())) sync();
+  if (executing == this && coroutine_ &&
+      (debt_ > MOST_DEBT || earliest > processor_.engine().until()))
+    sync();
 }
 
 Seconds Process::now() {

@@ -1,11 +1,14 @@
 #pragma once
-// A process of a simulated transputer: a body that runs on its own stack and spends cycles.
+// A process of a simulated transputer: a body that spends cycles, on a stack of its own or, if it
+// is a Task, without one.
 #include <array>
+#include <boost/intrusive/list_hook.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "simulator/machine/carriers/coroutine.hpp"
+#include "simulator/machine/task.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
@@ -42,8 +45,11 @@ class Process {
  public:
   enum class State : std::uint8_t { ready, running, blocked, ended };
   using Body = Coroutine::Body;
+  using ReadyHook = boost::intrusive::list_member_hook<
+      boost::intrusive::link_mode<boost::intrusive::normal_link>>;
 
   Process(Processor& processor, std::string name, Priority priority, Body body);
+  Process(Processor& processor, std::string name, Priority priority, Task task);
   ~Process();  ///< a body that has not ended is unwound
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -58,15 +64,33 @@ class Process {
   void charge(Seconds duration);
   /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
   /// Returns whether others may have run meanwhile.
-  inline bool sync();
+  bool sync();
   void sync_if_low() {
-    if (priority_ == Priority::low) sync();
+    if (must_sync_if_low()) suspend();
   }
-  /// The same before it meets others: a high process syncs if it owes so much that the speed of the
-  /// CPU, which the links' DMA changes, is not certain so far ahead.
-  bool sync_if_long() { return (priority_ == Priority::low || debt_ > LONG_DEBT) && sync(); }
   /// Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(Wait& wait);
+  /// An operation, to its end; returns it.
+  template <class SomeOperation>
+  SomeOperation&& carry_out(SomeOperation&& operation) {
+    while (!operation.go_on(*this)) suspend();
+    return std::forward<SomeOperation>(operation);
+  }
+
+  // --- called by its operations: what they have to do before they return that they are not over
+  // ---
+  /// Whether sync() would have to give the CPU up; then the operation does, once.
+  inline bool must_sync() const;
+  bool must_sync_if_low() const { return priority_ == Priority::low && must_sync(); }
+  /// The same before it meets others: a high process syncs if it owes so much that the speed of the
+  /// CPU, which the links' DMA changes, is not certain so far ahead.
+  bool must_sync_if_long() const {
+    return (priority_ == Priority::low || debt_ > LONG_DEBT) && must_sync();
+  }
+  /// From now on it is blocked, see block().
+  void start_wait(Wait& wait);
+  // ------------------------------------------------------------------------------------------------
+
   /// Pays the debt, and returns the time. Throws Misuse outside of this process.
   Seconds now();
   /// The clock plus the debt, as the CPU would pay it if nothing pre-empted the process and the
@@ -110,25 +134,29 @@ class Process {
   void resume();   // the CPU enters the body, until it suspends or ends
   void suspend();  // the body returns to the CPU
   void live();     // the body, and its end
+  void live_on();  // the same without a stack, from where it was
 
+  // What every wait and wake-up touches comes first: the host fetches it together.
   Processor& processor_;
-  ProcessId id_;
-  std::string name_;
-  Priority priority_;
   State state_ = State::blocked;
+  Priority priority_;
+  Wait::Kind waits_for_{};
+  bool cancelled_ = false, is_server_ = false;
+  ReadyHook ready_hook_;  // in its ready queue
   Cycles debt_{};
   Seconds ready_at_{};  // when it joined its ready queue
+  Task task_;           // the body without a stack
+  Wait* wait_ = nullptr;
+  Seconds blocked_since_{};
   std::uint64_t waits_ = 0;
   std::array<Seconds, 4> blocked_{};  // in waits that are over, by Wait::Kind
-  Wait::Kind waits_for_{};
-  Seconds blocked_since_{};
+  ProcessId id_;
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
-  Wait* wait_ = nullptr;
-  int wake_ups_ = 0;  // Processor::wake_at still to come
-  Body body_;
-  std::unique_ptr<Coroutine> coroutine_;
-  bool cancelled_ = false, is_server_ = false;
+  int wake_ups_ = 0;     // Processor::wake_at still to come
   std::uint32_t trace_id_ = 0;
+  std::unique_ptr<Coroutine> coroutine_;  // of a body with a stack
+  Body body_;
+  std::string name_;
 };
 
 [[noreturn]] void throw_outside_of_process();

@@ -6,20 +6,26 @@ Processor::Processor(Engine& engine, std::shared_ptr<const Model> model, int id,
                      std::shared_ptr<Memory> memory, std::string role, Code code)
     : engine_(engine),
       model_(std::move(model)),
+      software_factor_(code == Code::compiled ? model_->software.occam_factor : 1),
       id_(id),
+      cpu_(engine, *model_, *this),
       name_(std::move(name)),
       role_(std::move(role)),
-      software_factor_(code == Code::compiled ? model_->software.occam_factor : 1),
-      memory_(std::move(memory)),
-      cpu_(engine, *model_, *this) {}
+      memory_(std::move(memory)) {}
 
 Process& Processor::start(std::string name, Priority priority, Process::Body body) {
-  processes_.push_back(
-      std::make_unique<Process>(*this, std::move(name), priority, std::move(body)));
-  Process& process = *processes_.back();
-  cpu_.name_for_observer(process);
-  make_ready(process, now());
-  return process;
+  return start(std::make_unique<Process>(*this, std::move(name), priority, std::move(body)));
+}
+
+Process& Processor::start(std::string name, Priority priority, Task task) {
+  return start(std::make_unique<Process>(*this, std::move(name), priority, std::move(task)));
+}
+
+Process& Processor::start(std::unique_ptr<Process> process) {
+  Process& started = *processes_.emplace_back(std::move(process));
+  cpu_.name_for_observer(started);
+  make_ready(started, now());
+  return started;
 }
 
 void Processor::remove(const Process& process) {

@@ -53,6 +53,7 @@ class Processor {
 
   /// A new process, ready at once. The reference stays valid as long as the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
+  Process& start(std::string name, Priority priority, Task task);
   /// Forgets a process that has ended.
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.
@@ -98,26 +99,25 @@ class Processor {
   const std::exception_ptr& failure() const { return failure_; }
 
  private:
+  Process& start(std::unique_ptr<Process> process);
   void wake(Process& process, std::uint64_t wait, const bool* unless);
 
   Engine& engine_;
   std::shared_ptr<const Model> model_;
-  int id_;
-  std::string name_, role_;
   double software_factor_;
-  std::shared_ptr<Memory> memory_;
+  int id_;
   Processor* companion_ = nullptr;
+  std::exception_ptr failure_;
   Cpu cpu_;
+  std::string name_, role_;
+  std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
   std::vector<std::unique_ptr<Process>> removed_;  // a wake_at still refers to them
   std::size_t sweep_at_ = 16;                      // how many of them there may be
-  std::exception_ptr failure_;
 };
 
-inline bool Process::sync() {
-  if (debt_.value <= 0 && !processor_.cpu().is_interrupted(*this)) return false;
-  suspend();
-  return true;
+inline bool Process::must_sync() const {
+  return debt_.value > 0 || processor_.cpu().is_interrupted(*this);
 }
 
 inline Seconds Process::own_time() const {

@@ -1,5 +1,7 @@
 #include "simulator/network/store_and_forward.hpp"
 
+#include <boost/circular_buffer.hpp>
+
 #include "simulator/network/join.hpp"
 #include "simulator/occam/alt.hpp"
 
@@ -8,8 +10,6 @@ namespace network {
 using machine::Priority;
 
 namespace {
-
-constexpr int NODE_WAYS = topologies::PORTS + 1;
 
 std::string name(const machine::Processor& on, const char* what, int way) {
   return way < topologies::PORTS ? fmt::format("{}.{}{}", on.name(), what, way)
@@ -42,11 +42,7 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
     const auto& own = at(id).name();
     into_.emplace_back(own + ".into");
     delivered_.emplace_back(own + ".delivered");
-    Node node{&at(id),
-              std::vector(NODE_WAYS, std::vector<Channel<Pointer>*>(NODE_WAYS)),
-              std::vector<Channel<Signal>*>(NODE_WAYS),
-              std::vector<Channel<Pointer>*>(NODE_WAYS),
-              {0, 1, 2, 3}};
+    Node& node = nodes_.emplace_back(Node{&at(id)});
     const auto ways = ways_of(around[id]);
     for (int out : ways) {
       node.sent[out] = soft(signals_, name(at(id), "sent", out));
@@ -55,7 +51,6 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
         if (in != out || out == CLIENT)
           node.queue_in[out][in] = soft(pointers_, name(at(id), "queue", out));
     }
-    nodes_.push_back(std::move(node));
   }
   for (int id = 0; id < topology.processors; ++id) {
     for (const auto& neighbour : around[id]) {
@@ -69,19 +64,18 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
   }
 }
 
-template <class Body>
-void StoreAndForward::start(int id, const char* what, int way, Body body) {
+void StoreAndForward::start(int id, const char* what, int way, Task body) {
   machine::Processor& processor = *nodes_[id].processor;
   processor.start(name(processor, what, way), Priority::high, std::move(body)).set_server();
 }
 
 void StoreAndForward::start_way_out(int id, int way, Channel<Packet>* link) {
-  start(id, "queue", way, [this, id, way] { queue(nodes_[id], way); });
-  start(id, "sender", way, [this, id, way, link] { send(nodes_[id], way, link, delivered_[id]); });
+  start(id, "queue", way, queue(nodes_[id], way));
+  start(id, "sender", way, send(nodes_[id], way, link, delivered_[id]));
 }
 
 void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
-  start(id, "receiver", way, [this, id, way, link] { receive(id, way, link); });
+  start(id, "receiver", way, receive(id, way, link));
 }
 
 // Packets to a neighbour alternate over the links to it.
@@ -108,54 +102,54 @@ int StoreAndForward::guards_on_the_way(int from, int to) {
 }
 
 // The receiver of a link, or without a link the entry of the client's packets.
-void StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
+Task StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   const auto& model = nodes_[id].processor->model();
   const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),
                            get_instruction(model, "load")};
   Pointer packet;
   for (;;) {
     if (link)
-      in(*link, packet.to);
+      packet.to = co_await link->input();
     else
-      in(into_[id], packet);
+      packet = co_await into_[id].input();
     for (const occam::Cycles instruction : look_up) occam::charge(instruction);
-    out(*nodes_[id].queue_in[take_way_to(id, packet.to.to)][way], packet);
+    co_await nodes_[id].queue_in[take_way_to(id, packet.to.to)][way]->output(packet);
   }
 }
 
-void StoreAndForward::queue(const Node& node, int way) {
+Task StoreAndForward::queue(const Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
-  std::deque<Pointer> waiting;
+  boost::circular_buffer<Pointer> waiting(4);
   std::size_t favourite = 0;
   bool is_free = true;
   Signal dummy;
   for (;;) {
-    pri_alt(when(!is_free, *node.sent[way], dummy, [&] { is_free = true; }),
-            each(inputs, favourite, [&](std::size_t input, Pointer packet) {
-              waiting.push_back(packet);
-              longest_queue_ = std::max(longest_queue_, waiting.size());
-              favourite = (input + 1) % inputs.size();
-            }));
+    co_await alternative(when(!is_free, *node.sent[way], dummy, [&] { is_free = true; }),
+                         each(inputs, favourite, [&](std::size_t input, Pointer packet) {
+                           if (waiting.full()) waiting.set_capacity(2 * waiting.size());
+                           waiting.push_back(packet);
+                           longest_queue_ = std::max(longest_queue_, waiting.size());
+                           favourite = (input + 1) % inputs.size();
+                         }));
     if (is_free && !waiting.empty()) {
-      out(*node.to_sender[way], waiting.front());
+      co_await node.to_sender[way]->output(waiting.front());
       waiting.pop_front();
       is_free = false;
     }
   }
 }
 
-void StoreAndForward::send(const Node& node, int way, Channel<Packet>* link,
+Task StoreAndForward::send(const Node& node, int way, Channel<Packet>* link,
                            Channel<Pointer>& client) {
-  Pointer packet;
   for (;;) {
-    in(*node.to_sender[way], packet);
+    const Pointer packet = co_await node.to_sender[way]->input();
     if (link)
-      out(*link, packet.to);
+      co_await link->output(packet.to);
     else
-      out(client, packet);
-    out(*node.sent[way], Signal{});
+      co_await client.output(packet);
+    co_await node.sent[way]->output({});
   }
 }
 

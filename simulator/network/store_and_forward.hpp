@@ -20,6 +20,7 @@ namespace network {
 
 using occam::Channel;
 using occam::Signal;
+using occam::Task;
 
 struct Packet {
   int from = 0, to = 0;      ///< processors, as the topology numbers them
@@ -50,26 +51,28 @@ class StoreAndForward {
 
  private:
   static constexpr int CLIENT = topologies::PORTS;  // the way out to the processor's own client
+  static constexpr int WAYS = CLIENT + 1;
+  template <class Item>
+  using ByWay = std::array<Item, WAYS>;
 
   struct Node {
     machine::Processor* processor;
     // Into each way out's queue, from each receiver (by port) and the entry (CLIENT); null where
     // there is none. No packet goes back where it came from, except to its own client.
-    std::vector<std::vector<Channel<Pointer>*>> queue_in;
-    std::vector<Channel<Signal>*> sent;
-    std::vector<Channel<Pointer>*> to_sender;
+    ByWay<ByWay<Channel<Pointer>*>> queue_in{};
+    ByWay<Channel<Signal>*> sent{};
+    ByWay<Channel<Pointer>*> to_sender{};
     // By the lowest port to a neighbour, the port to it whose turn it is.
-    std::array<std::int8_t, topologies::PORTS> turn;
+    std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
   };
-  template <class Body>
-  void start(int id, const char* what, int way, Body body);
+  void start(int id, const char* what, int way, Task body);
   void start_way_out(int id, int way, Channel<Packet>* link);
   void start_way_in(int id, int way, Channel<Packet>* link);
   int take_way_to(int from, int to);
   int guards_of(int id, int way) const;
-  void receive(int id, int way, Channel<Packet>* link);
-  void queue(const Node& node, int way);
-  void send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
+  Task receive(int id, int way, Channel<Packet>* link);
+  Task queue(const Node& node, int way);
+  Task send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
 
   topologies::Topology topology_;
   topologies::RoutingTable routes_;

@@ -6,164 +6,197 @@ namespace occam {
 
 namespace {
 
-using Kind = Guard::Kind;
+using GuardKind = Guard::Kind;
 using Costs = machine::Model::Alternative;
 
 // `date` tells when: it is asked only where that matters.
 template <class Date>
 bool is_ready(const Process& self, const Guard& guard, Date date) {
   if (!guard.condition) return false;
-  if (guard.kind == Kind::timer) return date() >= date_of(self, guard.tick);
-  return guard.kind == Kind::skip ||
+  if (guard.kind == GuardKind::timer) return date() >= date_of(self, guard.tick);
+  return guard.kind == GuardKind::skip ||
          (guard.channel->has_output() && guard.channel->output_waits(date()));
 }
 
+// Of its replicator.
+Cycles turn(const Costs& costs, const Guard& guard) {
+  return guard.replicated ? costs.replicated : Cycles{};
+}
+Cycles modulo(const Costs& costs, const Guard& guard) {
+  return guard.is_fair ? costs.modulo : Cycles{};
+}
+
 Cycles cost_to_enable(const Costs& costs, const Guard& guard, bool ready) {
-  if (guard.kind == Kind::skip) return compiled(costs.enable_skip);
-  if (guard.kind == Kind::timer) return compiled(costs.enable_timer);
-  return compiled(guard.turn + (ready ? costs.enable_ready : costs.enable_not)) + guard.modulo;
+  if (guard.kind == GuardKind::skip) return compiled(costs.enable_skip);
+  if (guard.kind == GuardKind::timer) return compiled(costs.enable_timer);
+  return compiled(turn(costs, guard) + (ready ? costs.enable_ready : costs.enable_not)) +
+         modulo(costs, guard);
 }
 
 Cycles cost_to_disable(const Costs& costs, const Guard& guard) {
-  if (guard.kind == Kind::skip) return compiled(costs.disable_skip);
-  if (guard.kind == Kind::timer) return compiled(costs.disable_timer);
-  return compiled(guard.turn + costs.disable) + guard.modulo;
-}
-
-bool has_timer(std::span<const Guard> guards) {
-  return std::ranges::any_of(guards, [](const Guard& g) { return g.kind == Kind::timer; });
+  if (guard.kind == GuardKind::skip) return compiled(costs.disable_skip);
+  if (guard.kind == GuardKind::timer) return compiled(costs.disable_timer);
+  return compiled(turn(costs, guard) + costs.disable) + modulo(costs, guard);
 }
 
 bool any_cut(std::span<const Guard> guards) {
   return std::ranges::any_of(guards, [](const Guard& g) { return g.channel && g.channel->cut(); });
 }
 
-struct AltWait : machine::Wait {
-  explicit AltWait(std::span<const Guard> guards) : guards(guards) {}
-  std::string describe() const override {
-    std::string names;
-    for (const Guard& guard : guards)
-      if (guard.condition && guard.channel)
-        names += (names.empty() ? "alt on " : ", ") + guard.channel->name() +
-                 (guard.channel->cut() ? " (link cut)" : "");
-    return names;
+}  // namespace
+
+// What the guards cost, if none is ready; what a ready one adds is found when it is.
+Select::Select(std::span<const Guard> guards) : guards_(guards) {
+  const auto& costs = this_process().processor().model().alternative;
+  for (const Guard& guard : guards_) {
+    looks_at_others_ |= guard.condition && guard.channel && guard.channel->joins_cpus();
+    has_timer_ |= guard.kind == GuardKind::timer;
+    enabling_ += cost_to_enable(costs, guard, false);
+    disabling_ += cost_to_disable(costs, guard);
   }
-  std::vector<machine::ProcessId> waits_for() const override {
-    std::vector<machine::ProcessId> writers;
-    for (const Guard& guard : guards)
-      if (guard.condition && guard.channel && !guard.channel->cut() &&
-          guard.channel->last_writer() != 0)
-        writers.push_back(guard.channel->last_writer());
-    return writers;
+  enabling_ += compiled(has_timer_ ? costs.timer_setup : costs.setup);
+  disabling_ += compiled(costs.end);
+}
+
+std::string Select::describe() const {
+  std::string names;
+  for (const Guard& guard : guards_)
+    if (guard.condition && guard.channel)
+      names += (names.empty() ? "alt on " : ", ") + guard.channel->name() +
+               (guard.channel->cut() ? " (link cut)" : "");
+  return names;
+}
+
+std::vector<machine::ProcessId> Select::waits_for() const {
+  std::vector<machine::ProcessId> writers;
+  for (const Guard& guard : guards_)
+    if (guard.condition && guard.channel && !guard.channel->cut() &&
+        guard.channel->last_writer() != 0)
+      writers.push_back(guard.channel->last_writer());
+  return writers;
+}
+
+bool Select::go_on(Process& self) {
+  switch (stage_) {
+    case Stage::comes:
+      for (const Guard& guard : guards_)
+        if (guard.condition && guard.channel) guard.channel->take_input(self);
+      stage_ = Stage::enables;
+      if (must_settle(self)) return false;
+      [[fallthrough]];
+    case Stage::enables:
+      begin_ = self.own_time();
+      spend_enabling(self);
+      ready_ = some_ready(self);
+      if (ready_ || !must_settle(self)) return spend_wait(self);
+      stage_ = Stage::enables_late;
+      return false;
+    case Stage::enables_late:
+      ready_ = some_ready(self);
+      spend_enabling(self);
+      return spend_wait(self);
+    case Stage::waits:
+      return wait(self);
+    case Stage::has_waited:
+      for (const Guard& guard : guards_)
+        if (guard.condition && guard.channel) guard.channel->disable();
+      return spend_disabling(self);
+    case Stage::chooses:
+      return choose(self);
   }
-  Kind kind() const override { return Kind::alternative; }
-  std::span<const Guard> guards;
-};
+  return true;
+}
+
+// An output of another CPU can come from a time that is behind this process's own: whether it waits
+// is certain only when the clock has come so far.
+bool Select::must_settle(const Process& self) const {
+  return looks_at_others_ ? self.must_sync() : self.must_sync_if_long();
+}
+
+bool Select::some_ready(const Process& self) const {
+  return std::ranges::any_of(guards_, [&](const Guard& guard) {
+    return is_ready(self, guard, [&] { return self.own_time(); });
+  });
+}
+
+// The cost of alt, and of enabling each guard at its own turn.
+Cycles Select::cost_to_enable_all(const Process& self) const {
+  const auto may_be_ready = [](const Guard& guard) {
+    return guard.condition && (!guard.channel || guard.channel->has_output());
+  };
+  if (std::ranges::none_of(guards_, may_be_ready)) return enabling_;
+  const auto& costs = self.processor().model().alternative;
+  Cycles spent = compiled(has_timer_ ? costs.timer_setup : costs.setup);
+  for (const Guard& guard : guards_) {
+    const auto turn = [&] { return begin_ + self.processor().duration(spent); };
+    spent += cost_to_enable(costs, guard, is_ready(self, guard, turn));
+  }
+  return spent;
+}
+
+// An output may come while the guards are enabled: what that adds is spent when it is known.
+void Select::spend_enabling(Process& self) {
+  const Cycles known = cost_to_enable_all(self);
+  if (known < enabled_ && any_cut(guards_)) return;  // what was ready is not any more
+  self.charge(Cycles{known.value - enabled_.value});
+  enabled_ = known;
+}
+
+bool Select::spend_wait(Process& self) {
+  const auto& costs = self.processor().model().alternative;
+  if (has_timer_)
+    charge(ready_ ? costs.timer_wait_ready : costs.timer_wait_not);
+  else
+    charge(ready_ ? costs.wait_ready : costs.wait_not);
+  stage_ = Stage::waits;
+  return !must_settle(self) && wait(self);
+}
 
 // Blocks until an open guard may be ready.
-void wait_for_any(Process& self, std::span<const Guard> guards) {
+bool Select::wait(Process& self) {
+  if (ready_ || some_ready(self)) return spend_disabling(self);
   bool some_open = false;
-  for (const Guard& guard : guards) {
+  for (const Guard& guard : guards_) {
     if (!guard.condition) continue;
     some_open = true;
     if (guard.channel) guard.channel->enable(self);
-    if (guard.kind == Kind::timer)
+    if (guard.kind == Guard::Kind::timer)
       self.processor().wake_at(date_of(self, guard.tick), self, self.waits() + 1);
   }
   if (!some_open)
     throw machine::Misuse(self.name(), self.own_time(),
                           fmt::format("{} on {} is in an ALT without an open guard at {:.6f} s",
                                       self.name(), self.processor().name(), self.own_time().value));
-  AltWait wait(guards);
-  self.block(wait);
-  for (const Guard& guard : guards)
-    if (guard.condition && guard.channel) guard.channel->disable();
+  stage_ = Stage::has_waited;
+  self.start_wait(*this);
+  return false;
+}
+
+bool Select::spend_disabling(Process& self) {
+  spend_enabling(self);
+  from_ = self.own_time();
+  self.charge(disabling_);
+  stage_ = Stage::chooses;
+  return !must_settle(self) && choose(self);
 }
 
 // The guards are disabled again in order, and the first that is ready when its turn comes is taken;
 // none is if the link of the one that was ready has been cut.
-std::optional<std::size_t> choose(const Process& self, std::span<const Guard> guards,
-                                  Seconds from) {
+bool Select::choose(Process& self) {
   const auto& costs = self.processor().model().alternative;
   Cycles spent{};
-  for (std::size_t i = 0; i < guards.size(); ++i) {
-    spent += cost_to_disable(costs, guards[i]);
-    if (is_ready(self, guards[i], [&] { return from + self.processor().duration(spent); }))
-      return i;
+  for (chosen_ = 0; chosen_ < guards_.size(); ++chosen_) {
+    const Guard& guard = guards_[chosen_];
+    spent += cost_to_disable(costs, guard);
+    if (!is_ready(self, guard, [&] { return from_ + self.processor().duration(spent); })) continue;
+    for (const Guard& each : guards_)
+      if (each.condition && each.channel) each.channel->leave_input();
+    return true;
   }
-  if (any_cut(guards)) return {};
-  throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
-}
-
-// The cost of alt, and of enabling each guard at its own turn.
-Cycles cost_to_enable_all(const Process& self, std::span<const Guard> guards, Seconds from) {
-  const auto& costs = self.processor().model().alternative;
-  Cycles spent = compiled(has_timer(guards) ? costs.timer_setup : costs.setup);
-  for (const Guard& guard : guards) {
-    const auto turn = [&] { return from + self.processor().duration(spent); };
-    spent += cost_to_enable(costs, guard, is_ready(self, guard, turn));
-  }
-  return spent;
-}
-
-}  // namespace
-
-std::size_t select(std::span<const Guard> guards) {
-  Process& self = this_process();
-  const auto& costs = self.processor().model().alternative;
-  // An output of another CPU can come from a time that is behind this process's own: whether it
-  // waits is certain only when the clock has come so far.
-  bool looks_at_others = false;
-  for (const Guard& guard : guards) {
-    if (!guard.condition || !guard.channel) continue;
-    guard.channel->take_input(self);
-    looks_at_others |= guard.channel->joins_cpus();
-  }
-  // Returns whether others may have run.
-  auto settle = [&] {
-    const bool waited = looks_at_others && self.sync();
-    return self.sync_if_long() || waited;
-  };
-  auto some_ready = [&] {
-    return std::ranges::any_of(
-        guards, [&](const Guard& g) { return is_ready(self, g, [&] { return self.own_time(); }); });
-  };
-
-  settle();
-  // An output may come while the guards are enabled: what that adds is spent when it is known.
-  const Seconds begin = self.own_time();
-  Cycles enabled{};
-  const auto spend_enabling = [&] {
-    const Cycles known = cost_to_enable_all(self, guards, begin);
-    if (known < enabled && any_cut(guards)) return;  // what was ready is not any more
-    self.charge(Cycles{known.value - enabled.value});
-    enabled = known;
-  };
-  spend_enabling();
-  bool ready = some_ready();
-  if (!ready && settle()) {
-    ready = some_ready();
-    spend_enabling();
-  }
-  if (has_timer(guards))
-    charge(ready ? costs.timer_wait_ready : costs.timer_wait_not);
-  else
-    charge(ready ? costs.wait_ready : costs.wait_not);
-  settle();
-  Cycles disabling = compiled(costs.end);
-  for (const Guard& guard : guards) disabling += cost_to_disable(costs, guard);
-  for (;; ready = false) {
-    if (!ready && !some_ready()) wait_for_any(self, guards);
-    spend_enabling();
-    const Seconds from = self.own_time();
-    self.charge(disabling);
-    settle();
-    const auto chosen = choose(self, guards, from);
-    if (!chosen) continue;
-    for (const Guard& guard : guards)
-      if (guard.condition && guard.channel) guard.channel->leave_input();
-    return *chosen;
-  }
+  if (!any_cut(guards_))
+    throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
+  ready_ = false;
+  return wait(self);
 }
 
 }  // namespace occam

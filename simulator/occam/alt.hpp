@@ -9,8 +9,10 @@
 //
 // The first ready guard in the order written is taken (PRI ALT). A plain ALT leaves the choice
 // open, so every ALT here is a PRI ALT. Fair selection rotates the order of the inputs of `each`.
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <span>
+#include <tuple>
 
 #include "simulator/occam/channel.hpp"
 
@@ -35,31 +37,78 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
+  bool replicated = false;  ///< it takes a turn of a replicator, to enable and again to disable it
+  bool is_fair = false;     ///< and a division: see fair_each
   std::int64_t tick = 0;    ///< the guard is ready from then on, as wait_until() counts
-  Cycles turn{}, modulo{};  ///< of its replicator, when it is enabled and again when it is disabled
 };
 
-/// Waits until a guard is ready, and returns its index; the input is still to be done, with
-/// Channel::in(). At least one condition must hold. Charges the instructions alt, enbc, altwt, disc
-/// and altend; where a guard waits for a time, talt, enbt, taltwt and dist too. A guard whose link
-/// is cut is never ready; the link of the chosen one can be cut before the input, or during it.
-std::size_t select(std::span<const Guard> guards);
+/// Waits until a guard is ready: chosen() is its index; the input is still to be done. At least one
+/// condition must hold. Charges the instructions alt, enbc, altwt, disc and altend; where a guard
+/// waits for a time, talt, enbt, taltwt and dist too. A guard whose link is cut is never ready; the
+/// link of the chosen one can be cut before the input, or during it.
+class Select final : public machine::Operation, machine::Wait {
+ public:
+  /// The guards stay where they are until it is over.
+  explicit Select(std::span<const Guard> guards);
+  bool go_on(Process& self) override;
+  std::size_t chosen() const { return chosen_; }
+
+ private:
+  enum class Stage : std::uint8_t { comes, enables, enables_late, waits, has_waited, chooses };
+  std::string describe() const override;
+  std::vector<machine::ProcessId> waits_for() const override;
+  Kind kind() const override { return Kind::alternative; }
+  bool must_settle(const Process& self) const;
+  bool some_ready(const Process& self) const;
+  Cycles cost_to_enable_all(const Process& self) const;
+  void spend_enabling(Process& self);
+  // Each goes on to the next; they return as go_on() does.
+  bool spend_wait(Process& self);
+  bool wait(Process& self);
+  bool spend_disabling(Process& self);
+  bool choose(Process& self);
+
+  std::span<const Guard> guards_;
+  std::size_t chosen_ = 0;
+  machine::Seconds begin_{}, from_{};  // of enabling, of disabling
+  Cycles enabling_{}, disabling_{};    // of all guards, if none is ready
+  Cycles enabled_{};                   // spent for enabling
+  Stage stage_ = Stage::comes;
+  bool looks_at_others_ = false, has_timer_ = false, ready_ = false;
+};
+
+/// The same as a call, for a process with a stack.
+inline std::size_t select(std::span<const Guard> guards) {
+  return this_process().carry_out(Select(guards)).chosen();
+}
 
 /// The guards of an ALT; more than 16 of them cost the host an allocation.
 using Guards = boost::container::small_vector<Guard, 16>;
+
+// What is written in an ALT has, beside its guards, three functions. In a process with a stack,
+// take(i) does the input of its guard i, and what follows. In a Task the same goes in two steps:
+// begin(i) gives the input, if there is one, and end(i, input) follows.
+using MaybeInput = std::optional<ChannelBase::Exchange>;
 
 /// `channel ? message`, if the condition holds. Into an optional message nothing is input if the
 /// link is cut before all of it has come.
 template <class Message, class Into, class Then>
 struct InputGuard : Guard {
+  static constexpr bool MAY_FAIL = !std::is_same_v<Into, Message>;
   Channel<Message>& from;
   Into& into;
   Then then;
-  void take(std::size_t /*only*/) {
-    if constexpr (std::is_same_v<Into, Message>)
-      into = from.in();
+  void take(std::size_t i) {
+    MaybeInput input = begin(i);
+    this_process().carry_out(*input);
+    end(i, input);
+  }
+  MaybeInput begin(std::size_t /*only*/) const { return from.input(MAY_FAIL); }
+  void end(std::size_t /*only*/, const MaybeInput& input) {
+    if (input->failed())
+      into = {};
     else
-      into = from.in_or_fail();
+      into = from.received();
     then();
   }
 };
@@ -69,6 +118,8 @@ template <class Then>
 struct PlainGuard : Guard {
   Then then;
   void take(std::size_t /*only*/) { then(); }
+  MaybeInput begin(std::size_t /*only*/) const { return {}; }
+  void end(std::size_t /*only*/, const MaybeInput& /*none*/) { then(); }
 };
 
 template <class Message, class Into, class Then>
@@ -116,10 +167,20 @@ struct Replicated {
   std::size_t size() const { return inputs.size(); }
   std::size_t index(std::size_t i) const { return (favourite + i) % size(); }
   void take(std::size_t i) {
+    charge_turn();
+    then(index(i), input_from(inputs[index(i)]));
+  }
+  MaybeInput begin(std::size_t i) const {  // of inputs that are pointers to channels
+    charge_turn();
+    return inputs[index(i)]->input();
+  }
+  void end(std::size_t i, const MaybeInput& /*over*/) {
+    then(index(i), inputs[index(i)]->received());
+  }
+  void charge_turn() const {
     const auto& costs = this_process().processor().model().alternative;
     charge(is_fair ? costs.taken + costs.favourite : costs.taken);
     if (is_fair) this_process().charge(2 * costs.modulo);
-    then(index(i), input_from(inputs[index(i)]));
   }
 };
 
@@ -145,14 +206,26 @@ inline std::size_t add_guards(const Guard& guard, Guards& guards) {
 }
 template <class Inputs, class Then>
 std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guards) {
-  const auto& costs = this_process().processor().model().alternative;
   for (std::size_t i = 0; i < replicated.size(); ++i) {
     Guard guard(&channel_of(replicated.inputs[replicated.index(i)]));
-    guard.turn = costs.replicated;
-    if (replicated.is_fair) guard.modulo = costs.modulo;
+    guard.replicated = true;
+    guard.is_fair = replicated.is_fair;
     guards.push_back(guard);
   }
   return replicated.size();
+}
+
+/// Calls `use` with what the guard number `chosen` was written in, and its number there.
+template <class Use, class... Written>
+void use_chosen(std::size_t chosen, const std::size_t* counts, Use use, Written&... written) {
+  const auto use_if_here = [&](auto& one) {
+    const std::size_t count = *counts++;
+    const bool is_here = chosen < count;
+    if (is_here) use(one, chosen);
+    chosen -= count;
+    return is_here;
+  };
+  static_cast<void>((use_if_here(written) || ...));
 }
 
 /// Waits until one of the guards is ready, inputs its message and does what it says.
@@ -160,15 +233,52 @@ template <class... Written>
 void pri_alt(Written&&... written) {
   Guards guards;
   const std::size_t counts[] = {add_guards(written, guards)...};
-  std::size_t chosen = select({guards.data(), guards.size()}), place = 0;
-  const auto take = [&](auto& guard) {
-    const std::size_t count = counts[place++];
-    const bool is_here = chosen < count;
-    if (is_here) guard.take(chosen);
-    chosen -= count;
-    return is_here;
-  };
-  static_cast<void>((take(written) || ...));
+  use_chosen(
+      select({guards.data(), guards.size()}), counts, [](auto& one, std::size_t i) { one.take(i); },
+      written...);
+}
+
+/// The same for a Task: co_await alternative(...).
+template <class... Written>
+class Alternative final : public machine::Operation {
+ public:
+  explicit Alternative(Written... written)
+      : written_(std::move(written)...),
+        counts_(std::apply([&](const auto&... one) { return Counts{add_guards(one, guards_)...}; },
+                           written_)),
+        select_({guards_.data(), guards_.size()}) {}
+  Alternative(const Alternative&) = delete;
+  Alternative& operator=(const Alternative&) = delete;
+
+  bool go_on(Process& self) override {
+    if (!has_chosen_) {
+      if (!select_.go_on(self)) return false;
+      has_chosen_ = true;
+      use([&](auto& one, std::size_t i) { input_ = one.begin(i); });
+    }
+    if (input_ && !input_->go_on(self)) return false;
+    use([&](auto& one, std::size_t i) { one.end(i, input_); });
+    return true;
+  }
+
+ private:
+  using Counts = std::array<std::size_t, sizeof...(Written)>;
+  template <class Use>
+  void use(Use use) {
+    std::apply([&](auto&... one) { use_chosen(select_.chosen(), counts_.data(), use, one...); },
+               written_);
+  }
+
+  std::tuple<Written...> written_;
+  Guards guards_;
+  Counts counts_;
+  Select select_;
+  bool has_chosen_ = false;
+  MaybeInput input_;
+};
+template <class... Written>
+Alternative<Written...> alternative(Written... written) {
+  return Alternative<Written...>(std::move(written)...);
 }
 
 /// An ALT over `channels` alone: inputs the message and returns the index of its channel.

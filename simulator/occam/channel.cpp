@@ -10,8 +10,21 @@ void charge(std::string_view instruction) {
   charge(get_instruction(this_process().processor().model(), instruction));
 }
 
+// The wait of a process that nothing can wake any more.
+struct ChannelBase::WaitForEver : machine::Wait {
+  WaitForEver(const ChannelBase& channel, Side side) : channel(channel), side(side) {}
+  std::string describe() const override {
+    return fmt::format("{} on {} (link cut)", side == writer ? "out" : "in", channel.name());
+  }
+  Kind kind() const override { return side == writer ? Kind::output : Kind::input; }
+  const ChannelBase& channel;
+  Side side;
+};
+
+ChannelBase::ChannelBase(std::string name) : name_(std::move(name)) {}
+
 ChannelBase::ChannelBase(std::string name, machine::LinkDirection& link)
-    : name_(std::move(name)), link_(&link) {
+    : joins_cpus_(true), link_(&link), name_(std::move(name)) {
   link.carry(name_);
   ends_[writer].place = &link.from();
   ends_[reader].place = &link.to();
@@ -19,7 +32,7 @@ ChannelBase::ChannelBase(std::string name, machine::LinkDirection& link)
 
 ChannelBase::ChannelBase(std::string name, const machine::Processor& from,
                          const machine::Processor& to)
-    : name_(std::move(name)) {
+    : joins_cpus_(&from != &to), name_(std::move(name)) {
   if (&from != &to && from.companion() != &to)
     throw machine::Misuse(from.name(), from.now(),
                           fmt::format("channel {} would join {} and {}, which have neither a link "
@@ -28,6 +41,8 @@ ChannelBase::ChannelBase(std::string name, const machine::Processor& from,
   ends_[writer].place = &from;
   ends_[reader].place = &to;
 }
+
+ChannelBase::~ChannelBase() = default;
 
 void ChannelBase::check_may_take(Side side, Process& self) {
   End& end = ends_[side];
@@ -56,38 +71,11 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-void ChannelBase::pay(Cycles instructions, Cycles copy) {
-  charge(instructions);
-  this_process().charge(copy);
-  if (joins_cpus() && !hard())
-    this_process().sync();
-  else
-    this_process().sync_if_long();
-}
-
-// Spends what the operation takes up to the rendezvous. The partner may come while a low-priority
-// process does: then the copy is spent too, of as many `bytes` as there are by then.
-void ChannelBase::arrive(Side side, const std::uint64_t& bytes, const Party& partner) {
-  Process& self = this_process();
-  const auto& costs = self.processor().model().channel;
-  const auto copy = [&] { return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word; };
-  const bool is_outword = side == writer && bytes == 4;
-  const Cycles wake = joins_cpus() && !hard() ? costs.wake_companion : Cycles{};
-  const Cycles before = is_outword ? costs.operands + costs.out_word : costs.operands;
-  const bool came_second = partner.process;
-  if (!hard() && came_second) return pay(before + costs.soft_setup, copy() + wake);
-  pay(before + costs.blocked, alternative_.process ? wake : Cycles{});
-  if (hard() || !partner.process) return;
-  // It came meanwhile.
-  const Cycles spent = compiled(costs.blocked), whole = compiled(costs.soft_setup) + copy() + wake;
-  pay({}, Cycles{std::max<std::int64_t>(0, whole.value - spent.value)});
-}
-
 // `doing` is for the deadlock report. Where both ends wait, both wait for the transfer.
 void ChannelBase::wait(Process& self, Side side, const char* doing) {
   doing_ = doing;
   waiting_ = side;
-  self.block(*this);
+  self.start_wait(*this);
 }
 
 std::string ChannelBase::describe() const { return fmt::format("{} on {}", doing_, name_); }
@@ -97,50 +85,19 @@ std::vector<machine::ProcessId> ChannelBase::waits_for() const {
   return partner ? std::vector{partner} : std::vector<machine::ProcessId>{};
 }
 
-// An output, or an input of as many `bytes` as the partner has said by then.
-void ChannelBase::communicate(Side side, const std::uint64_t& bytes) {
-  Process& self = this_process();
-  Party &own = ends_[side].waiting, &partner = ends_[1 - side].waiting;
-  arrive(side, bytes, partner);
-  if (cut()) return refuse(self, side);
-  if (partner.process) return meet(side, std::exchange(partner, {}), bytes);
-  own = {&self, self.own_time()};
-  if (side == reader) return wait(self, reader, "in");
-  bytes_ = bytes;
-  if (alternative_.process) wake_alternative(own.since);
-  wait(self, writer, "out");
-}
-
-// Both ends are here; this process came second.
-void ChannelBase::meet(Side side, const Party& partner, std::uint64_t bytes) {
-  Process& self = this_process();
-  machine::Processor& processor = partner.process->processor();
-  ++use_.messages;
-  use_.bytes += bytes;
-  if (!hard()) {
-    move_message();
-    processor.make_ready(*partner.process, self.own_time());
-    self.sync_if_low();  // a high-priority partner has taken the CPU
-    return;
-  }
-  bytes_ = bytes;
-  transfer_[0] = partner.process;
-  transfer_[1] = &self;
-  const Seconds start = std::max(self.own_time(), partner.since);
-  if (start > processor.now())
-    processor.engine().at(start, [this] { start_transfer(); });
-  else
-    start_transfer();
-  wait(self, side, "transfer");
-}
-
 void ChannelBase::start_transfer() {
   if (cut()) return link_->from().engine().ignore_event();
   link_->transfer(bytes_, name_, [this] { end_transfer(); });
 }
 
+// A tag or a size that more follows moves nothing yet.
+void ChannelBase::move_part() {
+  rest_to_come_ = std::exchange(rest_follows_, false);
+  if (!rest_to_come_) move_message();
+}
+
 void ChannelBase::end_transfer() {
-  move_message();
+  move_part();
   for (Process*& end : transfer_) {
     Process& process = *std::exchange(end, nullptr);
     process.processor().make_ready(process, process.processor().now());
@@ -165,38 +122,10 @@ void ChannelBase::wake_alternative(Seconds at) {
     processor.make_ready(waiting, at);
 }
 
-// The wait of a process that nothing can wake any more.
-struct ChannelBase::WaitForEver : machine::Wait {
-  WaitForEver(const ChannelBase& channel, Side side) : channel(channel), side(side) {}
-  std::string describe() const override {
-    return fmt::format("{} on {} (link cut)", side == writer ? "out" : "in", channel.name());
-  }
-  Kind kind() const override { return side == writer ? Kind::output : Kind::input; }
-  const ChannelBase& channel;
-  Side side;
-};
-
 machine::Wait& ChannelBase::wait_for_ever(Side side) {
-  auto& wait = ends_[side].for_ever;
-  if (!wait) wait = std::make_shared<WaitForEver>(*this, side);
+  auto& wait = for_ever_[side];
+  if (!wait) wait = std::make_unique<WaitForEver>(*this, side);
   return *wait;
-}
-
-bool ChannelBase::try_to(Side side, const std::uint64_t& bytes) {
-  End& end = ends_[side];
-  end.may_fail = true;
-  end.failed = false;
-  communicate(side, bytes);
-  end.may_fail = false;
-  return !end.failed;
-}
-
-// The link was cut before the process came.
-void ChannelBase::refuse(Process& self, Side side) {
-  if (ends_[side].may_fail)
-    ends_[side].failed = true;
-  else
-    self.block(wait_for_ever(side));
 }
 
 // The process waits for its partner, or for the end of a transfer (which may not even have begun,
@@ -215,6 +144,139 @@ void ChannelBase::on_cut(Process& process) {
   end.failed = true;
   machine::Processor& processor = process.processor();
   processor.make_ready(process, std::max(processor.now(), process.blocked_since()));
+}
+
+ChannelBase::Exchange::Exchange(ChannelBase& channel, Parts output, bool may_fail)
+    : channel_(&channel),
+      bytes_(output.first > 0 ? output.first : output.rest),
+      rest_(output.rest),
+      side_(writer),
+      rest_follows_(output.first > 0 && output.rest > 0) {
+  channel.rest_follows_ = rest_follows_;
+  begin(may_fail);
+}
+
+ChannelBase::Exchange::Exchange(ChannelBase& channel, bool may_fail)
+    : channel_(&channel), side_(reader) {
+  begin(may_fail);
+}
+
+void ChannelBase::Exchange::begin(bool may_fail) {
+  channel_->ends_[side_].may_fail = may_fail;
+  channel_->ends_[side_].failed = false;
+}
+
+bool ChannelBase::Exchange::go_on(Process& self) {
+  End& end = channel_->ends_[side_];
+  for (;;) {
+    if (!communicate(self)) return false;
+    if (end.failed) break;
+    bool& again = side_ == writer ? rest_follows_ : channel_->rest_to_come_;
+    if (!std::exchange(again, false)) break;
+    bytes_ = rest_;
+    stage_ = Stage::comes;
+  }
+  failed_ = end.failed;
+  end.may_fail = false;
+  channel_->leave(side_);
+  return true;
+}
+
+// One part of the message.
+bool ChannelBase::Exchange::communicate(Process& self) {
+  Party &own = channel_->ends_[side_].waiting, &partner = channel_->ends_[1 - side_].waiting;
+  switch (stage_) {
+    case Stage::comes:
+      stage_ = Stage::has_paid;
+      is_second_ = partner.process;
+      if (!pay_to_come(self)) return false;
+      [[fallthrough]];
+    case Stage::has_paid:
+      stage_ = Stage::has_paid_all;
+      if (partner.process && !pay_for_late_partner(self)) return false;
+      [[fallthrough]];
+    case Stage::has_paid_all:
+      stage_ = Stage::over;
+      if (channel_->cut()) return refuse(self);
+      if (partner.process) return meet(self, std::exchange(partner, {}));
+      own = {&self, self.own_time()};
+      if (side_ == writer) {
+        channel_->bytes_ = bytes_;
+        if (channel_->alternative_.process) channel_->wake_alternative(own.since);
+      }
+      channel_->wait(self, side_, side_ == writer ? "out" : "in");
+      return false;
+    case Stage::over:;
+  }
+  return true;
+}
+
+// The copy of an input is of as many bytes as the partner has said by then.
+Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs) const {
+  const std::uint64_t bytes = side_ == writer ? bytes_ : channel_->bytes_;
+  return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
+}
+
+// Spends what the operation takes up to the rendezvous. These return false if the process has to
+// give the CPU up first.
+bool ChannelBase::Exchange::pay_to_come(Process& self) const {
+  const auto& costs = self.processor().model().channel;
+  const bool is_outword = side_ == writer && bytes_ == 4;
+  const bool wakes = channel_->joins_cpus() && !channel_->hard();
+  const Cycles wake = wakes ? costs.wake_companion : Cycles{};
+  const Cycles before = is_outword ? costs.operands + costs.out_word : costs.operands;
+  if (!channel_->hard() && is_second_)
+    return pay(self, before + costs.soft_setup, cost_to_copy(costs) + wake);
+  return pay(self, before + costs.blocked, channel_->alternative_.process ? wake : Cycles{});
+}
+
+// The partner may come to a soft channel while a low-priority process spends that: then the copy is
+// spent too.
+bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
+  if (channel_->hard() || is_second_) return true;
+  const auto& costs = self.processor().model().channel;
+  const Cycles wake = channel_->joins_cpus() ? costs.wake_companion : Cycles{};
+  const Cycles spent = compiled(costs.blocked);
+  const Cycles whole = compiled(costs.soft_setup) + cost_to_copy(costs) + wake;
+  return pay(self, {}, Cycles{std::max<std::int64_t>(0, whole.value - spent.value)});
+}
+
+bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy) const {
+  charge(instructions);
+  self.charge(copy);
+  const bool at_once = channel_->joins_cpus() && !channel_->hard();
+  return !(at_once ? self.must_sync() : self.must_sync_if_long());
+}
+
+// The link was cut before the process came.
+bool ChannelBase::Exchange::refuse(Process& self) {
+  End& end = channel_->ends_[side_];
+  if (end.may_fail) return end.failed = true;
+  self.start_wait(channel_->wait_for_ever(side_));
+  return false;
+}
+
+// Both ends are here; this process came second.
+bool ChannelBase::Exchange::meet(Process& self, Party partner) {
+  ChannelBase& channel = *channel_;
+  if (side_ == writer) channel.bytes_ = bytes_;
+  machine::Processor& processor = partner.process->processor();
+  ++channel.use_.messages;
+  channel.use_.bytes += channel.bytes_;
+  if (!channel.hard()) {
+    channel.move_part();
+    processor.make_ready(*partner.process, self.own_time());
+    return !self.must_sync_if_low();  // a high-priority partner has taken the CPU
+  }
+  channel.transfer_[0] = partner.process;
+  channel.transfer_[1] = &self;
+  const Seconds start = std::max(self.own_time(), partner.since);
+  if (start > processor.now())
+    processor.engine().at(start, [&channel] { channel.start_transfer(); });
+  else
+    channel.start_transfer();
+  channel.wait(self, side_, "transfer");
+  return false;
 }
 
 }  // namespace occam

@@ -17,6 +17,7 @@ namespace occam {
 
 using machine::Cycles;
 using machine::Process;
+using machine::Task;
 using machine::this_process;
 
 /// A message without contents: one word. Every message type says in a member `bytes()` how many
@@ -32,7 +33,7 @@ struct ChannelUse {
 /// The untyped half of a channel: which processes wait, and what the rendezvous costs.
 class ChannelBase : machine::Wait {
  public:
-  explicit ChannelBase(std::string name) : name_(std::move(name)) {}
+  explicit ChannelBase(std::string name);
   /// Throws Misuse if the link's direction has a channel already.
   ChannelBase(std::string name, machine::LinkDirection& link);
   /// A soft channel between a processor and itself or its companion, whose processes are woken by
@@ -45,7 +46,7 @@ class ChannelBase : machine::Wait {
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
   /// Its ends are on two CPUs: what happens at one is certain only once the clock has come so far.
-  bool joins_cpus() const { return hard() || ends_[writer].place != ends_[reader].place; }
+  bool joins_cpus() const { return joins_cpus_; }
   /// Whether the link has been cut, as far as the clock has come: nothing goes over it any more. A
   /// process that inputs or outputs blocks for ever, unless it does so `_or_fail`; a guard is never
   /// ready.
@@ -68,8 +69,15 @@ class ChannelBase : machine::Wait {
   void take_input(Process& process) { take(reader, process); }
   void leave_input() { leave(reader); }
 
+  class Exchange;
+
  protected:
-  enum Side { writer, reader };
+  enum Side : std::uint8_t { writer, reader };
+  /// What goes over the channel for one message, in bytes: a tag or a size first, where the
+  /// protocol has one, then the rest.
+  struct Parts {
+    std::uint64_t first, rest;
+  };
   /// Before the operation of a process, and after. take() throws Misuse while another process is
   /// at this end, and for a process that is on the wrong processor: with a hard channel, on
   /// another than its end of the link; with a soft one, than those that used it before.
@@ -80,15 +88,8 @@ class ChannelBase : machine::Wait {
     end.user = process.id();
   }
   void leave(Side side) { ends_[side].taken_by = nullptr; }
-  /// Each returns when the message has been moved; `move_message` has run in one of the two ends.
-  void output(std::uint64_t bytes) { communicate(writer, bytes); }
-  void input() { communicate(reader, bytes_); }
-  /// The same, but they return false if the link is cut before the message has been moved: at that
-  /// instant, or at once. That costs what an operation that has to wait does.
-  bool output_or_fail(std::uint64_t bytes) { return try_to(writer, bytes); }
-  bool input_or_fail() { return try_to(reader, bytes_); }
   virtual void move_message() = 0;
-  virtual ~ChannelBase() = default;
+  virtual ~ChannelBase();
 
  private:
   struct Party {
@@ -96,42 +97,69 @@ class ChannelBase : machine::Wait {
     machine::Seconds since{};  // own time of its arrival; may be ahead of the clock
   };
   struct End {
-    Party waiting;                // for its partner
-    machine::ProcessId user = 0;  // the process that used this end last, for a deadlock report
+    Party waiting;  // for its partner
     const Process* taken_by = nullptr;
     const machine::Processor* place = nullptr;  // where its processes are, once that is known
+    machine::ProcessId user = 0;  // the process that used this end last, for a deadlock report
     bool may_fail = false, failed = false;
-    std::shared_ptr<machine::Wait> for_ever = {};  // once the link is cut
   };
   struct WaitForEver;
 
   void check_may_take(Side side, Process& process);
-  void communicate(Side side, const std::uint64_t& bytes);
-  void pay(Cycles instructions, Cycles copy);
-  void arrive(Side side, const std::uint64_t& bytes, const Party& partner);
   void wait(Process& self, Side side, const char* doing);
   std::string describe() const override;
   std::vector<machine::ProcessId> waits_for() const override;
   Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
   void on_cut(Process& process) override;
-  void refuse(Process& self, Side side);
   machine::Wait& wait_for_ever(Side side);
-  bool try_to(Side side, const std::uint64_t& bytes);
-  void meet(Side side, const Party& partner, std::uint64_t bytes);
+  void move_part();
   void start_transfer();
   void end_transfer();
   void wake_alternative(machine::Seconds at);
 
-  std::string name_;
+  // What an ALT and most exchanges touch comes first: the host fetches it together.
+  bool joins_cpus_ = false;
+  bool rest_follows_ = false;  // the part of the message that goes now is not all
+  bool rest_to_come_ = false;  // it has arrived
+  Side waiting_ = writer;      // the end that has blocked last
   machine::LinkDirection* link_ = nullptr;
-  End ends_[2];                         // by side
   Party alternative_;                   // waits in an ALT with a guard on this channel
   std::uint64_t alternative_wait_ = 0;  // the number of that wait among the process's waits
   std::uint64_t bytes_ = 0;             // length of the output that waits or is under way
-  Process* transfer_[2] = {};           // processes of the transfer under way, first come first
-  Side waiting_ = writer;               // the end that has blocked last
-  const char* doing_ = "";              // what its process does: "in", "out" or "transfer"
+  End ends_[2];                         // by side
   ChannelUse use_;
+  const char* doing_ = "";     // what the process of waiting_ does: "in", "out" or "transfer"
+  Process* transfer_[2] = {};  // processes of the transfer under way, first come first
+  std::unique_ptr<WaitForEver> for_ever_[2];  // by side, once the link is cut
+  std::string name_;
+};
+
+/// An output or an input of a whole message, from its process's arrival until the message has moved
+/// or, if that is allowed, the link has been cut. A Task may co_await it.
+class ChannelBase::Exchange : public machine::Operation {
+ public:
+  Exchange(ChannelBase& channel, Parts output, bool may_fail);
+  Exchange(ChannelBase& channel, bool may_fail);  ///< an input
+  bool go_on(Process& self) final;
+  /// Once it is over: the link was cut before the whole message had moved.
+  bool failed() const { return failed_; }
+
+ private:
+  enum class Stage : std::uint8_t { comes, has_paid, has_paid_all, over };
+  void begin(bool may_fail);
+  bool communicate(Process& self);
+  bool pay(Process& self, Cycles instructions, Cycles copy) const;
+  bool pay_to_come(Process& self) const;
+  bool pay_for_late_partner(Process& self) const;
+  bool refuse(Process& self);
+  bool meet(Process& self, Party partner);
+  Cycles cost_to_copy(const machine::Model::Channel& costs) const;
+
+  ChannelBase* channel_;
+  std::uint64_t bytes_ = 0, rest_ = 0;  // of an output
+  Side side_;
+  Stage stage_ = Stage::comes;
+  bool rest_follows_ = false, is_second_ = false, failed_ = false;
 };
 
 /// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
@@ -152,63 +180,52 @@ class Channel : public ChannelBase {
 
   /// `channel ! message`: blocks until the partner has it. The message's bytes are those after the
   /// tag; those of a counted array include its size.
-  void out(Message message) {
-    take(writer, this_process());
-    const Parts parts = prepare(std::move(message));
-    if (parts.first > 0) output(parts.first);
-    if (parts.first == 0 || parts.rest > 0) output(parts.rest);
-    leave(writer);
-  }
+  void out(Message message) { this_process().carry_out(output(std::move(message))); }
   /// The same, but false if the link is cut before the partner has all of it: the partner does not
-  /// get it. (InputOrFail and OutputOrFail of occam's library.)
+  /// get it. (InputOrFail and OutputOrFail of occam's library.) That costs what an operation that
+  /// has to wait does.
   bool out_or_fail(Message message) {
-    take(writer, this_process());
-    const Parts parts = prepare(std::move(message));
-    const bool sent = (parts.first == 0 || output_or_fail(parts.first)) &&
-                      ((parts.first > 0 && parts.rest == 0) || output_or_fail(parts.rest));
-    leave(writer);
-    return sent;
+    return !this_process().carry_out(output(std::move(message), true)).failed();
   }
   /// `channel ? message`
-  Message in() {
-    take(reader, this_process());
-    input();
-    if (std::exchange(tag_alone_, false)) input();
-    leave(reader);
-    return std::move(incoming_);
-  }
+  Message in() { return this_process().carry_out(input()).await_resume(); }
   /// The same; returns nothing if the link is cut before all of the message is here.
   std::optional<Message> in_or_fail() {
-    take(reader, this_process());
-    const bool is_here = input_or_fail() && (!std::exchange(tag_alone_, false) || input_or_fail());
-    leave(reader);
-    return is_here ? std::optional(std::move(incoming_)) : std::nullopt;
+    if (this_process().carry_out(input(true)).failed()) return {};
+    return received();
   }
 
- private:
-  struct Parts {
-    std::uint64_t first, rest;  // bytes of the tag or size, if there is one; of what follows
-  };
-  Parts prepare(Message message) {
+  /// The same for a Task: co_await channel.output(message), message = co_await channel.input().
+  Exchange output(Message message, bool may_fail = false) {
+    take(writer, this_process());
     outgoing_ = std::move(message);
-    const std::uint64_t bytes = outgoing_.bytes();
-    Parts parts{0, bytes};
-    if (protocol_ == Protocol::variant) parts.first = 1;
-    if (protocol_ == Protocol::counted) {
-      parts.first = std::min<std::uint64_t>(4, bytes);
-      parts.rest = bytes - parts.first;
-    }
-    contents_follow_ = parts.first > 0 && parts.rest > 0;
-    return parts;
+    return {*this, parts(outgoing_.bytes()), may_fail};
   }
-  // A tag or size that contents follow moves nothing yet.
-  void move_message() override {
-    tag_alone_ = std::exchange(contents_follow_, false);
-    if (!tag_alone_) incoming_ = std::move(outgoing_);
+  class Input : public Exchange {
+   public:
+    Input(Channel& channel, bool may_fail) : Exchange(channel, may_fail), channel_(channel) {}
+    Message await_resume() const { return channel_.received(); }
+
+   private:
+    Channel& channel_;
+  };
+  Input input(bool may_fail = false) {
+    take(reader, this_process());
+    return {*this, may_fail};
   }
+  /// The message of an input that is over; once.
+  Message received() { return std::move(incoming_); }
+
+ private:
+  Parts parts(std::uint64_t bytes) const {
+    if (protocol_ == Protocol::simple) return {0, bytes};
+    if (protocol_ == Protocol::variant) return {1, bytes};
+    const auto size = std::min<std::uint64_t>(4, bytes);
+    return {size, bytes - size};
+  }
+  void move_message() override { incoming_ = std::move(outgoing_); }
+
   Protocol protocol_ = Protocol::simple;
-  bool contents_follow_ = false;  // the tag or size about to go is not all
-  bool tag_alone_ = false;        // it has arrived
   Message outgoing_, incoming_;
 };
 

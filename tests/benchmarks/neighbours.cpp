@@ -15,6 +15,7 @@ using network::Packet;
 using network::StoreAndForward;
 using occam::Channel;
 using occam::Signal;
+using occam::Task;
 
 namespace {
 
@@ -28,24 +29,24 @@ struct Exchange {
   machine::Cycles work;
   Channel<Signal> computed{"computed"}, received{"received"};
 
-  void source(StoreAndForward& network, int id, const std::vector<topologies::Neighbour>& around) {
+  Task source(StoreAndForward& network, int id, std::vector<topologies::Neighbour> around) {
     for (int round = 0; round < ROUNDS; ++round) {
-      if (round > 0) in(computed);
+      if (round > 0) co_await computed.input();
       for (const auto& neighbour : around)
-        out(network.into(id), {Packet{id, neighbour.processor, MESSAGE_BYTES}});
+        co_await network.into(id).output({Packet{id, neighbour.processor, MESSAGE_BYTES}});
     }
   }
-  void sink(StoreAndForward& network, int id, std::size_t neighbours) {
+  Task sink(StoreAndForward& network, int id, std::size_t neighbours) {
     for (int round = 0; round < ROUNDS; ++round) {
-      for (std::size_t i = 0; i < neighbours; ++i) network.delivered(id).in();
-      out(received, Signal{});
+      for (std::size_t i = 0; i < neighbours; ++i) co_await network.delivered(id).input();
+      co_await received.output({});
     }
   }
-  void compute() {
+  Task compute() {
     for (int round = 1; round <= ROUNDS; ++round) {
-      in(received);
+      co_await received.input();
       occam::this_process().charge(work);
-      if (round < ROUNDS) out(computed, Signal{});
+      if (round < ROUNDS) co_await computed.output({});
     }
   }
 };
@@ -68,9 +69,9 @@ Sample exchange(int side, int work, machine::EngineParams engine) {
     auto& processor = *machine.processors()[id];
     auto& own = exchanges.emplace_back(machine::Cycles{work});
     const auto& neighbours = around[static_cast<std::size_t>(id)];
-    processor.start("source", Priority::high, [&, id] { own.source(network, id, neighbours); });
-    processor.start("sink", Priority::high, [&, id] { own.sink(network, id, neighbours.size()); });
-    processor.start("compute", Priority::low, [&] { own.compute(); });
+    processor.start("source", Priority::high, own.source(network, id, neighbours));
+    processor.start("sink", Priority::high, own.sink(network, id, neighbours.size()));
+    processor.start("compute", Priority::low, own.compute());
     hops += ROUNDS * neighbours.size();
   }
   Sample sample = run(machine, hops);

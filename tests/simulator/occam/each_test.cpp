@@ -75,8 +75,8 @@ void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
     std::vector<Guard> guards{Guard(inputs[0])};
     for (std::size_t i = 0; i < n; ++i) {
       guards.emplace_back(inputs[1 + (favourite + i) % n]);
-      guards.back().turn = costs.replicated;
-      if (fair) guards.back().modulo = costs.modulo;
+      guards.back().replicated = true;
+      guards.back().is_fair = fair;
     }
     guards.emplace_back(nullptr, false);
     const std::size_t chosen = select(guards);

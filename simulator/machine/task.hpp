@@ -1,0 +1,76 @@
+#pragma once
+// Bodies of processes that need no stack: C++ coroutines.
+//
+//   Task forward(Channel<Packet>& from, Channel<Packet>& to) {
+//     for (;;) co_await to.output(co_await from.input());
+//   }
+//
+// Such a process takes some hundred bytes of the host, where a stack takes a page at least, and the
+// host comes to it sooner.
+#include <coroutine>
+#include <utility>
+
+namespace machine {
+
+class Process;
+Process& this_process();
+
+/// What a process does that may have to wait: for others, or until its own time has come.
+class Operation {
+ public:
+  /// Begins, or goes on from where it was. Returns whether it is over; if not, the process gives
+  /// the CPU up, and calls again when it has it back.
+  virtual bool go_on(Process& self) = 0;
+
+  // co_await operation, in a Task
+  bool await_ready() { return go_on(this_process()); }
+  template <class Promise>
+  void await_suspend(std::coroutine_handle<Promise> task) {
+    task.promise().waits_in = this;
+  }
+  void await_resume() const {}
+
+ protected:
+  ~Operation() = default;
+};
+
+/// A body that has not begun, is under way or has ended; another Task may co_await it. Its waiting
+/// is by co_await alone: what needs a stack (Channel::out, pri_alt, Process::sync) throws
+/// InvariantBroken when it would have to wait.
+class Task final : public Operation {
+ public:
+  struct promise_type {
+    Operation* waits_in = nullptr;
+    Task get_return_object() { return Task(Coroutine::from_promise(*this)); }
+    std::suspend_always initial_suspend() noexcept { return {}; }
+    std::suspend_always final_suspend() noexcept { return {}; }
+    void return_void() {}
+    void unhandled_exception() { throw; }  // out of go_on()
+  };
+
+  Task() = default;
+  Task(Task&& other) noexcept : coroutine_(std::exchange(other.coroutine_, {})) {}
+  Task& operator=(Task&& other) noexcept {
+    std::swap(coroutine_, other.coroutine_);
+    return *this;
+  }
+  ~Task() {
+    if (coroutine_) coroutine_.destroy();
+  }
+
+  explicit operator bool() const { return coroutine_ != nullptr; }
+  bool go_on(Process& self) override {
+    Operation*& operation = coroutine_.promise().waits_in;
+    if (operation && !operation->go_on(self)) return false;
+    operation = nullptr;
+    if (!coroutine_.done()) coroutine_.resume();
+    return coroutine_.done();
+  }
+
+ private:
+  using Coroutine = std::coroutine_handle<promise_type>;
+  explicit Task(Coroutine coroutine) : coroutine_(coroutine) {}
+  Coroutine coroutine_;
+};
+
+}  // namespace machine
