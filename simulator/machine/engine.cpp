@@ -9,6 +9,7 @@ Engine::Engine(EngineParams params) {
   if (is_direct && params.processes == Processes::actors)
     throw base::InvariantBroken("the direct engine has no actors: they are SimGrid's");
   can_wait_ = is_direct;
+  needs_stacks_ = params.processes == Processes::actors;
   carrier_ = is_direct ? make_direct(events_) : make_simgrid(events_, params.processes);
 }
 

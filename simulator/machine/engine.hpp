@@ -30,6 +30,8 @@ class Engine {
   /// See Carrier.
   int add_processor(const std::string& name);
   std::size_t add_link(int a, int b, LinkRates rates) { return carrier_->add_link(a, b, rates); }
+  /// Whether every body of a process is to be such a coroutine.
+  bool needs_stacks() const { return needs_stacks_; }
   /// A process's body, to be resumed by callbacks and, once it is to end, after run().
   std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
                                             Coroutine::Body body) {
@@ -79,7 +81,7 @@ class Engine {
 
  private:
   Events events_;
-  bool can_wait_;
+  bool can_wait_, needs_stacks_;
   int processors_ = 0;
   std::unique_ptr<Carrier> carrier_;
 };

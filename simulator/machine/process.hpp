@@ -159,6 +159,17 @@ class Process {
   std::string name_;
 };
 
+/// co_await Sync(): what Process::sync() does, in a Task.
+class Sync final : public Operation {
+ public:
+  bool go_on(Process& self) override {
+    return std::exchange(has_begun_, true) || !self.must_sync();
+  }
+
+ private:
+  bool has_begun_ = false;
+};
+
 [[noreturn]] void throw_outside_of_process();
 /// The process whose body is executing. Throws InvariantBroken outside of any process.
 inline Process& this_process() {

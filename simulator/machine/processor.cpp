@@ -18,6 +18,10 @@ Process& Processor::start(std::string name, Priority priority, Process::Body bod
 }
 
 Process& Processor::start(std::string name, Priority priority, Task task) {
+  if (engine_.needs_stacks())
+    return start(std::move(name), priority, [body = std::make_shared<Task>(std::move(task))] {
+      this_process().carry_out(*body);
+    });
   return start(std::make_unique<Process>(*this, std::move(name), priority, std::move(task)));
 }
 

@@ -34,9 +34,10 @@ class Operation {
   ~Operation() = default;
 };
 
-/// A body that has not begun, is under way or has ended; another Task may co_await it. Its waiting
-/// is by co_await alone: what needs a stack (Channel::out, pri_alt, Process::sync) throws
-/// InvariantBroken when it would have to wait.
+/// A body that has not begun, is under way or has ended; another Task may co_await it. It waits by
+/// co_await alone, in operations on channels, ALTs and Sync: what needs a stack (Channel::out,
+/// timers, PAR) throws InvariantBroken when it would have to wait. What an operation throws after
+/// it has had to wait ends the process, and is not caught in its body.
 class Task final : public Operation {
  public:
   struct promise_type {

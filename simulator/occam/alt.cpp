@@ -39,6 +39,10 @@ Cycles cost_to_disable(const Costs& costs, const Guard& guard) {
   return compiled(turn(costs, guard) + costs.disable) + modulo(costs, guard);
 }
 
+bool cost_the_same(const Guard& a, const Guard& b) {
+  return a.kind == b.kind && a.replicated == b.replicated && a.is_fair == b.is_fair;
+}
+
 bool any_cut(std::span<const Guard> guards) {
   return std::ranges::any_of(guards, [](const Guard& g) { return g.channel && g.channel->cut(); });
 }
@@ -48,11 +52,18 @@ bool any_cut(std::span<const Guard> guards) {
 // What the guards cost, if none is ready; what a ready one adds is found when it is.
 Select::Select(std::span<const Guard> guards) : guards_(guards) {
   const auto& costs = this_process().processor().model().alternative;
+  const Guard* last = nullptr;
+  Cycles enable{}, disable{};
   for (const Guard& guard : guards_) {
     looks_at_others_ |= guard.condition && guard.channel && guard.channel->joins_cpus();
     has_timer_ |= guard.kind == GuardKind::timer;
-    enabling_ += cost_to_enable(costs, guard, false);
-    disabling_ += cost_to_disable(costs, guard);
+    if (!last || !cost_the_same(*last, guard)) {
+      enable = cost_to_enable(costs, guard, false);
+      disable = cost_to_disable(costs, guard);
+    }
+    enabling_ += enable;
+    disabling_ += disable;
+    last = &guard;
   }
   enabling_ += compiled(has_timer_ ? costs.timer_setup : costs.setup);
   disabling_ += compiled(costs.end);
@@ -119,12 +130,14 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// The cost of alt, and of enabling each guard at its own turn.
+// The cost of alt, and of enabling each guard at its own turn. (If no output waits at the end, none
+// did before.)
 Cycles Select::cost_to_enable_all(const Process& self) const {
-  const auto may_be_ready = [](const Guard& guard) {
-    return guard.condition && (!guard.channel || guard.channel->has_output());
+  const auto waits = [&](const Guard& guard) {
+    return guard.condition && guard.channel && guard.channel->has_output() &&
+           guard.channel->output_waits(begin_ + self.processor().duration(enabling_));
   };
-  if (std::ranges::none_of(guards_, may_be_ready)) return enabling_;
+  if (std::ranges::none_of(guards_, waits)) return enabling_;
   const auto& costs = self.processor().model().alternative;
   Cycles spent = compiled(has_timer_ ? costs.timer_setup : costs.setup);
   for (const Guard& guard : guards_) {

@@ -103,7 +103,12 @@ struct InputGuard : Guard {
     this_process().carry_out(*input);
     end(i, input);
   }
-  MaybeInput begin(std::size_t /*only*/) const { return from.input(MAY_FAIL); }
+  MaybeInput begin(std::size_t /*only*/) const {
+    if constexpr (MAY_FAIL)
+      return from.input_or_fail();
+    else
+      return from.input();
+  }
   void end(std::size_t /*only*/, const MaybeInput& input) {
     if (input->failed())
       into = {};

@@ -185,39 +185,59 @@ class Channel : public ChannelBase {
   /// get it. (InputOrFail and OutputOrFail of occam's library.) That costs what an operation that
   /// has to wait does.
   bool out_or_fail(Message message) {
-    return !this_process().carry_out(output(std::move(message), true)).failed();
+    return this_process().carry_out(output_or_fail(std::move(message))).await_resume();
   }
   /// `channel ? message`
   Message in() { return this_process().carry_out(input()).await_resume(); }
   /// The same; returns nothing if the link is cut before all of the message is here.
   std::optional<Message> in_or_fail() {
-    if (this_process().carry_out(input(true)).failed()) return {};
-    return received();
+    return this_process().carry_out(input_or_fail()).await_resume();
   }
 
-  /// The same for a Task: co_await channel.output(message), message = co_await channel.input().
-  Exchange output(Message message, bool may_fail = false) {
-    take(writer, this_process());
-    outgoing_ = std::move(message);
-    return {*this, parts(outgoing_.bytes()), may_fail};
-  }
+  // The same for a Task: co_await channel.output(message), message = co_await channel.input().
+  class OutputOrFail : public Exchange {
+   public:
+    using Exchange::Exchange;
+    bool await_resume() const { return !failed(); }
+  };
   class Input : public Exchange {
    public:
-    Input(Channel& channel, bool may_fail) : Exchange(channel, may_fail), channel_(channel) {}
-    Message await_resume() const { return channel_.received(); }
+    explicit Input(Channel& from) : Exchange(from, false), from_(from) {}
+    Message await_resume() const { return from_.received(); }
 
    private:
-    Channel& channel_;
+    Channel& from_;
   };
-  Input input(bool may_fail = false) {
+  class InputOrFail : public Exchange {
+   public:
+    explicit InputOrFail(Channel& from) : Exchange(from, true), from_(from) {}
+    std::optional<Message> await_resume() const {
+      return failed() ? std::nullopt : std::optional(from_.received());
+    }
+
+   private:
+    Channel& from_;
+  };
+  Exchange output(Message message) { return {*this, prepare(std::move(message)), false}; }
+  OutputOrFail output_or_fail(Message message) {
+    return {*this, prepare(std::move(message)), true};
+  }
+  Input input() {
     take(reader, this_process());
-    return {*this, may_fail};
+    return Input(*this);
+  }
+  InputOrFail input_or_fail() {
+    take(reader, this_process());
+    return InputOrFail(*this);
   }
   /// The message of an input that is over; once.
   Message received() { return std::move(incoming_); }
 
  private:
-  Parts parts(std::uint64_t bytes) const {
+  Parts prepare(Message message) {
+    take(writer, this_process());
+    outgoing_ = std::move(message);
+    const std::uint64_t bytes = outgoing_.bytes();
     if (protocol_ == Protocol::simple) return {0, bytes};
     if (protocol_ == Protocol::variant) return {1, bytes};
     const auto size = std::min<std::uint64_t>(4, bytes);

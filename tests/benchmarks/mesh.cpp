@@ -11,13 +11,13 @@ using machine::Priority;
 
 namespace {
 
-void source(network::StoreAndForward& network, int id, const std::vector<int>& destinations) {
-  for (const int to : destinations)
-    out(network.into(id), network::Pointer{{id, to, MESSAGE_BYTES}});
+occam::Task source(network::StoreAndForward& network, int id,
+                   const std::vector<int>& destinations) {
+  for (const int to : destinations) co_await network.into(id).output({{id, to, MESSAGE_BYTES}});
 }
 
-void sink(network::StoreAndForward& network, int id, int messages) {
-  for (; messages > 0; --messages) network.delivered(id).in();
+occam::Task sink(network::StoreAndForward& network, int id, int messages) {
+  for (; messages > 0; --messages) co_await network.delivered(id).input();
 }
 
 // The general router; each processor has a source and a sink.
@@ -29,9 +29,8 @@ Sample mesh(const Traffic& traffic, machine::EngineParams engine) {
                                    topologies::make_topology(fmt::format("mesh:{0}x{0}", SIDE)));
   for (int id = 0; id < NODES; ++id) {
     auto& processor = *machine.processors()[id];
-    processor.start("source", Priority::high,
-                    [&, id] { source(network, id, traffic.destinations[id]); });
-    processor.start("sink", Priority::high, [&, id] { sink(network, id, traffic.arriving[id]); });
+    processor.start("source", Priority::high, source(network, id, traffic.destinations[id]));
+    processor.start("sink", Priority::high, sink(network, id, traffic.arriving[id]));
   }
   return run(machine, traffic.hops);
 }

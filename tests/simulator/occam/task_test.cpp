@@ -1,0 +1,231 @@
+// Processes without a stack do what those with one do, at the same times.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/lab.hpp"
+
+namespace occam::task_test {
+namespace {
+
+constexpr std::size_t INPUTS = 4;
+constexpr std::uint64_t MESSAGES = 6;  // of each writer
+
+struct Writer {
+  Channel<Words>& to;
+  std::int64_t computes;
+  Words message(std::uint64_t m) const { return {4 + 4 * (m % 7), 100 * computes + m}; }
+
+  void with_stack() const {
+    for (std::uint64_t m = 0; m < MESSAGES; ++m) {
+      compute(computes);
+      out(to, message(m));
+    }
+  }
+  Task without() const {
+    for (std::uint64_t m = 0; m < MESSAGES; ++m) {
+      compute(computes);
+      co_await to.output(message(m));
+    }
+  }
+};
+
+// PRI ALT: the first input before all others, which take turns if they are fair.
+struct Reader {
+  bool fair;
+  std::vector<Channel<Words>*> inputs, rest{inputs.begin() + 1, inputs.end()};
+  Numbers seen = {};  // content of each message, and the cycle after it
+  std::size_t favourite = 0;
+  Words got = {};
+
+  auto first() {
+    return when(*inputs[0], got, [this] { note(got); });
+  }
+  template <bool is_fair>
+  auto others() {
+    const auto take = [this](std::size_t i, const Words& message) {
+      note(message);
+      favourite = (i + 1) % rest.size();
+    };
+    if constexpr (is_fair)
+      return fair_each(rest, favourite, take);
+    else
+      return each(rest, favourite, take);
+  }
+  auto never() const {
+    return otherwise(false, [] {});
+  }
+  void note(const Words& message) { seen.push_back(static_cast<double>(message.content)); }
+
+  void with_stack() {
+    for (std::size_t left = INPUTS * MESSAGES; left > 0; --left) {
+      if (fair)
+        pri_alt(first(), others<true>(), never());
+      else
+        pri_alt(first(), others<false>());
+      seen.push_back(own_cycles());
+    }
+  }
+  Task without() {
+    for (std::size_t left = INPUTS * MESSAGES; left > 0; --left) {
+      if (fair)
+        co_await alternative(first(), others<true>(), never());
+      else
+        co_await alternative(first(), others<false>());
+      co_await machine::Sync();
+      seen.push_back(own_cycles());
+    }
+  }
+};
+
+enum class Bodies { with_stacks, without, mixed };
+
+void start(Processor& cpu, Priority priority, bool has_stack, auto& body) {
+  if (has_stack)
+    cpu.start("process", priority, [&body] { body.with_stack(); });
+  else
+    cpu.start("process", priority, body.without());
+}
+
+// Writers on the reader's processor and on neighbours.
+Numbers run(std::uint64_t seed, Bodies bodies) {
+  std::mt19937_64 random(seed);
+  return isolated_numbers([&] {
+    Lab lab(machine::load_model("t805-25"), machine::Code::compiled);
+    Processor& cpu = lab.cpu();
+    std::deque<Writer> writers;
+    const auto has_stack = [&] {
+      const bool chosen = random() % 2 == 0;
+      return bodies == Bodies::mixed ? chosen : bodies == Bodies::with_stacks;
+    };
+    std::vector<Channel<Words>*> channels;
+    for (std::size_t i = 0; i < INPUTS; ++i) {
+      Processor& from = random() % 2 == 0 ? lab.neighbour(cpu) : cpu;
+      channels.push_back(&from == &cpu ? &lab.soft() : &lab.hard(from, cpu));
+      const auto computes = static_cast<std::int64_t>(random() % 2000);
+      const auto priority = BOTH_PRIORITIES[random() % 2];
+      start(from, priority, has_stack(), writers.emplace_back(Writer{*channels[i], computes}));
+    }
+    Reader reader{random() % 2 == 0, channels};
+    const auto priority = BOTH_PRIORITIES[random() % 2];
+    start(cpu, priority, has_stack(), reader);
+    lab.machine.run();
+    reader.seen.push_back(lab.cycles());
+    reader.seen.push_back(lab.busy_cycles(cpu));
+    return reader.seen;
+  });
+}
+
+TEST(Task, TakesTheTimesOfAProcessWithAStack) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const auto expected = run(seed, Bodies::with_stacks);
+    EXPECT_EQ(expected.size(), 2 * INPUTS * MESSAGES + 2);
+    EXPECT_EQ(run(seed, Bodies::without), expected);
+    EXPECT_EQ(run(seed, Bodies::mixed), expected);
+  }
+}
+
+Task compute_and_count(std::int64_t cycles, int& count) {
+  compute(cycles);
+  co_await machine::Sync();
+  ++count;
+}
+
+TEST(Task, WaitsForAnotherTask) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    int count = 0;
+    Numbers cycles;
+    const auto body = [&]() -> Task {
+      co_await compute_and_count(100, count);
+      cycles.push_back(own_cycles());
+      co_await compute_and_count(0, count);
+      co_await compute_and_count(50, count);
+      cycles.push_back(own_cycles());
+    };
+    for (const auto priority : BOTH_PRIORITIES) lab.cpu().start("process", priority, body());
+    lab.machine.run();
+    cycles.push_back(count);
+    return cycles;
+  });
+  EXPECT_EQ(found, (Numbers{100, 100, 150, 150, 6}));
+}
+
+TEST(Task, EndsWhenItsOwnTimeHasCome) {
+  const auto cycles = isolated_numbers([] {
+    Lab lab;
+    const auto body = []() -> Task {
+      compute(700);
+      co_return;
+    };
+    lab.cpu().start("process", Priority::low, body());
+    lab.machine.run();
+    return Numbers{lab.cycles()};
+  });
+  EXPECT_EQ(cycles, Numbers{700});
+}
+
+// What it holds is given back when the machine is gone.
+TEST(Task, IsUnwoundWhereItWaits) {
+  const auto found = isolated_numbers([] {
+    const auto held = std::make_shared<int>(1);
+    double while_it_ran = 0;
+    {
+      Lab lab;
+      const auto body = [](std::shared_ptr<int>, Channel<Words>& never) -> Task {
+        co_await never.input();
+      };
+      lab.cpu().start("process", Priority::high, body(held, lab.soft())).set_server();
+      lab.machine.run();
+      while_it_ran = static_cast<double>(held.use_count());
+    }
+    return Numbers{while_it_ran, static_cast<double>(held.use_count())};
+  });
+  EXPECT_EQ(found, (Numbers{2, 1}));
+}
+
+// A deadlock's report, a fault, and waiting without co_await.
+std::string report(std::function<Task(Lab&)> body) {
+  return isolated([&] {
+    Lab lab(make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
+    try {
+      lab.cpu().start("process", Priority::high, body(lab));
+      lab.machine.run();
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  });
+}
+
+Task wait_for(Channel<Words>& never) { co_await never.input(); }
+Task choose_from(Channel<Words>& never) {
+  Words got;
+  co_await alternative(when(never, got, [] {}));
+}
+Task choose_from_none() {
+  co_await alternative(otherwise(false, [] {}));
+}
+Task wait_on_a_stack(Channel<Words>& never) {
+  never.in();
+  co_return;
+}
+
+void expect_in(const std::string& report, std::string_view text) {
+  EXPECT_TRUE(report.find(text) != std::string::npos) << report;
+}
+
+TEST(Task, IsNamedInReports) {
+  expect_in(report([](Lab& lab) { return wait_for(lab.soft()); }),
+            "process on cpu 0 waits for in on soft 0");
+  expect_in(report([](Lab& lab) { return choose_from(lab.soft()); }),
+            "process on cpu 0 waits for alt on soft 0");
+  expect_in(report([](Lab&) { return choose_from_none(); }),
+            "process on cpu 0 is in an ALT without an open guard");
+  expect_in(report([](Lab& lab) { return wait_on_a_stack(lab.soft()); }),
+            "process has no stack to wait on");
+}
+
+}  // namespace
+}  // namespace occam::task_test
