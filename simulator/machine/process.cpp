@@ -101,12 +101,6 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-bool Process::sync() {
-  if (!must_sync()) return false;
-  suspend();
-  return true;
-}
-
 // A process that only computes would not let the run end at its limit; nor, if there is none, at a
 // failure, or when the user wants.
 void Process::sync_if_much() {

@@ -64,7 +64,11 @@ class Process {
   void charge(Seconds duration);
   /// Pays the debt: on return the clock has reached this process's own time and it has the CPU.
   /// Returns whether others may have run meanwhile.
-  bool sync();
+  bool sync() {
+    const bool must = must_sync();
+    if (must) suspend();
+    return must;
+  }
   void sync_if_low() {
     if (must_sync_if_low()) suspend();
   }

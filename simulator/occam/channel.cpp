@@ -167,19 +167,16 @@ void ChannelBase::Exchange::begin(bool may_fail) {
 }
 
 bool ChannelBase::Exchange::go_on(Process& self) {
-  End& end = channel_->ends_[side_];
-  for (;;) {
-    if (!communicate(self)) return false;
-    if (end.failed) break;
+  while (communicate(self)) {
     bool& again = side_ == writer ? rest_follows_ : channel_->rest_to_come_;
-    if (!std::exchange(again, false)) break;
+    if (failed() || !std::exchange(again, false)) {
+      channel_->leave(side_);
+      return true;
+    }
     bytes_ = rest_;
     stage_ = Stage::comes;
   }
-  failed_ = end.failed;
-  end.may_fail = false;
-  channel_->leave(side_);
-  return true;
+  return false;
 }
 
 // One part of the message.
@@ -187,16 +184,14 @@ bool ChannelBase::Exchange::communicate(Process& self) {
   Party &own = channel_->ends_[side_].waiting, &partner = channel_->ends_[1 - side_].waiting;
   switch (stage_) {
     case Stage::comes:
-      stage_ = Stage::has_paid;
       is_second_ = partner.process;
-      if (!pay_to_come(self)) return false;
+      if (!pay_to_come(self)) return stop_at(Stage::has_paid);
       [[fallthrough]];
     case Stage::has_paid:
-      stage_ = Stage::has_paid_all;
-      if (partner.process && !pay_for_late_partner(self)) return false;
+      if (partner.process && !is_second_ && !channel_->hard() && !pay_for_late_partner(self))
+        return stop_at(Stage::has_paid_all);
       [[fallthrough]];
     case Stage::has_paid_all:
-      stage_ = Stage::over;
       if (channel_->cut()) return refuse(self);
       if (partner.process) return meet(self, std::exchange(partner, {}));
       own = {&self, self.own_time()};
@@ -205,10 +200,15 @@ bool ChannelBase::Exchange::communicate(Process& self) {
         if (channel_->alternative_.process) channel_->wake_alternative(own.since);
       }
       channel_->wait(self, side_, side_ == writer ? "out" : "in");
-      return false;
+      return stop_at(Stage::over);
     case Stage::over:;
   }
   return true;
+}
+
+bool ChannelBase::Exchange::stop_at(Stage next) {
+  stage_ = next;
+  return false;
 }
 
 // The copy of an input is of as many bytes as the partner has said by then.
@@ -233,7 +233,6 @@ bool ChannelBase::Exchange::pay_to_come(Process& self) const {
 // The partner may come to a soft channel while a low-priority process spends that: then the copy is
 // spent too.
 bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
-  if (channel_->hard() || is_second_) return true;
   const auto& costs = self.processor().model().channel;
   const Cycles wake = channel_->joins_cpus() ? costs.wake_companion : Cycles{};
   const Cycles spent = compiled(costs.blocked);
@@ -253,7 +252,7 @@ bool ChannelBase::Exchange::refuse(Process& self) {
   End& end = channel_->ends_[side_];
   if (end.may_fail) return end.failed = true;
   self.start_wait(channel_->wait_for_ever(side_));
-  return false;
+  return stop_at(Stage::over);
 }
 
 // Both ends are here; this process came second.
@@ -266,7 +265,7 @@ bool ChannelBase::Exchange::meet(Process& self, Party partner) {
   if (!channel.hard()) {
     channel.move_part();
     processor.make_ready(*partner.process, self.own_time());
-    return !self.must_sync_if_low();  // a high-priority partner has taken the CPU
+    return !self.must_sync_if_low() || stop_at(Stage::over);  // a high partner has taken the CPU
   }
   channel.transfer_[0] = partner.process;
   channel.transfer_[1] = &self;
@@ -276,7 +275,7 @@ bool ChannelBase::Exchange::meet(Process& self, Party partner) {
   else
     channel.start_transfer();
   channel.wait(self, side_, "transfer");
-  return false;
+  return stop_at(Stage::over);
 }
 
 }  // namespace occam

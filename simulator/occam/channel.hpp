@@ -142,12 +142,13 @@ class ChannelBase::Exchange : public machine::Operation {
   Exchange(ChannelBase& channel, bool may_fail);  ///< an input
   bool go_on(Process& self) final;
   /// Once it is over: the link was cut before the whole message had moved.
-  bool failed() const { return failed_; }
+  bool failed() const { return channel_->ends_[side_].failed; }
 
  private:
   enum class Stage : std::uint8_t { comes, has_paid, has_paid_all, over };
   void begin(bool may_fail);
   bool communicate(Process& self);
+  bool stop_at(Stage next);
   bool pay(Process& self, Cycles instructions, Cycles copy) const;
   bool pay_to_come(Process& self) const;
   bool pay_for_late_partner(Process& self) const;
@@ -159,7 +160,7 @@ class ChannelBase::Exchange : public machine::Operation {
   std::uint64_t bytes_ = 0, rest_ = 0;  // of an output
   Side side_;
   Stage stage_ = Stage::comes;
-  bool rest_follows_ = false, is_second_ = false, failed_ = false;
+  bool rest_follows_ = false, is_second_ = false;
 };
 
 /// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;

@@ -9,8 +9,12 @@
 namespace machine {
 
 namespace {
+
+constexpr std::size_t FEW = 64;  // events to come, of a machine that the host's caches hold
+
 volatile std::sig_atomic_t stop_requested = 0;
-}
+
+}  // namespace
 
 void request_stop() { stop_requested = 1; }
 
@@ -35,6 +39,9 @@ void Events::handle_next() {
   heap_.pop();
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date;
+  // On a large machine the next event's processor is in none of the host's near caches: 8 % of
+  // time.
+  if (heap_.size() > FEW) callbacks_[heap_.top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }
 
