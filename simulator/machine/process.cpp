@@ -25,18 +25,18 @@ Process::Process(Processor& processor, std::string name, Priority priority, Body
       body_(std::move(body)),
       name_(std::move(name)) {}
 
-Process::Process(Processor& processor, std::string name, Priority priority, Task task)
+Process::Process(Processor& processor, std::string name, Priority priority, Proc proc)
     : processor_(processor),
       priority_(priority),
-      task_(std::move(task)),
+      proc_(std::move(proc)),
       id_(++last_id),
       name_(std::move(name)) {}
 
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // what the task destroys may ask
-  task_ = {};
+  Process* const other = std::exchange(executing, this);  // what the proc destroys may ask
+  proc_ = {};
   executing = other;
 }
 
@@ -54,7 +54,7 @@ void Process::live() {
 
 void Process::live_on() {
   try {
-    if (!task_.go_on(*this) || debt_.value > 0) return;
+    if (!proc_.go_on(*this) || debt_.value > 0) return;
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
   }
@@ -72,7 +72,7 @@ void Process::resume() {
 
 void Process::suspend() {
   if (!coroutine_)
-    throw base::InvariantBroken(name_ + " has no stack to wait on: a Task waits by co_await");
+    throw base::InvariantBroken(name_ + " has no stack to wait on: a Proc waits by co_await");
   coroutine_->suspend();
   if (cancelled_) throw Cancelled{};
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A process of a simulated transputer: a body that spends cycles, on a stack of its own or, if it
-// is a Task, without one.
+// is a Proc, without one.
 #include <array>
 #include <boost/intrusive/list_hook.hpp>
 #include <functional>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulator/machine/carriers/coroutine.hpp"
-#include "simulator/machine/task.hpp"
+#include "simulator/machine/proc.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
@@ -49,7 +49,7 @@ class Process {
       boost::intrusive::link_mode<boost::intrusive::normal_link>>;
 
   Process(Processor& processor, std::string name, Priority priority, Body body);
-  Process(Processor& processor, std::string name, Priority priority, Task task);
+  Process(Processor& processor, std::string name, Priority priority, Proc proc);
   ~Process();  ///< a body that has not ended is unwound
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -149,7 +149,7 @@ class Process {
   ReadyHook ready_hook_;  // in its ready queue
   Cycles debt_{};
   Seconds ready_at_{};  // when it joined its ready queue
-  Task task_;           // the body without a stack
+  Proc proc_;           // the body without a stack
   Wait* wait_ = nullptr;
   Seconds blocked_since_{};
   std::uint64_t waits_ = 0;
@@ -163,7 +163,7 @@ class Process {
   std::string name_;
 };
 
-/// co_await Sync(): what Process::sync() does, in a Task.
+/// co_await Sync(): what Process::sync() does, in a Proc.
 class Sync final : public Operation {
  public:
   bool go_on(Process& self) override {

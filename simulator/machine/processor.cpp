@@ -17,12 +17,12 @@ Process& Processor::start(std::string name, Priority priority, Process::Body bod
   return start(std::make_unique<Process>(*this, std::move(name), priority, std::move(body)));
 }
 
-Process& Processor::start(std::string name, Priority priority, Task task) {
+Process& Processor::start(std::string name, Priority priority, Proc proc) {
   if (engine_.needs_stacks())
-    return start(std::move(name), priority, [body = std::make_shared<Task>(std::move(task))] {
+    return start(std::move(name), priority, [body = std::make_shared<Proc>(std::move(proc))] {
       this_process().carry_out(*body);
     });
-  return start(std::make_unique<Process>(*this, std::move(name), priority, std::move(task)));
+  return start(std::make_unique<Process>(*this, std::move(name), priority, std::move(proc)));
 }
 
 Process& Processor::start(std::unique_ptr<Process> process) {

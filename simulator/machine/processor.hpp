@@ -53,7 +53,7 @@ class Processor {
 
   /// A new process, ready at once. The reference stays valid as long as the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
-  Process& start(std::string name, Priority priority, Task task);
+  Process& start(std::string name, Priority priority, Proc proc);
   /// Forgets a process that has ended.
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.

@@ -64,7 +64,7 @@ StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::To
   }
 }
 
-void StoreAndForward::start(int id, const char* what, int way, Task body) {
+void StoreAndForward::start(int id, const char* what, int way, Proc body) {
   machine::Processor& processor = *nodes_[id].processor;
   processor.start(name(processor, what, way), Priority::high, std::move(body)).set_server();
 }
@@ -102,7 +102,7 @@ int StoreAndForward::guards_on_the_way(int from, int to) {
 }
 
 // The receiver of a link, or without a link the entry of the client's packets.
-Task StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
+Proc StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   const auto& model = nodes_[id].processor->model();
   const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),
                            get_instruction(model, "load")};
@@ -117,7 +117,7 @@ Task StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   }
 }
 
-Task StoreAndForward::queue(const Node& node, int way) {
+Proc StoreAndForward::queue(const Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
@@ -141,7 +141,7 @@ Task StoreAndForward::queue(const Node& node, int way) {
   }
 }
 
-Task StoreAndForward::send(const Node& node, int way, Channel<Packet>* link,
+Proc StoreAndForward::send(const Node& node, int way, Channel<Packet>* link,
                            Channel<Pointer>& client) {
   for (;;) {
     const Pointer packet = co_await node.to_sender[way]->input();

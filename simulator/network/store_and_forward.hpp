@@ -19,8 +19,8 @@
 namespace network {
 
 using occam::Channel;
+using occam::Proc;
 using occam::Signal;
-using occam::Task;
 
 struct Packet {
   int from = 0, to = 0;      ///< processors, as the topology numbers them
@@ -65,14 +65,14 @@ class StoreAndForward {
     // By the lowest port to a neighbour, the port to it whose turn it is.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
   };
-  void start(int id, const char* what, int way, Task body);
+  void start(int id, const char* what, int way, Proc body);
   void start_way_out(int id, int way, Channel<Packet>* link);
   void start_way_in(int id, int way, Channel<Packet>* link);
   int take_way_to(int from, int to);
   int guards_of(int id, int way) const;
-  Task receive(int id, int way, Channel<Packet>* link);
-  Task queue(const Node& node, int way);
-  Task send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
+  Proc receive(int id, int way, Channel<Packet>* link);
+  Proc queue(const Node& node, int way);
+  Proc send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
 
   topologies::Topology topology_;
   topologies::RoutingTable routes_;

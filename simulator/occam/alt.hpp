@@ -86,7 +86,7 @@ inline std::size_t select(std::span<const Guard> guards) {
 using Guards = boost::container::small_vector<Guard, 16>;
 
 // What is written in an ALT has, beside its guards, three functions. In a process with a stack,
-// take(i) does the input of its guard i, and what follows. In a Task the same goes in two steps:
+// take(i) does the input of its guard i, and what follows. In a Proc the same goes in two steps:
 // begin(i) gives the input, if there is one, and end(i, input) follows.
 using MaybeInput = std::optional<ChannelBase::Exchange>;
 
@@ -243,7 +243,7 @@ void pri_alt(Written&&... written) {
       written...);
 }
 
-/// The same for a Task: co_await alternative(...).
+/// The same for a Proc: co_await alternative(...).
 template <class... Written>
 class Alternative final : public machine::Operation {
  public:

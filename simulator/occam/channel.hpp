@@ -16,8 +16,8 @@
 namespace occam {
 
 using machine::Cycles;
+using machine::Proc;
 using machine::Process;
-using machine::Task;
 using machine::this_process;
 
 /// A message without contents: one word. Every message type says in a member `bytes()` how many
@@ -135,7 +135,7 @@ class ChannelBase : machine::Wait {
 };
 
 /// An output or an input of a whole message, from its process's arrival until the message has moved
-/// or, if that is allowed, the link has been cut. A Task may co_await it.
+/// or, if that is allowed, the link has been cut. A Proc may co_await it.
 class ChannelBase::Exchange : public machine::Operation {
  public:
   Exchange(ChannelBase& channel, Parts output, bool may_fail);
@@ -195,7 +195,7 @@ class Channel : public ChannelBase {
     return this_process().carry_out(input_or_fail()).await_resume();
   }
 
-  // The same for a Task: co_await channel.output(message), message = co_await channel.input().
+  // The same for a Proc: co_await channel.output(message), message = co_await channel.input().
   class OutputOrFail : public Exchange {
    public:
     using Exchange::Exchange;

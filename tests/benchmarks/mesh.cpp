@@ -11,12 +11,12 @@ using machine::Priority;
 
 namespace {
 
-occam::Task source(network::StoreAndForward& network, int id,
+occam::Proc source(network::StoreAndForward& network, int id,
                    const std::vector<int>& destinations) {
   for (const int to : destinations) co_await network.into(id).output({{id, to, MESSAGE_BYTES}});
 }
 
-occam::Task sink(network::StoreAndForward& network, int id, int messages) {
+occam::Proc sink(network::StoreAndForward& network, int id, int messages) {
   for (; messages > 0; --messages) co_await network.delivered(id).input();
 }
 

@@ -14,8 +14,8 @@ using machine::Priority;
 using network::Packet;
 using network::StoreAndForward;
 using occam::Channel;
+using occam::Proc;
 using occam::Signal;
-using occam::Task;
 
 namespace {
 
@@ -29,20 +29,20 @@ struct Exchange {
   machine::Cycles work;
   Channel<Signal> computed{"computed"}, received{"received"};
 
-  Task source(StoreAndForward& network, int id, std::vector<topologies::Neighbour> around) {
+  Proc source(StoreAndForward& network, int id, std::vector<topologies::Neighbour> around) {
     for (int round = 0; round < ROUNDS; ++round) {
       if (round > 0) co_await computed.input();
       for (const auto& neighbour : around)
         co_await network.into(id).output({Packet{id, neighbour.processor, MESSAGE_BYTES}});
     }
   }
-  Task sink(StoreAndForward& network, int id, std::size_t neighbours) {
+  Proc sink(StoreAndForward& network, int id, std::size_t neighbours) {
     for (int round = 0; round < ROUNDS; ++round) {
       for (std::size_t i = 0; i < neighbours; ++i) co_await network.delivered(id).input();
       co_await received.output({});
     }
   }
-  Task compute() {
+  Proc compute() {
     for (int round = 1; round <= ROUNDS; ++round) {
       co_await received.input();
       occam::this_process().charge(work);

@@ -1,7 +1,7 @@
 #pragma once
-// Bodies of processes that need no stack: C++ coroutines.
+// PROC: the body of a process that needs no stack, a C++ coroutine.
 //
-//   Task forward(Channel<Packet>& from, Channel<Packet>& to) {
+//   Proc forward(Channel<Packet>& from, Channel<Packet>& to) {
 //     for (;;) co_await to.output(co_await from.input());
 //   }
 //
@@ -22,11 +22,11 @@ class Operation {
   /// the CPU up, and calls again when it has it back.
   virtual bool go_on(Process& self) = 0;
 
-  // co_await operation, in a Task
+  // co_await operation, in a Proc
   bool await_ready() { return go_on(this_process()); }
   template <class Promise>
-  void await_suspend(std::coroutine_handle<Promise> task) {
-    task.promise().waits_in = this;
+  void await_suspend(std::coroutine_handle<Promise> waiting) {
+    waiting.promise().waits_in = this;
   }
   void await_resume() const {}
 
@@ -34,28 +34,28 @@ class Operation {
   ~Operation() = default;
 };
 
-/// A body that has not begun, is under way or has ended; another Task may co_await it. It waits by
+/// A body that has not begun, is under way or has ended; another Proc may co_await it. It waits by
 /// co_await alone, in operations on channels, ALTs and Sync: what needs a stack (Channel::out,
 /// timers, PAR) throws InvariantBroken when it would have to wait. What an operation throws after
 /// it has had to wait ends the process, and is not caught in its body.
-class Task final : public Operation {
+class Proc final : public Operation {
  public:
   struct promise_type {
     Operation* waits_in = nullptr;
-    Task get_return_object() { return Task(Coroutine::from_promise(*this)); }
+    Proc get_return_object() { return Proc(Coroutine::from_promise(*this)); }
     std::suspend_always initial_suspend() noexcept { return {}; }
     std::suspend_always final_suspend() noexcept { return {}; }
     void return_void() {}
     void unhandled_exception() { throw; }  // out of go_on()
   };
 
-  Task() = default;
-  Task(Task&& other) noexcept : coroutine_(std::exchange(other.coroutine_, {})) {}
-  Task& operator=(Task&& other) noexcept {
+  Proc() = default;
+  Proc(Proc&& other) noexcept : coroutine_(std::exchange(other.coroutine_, {})) {}
+  Proc& operator=(Proc&& other) noexcept {
     std::swap(coroutine_, other.coroutine_);
     return *this;
   }
-  ~Task() {
+  ~Proc() {
     if (coroutine_) coroutine_.destroy();
   }
 
@@ -70,7 +70,7 @@ class Task final : public Operation {
 
  private:
   using Coroutine = std::coroutine_handle<promise_type>;
-  explicit Task(Coroutine coroutine) : coroutine_(coroutine) {}
+  explicit Proc(Coroutine coroutine) : coroutine_(coroutine) {}
   Coroutine coroutine_;
 };
 

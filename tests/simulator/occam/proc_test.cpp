@@ -5,7 +5,7 @@
 
 #include "tests/support/lab.hpp"
 
-namespace occam::task_test {
+namespace occam::proc_test {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
@@ -22,7 +22,7 @@ struct Writer {
       out(to, message(m));
     }
   }
-  Task without() const {
+  Proc without() const {
     for (std::uint64_t m = 0; m < MESSAGES; ++m) {
       compute(computes);
       co_await to.output(message(m));
@@ -66,7 +66,7 @@ struct Reader {
       seen.push_back(own_cycles());
     }
   }
-  Task without() {
+  Proc without() {
     for (std::size_t left = INPUTS * MESSAGES; left > 0; --left) {
       if (fair)
         co_await alternative(first(), others<true>(), never());
@@ -116,7 +116,7 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
   });
 }
 
-TEST(Task, TakesTheTimesOfAProcessWithAStack) {
+TEST(Proc, TakesTheTimesOfAProcessWithAStack) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const auto expected = run(seed, Bodies::with_stacks);
@@ -126,18 +126,18 @@ TEST(Task, TakesTheTimesOfAProcessWithAStack) {
   }
 }
 
-Task compute_and_count(std::int64_t cycles, int& count) {
+Proc compute_and_count(std::int64_t cycles, int& count) {
   compute(cycles);
   co_await machine::Sync();
   ++count;
 }
 
-TEST(Task, WaitsForAnotherTask) {
+TEST(Proc, WaitsForAnotherProc) {
   const auto found = isolated_numbers([] {
     Lab lab;
     int count = 0;
     Numbers cycles;
-    const auto body = [&]() -> Task {
+    const auto body = [&]() -> Proc {
       co_await compute_and_count(100, count);
       cycles.push_back(own_cycles());
       co_await compute_and_count(0, count);
@@ -152,10 +152,10 @@ TEST(Task, WaitsForAnotherTask) {
   EXPECT_EQ(found, (Numbers{100, 100, 150, 150, 6}));
 }
 
-TEST(Task, EndsWhenItsOwnTimeHasCome) {
+TEST(Proc, EndsWhenItsOwnTimeHasCome) {
   const auto cycles = isolated_numbers([] {
     Lab lab;
-    const auto body = []() -> Task {
+    const auto body = []() -> Proc {
       compute(700);
       co_return;
     };
@@ -167,13 +167,13 @@ TEST(Task, EndsWhenItsOwnTimeHasCome) {
 }
 
 // What it holds is given back when the machine is gone.
-TEST(Task, IsUnwoundWhereItWaits) {
+TEST(Proc, IsUnwoundWhereItWaits) {
   const auto found = isolated_numbers([] {
     const auto held = std::make_shared<int>(1);
     double while_it_ran = 0;
     {
       Lab lab;
-      const auto body = [](std::shared_ptr<int>, Channel<Words>& never) -> Task {
+      const auto body = [](std::shared_ptr<int>, Channel<Words>& never) -> Proc {
         co_await never.input();
       };
       lab.cpu().start("process", Priority::high, body(held, lab.soft())).set_server();
@@ -186,7 +186,7 @@ TEST(Task, IsUnwoundWhereItWaits) {
 }
 
 // A deadlock's report, a fault, and waiting without co_await.
-std::string report(std::function<Task(Lab&)> body) {
+std::string report(std::function<Proc(Lab&)> body) {
   return isolated([&] {
     Lab lab(make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
     try {
@@ -199,15 +199,15 @@ std::string report(std::function<Task(Lab&)> body) {
   });
 }
 
-Task wait_for(Channel<Words>& never) { co_await never.input(); }
-Task choose_from(Channel<Words>& never) {
+Proc wait_for(Channel<Words>& never) { co_await never.input(); }
+Proc choose_from(Channel<Words>& never) {
   Words got;
   co_await alternative(when(never, got, [] {}));
 }
-Task choose_from_none() {
+Proc choose_from_none() {
   co_await alternative(otherwise(false, [] {}));
 }
-Task wait_on_a_stack(Channel<Words>& never) {
+Proc wait_on_a_stack(Channel<Words>& never) {
   never.in();
   co_return;
 }
@@ -216,7 +216,7 @@ void expect_in(const std::string& report, std::string_view text) {
   EXPECT_TRUE(report.find(text) != std::string::npos) << report;
 }
 
-TEST(Task, IsNamedInReports) {
+TEST(Proc, IsNamedInReports) {
   expect_in(report([](Lab& lab) { return wait_for(lab.soft()); }),
             "process on cpu 0 waits for in on soft 0");
   expect_in(report([](Lab& lab) { return choose_from(lab.soft()); }),
@@ -228,4 +228,4 @@ TEST(Task, IsNamedInReports) {
 }
 
 }  // namespace
-}  // namespace occam::task_test
+}  // namespace occam::proc_test
