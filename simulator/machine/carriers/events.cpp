@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/heap/d_ary_heap.hpp>
 #include <csignal>
 
 #include "base/errors.hpp"
@@ -10,11 +11,26 @@ namespace machine {
 
 namespace {
 
+constexpr int PLACE_BITS = 24;   // of the events in the heap at one time
 constexpr std::size_t FEW = 64;  // events to come, of a machine that the host's caches hold
+
+struct Event {
+  double date;
+  std::uint64_t order_and_place;  // of being asked for, above its callback's place
+  std::size_t place() const { return order_and_place & ((std::size_t{1} << PLACE_BITS) - 1); }
+  bool operator<(const Event& o) const {  // for a heap whose top is the next event
+    return date > o.date || (date == o.date && order_and_place > o.order_and_place);
+  }
+};
 
 volatile std::sig_atomic_t stop_requested = 0;
 
 }  // namespace
+
+struct Events::Heap : boost::heap::d_ary_heap<Event, boost::heap::arity<4>> {};
+
+Events::Events() : heap_(std::make_unique<Heap>()) {}
+Events::~Events() = default;
 
 void request_stop() { stop_requested = 1; }
 
@@ -31,17 +47,19 @@ void Events::ask(double date, std::uint64_t order, Callback callback) {
   const std::uint32_t place = free_.back();
   free_.pop_back();
   callbacks_[place] = callback;
-  heap_.push({date, order << PLACE_BITS | place});
+  heap_->push({date, order << PLACE_BITS | place});
+  next_ = std::min(next_, date);
 }
 
 void Events::handle_next() {
-  const Event event = heap_.top();
-  heap_.pop();
+  const Event event = heap_->top();
+  heap_->pop();
+  next_ = heap_->empty() ? NEVER : heap_->top().date;
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date;
   // On a large machine the next event's processor is in none of the host's near caches: 8 % of
   // time.
-  if (heap_.size() > FEW) callbacks_[heap_.top().place()].prefetch();
+  if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }
 

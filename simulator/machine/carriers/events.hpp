@@ -1,8 +1,8 @@
 #pragma once
 // The simulated clock and the events that are asked for, without the messages on links.
-#include <boost/heap/d_ary_heap.hpp>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "simulator/machine/carriers/callback.hpp"
@@ -26,6 +26,9 @@ class Events {
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
   enum class End { no_event_left, until, stopped, requested };
 
+  Events();
+  ~Events();
+
   double now() const { return now_; }      ///< seconds
   double until() const { return until_; }  ///< the end of simulated time
   void set_until(double date) { until_ = date; }
@@ -42,7 +45,7 @@ class Events {
   void soon(Callback callback) { soon_.push_back(callback); }
 
   /// The date of the next event; NEVER if there is none.
-  double next() const { return heap_.empty() ? NEVER : heap_.top().date; }
+  double next() const { return next_; }
   /// Takes the next event, which there must be: the clock comes to its date.
   void handle_next();
   /// The clock goes on to `date`, unless it is there already.
@@ -67,20 +70,13 @@ class Events {
  private:
   // Orders from here on are not asked for as first.
   static constexpr std::uint64_t FIRST = std::uint64_t{1} << 38;
-  static constexpr int PLACE_BITS = 24;  // of the events in the heap at one time
 
-  struct Event {
-    double date;
-    std::uint64_t order_and_place;  // of being asked for, above its callback's place
-    std::size_t place() const { return order_and_place & ((std::size_t{1} << PLACE_BITS) - 1); }
-    bool operator<(const Event& o) const {  // for a heap whose top is the next event
-      return date > o.date || (date == o.date && order_and_place > o.order_and_place);
-    }
-  };
+  struct Heap;  // its library takes long to compile, and machines include this
   void ask(double date, std::uint64_t order, Callback callback);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;
-  boost::heap::d_ary_heap<Event, boost::heap::arity<4>> heap_;
+  double next_ = NEVER;  // of the heap
+  std::unique_ptr<Heap> heap_;
   std::vector<Callback> callbacks_;  // of the events in the heap, which moves them often
   std::vector<std::uint32_t> free_;  // places
   std::vector<Callback> soon_;
