@@ -99,7 +99,7 @@ class Cpu {
   /// From now on `thief`, which is the DMA of a link by its port (0 to 3), BY_COMPANION or the DMA
   /// of a companion's link behind it, takes this share of the CPU's cycles: whatever is being
   /// computed ends later. (What a high-priority process charged just before it blocked is certain
-  /// already: see Process::sync_if_long.)
+  /// already: see Process::must_sync_if_long.)
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
   CpuUse use() const { return use_by(now()); }  ///< up to now

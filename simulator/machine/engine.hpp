@@ -30,7 +30,7 @@ class Engine {
   /// See Carrier.
   int add_processor(const std::string& name);
   std::size_t add_link(int a, int b, LinkRates rates) { return carrier_->add_link(a, b, rates); }
-  /// Whether every body of a process is to be such a coroutine.
+  /// Whether every process needs a stack, a Proc too: SimGrid's actors have one.
   bool needs_stacks() const { return needs_stacks_; }
   /// A process's body, to be resumed by callbacks and, once it is to end, after run().
   std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,

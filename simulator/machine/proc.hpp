@@ -5,9 +5,10 @@
 //     for (;;) co_await to.output(co_await from.input());
 //   }
 //
-// Such a process takes some hundred bytes of the host, where a stack takes a page at least, and the
-// host comes to it sooner.
+// Such a process takes a few hundred bytes of the host's memory, where a stack takes a page at
+// least, and more machines fit into the host's caches.
 #include <coroutine>
+#include <exception>
 #include <utility>
 
 namespace machine {
@@ -21,13 +22,7 @@ class Operation {
   /// Begins, or goes on from where it was. Returns whether it is over; if not, the process gives
   /// the CPU up, and calls again when it has it back.
   virtual bool go_on(Process& self) = 0;
-
-  // co_await operation, in a Proc
-  bool await_ready() { return go_on(this_process()); }
-  template <class Promise>
-  void await_suspend(std::coroutine_handle<Promise> waiting) {
-    waiting.promise().waits_in = this;
-  }
+  /// What `co_await operation` gives; called when it is over.
   void await_resume() const {}
 
  protected:
@@ -35,43 +30,71 @@ class Operation {
 };
 
 /// A body that has not begun, is under way or has ended; another Proc may co_await it. It waits by
-/// co_await alone, in operations on channels, ALTs and Sync: what needs a stack (Channel::out,
-/// timers, PAR) throws InvariantBroken when it would have to wait. What an operation throws after
-/// it has had to wait ends the process, and is not caught in its body.
-class Proc final : public Operation {
+/// co_await alone, in operations on channels, in ALTs and in Sync: what needs a stack
+/// (Channel::out, pri_alt, read_timer, PAR) throws InvariantBroken. It must co_await Sync() before
+/// it takes an end of a channel over from another process, and at least once in 2^30 cycles of
+/// computation.
+class [[nodiscard]] Proc final : public Operation {
  public:
-  struct promise_type {
-    Operation* waits_in = nullptr;
-    Proc get_return_object() { return Proc(Coroutine::from_promise(*this)); }
-    std::suspend_always initial_suspend() noexcept { return {}; }
-    std::suspend_always final_suspend() noexcept { return {}; }
-    void return_void() {}
-    void unhandled_exception() { throw; }  // out of go_on()
-  };
+  struct promise_type;
+  using Frame = std::coroutine_handle<promise_type>;
 
-  Proc() = default;
-  Proc(Proc&& other) noexcept : coroutine_(std::exchange(other.coroutine_, {})) {}
+  Proc() = default;  ///< none
+  Proc(Proc&& other) noexcept : frame_(std::exchange(other.frame_, {})) {}
   Proc& operator=(Proc&& other) noexcept {
-    std::swap(coroutine_, other.coroutine_);
+    std::swap(frame_, other.frame_);
     return *this;
   }
   ~Proc() {
-    if (coroutine_) coroutine_.destroy();
+    if (frame_) frame_.destroy();
   }
 
-  explicit operator bool() const { return coroutine_ != nullptr; }
-  bool go_on(Process& self) override {
-    Operation*& operation = coroutine_.promise().waits_in;
-    if (operation && !operation->go_on(self)) return false;
-    operation = nullptr;
-    if (!coroutine_.done()) coroutine_.resume();
-    return coroutine_.done();
-  }
+  explicit operator bool() const { return frame_ != nullptr; }
+  bool go_on(Process& self) override;
 
  private:
-  using Coroutine = std::coroutine_handle<promise_type>;
-  explicit Proc(Coroutine coroutine) : coroutine_(coroutine) {}
-  Coroutine coroutine_;
+  explicit Proc(Frame frame) : frame_(frame) {}
+  Frame frame_;
 };
+
+struct Proc::promise_type {
+  Operation* waits_in = nullptr;
+  std::exception_ptr failure;  // of that operation, to be thrown in the body
+
+  // co_await operation
+  template <class SomeOperation>
+  struct Awaited {
+    SomeOperation& operation;
+    promise_type& promise;
+    bool await_ready() { return operation.go_on(this_process()); }
+    void await_suspend(Frame /*body*/) { promise.waits_in = &operation; }
+    decltype(auto) await_resume() {
+      if (promise.failure) std::rethrow_exception(std::exchange(promise.failure, nullptr));
+      return operation.await_resume();
+    }
+  };
+  template <class SomeOperation>
+  Awaited<SomeOperation> await_transform(SomeOperation&& operation) {
+    return {operation, *this};
+  }
+
+  Proc get_return_object() { return Proc(Frame::from_promise(*this)); }
+  std::suspend_always initial_suspend() noexcept { return {}; }
+  std::suspend_always final_suspend() noexcept { return {}; }
+  void return_void() {}
+  void unhandled_exception() { throw; }  // out of go_on()
+};
+
+inline bool Proc::go_on(Process& self) {
+  promise_type& promise = frame_.promise();
+  try {
+    if (promise.waits_in && !promise.waits_in->go_on(self)) return false;
+  } catch (...) {
+    promise.failure = std::current_exception();
+  }
+  promise.waits_in = nullptr;
+  if (!frame_.done()) frame_.resume();
+  return frame_.done();
+}
 
 }  // namespace machine

@@ -54,7 +54,9 @@ void Process::live() {
 
 void Process::live_on() {
   try {
-    if (!proc_.go_on(*this) || debt_.value > 0) return;
+    if (proc_ && !proc_.go_on(*this)) return;
+    proc_ = {};
+    if (debt_.value > 0) return;  // it ends when its own time has come
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
   }
@@ -70,9 +72,12 @@ void Process::resume() {
   executing = nullptr;
 }
 
+void Process::throw_without_stack() const {
+  throw base::InvariantBroken(name_ + " has no stack to wait on: a Proc waits by co_await");
+}
+
 void Process::suspend() {
-  if (!coroutine_)
-    throw base::InvariantBroken(name_ + " has no stack to wait on: a Proc waits by co_await");
+  require_stack();
   coroutine_->suspend();
   if (cancelled_) throw Cancelled{};
 }
@@ -90,6 +95,7 @@ void Process::start_wait(Wait& wait) {
 }
 
 void Process::block(Wait& wait) {
+  require_stack();
   start_wait(wait);
   suspend();
 }
@@ -102,12 +108,12 @@ Seconds Process::blocked(Wait::Kind kind) const {
 }
 
 // A process that only computes would not let the run end at its limit; nor, if there is none, at a
-// failure, or when the user wants.
+// failure, or when the user wants. (A Proc cannot sync here: it is refused when it is far ahead.)
 void Process::sync_if_much() {
+  if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();
-  if (executing == this && coroutine_ &&
-      (debt_ > MOST_DEBT || earliest > processor_.engine().until()))
-    sync();
+  const bool is_past_end = coroutine_ && earliest > processor_.engine().until();
+  if (debt_ > MOST_DEBT || is_past_end) sync();
 }
 
 Seconds Process::now() {

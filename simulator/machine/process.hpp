@@ -77,13 +77,14 @@ class Process {
   /// An operation, to its end; returns it.
   template <class SomeOperation>
   SomeOperation&& carry_out(SomeOperation&& operation) {
+    require_stack();
     while (!operation.go_on(*this)) suspend();
     return std::forward<SomeOperation>(operation);
   }
 
-  // --- called by its operations: what they have to do before they return that they are not over
-  // ---
-  /// Whether sync() would have to give the CPU up; then the operation does, once.
+  // --- called by operations -------------------------------------------------------------------
+  /// Whether sync() would give the CPU up. If so, the operation returns that it is not over, and
+  /// does not ask again when it goes on.
   inline bool must_sync() const;
   bool must_sync_if_low() const { return priority_ == Priority::low && must_sync(); }
   /// The same before it meets others: a high process syncs if it owes so much that the speed of the
@@ -91,9 +92,10 @@ class Process {
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || debt_ > LONG_DEBT) && must_sync();
   }
+  bool has_stack() const { return coroutine_ != nullptr; }
   /// From now on it is blocked, see block().
   void start_wait(Wait& wait);
-  // ------------------------------------------------------------------------------------------------
+  // --------------------------------------------------------------------------------------------
 
   /// Pays the debt, and returns the time. Throws Misuse outside of this process.
   Seconds now();
@@ -135,6 +137,10 @@ class Process {
   static inline Process* executing = nullptr;
   static constexpr Cycles LONG_DEBT{1000}, MUCH_DEBT{1 << 20}, MOST_DEBT{1 << 30};
   void sync_if_much();
+  void require_stack() const {
+    if (!has_stack()) throw_without_stack();
+  }
+  [[noreturn]] void throw_without_stack() const;
   void resume();   // the CPU enters the body, until it suspends or ends
   void suspend();  // the body returns to the CPU
   void live();     // the body, and its end
@@ -164,7 +170,7 @@ class Process {
 };
 
 /// co_await Sync(): what Process::sync() does, in a Proc.
-class Sync final : public Operation {
+class [[nodiscard]] Sync final : public Operation {
  public:
   bool go_on(Process& self) override {
     return std::exchange(has_begun_, true) || !self.must_sync();

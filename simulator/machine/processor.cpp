@@ -18,6 +18,7 @@ Process& Processor::start(std::string name, Priority priority, Process::Body bod
 }
 
 Process& Processor::start(std::string name, Priority priority, Proc proc) {
+  if (!proc) throw base::InvariantBroken(name + " on " + name_ + " has no body");
   if (engine_.needs_stacks())
     return start(std::move(name), priority, [body = std::make_shared<Proc>(std::move(proc))] {
       this_process().carry_out(*body);

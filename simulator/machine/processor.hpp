@@ -1,6 +1,7 @@
 #pragma once
 // A processor: a CPU, its memory, and the processes that have been started on it. Two processors
 // may have one memory: companions.
+#include <concepts>
 #include <exception>
 #include <memory>
 #include <vector>
@@ -54,6 +55,11 @@ class Processor {
   /// A new process, ready at once. The reference stays valid as long as the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
   Process& start(std::string name, Priority priority, Proc proc);
+  /// A function that makes a Proc is not its body: give what it returns.
+  template <class Maker>
+  requires std::same_as<std::invoke_result_t<Maker&>, Proc> Process& start(std::string name,
+                                                                           Priority priority,
+                                                                           Maker maker) = delete;
   /// Forgets a process that has ended.
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.

@@ -121,7 +121,7 @@ Proc StoreAndForward::queue(const Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
-  boost::circular_buffer<Pointer> waiting(4);
+  boost::circular_buffer<Pointer> waiting(4);  // grows; a deque would take 600 bytes at once
   std::size_t favourite = 0;
   bool is_free = true;
   Signal dummy;

@@ -46,10 +46,12 @@ struct Guard {
 /// condition must hold. Charges the instructions alt, enbc, altwt, disc and altend; where a guard
 /// waits for a time, talt, enbt, taltwt and dist too. A guard whose link is cut is never ready; the
 /// link of the chosen one can be cut before the input, or during it.
-class Select final : public machine::Operation, machine::Wait {
+class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
   /// The guards stay where they are until it is over.
   explicit Select(std::span<const Guard> guards);
+  Select(const Select&) = delete;
+  Select& operator=(const Select&) = delete;
   bool go_on(Process& self) override;
   std::size_t chosen() const { return chosen_; }
 
@@ -85,9 +87,9 @@ inline std::size_t select(std::span<const Guard> guards) {
 /// The guards of an ALT; more than 16 of them cost the host an allocation.
 using Guards = boost::container::small_vector<Guard, 16>;
 
-// What is written in an ALT has, beside its guards, three functions. In a process with a stack,
-// take(i) does the input of its guard i, and what follows. In a Proc the same goes in two steps:
-// begin(i) gives the input, if there is one, and end(i, input) follows.
+// What is written in an ALT has, beside its guards, two functions: begin(i) gives the input of its
+// guard i, if there is one, and once that is over, end(i, input) does what follows. (An input is
+// kept without what its own await_resume() adds.)
 using MaybeInput = std::optional<ChannelBase::Exchange>;
 
 /// `channel ? message`, if the condition holds. Into an optional message nothing is input if the
@@ -98,11 +100,6 @@ struct InputGuard : Guard {
   Channel<Message>& from;
   Into& into;
   Then then;
-  void take(std::size_t i) {
-    MaybeInput input = begin(i);
-    this_process().carry_out(*input);
-    end(i, input);
-  }
   MaybeInput begin(std::size_t /*only*/) const {
     if constexpr (MAY_FAIL)
       return from.input_or_fail();
@@ -110,8 +107,8 @@ struct InputGuard : Guard {
       return from.input();
   }
   void end(std::size_t /*only*/, const MaybeInput& input) {
-    if (input->failed())
-      into = {};
+    if constexpr (MAY_FAIL)
+      into = input->failed() ? std::nullopt : std::optional(from.received());
     else
       into = from.received();
     then();
@@ -122,7 +119,6 @@ struct InputGuard : Guard {
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
-  void take(std::size_t /*only*/) { then(); }
   MaybeInput begin(std::size_t /*only*/) const { return {}; }
   void end(std::size_t /*only*/, const MaybeInput& /*none*/) { then(); }
 };
@@ -150,15 +146,12 @@ auto after(bool condition, std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
-/// How `each` uses an input that is a pointer to a channel. Other kinds of input have functions of
-/// these names in their own namespace; input_from() may return anything.
+/// The channel of an input of `each` that is a pointer to one. Other kinds of input have a function
+/// of this name in their own namespace, and input_from(input), which does the input and may return
+/// anything.
 template <class Message>
 ChannelBase& channel_of(Channel<Message>* input) {
   return *input;
-}
-template <class Message>
-Message input_from(Channel<Message>* input) {
-  return input->in();
 }
 
 /// A replicated guard: one for each input.
@@ -171,16 +164,20 @@ struct Replicated {
 
   std::size_t size() const { return inputs.size(); }
   std::size_t index(std::size_t i) const { return (favourite + i) % size(); }
-  void take(std::size_t i) {
-    charge_turn();
-    then(index(i), input_from(inputs[index(i)]));
+  MaybeInput begin(std::size_t i) const requires requires(const Inputs& channels) {
+    channels[0]->input();
   }
-  MaybeInput begin(std::size_t i) const {  // of inputs that are pointers to channels
+  {
     charge_turn();
     return inputs[index(i)]->input();
   }
   void end(std::size_t i, const MaybeInput& /*over*/) {
     then(index(i), inputs[index(i)]->received());
+  }
+  /// The same for other inputs, in a process with a stack.
+  void take(std::size_t i) {
+    charge_turn();
+    then(index(i), input_from(inputs[index(i)]));
   }
   void charge_turn() const {
     const auto& costs = this_process().processor().model().alternative;
@@ -239,13 +236,22 @@ void pri_alt(Written&&... written) {
   Guards guards;
   const std::size_t counts[] = {add_guards(written, guards)...};
   use_chosen(
-      select({guards.data(), guards.size()}), counts, [](auto& one, std::size_t i) { one.take(i); },
+      select({guards.data(), guards.size()}), counts,
+      [](auto& one, std::size_t i) {
+        if constexpr (requires { one.begin(i); }) {
+          MaybeInput input = one.begin(i);
+          if (input) this_process().carry_out(*input);
+          one.end(i, input);
+        } else {
+          one.take(i);
+        }
+      },
       written...);
 }
 
-/// The same for a Proc: co_await alternative(...).
+/// The same for a Proc: co_await alternative(...). What a guard says must not wait.
 template <class... Written>
-class Alternative final : public machine::Operation {
+class [[nodiscard]] Alternative final : public machine::Operation {
  public:
   explicit Alternative(Written... written)
       : written_(std::move(written)...),
@@ -261,9 +267,10 @@ class Alternative final : public machine::Operation {
       has_chosen_ = true;
       use([&](auto& one, std::size_t i) { input_ = one.begin(i); });
     }
-    if (input_ && !input_->go_on(self)) return false;
+    return !input_ || input_->go_on(self);
+  }
+  void await_resume() {
     use([&](auto& one, std::size_t i) { one.end(i, input_); });
-    return true;
   }
 
  private:

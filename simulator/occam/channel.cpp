@@ -51,8 +51,9 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   const bool is_here = end.place == &here;
   const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
   if (is_here && is_free()) return;
-  const Seconds at = self.now();
-  if (is_here && is_free()) return;  // by its own time
+  if (self.has_stack()) self.sync();
+  const Seconds at = self.own_time();
+  if (is_here && is_free()) return;
   std::string why;
   if (is_here)
     why = fmt::format("while {} on {} does: a channel has one writer and one reader",
@@ -149,10 +150,9 @@ void ChannelBase::on_cut(Process& process) {
 ChannelBase::Exchange::Exchange(ChannelBase& channel, Parts output, bool may_fail)
     : channel_(&channel),
       bytes_(output.first > 0 ? output.first : output.rest),
-      rest_(output.rest),
-      side_(writer),
-      rest_follows_(output.first > 0 && output.rest > 0) {
-  channel.rest_follows_ = rest_follows_;
+      rest_(output.first > 0 ? output.rest : 0),
+      side_(writer) {
+  channel.rest_follows_ = rest_ > 0;
   begin(may_fail);
 }
 
@@ -168,12 +168,13 @@ void ChannelBase::Exchange::begin(bool may_fail) {
 
 bool ChannelBase::Exchange::go_on(Process& self) {
   while (communicate(self)) {
-    bool& again = side_ == writer ? rest_follows_ : channel_->rest_to_come_;
-    if (failed() || !std::exchange(again, false)) {
+    const bool is_all =
+        side_ == writer ? rest_ == 0 : !std::exchange(channel_->rest_to_come_, false);
+    if (failed() || is_all) {
       channel_->leave(side_);
       return true;
     }
-    bytes_ = rest_;
+    bytes_ = std::exchange(rest_, 0);
     stage_ = Stage::comes;
   }
   return false;
@@ -201,7 +202,8 @@ bool ChannelBase::Exchange::communicate(Process& self) {
       }
       channel_->wait(self, side_, side_ == writer ? "out" : "in");
       return stop_at(Stage::over);
-    case Stage::over:;
+    case Stage::over:
+      break;
   }
   return true;
 }
@@ -250,7 +252,10 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
 // The link was cut before the process came.
 bool ChannelBase::Exchange::refuse(Process& self) {
   End& end = channel_->ends_[side_];
-  if (end.may_fail) return end.failed = true;
+  if (end.may_fail) {
+    end.failed = true;
+    return true;
+  }
   self.start_wait(channel_->wait_for_ever(side_));
   return stop_at(Stage::over);
 }
@@ -265,7 +270,8 @@ bool ChannelBase::Exchange::meet(Process& self, Party partner) {
   if (!channel.hard()) {
     channel.move_part();
     processor.make_ready(*partner.process, self.own_time());
-    return !self.must_sync_if_low() || stop_at(Stage::over);  // a high partner has taken the CPU
+    if (self.must_sync_if_low()) return stop_at(Stage::over);  // a high partner has taken the CPU
+    return true;
   }
   channel.transfer_[0] = partner.process;
   channel.transfer_[1] = &self;

@@ -136,7 +136,7 @@ class ChannelBase : machine::Wait {
 
 /// An output or an input of a whole message, from its process's arrival until the message has moved
 /// or, if that is allowed, the link has been cut. A Proc may co_await it.
-class ChannelBase::Exchange : public machine::Operation {
+class [[nodiscard]] ChannelBase::Exchange : public machine::Operation {
  public:
   Exchange(ChannelBase& channel, Parts output, bool may_fail);
   Exchange(ChannelBase& channel, bool may_fail);  ///< an input
@@ -160,7 +160,7 @@ class ChannelBase::Exchange : public machine::Operation {
   std::uint64_t bytes_ = 0, rest_ = 0;  // of an output
   Side side_;
   Stage stage_ = Stage::comes;
-  bool rest_follows_ = false, is_second_ = false;
+  bool is_second_ = false;
 };
 
 /// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
@@ -201,24 +201,22 @@ class Channel : public ChannelBase {
     using Exchange::Exchange;
     bool await_resume() const { return !failed(); }
   };
-  class Input : public Exchange {
+  template <bool MAY_FAIL>
+  class AnInput : public Exchange {
    public:
-    explicit Input(Channel& from) : Exchange(from, false), from_(from) {}
-    Message await_resume() const { return from_.received(); }
-
-   private:
-    Channel& from_;
-  };
-  class InputOrFail : public Exchange {
-   public:
-    explicit InputOrFail(Channel& from) : Exchange(from, true), from_(from) {}
-    std::optional<Message> await_resume() const {
-      return failed() ? std::nullopt : std::optional(from_.received());
+    explicit AnInput(Channel& from) : Exchange(from, MAY_FAIL), from_(from) {}
+    auto await_resume() const {
+      if constexpr (MAY_FAIL)
+        return failed() ? std::nullopt : std::optional(from_.received());
+      else
+        return from_.received();
     }
 
    private:
     Channel& from_;
   };
+  using Input = AnInput<false>;
+  using InputOrFail = AnInput<true>;
   Exchange output(Message message) { return {*this, prepare(std::move(message)), false}; }
   OutputOrFail output_or_fail(Message message) {
     return {*this, prepare(std::move(message)), true};

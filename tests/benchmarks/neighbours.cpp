@@ -29,7 +29,7 @@ struct Exchange {
   machine::Cycles work;
   Channel<Signal> computed{"computed"}, received{"received"};
 
-  Proc source(StoreAndForward& network, int id, std::vector<topologies::Neighbour> around) {
+  Proc source(StoreAndForward& network, int id, const std::vector<topologies::Neighbour>& around) {
     for (int round = 0; round < ROUNDS; ++round) {
       if (round > 0) co_await computed.input();
       for (const auto& neighbour : around)

@@ -81,6 +81,12 @@ inline machine::EngineParams engine_under_test() {
   return {.processes = name == "actors" ? machine::Processes::actors : machine::Processes::fibers};
 }
 
+// And once more with Procs, where a test can do without stacks.
+inline bool bodies_have_stacks() {
+  const char* given = std::getenv("TLAB_TEST_BODIES");
+  return std::string_view(given ? given : "") != "procs";
+}
+
 // A machine and the channels of its processes. It is built and run inside of isolated().
 struct Lab {
   explicit Lab(const Model& model = make_exact_model(), machine::Code code = machine::Code::bare,

@@ -1,5 +1,6 @@
 #pragma once
 // What to do at an event.
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <type_traits>
@@ -14,15 +15,19 @@ class Callback {
   template <class Body>
   requires(!std::is_same_v<Body, Callback>) Callback(Body body)
       : call_([](void* at) { (*static_cast<Body*>(at))(); }) {
+    if constexpr (sizeof(Body) < sizeof(std::uintptr_t))
+      std::memset(body_, 0, sizeof(std::uintptr_t));
     static_assert(sizeof(Body) <= sizeof body_ && std::is_trivially_copyable_v<Body>);
     new (body_) Body(body);
   }
   void operator()() { call_(body_); }
-  /// Asks the host to fetch the object that the body, which begins with a pointer, is about.
+  /// Asks the host to fetch the object that the body is about, if it begins with a pointer. (If
+  /// not, something else is fetched, or nothing.)
   void prefetch() const {
-    const char* at = nullptr;
+    std::uintptr_t at = 0;
     std::memcpy(&at, body_, sizeof at);
-    for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+    for (int line = 0; line < 4; ++line)
+      __builtin_prefetch(reinterpret_cast<const void*>(at + 64 * line));
   }
 
  private:

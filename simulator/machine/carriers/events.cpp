@@ -57,8 +57,8 @@ void Events::handle_next() {
   next_ = heap_->empty() ? NEVER : heap_->top().date;
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date;
-  // On a large machine the next event's processor is in none of the host's near caches: 8 % of
-  // time.
+  // On a large machine the next event's processor is in none of the host's near caches: to fetch it
+  // ahead saves 8 % of the time.
   if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }

@@ -75,7 +75,7 @@ class Events {
   void ask(double date, std::uint64_t order, Callback callback);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;
-  double next_ = NEVER;  // of the heap
+  double next_ = NEVER;  // the heap's next date, which is asked for at every event
   std::unique_ptr<Heap> heap_;
   std::vector<Callback> callbacks_;  // of the events in the heap, which moves them often
   std::vector<std::uint32_t> free_;  // places

@@ -31,13 +31,26 @@ struct Attempt {
   double moved = -1, end = -1;
 
   void start() {
-    on.start(side == Side::writer ? "writer" : "reader", priority, [this] {
-      compute(computes);
-      moved =
-          side == Side::writer ? out_or_fail(channel, {bytes}) : in_or_fail(channel).has_value();
-      this_process().sync();
-      end = own_cycles();
-    });
+    const auto name = side == Side::writer ? "writer" : "reader";
+    if (bodies_have_stacks())
+      on.start(name, priority, [this] { with_stack(); });
+    else
+      on.start(name, priority, without());
+  }
+  void with_stack() {
+    compute(computes);
+    moved = side == Side::writer ? out_or_fail(channel, {bytes}) : in_or_fail(channel).has_value();
+    this_process().sync();
+    end = own_cycles();
+  }
+  Proc without() {
+    compute(computes);
+    if (side == Side::writer)
+      moved = co_await channel.output_or_fail({bytes});
+    else
+      moved = (co_await channel.input_or_fail()).has_value();
+    co_await machine::Sync();
+    end = own_cycles();
   }
 };
 

@@ -22,14 +22,24 @@ Numbers wait_in_alt(const AltCase& c) {
     Attempt writer{pair.a, c.writer, Side::writer, channel, c.writer_computes, 40};
     if (c.writes) writer.start();
     Numbers found(2);
-    pair.b.start("reader", c.reader, [&] {
-      std::optional<Words> got;
-      const std::int64_t deadline = c.reader == Priority::high ? 512 : 8;  // cycle 8192
-      pri_alt(when(channel, got, [&] { found[0] = got ? 1 : -1; }),
-              after(deadline, [&] { found[0] = 0; }));
+    std::optional<Words> got;
+    const std::int64_t deadline = c.reader == Priority::high ? 512 : 8;  // cycle 8192
+    const auto message = [&] { return when(channel, got, [&] { found[0] = got ? 1 : -1; }); };
+    const auto time_out = [&] { return after(deadline, [&] { found[0] = 0; }); };
+    const auto with_stack = [&] {
+      pri_alt(message(), time_out());
       this_process().sync();
       found[1] = own_cycles();
-    });
+    };
+    const auto without = [&]() -> Proc {
+      co_await alternative(message(), time_out());
+      co_await machine::Sync();
+      found[1] = own_cycles();
+    };
+    if (bodies_have_stacks())
+      pair.b.start("reader", c.reader, with_stack);
+    else
+      pair.b.start("reader", c.reader, without());
     pair.lab.machine.run();
     found.push_back(writer.moved);
     return found;

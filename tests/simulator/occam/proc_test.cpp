@@ -87,7 +87,8 @@ void start(Processor& cpu, Priority priority, bool has_stack, auto& body) {
     cpu.start("process", priority, body.without());
 }
 
-// Writers on the reader's processor and on neighbours.
+// Writers on the reader's processor, its companion and neighbours; messages whole, after a tag or
+// after their size.
 Numbers run(std::uint64_t seed, Bodies bodies) {
   std::mt19937_64 random(seed);
   return isolated_numbers([&] {
@@ -99,9 +100,15 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
       return bodies == Bodies::mixed ? chosen : bodies == Bodies::with_stacks;
     };
     std::vector<Channel<Words>*> channels;
+    Processor& companion = lab.machine.add_companion(cpu, "companion");
     for (std::size_t i = 0; i < INPUTS; ++i) {
-      Processor& from = random() % 2 == 0 ? lab.neighbour(cpu) : cpu;
-      channels.push_back(&from == &cpu ? &lab.soft() : &lab.hard(from, cpu));
+      const auto where = random() % 3;
+      Processor& from = where == 0 ? cpu : where == 1 ? companion : lab.neighbour(cpu);
+      const auto protocol = static_cast<Protocol>(random() % 3);
+      const auto name = fmt::format("channel {}", i);
+      channels.push_back(
+          where < 2 ? &lab.channels.emplace_back(name, from, cpu, protocol)
+                    : &lab.channels.emplace_back(name, lab.machine.link(from, cpu), protocol));
       const auto computes = static_cast<std::int64_t>(random() % 2000);
       const auto priority = BOTH_PRIORITIES[random() % 2];
       start(from, priority, has_stack(), writers.emplace_back(Writer{*channels[i], computes}));
@@ -166,17 +173,98 @@ TEST(Proc, EndsWhenItsOwnTimeHasCome) {
   EXPECT_EQ(cycles, Numbers{700});
 }
 
-// What it holds is given back when the machine is gone.
+// As the manual has it.
+Proc relay(Channel<Words>& from, Channel<Words>& to) {
+  for (;;) co_await to.output(co_await from.input());
+}
+
+TEST(Proc, PassesOnWhatItAwaits) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    auto &first = lab.soft(), &second = lab.soft();
+    lab.cpu().start("relay", Priority::high, relay(first, second)).set_server();
+    Processor& cpu = *lab.machine.processors().front();
+    Numbers got;
+    cpu.start("writer", Priority::low, [&] {
+      for (std::uint64_t i = 0; i < 3; ++i) out(first, {4, i});
+    });
+    cpu.start("reader", Priority::low, [&] {
+      for (int i = 0; i < 3; ++i) got.push_back(static_cast<double>(second.in().content));
+    });
+    lab.machine.run();
+    return got;
+  });
+  EXPECT_EQ(found, (Numbers{0, 1, 2}));
+}
+
+// What a guard does throws, be the message there already or not.
+TEST(Proc, CatchesWhatIsThrownInAnAlt) {
+  const auto found = isolated_numbers([] {
+    Numbers caught;
+    for (const std::int64_t late : {0, 1000}) {
+      Lab lab(make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
+      Processor& cpu = lab.cpu();
+      auto& channel = lab.soft();
+      const auto body = [&]() -> Proc {
+        Words got;
+        compute(500);
+        co_await machine::Sync();
+        try {
+          co_await alternative(when(channel, got, [] { throw std::runtime_error("no"); }));
+        } catch (const std::runtime_error&) {
+          caught.push_back(static_cast<double>(got.content));
+        }
+      };
+      cpu.start("reader", Priority::low, body());
+      cpu.start("writer", Priority::low, [&] {
+        compute(late);
+        out(channel, {4, 7});
+      });
+      lab.machine.run();
+    }
+    return caught;
+  });
+  EXPECT_EQ(found, (Numbers{7, 7}));
+}
+
+// An ALT without an open guard that has had to wait before it finds out.
+TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    Numbers caught;
+    const auto body = [&]() -> Proc {
+      compute(2000);
+      try {
+        co_await alternative(otherwise(false, [] {}));
+      } catch (const machine::Misuse&) {
+        caught.push_back(own_cycles() > 2000);
+      }
+    };
+    lab.cpu().start("process", Priority::low, body());
+    lab.machine.run();
+    return caught;
+  });
+  EXPECT_EQ(found, (Numbers{1}));
+}
+
+// What it holds is given back when the machine is gone, or when the body has ended.
 TEST(Proc, IsUnwoundWhereItWaits) {
   const auto found = isolated_numbers([] {
     const auto held = std::make_shared<int>(1);
     double while_it_ran = 0;
     {
       Lab lab;
-      const auto body = [](std::shared_ptr<int>, Channel<Words>& never) -> Proc {
-        co_await never.input();
+      // Its destructor asks for the process.
+      struct Asks {
+        ~Asks() { EXPECT_EQ(this_process().name(), "process"); }
       };
-      lab.cpu().start("process", Priority::high, body(held, lab.soft())).set_server();
+      const auto body = [](std::shared_ptr<int>, Channel<Words>* never) -> Proc {
+        const Asks asks;
+        if (never) co_await never->input();
+      };
+      Processor& cpu = lab.cpu();
+      cpu.start("process", Priority::high, body(held, &lab.soft())).set_server();
+      cpu.start("process", Priority::low, body(held, nullptr));
       lab.machine.run();
       while_it_ran = static_cast<double>(held.use_count());
     }
@@ -190,7 +278,8 @@ std::string report(std::function<Proc(Lab&)> body) {
   return isolated([&] {
     Lab lab(make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
     try {
-      lab.cpu().start("process", Priority::high, body(lab));
+      Processor& cpu = lab.cpu();
+      cpu.start("process", Priority::high, body(lab));
       lab.machine.run();
     } catch (const std::exception& error) {
       return std::string(error.what());
@@ -216,7 +305,17 @@ void expect_in(const std::string& report, std::string_view text) {
   EXPECT_TRUE(report.find(text) != std::string::npos) << report;
 }
 
+Proc write(Channel<Words>& channel) { co_await channel.output({}); }
+
 TEST(Proc, IsNamedInReports) {
+  expect_in(report([](Lab& lab) {
+              auto& channel = lab.soft();
+              Processor& cpu = *lab.machine.processors().front();
+              cpu.start("other", Priority::high, write(channel));
+              return write(channel);
+            }),
+            "process on cpu 0 outputs to channel soft 0 at 0.000001 s, while other on cpu 0 does");
+  expect_in(report([](Lab&) { return Proc{}; }), "process on cpu 0 has no body");
   expect_in(report([](Lab& lab) { return wait_for(lab.soft()); }),
             "process on cpu 0 waits for in on soft 0");
   expect_in(report([](Lab& lab) { return choose_from(lab.soft()); }),
