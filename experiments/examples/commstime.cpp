@@ -41,12 +41,9 @@ void next() {
   for (auto instruction : {"ldlp", "ldc", "prefix", "lend"}) charge(instruction);
 }
 
-void prefix(Ints& b, Ints& a) {
-  out(a, Int{0});
-  for (Int x;; again()) {
-    in(b, x);
-    out(a, x);
-  }
+Proc prefix(Ints& b, Ints& a) {  // without a stack on the host, for comparison
+  co_await a.output(Int{0});
+  for (;; again()) co_await a.output(co_await b.input());
 }
 
 void delta(Ints& a, Ints& c, Ints& d) {
@@ -85,7 +82,7 @@ int main() {
   auto& t800 = machine.add_processor("t800", 4096);
   Ints a("a"), b("b"), c("c"), d("d");
   Seconds loop{};
-  t800.start("prefix", Priority::low, [&] { prefix(b, a); });
+  t800.start("prefix", Priority::low, prefix(b, a));
   t800.start("delta", Priority::low, [&] { delta(a, c, d); });
   t800.start("succ", Priority::low, [&] { succ(c, b); });
   t800.start("consume", Priority::low, [&] { consume(d, loop); });

@@ -123,6 +123,13 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
   });
 }
 
+// A function that makes a Proc would make one and drop it.
+template <class Body>
+concept CanStart = requires(Processor& cpu, Body body) {
+  cpu.start("", Priority::low, body);
+};
+static_assert(CanStart<void (*)()> && !CanStart<Proc (*)()>);
+
 TEST(Proc, TakesTheTimesOfAProcessWithAStack) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
