@@ -18,7 +18,7 @@ bool is_ready(const Process& self, const Guard& guard, Date date) {
          (guard.channel->has_output() && guard.channel->output_waits(date()));
 }
 
-// Of its replicator.
+// What a replicated guard costs beside one that is written out: its loop's turn, and its division.
 Cycles turn(const Costs& costs, const Guard& guard) {
   return guard.replicated ? costs.replicated : Cycles{};
 }

@@ -42,10 +42,11 @@ struct Guard {
   std::int64_t tick = 0;    ///< the guard is ready from then on, as wait_until() counts
 };
 
-/// Waits until a guard is ready: chosen() is its index; the input is still to be done. At least one
-/// condition must hold. Charges the instructions alt, enbc, altwt, disc and altend; where a guard
-/// waits for a time, talt, enbt, taltwt and dist too. A guard whose link is cut is never ready; the
-/// link of the chosen one can be cut before the input, or during it.
+/// Waits until a guard is ready; chosen() is then its index, and its input is still to be done. At
+/// least one condition must hold. It charges the transputer's instructions for an ALT: alt, altwt
+/// and altend once, enbc and disc for each guard (talt, taltwt, enbt and dist with a timer). A
+/// guard whose link is cut is never ready. The link of the chosen one can be cut before its input
+/// is over.
 class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
   /// The guards stay where they are until it is over.

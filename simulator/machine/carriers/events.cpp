@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/heap/d_ary_heap.hpp>
 #include <csignal>
 
@@ -58,7 +59,7 @@ void Events::handle_next() {
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date;
   // On a large machine the next event's processor is in none of the host's near caches: to fetch it
-  // ahead saves 8 % of the time.
+  // ahead saves 8 % of the time of meshes from 8 x 8 on.
   if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }
