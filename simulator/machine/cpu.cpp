@@ -130,9 +130,17 @@ void Cpu::account_high(const Process& process, Seconds time) {
   high_.preempting = false;
 }
 
+// The process that computes may have done so then.
+void Cpu::at(Seconds date, const Process& process, Engine::Callback callback) {
+  if (process.rank_ == Process::NO_RANK)
+    engine_.at(date, callback);
+  else
+    engine_.ranked_at(date, process.rank_, callback);
+}
+
 // The high-priority process that runs has computed until then.
 void Cpu::end_high_at(Seconds date) {
-  engine_.at(date, [this, id = ++high_.id] {
+  at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();
     high_.computing = false;
     execute(*running_);
@@ -225,9 +233,10 @@ void Cpu::arm_low_timer() {
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
-  if (low_timer_.armed && low_timer_.at <= at) return;
+  const bool ranked = running_->rank_ != Process::NO_RANK;
+  if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || !ranked)) return;
   low_timer_ = {true, at, low_timer_.id + 1};
-  engine_.at(at, [this, id = low_timer_.id] {
+  this->at(at, *running_, [this, id = low_timer_.id] {
     if (id != low_timer_.id) return engine_.ignore_event();
     low_timer_.armed = false;
     low_timer();

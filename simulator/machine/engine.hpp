@@ -44,6 +44,10 @@ class Engine {
   void at(Seconds date, Callback callback) { events_.at(date.value, callback); }
   /// The same, before all that at() has asked for at that instant.
   void first_at(Seconds date, Callback callback) { events_.first_at(date.value, callback); }
+  /// The same after them, but before others, in the order of ranks.
+  void ranked_at(Seconds date, std::uint64_t rank, Callback callback) {
+    events_.ranked_at(date.value, rank, callback);
+  }
   /// Calls back when the event being handled is over, at the same simulated instant.
   void soon(Callback callback) { events_.soon(callback); }
   /// Moves `bytes` (> 0) in a direction of a link, then calls back. One message at a time.

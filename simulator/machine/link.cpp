@@ -26,7 +26,7 @@ void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
   use_.bytes_sent += bytes;
   arrived_ = std::move(arrived);
   if (delay_.value > 0 && bytes > 0)
-    engine_.at(since_ + delay_, [this] { move(); });
+    engine_.ranked_at(since_ + delay_, rank_of(Side::writer), [this] { move(); });
   else
     move();
 }

@@ -55,6 +55,14 @@ class LinkDirection {
 
   /// The direction is this channel's. Throws Misuse if it is another's.
   void carry(const std::string& channel);
+  enum class Side : std::uint8_t { writer, reader };
+  /// A process that has been descheduled comes to an end of the link at a date, its own time: calls
+  /// back when the clock has come so far, before anything that processes do then.
+  void come_at(Seconds date, Side side, Engine::Callback has_come) {
+    engine_.ranked_at(date, rank_of(side), has_come);
+  }
+  /// What happens at one date on links happens in the order of these ranks.
+  std::uint64_t rank_of(Side side) const { return 2 * number_ + static_cast<std::size_t>(side); }
   /// Both processes have been descheduled; calls back when the last byte has been acknowledged.
   /// `channel`, the name of the message's channel, must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
@@ -65,7 +73,7 @@ class LinkDirection {
   /// Nothing arrives any more, and nothing may be sent; the link's other direction is cut at the
   /// same instant. Returns whether a message was under way: its callback is not called.
   bool cut();
-  const bool& is_cut() const { return cut_; }
+  bool is_cut() const { return cut_; }
   bool is_busy() const { return busy_; }  ///< a message is under way
   /// The share of the bytes of the message under way that has moved at `date`, not before now, if
   /// nothing happens until then; 0 while it is delayed and where there is none.

@@ -92,6 +92,10 @@ class Process {
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || debt_ > LONG_DEBT) && must_sync();
   }
+  /// While it computes, or would, it has this rank among what happens at one date; see Events. Such
+  /// a process comes to a link as soon as it has paid.
+  static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
+  void set_rank(std::uint64_t rank) { rank_ = rank; }
   bool has_stack() const { return coroutine_ != nullptr; }
   /// From now on it is blocked, see block().
   void start_wait(Wait& wait);
@@ -162,7 +166,8 @@ class Process {
   std::array<Seconds, 4> blocked_{};  // in waits that are over, by Wait::Kind
   ProcessId id_;
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
-  int wake_ups_ = 0;     // Processor::wake_at still to come
+  std::uint64_t rank_ = NO_RANK;
+  int wake_ups_ = 0;  // Processor::wake_at still to come
   std::uint32_t trace_id_ = 0;
   std::unique_ptr<Coroutine> coroutine_;  // of a body with a stack
   Body body_;

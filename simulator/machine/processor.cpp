@@ -47,20 +47,20 @@ void Processor::remove(const Process& process) {
   processes_.erase(place);
 }
 
-void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait, const bool* unless) {
+void Processor::wake_at(Seconds date, Process& process, std::uint64_t wait) {
   ++process.wake_ups_;
-  engine_.at(date, [&process, wait, unless] { process.processor().wake(process, wait, unless); });
+  engine_.at(date, [&process, wait] { process.processor().wake(process, wait); });
 }
 
 void Processor::wake_first_at(Seconds date, Process& process, std::uint64_t wait) {
   ++process.wake_ups_;
-  engine_.first_at(date, [&process, wait] { process.processor().wake(process, wait, nullptr); });
+  engine_.first_at(date, [&process, wait] { process.processor().wake(process, wait); });
 }
 
-void Processor::wake(Process& process, std::uint64_t wait, const bool* unless) {
+void Processor::wake(Process& process, std::uint64_t wait) {
   --process.wake_ups_;
   const bool waits = process.state() == Process::State::blocked && process.waits() == wait;
-  if (waits && !stopped() && !(unless && *unless))
+  if (waits && !stopped())
     make_ready(process, now());
   else
     engine_.ignore_event();

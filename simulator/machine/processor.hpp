@@ -64,9 +64,8 @@ class Processor {
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.
   void make_ready(Process& process, Seconds at) { cpu_.make_ready(process, at); }
-  /// The same at a date to come, if the process is in its wait number `wait` then; not if `unless`
-  /// has become true.
-  void wake_at(Seconds date, Process& process, std::uint64_t wait, const bool* unless = nullptr);
+  /// The same at a date to come, if the process is in its wait number `wait` then.
+  void wake_at(Seconds date, Process& process, std::uint64_t wait);
   /// The same before all else that happens at that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
@@ -106,7 +105,7 @@ class Processor {
 
  private:
   Process& start(std::unique_ptr<Process> process);
-  void wake(Process& process, std::uint64_t wait, const bool* unless);
+  void wake(Process& process, std::uint64_t wait);
 
   Engine& engine_;
   std::shared_ptr<const Model> model_;

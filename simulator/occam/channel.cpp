@@ -10,24 +10,13 @@ void charge(std::string_view instruction) {
   charge(get_instruction(this_process().processor().model(), instruction));
 }
 
-// The wait of a process that nothing can wake any more.
-struct ChannelBase::WaitForEver : machine::Wait {
-  WaitForEver(const ChannelBase& channel, Side side) : channel(channel), side(side) {}
-  std::string describe() const override {
-    return fmt::format("{} on {} (link cut)", side == writer ? "out" : "in", channel.name());
-  }
-  Kind kind() const override { return side == writer ? Kind::output : Kind::input; }
-  const ChannelBase& channel;
-  Side side;
-};
-
 ChannelBase::ChannelBase(std::string name) : name_(std::move(name)) {}
 
 ChannelBase::ChannelBase(std::string name, machine::LinkDirection& link)
     : joins_cpus_(true), link_(&link), name_(std::move(name)) {
   link.carry(name_);
-  ends_[writer].place = &link.from();
-  ends_[reader].place = &link.to();
+  end_of(writer).place = &link.from();
+  end_of(reader).place = &link.to();
 }
 
 ChannelBase::ChannelBase(std::string name, const machine::Processor& from,
@@ -38,16 +27,15 @@ ChannelBase::ChannelBase(std::string name, const machine::Processor& from,
                           fmt::format("channel {} would join {} and {}, which have neither a link "
                                       "nor one memory",
                                       name_, from.name(), to.name()));
-  ends_[writer].place = &from;
-  ends_[reader].place = &to;
+  end_of(writer).place = &from;
+  end_of(reader).place = &to;
 }
 
-ChannelBase::~ChannelBase() = default;
-
 void ChannelBase::check_may_take(Side side, Process& self) {
-  End& end = ends_[side];
+  End& end = end_of(side);
   const machine::Processor& here = self.processor();
-  if (!end.place) ends_[writer].place = ends_[reader].place = &here;  // a soft channel's first user
+  if (!end.place)
+    end_of(writer).place = end_of(reader).place = &here;  // a soft channel's first user
   const bool is_here = end.place == &here;
   const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
   if (is_here && is_free()) return;
@@ -72,29 +60,19 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-// `doing` is for the deadlock report. Where both ends wait, both wait for the transfer.
-void ChannelBase::wait(Process& self, Side side, const char* doing) {
-  doing_ = doing;
-  waiting_ = side;
-  self.start_wait(*this);
-}
-
-std::string ChannelBase::describe() const { return fmt::format("{} on {}", doing_, name_); }
-
-std::vector<machine::ProcessId> ChannelBase::waits_for() const {
-  const machine::ProcessId partner = ends_[1 - waiting_].user;
-  return partner ? std::vector{partner} : std::vector<machine::ProcessId>{};
-}
-
-void ChannelBase::start_transfer() {
-  if (cut()) return link_->from().engine().ignore_event();
-  link_->transfer(bytes_, name_, [this] { end_transfer(); });
-}
-
 // A tag or a size that more follows moves nothing yet.
 void ChannelBase::move_part() {
   rest_to_come_ = std::exchange(rest_follows_, false);
   if (!rest_to_come_) move_message();
+}
+
+// Both processes are here, and have been descheduled.
+void ChannelBase::transfer(Process& first, Process& second) {
+  transfer_[0] = &first;
+  transfer_[1] = &second;
+  ++use_.messages;
+  use_.bytes += bytes_;
+  link_->transfer(bytes_, name_, [this] { end_transfer(); });
 }
 
 void ChannelBase::end_transfer() {
@@ -106,7 +84,7 @@ void ChannelBase::end_transfer() {
 }
 
 void ChannelBase::enable(Process& process) {
-  const Party& output = ends_[writer].waiting;
+  const Party& output = end_of(writer).waiting;
   alternative_ = {&process, process.own_time()};
   alternative_wait_ = process.waits() + 1;                       // the wait about to begin
   if (output.process && !cut()) wake_alternative(output.since);  // it is ahead of the clock
@@ -115,55 +93,38 @@ void ChannelBase::enable(Process& process) {
 // An output waits from `at` on. Another guard may wake the process before.
 void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
-  at = std::max(at, alternative_.since);
-  machine::Processor& processor = waiting.processor();
-  if (joins_cpus() && at > processor.now())
-    processor.wake_at(at, waiting, alternative_wait_, link_ ? &link_->is_cut() : nullptr);
-  else if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
-    processor.make_ready(waiting, at);
+  if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
+    waiting.processor().make_ready(waiting, std::max(at, alternative_.since));
 }
 
-machine::Wait& ChannelBase::wait_for_ever(Side side) {
-  auto& wait = for_ever_[side];
-  if (!wait) wait = std::make_unique<WaitForEver>(*this, side);
-  return *wait;
-}
-
-// The process waits for its partner, or for the end of a transfer (which may not even have begun,
-// if an end was ahead of the clock). It hears of the cut at its own time.
-void ChannelBase::on_cut(Process& process) {
-  if (!cut()) return;
-  if (std::exchange(transfer_[0], nullptr)) {  // the other end may hear of it too, or have stopped
-    transfer_[1] = nullptr;
-    --use_.messages;
-    use_.bytes -= bytes_;
-  }
-  const Side side = ends_[writer].user == process.id() ? writer : reader;
-  End& end = ends_[side];
-  end.waiting = {};
-  if (!end.may_fail) return process.wait_instead_for(wait_for_ever(side));
-  end.failed = true;
-  machine::Processor& processor = process.processor();
-  processor.make_ready(process, std::max(processor.now(), process.blocked_since()));
+// The transfer under way, if there is one, does not end.
+void ChannelBase::cancel_transfer() {
+  if (!std::exchange(transfer_[0], nullptr)) return;
+  transfer_[1] = nullptr;
+  --use_.messages;
+  use_.bytes -= bytes_;
 }
 
 ChannelBase::Exchange::Exchange(ChannelBase& channel, Parts output, bool may_fail)
     : channel_(&channel),
       bytes_(output.first > 0 ? output.first : output.rest),
       rest_(output.first > 0 ? output.rest : 0),
-      side_(writer) {
+      side_(writer),
+      may_fail_(may_fail) {
   channel.rest_follows_ = rest_ > 0;
-  begin(may_fail);
 }
 
 ChannelBase::Exchange::Exchange(ChannelBase& channel, bool may_fail)
-    : channel_(&channel), side_(reader) {
-  begin(may_fail);
+    : channel_(&channel), side_(reader), may_fail_(may_fail) {}
+
+std::string ChannelBase::Exchange::describe() const {
+  const auto doing = channel_->transfer_[0] ? "transfer" : side_ == writer ? "out" : "in";
+  return fmt::format("{} on {}{}", doing, channel_->name_, channel_->cut() ? " (link cut)" : "");
 }
 
-void ChannelBase::Exchange::begin(bool may_fail) {
-  channel_->ends_[side_].may_fail = may_fail;
-  channel_->ends_[side_].failed = false;
+std::vector<machine::ProcessId> ChannelBase::Exchange::waits_for() const {
+  const machine::ProcessId partner = channel_->end_of(other_side()).user;
+  return partner && !channel_->cut() ? std::vector{partner} : std::vector<machine::ProcessId>{};
 }
 
 bool ChannelBase::Exchange::go_on(Process& self) {
@@ -182,25 +143,28 @@ bool ChannelBase::Exchange::go_on(Process& self) {
 
 // One part of the message.
 bool ChannelBase::Exchange::communicate(Process& self) {
-  Party &own = channel_->ends_[side_].waiting, &partner = channel_->ends_[1 - side_].waiting;
+  Party& partner = channel_->end_of(other_side()).waiting;
   switch (stage_) {
     case Stage::comes:
       is_second_ = partner.process;
-      if (!pay_to_come(self)) return stop_at(Stage::has_paid);
+      if (!pay_to_come(self)) {
+        if (channel_->hard()) self.set_rank(channel_->link_->rank_of(side_));
+        return stop_at(Stage::has_paid);
+      }
       [[fallthrough]];
     case Stage::has_paid:
+      self.set_rank(Process::NO_RANK);
       if (partner.process && !is_second_ && !channel_->hard() && !pay_for_late_partner(self))
         return stop_at(Stage::has_paid_all);
       [[fallthrough]];
     case Stage::has_paid_all:
-      if (channel_->cut()) return refuse(self);
-      if (partner.process) return meet(self, std::exchange(partner, {}));
-      own = {&self, self.own_time()};
-      if (side_ == writer) {
-        channel_->bytes_ = bytes_;
-        if (channel_->alternative_.process) channel_->wake_alternative(own.since);
-      }
-      channel_->wait(self, side_, side_ == writer ? "out" : "in");
+      if (side_ == writer) channel_->bytes_ = bytes_;
+      if (!channel_->hard() && partner.process) return meet(self, std::exchange(partner, {}));
+      self.start_wait(*this);
+      if (channel_->hard())
+        go_to_link(self);
+      else
+        wait_for_partner(self);
       return stop_at(Stage::over);
     case Stage::over:
       break;
@@ -249,39 +213,57 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
-// The link was cut before the process came.
-bool ChannelBase::Exchange::refuse(Process& self) {
-  End& end = channel_->ends_[side_];
-  if (end.may_fail) {
-    end.failed = true;
-    return true;
-  }
-  self.start_wait(channel_->wait_for_ever(side_));
-  return stop_at(Stage::over);
+// Both processes are here, this one second.
+bool ChannelBase::Exchange::meet(Process& self, Party partner) {
+  ++channel_->use_.messages;
+  channel_->use_.bytes += channel_->bytes_;
+  channel_->move_part();
+  partner.process->processor().make_ready(*partner.process, self.own_time());
+  if (self.must_sync_if_low()) return stop_at(Stage::over);  // a high partner has taken the CPU
+  return true;
 }
 
-// Both ends are here; this process came second.
-bool ChannelBase::Exchange::meet(Process& self, Party partner) {
-  ChannelBase& channel = *channel_;
-  if (side_ == writer) channel.bytes_ = bytes_;
-  machine::Processor& processor = partner.process->processor();
-  ++channel.use_.messages;
-  channel.use_.bytes += channel.bytes_;
-  if (!channel.hard()) {
-    channel.move_part();
-    processor.make_ready(*partner.process, self.own_time());
-    if (self.must_sync_if_low()) return stop_at(Stage::over);  // a high partner has taken the CPU
-    return true;
-  }
-  channel.transfer_[0] = partner.process;
-  channel.transfer_[1] = &self;
-  const Seconds start = std::max(self.own_time(), partner.since);
-  if (start > processor.now())
-    processor.engine().at(start, [&channel] { channel.start_transfer(); });
+// Returns whether that may have woken an ALT.
+bool ChannelBase::Exchange::wait_for_partner(Process& self) {
+  Party& own = channel_->end_of(side_).waiting;
+  own = {&self, self.blocked_since()};
+  const bool is_awaited = side_ == writer && channel_->alternative_.process;
+  if (is_awaited) channel_->wake_alternative(own.since);
+  return is_awaited;
+}
+
+// The process has been descheduled; its own time may be ahead of the clock.
+void ChannelBase::Exchange::go_to_link(Process& self) {
+  is_at_link_ = false;
+  if (self.blocked_since() > self.processor().now())
+    channel_->link_->come_at(self.blocked_since(), side_, [this, &self] {
+      if (!come_to_link(self)) self.processor().engine().ignore_event();
+    });
   else
-    channel.start_transfer();
-  channel.wait(self, side_, "transfer");
-  return stop_at(Stage::over);
+    come_to_link(self);
+}
+
+// Returns whether that changes anything for others.
+bool ChannelBase::Exchange::come_to_link(Process& self) {
+  is_at_link_ = true;
+  Party& partner = channel_->end_of(other_side()).waiting;
+  if (channel_->cut())
+    on_cut(self);
+  else if (partner.process)
+    channel_->transfer(*std::exchange(partner, {}).process, self);
+  else
+    return wait_for_partner(self);
+  return true;
+}
+
+// Whether the process waits for its partner or for the end of a transfer, it is over.
+void ChannelBase::Exchange::on_cut(Process& process) {
+  if (!channel_->cut() || !is_at_link_) return;
+  channel_->cancel_transfer();
+  channel_->end_of(side_).waiting = {};
+  if (!may_fail_) return;
+  failed_ = true;
+  process.processor().make_ready(process, process.processor().now());
 }
 
 }  // namespace occam

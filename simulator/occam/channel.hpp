@@ -31,7 +31,7 @@ struct ChannelUse {
 };
 
 /// The untyped half of a channel: which processes wait, and what the rendezvous costs.
-class ChannelBase : machine::Wait {
+class ChannelBase {
  public:
   explicit ChannelBase(std::string name);
   /// Throws Misuse if the link's direction has a channel already.
@@ -54,12 +54,12 @@ class ChannelBase : machine::Wait {
 
   /// The process that would have to output for an ALT on the channel to go on; 0 if that is not
   /// known.
-  machine::ProcessId last_writer() const { return ends_[writer].user; }
+  machine::ProcessId last_writer() const { return end_of(writer).user; }
   /// For ALT: whether an output is waiting, if only from a time to come on.
-  bool has_output() const { return ends_[writer].waiting.process != nullptr; }
+  bool has_output() const { return end_of(writer).waiting.process != nullptr; }
   /// The same at time `at`.
   bool output_waits(machine::Seconds at) const {
-    const Party& waiting = ends_[writer].waiting;
+    const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= at && !cut();
   }
   /// For ALT: the next output wakes the process, which waits since its own time.
@@ -72,7 +72,8 @@ class ChannelBase : machine::Wait {
   class Exchange;
 
  protected:
-  enum Side : std::uint8_t { writer, reader };
+  using Side = machine::LinkDirection::Side;
+  static constexpr Side writer = Side::writer, reader = Side::reader;
   /// What goes over the channel for one message, in bytes: a tag or a size first, where the
   /// protocol has one, then the rest.
   struct Parts {
@@ -82,14 +83,14 @@ class ChannelBase : machine::Wait {
   /// at this end, and for a process that is on the wrong processor: with a hard channel, on
   /// another than its end of the link; with a soft one, than those that used it before.
   void take(Side side, Process& process) {
-    End& end = ends_[side];
+    End& end = end_of(side);
     if (end.place != &process.processor() || end.taken_by) check_may_take(side, process);
     end.taken_by = &process;
     end.user = process.id();
   }
-  void leave(Side side) { ends_[side].taken_by = nullptr; }
+  void leave(Side side) { end_of(side).taken_by = nullptr; }
   virtual void move_message() = 0;
-  virtual ~ChannelBase();
+  virtual ~ChannelBase() = default;
 
  private:
   struct Party {
@@ -101,66 +102,65 @@ class ChannelBase : machine::Wait {
     const Process* taken_by = nullptr;
     const machine::Processor* place = nullptr;  // where its processes are, once that is known
     machine::ProcessId user = 0;  // the process that used this end last, for a deadlock report
-    bool may_fail = false, failed = false;
   };
-  struct WaitForEver;
 
+  End& end_of(Side side) { return ends_[static_cast<std::size_t>(side)]; }
+  const End& end_of(Side side) const { return ends_[static_cast<std::size_t>(side)]; }
   void check_may_take(Side side, Process& process);
-  void wait(Process& self, Side side, const char* doing);
-  std::string describe() const override;
-  std::vector<machine::ProcessId> waits_for() const override;
-  Kind kind() const override { return waiting_ == reader ? Kind::input : Kind::output; }
-  void on_cut(Process& process) override;
-  machine::Wait& wait_for_ever(Side side);
   void move_part();
-  void start_transfer();
+  void transfer(Process& first, Process& second);
   void end_transfer();
+  void cancel_transfer();
   void wake_alternative(machine::Seconds at);
 
   // What an ALT and most exchanges touch comes first: the host fetches it together.
   bool joins_cpus_ = false;
   bool rest_follows_ = false;  // the part of the message that goes now is not all
   bool rest_to_come_ = false;  // it has arrived
-  Side waiting_ = writer;      // the end that has blocked last
   machine::LinkDirection* link_ = nullptr;
   Party alternative_;                   // waits in an ALT with a guard on this channel
   std::uint64_t alternative_wait_ = 0;  // the number of that wait among the process's waits
   std::uint64_t bytes_ = 0;             // length of the output that waits or is under way
   End ends_[2];                         // by side
   ChannelUse use_;
-  const char* doing_ = "";     // what the process of waiting_ does: "in", "out" or "transfer"
   Process* transfer_[2] = {};  // processes of the transfer under way, first come first
-  std::unique_ptr<WaitForEver> for_ever_[2];  // by side, once the link is cut
   std::string name_;
 };
 
 /// An output or an input of a whole message, from its process's arrival until the message has moved
 /// or, if that is allowed, the link has been cut. A Proc may co_await it.
-class [[nodiscard]] ChannelBase::Exchange : public machine::Operation {
+class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::Wait {
  public:
   Exchange(ChannelBase& channel, Parts output, bool may_fail);
   Exchange(ChannelBase& channel, bool may_fail);  ///< an input
   bool go_on(Process& self) final;
   /// Once it is over: the link was cut before the whole message had moved.
-  bool failed() const { return channel_->ends_[side_].failed; }
+  bool failed() const { return failed_; }
 
  private:
   enum class Stage : std::uint8_t { comes, has_paid, has_paid_all, over };
-  void begin(bool may_fail);
+  std::string describe() const override;
+  std::vector<machine::ProcessId> waits_for() const override;
+  Kind kind() const override { return side_ == reader ? Kind::input : Kind::output; }
+  void on_cut(Process& process) override;
   bool communicate(Process& self);
+  Side other_side() const { return side_ == writer ? reader : writer; }
   bool stop_at(Stage next);
   bool pay(Process& self, Cycles instructions, Cycles copy) const;
   bool pay_to_come(Process& self) const;
   bool pay_for_late_partner(Process& self) const;
-  bool refuse(Process& self);
   bool meet(Process& self, Party partner);
+  bool wait_for_partner(Process& self);
+  void go_to_link(Process& self);
+  bool come_to_link(Process& self);
   Cycles cost_to_copy(const machine::Model::Channel& costs) const;
 
   ChannelBase* channel_;
   std::uint64_t bytes_ = 0, rest_ = 0;  // of an output
   Side side_;
   Stage stage_ = Stage::comes;
-  bool is_second_ = false;
+  bool is_second_ = false, may_fail_ = false, failed_ = false;
+  bool is_at_link_ = false;  // the clock has come so far
 };
 
 /// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;

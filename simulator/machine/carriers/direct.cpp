@@ -8,10 +8,6 @@ namespace machine {
 
 namespace {
 
-// Messages whose ends are this close end together, as on SimGrid: what should be simultaneous does
-// not come apart by rounding.
-constexpr double PICOSECOND = 1e-12;
-
 class Direct final : public Carrier {
  public:
   explicit Direct(Events& events) : events_(events) {}
@@ -36,25 +32,23 @@ class Direct final : public Carrier {
   void cut(std::size_t direction) override { forecast_.end(direction, events_.now()); }
 
   void run() override {
-    double last_end = 0;
     while (!events_.stopped()) {
       if (events_.next() <= events_.now()) {
         events_.handle_next();
         continue;
       }
       // Links that have changed are looked at again only when the clock is about to go on.
-      double next_end = forecast_.next_date();
-      const bool together = next_end < last_end + PICOSECOND;
-      if (!together && forecast_.settle()) next_end = forecast_.next_date();
-      if (events_.pace() && !together && !may_go_on()) continue;
+      forecast_.settle();
+      const double next_end = forecast_.next_date();
+      if (events_.pace() && std::min(events_.next(), next_end) > events_.now() && !may_go_on())
+        continue;
       if (events_.next() <= next_end) {
         if (events_.next() == Events::NEVER) return;
         events_.handle_next();
         continue;
       }
-      if (!together) last_end = next_end;
       const std::size_t direction = forecast_.next().direction;
-      events_.advance(last_end);
+      events_.advance(next_end);
       forecast_.end(direction, events_.now());
       events_.handle(arrived_[direction]);
     }

@@ -38,9 +38,14 @@ class Events {
   Pace* pace() const { return pace_; }
 
   /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
-  /// asked for; those asked for as first before all others.
+  /// asked for; those asked for as first before all others, and after them those that have a rank,
+  /// in the order of ranks.
   void at(double date, Callback callback) { ask(date, asked_++, callback); }
   void first_at(double date, Callback callback) { ask(date, asked_first_++, callback); }
+  void ranked_at(double date, std::uint64_t rank, Callback callback) {
+    ask(date, RANKED + rank, callback);
+    ++asked_;
+  }
   /// Asks for a callback when the event being handled is over, at the same instant.
   void soon(Callback callback) { soon_.push_back(callback); }
 
@@ -68,8 +73,8 @@ class Events {
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:
-  // Orders from here on are not asked for as first.
-  static constexpr std::uint64_t FIRST = std::uint64_t{1} << 38;
+  // Orders below are asked for as first; orders from USUAL on have no rank.
+  static constexpr std::uint64_t RANKED = std::uint64_t{1} << 37, USUAL = std::uint64_t{1} << 38;
 
   struct Heap;  // its library takes long to compile, and machines include this
   void ask(double date, std::uint64_t order, Callback callback);
@@ -80,7 +85,7 @@ class Events {
   std::vector<Callback> callbacks_;  // of the events in the heap, which moves them often
   std::vector<std::uint32_t> free_;  // places
   std::vector<Callback> soon_;
-  std::uint64_t asked_first_ = 0, asked_ = FIRST, handled_ = 0;
+  std::uint64_t asked_first_ = 0, asked_ = USUAL, handled_ = 0;
   Pace* pace_ = nullptr;
   bool stopped_ = false, ignored_ = false;
   End end_ = End::no_event_left;

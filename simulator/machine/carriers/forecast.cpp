@@ -42,14 +42,12 @@ void Forecast::end(std::size_t direction, double date) {
   change(direction, date).ways[direction % 2] = {};
 }
 
-// SimGrid solves a link's newest message first; this decides which of two ends that fall on the
-// same date comes first.
 void Forecast::foresee_changed() {
   for (const std::size_t number : changed_) {
     Link& link = links_[number];
     link.changed = false;
-    foresee(link, 2 * number + link.newest);
-    foresee(link, 2 * number + 1 - link.newest);
+    foresee(link, 2 * number);
+    foresee(link, 2 * number + 1);
   }
   changed_.clear();
 }
@@ -64,7 +62,7 @@ void Forecast::foresee(Link& link, std::size_t direction) {
   const double date = link.since + duration;
   own.valid = ++numbers_;
   own.end = {date, 1e-9 * duration + 1e-11 + 1e-14 * date, direction};
-  heap_.push_back({date, own.valid, direction});
+  heap_.push_back({date, link.since, own.valid, direction, direction % 2 == link.newest});
   std::ranges::push_heap(heap_, std::less<>());
 }
 

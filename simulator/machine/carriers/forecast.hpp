@@ -39,7 +39,8 @@ class Forecast {
     bool contains(double other) const { return earliest() <= other && other <= latest(); }
   };
   /// The first end of all that were foreseen, and the end of one message under way. Of those that
-  /// end together, the one that was foreseen first comes first.
+  /// end together, the one that was foreseen first comes first; then that of the lower link; of the
+  /// two directions of a link, that whose message is newer, as on SimGrid.
   const End& next() {
     static constexpr End NONE = {};
     return next_date() < NONE.date ? end_of(heap_.front().direction) : NONE;
@@ -66,11 +67,14 @@ class Forecast {
   };
   // Entries whose number is not valid any more are dropped when they come to the top.
   struct Entry {
-    double date;
+    double date, since;
     std::uint64_t number;
     std::size_t direction;
+    bool is_newest;
     bool operator<(const Entry& o) const {  // for a heap whose top is the next end
-      return date != o.date ? date > o.date : number > o.number;
+      if (date != o.date) return date > o.date;
+      if (since != o.since) return since > o.since;
+      return direction / 2 != o.direction / 2 ? direction > o.direction : o.is_newest;
     }
   };
   const Way& way(std::size_t direction) const { return links_[direction / 2].ways[direction % 2]; }
