@@ -132,10 +132,10 @@ void Cpu::account_high(const Process& process, Seconds time) {
 
 // The process that computes may have done so then.
 void Cpu::at(Seconds date, const Process& process, Engine::Callback callback) {
-  if (process.rank_ == Process::NO_RANK)
-    engine_.at(date, callback);
-  else
+  if (process.has_rank())
     engine_.ranked_at(date, process.rank_, callback);
+  else
+    engine_.at(date, callback);
 }
 
 // The high-priority process that runs has computed until then.
@@ -233,7 +233,7 @@ void Cpu::arm_low_timer() {
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
-  const bool ranked = running_->rank_ != Process::NO_RANK;
+  const bool ranked = running_->has_rank();
   if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || !ranked)) return;
   low_timer_ = {true, at, low_timer_.id + 1};
   this->at(at, *running_, [this, id = low_timer_.id] {
@@ -295,6 +295,14 @@ std::vector<CpuDiary::Span> Cpu::untold() const {
   if (low_.computing && !interrupted_ && now() > low_.since && diary_.has_observer())
     spans.push_back({running_->trace_id(), Observer::Doing::low, low_.since, now()});
   return spans;
+}
+
+Seconds Cpu::least_left(const Process& process) const {
+  if (&process == interrupted_) return low_.computing ? low_.left : Seconds{};
+  if (&process != running_) return process.remaining_;
+  if (process.priority_ == Priority::high)
+    return high_.computing ? speed_ * (high_.until - now()) : Seconds{};
+  return low_.computing ? speed_ * (low_.end - std::max(now(), low_.since)) : Seconds{};
 }
 
 CpuUse Cpu::use_by(Seconds date) const {

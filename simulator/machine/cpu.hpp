@@ -105,6 +105,9 @@ class Cpu {
   CpuUse use() const { return use_by(now()); }  ///< up to now
   /// The same up to a later date, if nothing happens until then.
   CpuUse use_by(Seconds date) const;
+  /// How long a process that computes, or waits for the CPU in the middle of that, still takes at
+  /// least: at full speed.
+  Seconds least_left(const Process& process) const;
   std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< processes
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }

@@ -17,8 +17,15 @@ enum class Links : std::uint8_t {
 struct EngineParams {
   Links links = Links::simgrid;
   Processes processes = Processes::fibers;
+  /// The part of each processor, in the order they are added, where they are run by several threads
+  /// of the host: numbers from 0 without gaps, see Parts. Others are in part 0. Results do not
+  /// depend on it. Empty: one part. Only with Links::direct.
+  std::vector<int> parts = {};
 };
 
+class Process;
+
+/// The clock, events and links of a machine, or of a part of one.
 class Engine {
  public:
   using Callback = machine::Callback;
@@ -29,7 +36,9 @@ class Engine {
 
   /// See Carrier.
   int add_processor(const std::string& name);
-  std::size_t add_link(int a, int b, LinkRates rates) { return carrier_->add_link(a, b, rates); }
+  std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
+    return carrier_->add_link(a, b, rates, rank);
+  }
   /// Whether every process needs a stack, a Proc too: SimGrid's actors have one.
   bool needs_stacks() const { return needs_stacks_; }
   /// A process's body, to be resumed by callbacks and, once it is to end, after run().
@@ -83,11 +92,27 @@ class Engine {
   /// Grows with every event that is asked for, while one is handled.
   std::uint64_t asked() const { return events_.asked(); }
 
+  // --- for Parts, and links between two of them -----------------------------------------------
+  /// What processes here have asked the links between parts for: see ranked_at.
+  struct Request {
+    Seconds date;
+    std::uint64_t rank;
+    Callback callback;
+  };
+  std::vector<Request>& requests() { return requests_; }
+  /// Processes that compute before they come to such a link.
+  std::vector<const Process*>& coming() { return coming_; }
+  Events& events() { return events_; }
+  Moment next() { return carrier_->next(); }
+  void run_before(const Moment& bound) { carrier_->run_before(bound); }
+
  private:
   Events events_;
   bool can_wait_, needs_stacks_;
   int processors_ = 0;
   std::unique_ptr<Carrier> carrier_;
+  std::vector<Request> requests_;
+  std::vector<const Process*> coming_;
 };
 
 }  // namespace machine

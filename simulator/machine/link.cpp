@@ -16,6 +16,31 @@ void LinkDirection::carry(const std::string& channel) {
   carries_ = channel;
 }
 
+Engine& LinkDirection::engine_at(Side side) {
+  return (side == Side::writer ? from_ : to_).engine();
+}
+
+void LinkDirection::come_at(Seconds date, Side side, Engine::Callback has_come) {
+  Engine& here = engine_at(side);
+  if (&here == &engine_)
+    engine_.ranked_at(date, rank_of(side), has_come);
+  else
+    here.requests().push_back({date, rank_of(side), has_come});
+}
+
+// What happens at one date on links happens in the order of their ranks.
+void LinkDirection::expect(Side side, Process& process) {
+  process.set_rank(rank_of(side));
+  Engine& here = engine_at(side);
+  if (&here != &engine_) here.coming().push_back(&process);
+}
+
+void LinkDirection::expect_no_more(Side side, Process& process) {
+  process.set_rank(Process::NO_RANK);
+  Engine& here = engine_at(side);
+  if (&here != &engine_) std::erase(here.coming(), &process);
+}
+
 void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
                              Engine::Callback arrived) {
   if (std::exchange(busy_, true))
@@ -38,7 +63,7 @@ void LinkDirection::move() {
     engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
   else {
     moves_ = true;
-    engine_.transfer(number_, bytes_, [this] { end(); });
+    engine_.transfer(direction_, bytes_, [this] { end(); });
   }
 }
 
@@ -69,7 +94,7 @@ void LinkDirection::flush_observer() {
 }
 
 double LinkDirection::passed(Seconds date) const {
-  return moves_ ? 1 - engine_.left_of(number_, date) / static_cast<double>(bytes_) : 0;
+  return moves_ ? 1 - engine_.left_of(direction_, date) / static_cast<double>(bytes_) : 0;
 }
 
 LinkUse LinkDirection::use_by(Seconds date) const {

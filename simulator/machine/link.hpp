@@ -41,11 +41,12 @@ class Cable {
 /// One direction of a link.
 class LinkDirection {
  public:
-  /// `number` is the engine's; `beside` of links join the two already; `delay` is the time of every
-  /// message in the link switches on the way.
-  LinkDirection(Engine& engine, std::size_t number, Processor& from, Processor& to,
-                std::size_t beside, std::shared_ptr<Cable> cable, Seconds delay)
+  /// `direction` is the engine's; `number` is among those of the machine; `beside` of links join
+  /// the two already; `delay` is the time of every message in the link switches on the way.
+  LinkDirection(Engine& engine, std::size_t direction, std::size_t number, Processor& from,
+                Processor& to, std::size_t beside, std::shared_ptr<Cable> cable, Seconds delay)
       : engine_(engine),
+        direction_(direction),
         number_(number),
         from_(from),
         to_(to),
@@ -58,18 +59,20 @@ class LinkDirection {
   enum class Side : std::uint8_t { writer, reader };
   /// A process that has been descheduled comes to an end of the link at a date, its own time: calls
   /// back when the clock has come so far, before anything that processes do then.
-  void come_at(Seconds date, Side side, Engine::Callback has_come) {
-    engine_.ranked_at(date, rank_of(side), has_come);
-  }
-  /// What happens at one date on links happens in the order of these ranks.
-  std::uint64_t rank_of(Side side) const { return 2 * number_ + static_cast<std::size_t>(side); }
+  void come_at(Seconds date, Side side, Engine::Callback has_come);
+  /// A process computes before it comes to an end of the link, and then: does not any more.
+  void expect(Side side, Process& process);
+  void expect_no_more(Side side, Process& process);
   /// Both processes have been descheduled; calls back when the last byte has been acknowledged.
   /// `channel`, the name of the message's channel, must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
 
-  std::size_t number() const { return number_; }  ///< the engine's
+  std::size_t number() const { return number_; }  ///< in the machine; the direction back has ^ 1
+  std::size_t direction() const { return direction_; }  ///< the engine's
   Processor& from() const { return from_; }
   Processor& to() const { return to_; }
+  /// What a callback of come_at() has found is of no use, see Engine.
+  void ignore_event() { engine_.ignore_event(); }
   /// Nothing arrives any more, and nothing may be sent; the link's other direction is cut at the
   /// same instant. Returns whether a message was under way: its callback is not called.
   bool cut();
@@ -91,9 +94,11 @@ class LinkDirection {
  private:
   void move();
   void end();
+  std::uint64_t rank_of(Side side) const { return 2 * number_ + static_cast<std::size_t>(side); }
+  Engine& engine_at(Side side);
 
   Engine& engine_;
-  std::size_t number_;
+  std::size_t direction_, number_;
   Processor& from_;
   Processor& to_;
   std::size_t beside_;

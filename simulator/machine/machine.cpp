@@ -158,8 +158,9 @@ std::string_view to_string(End end) {
 Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::string role,
                                   std::shared_ptr<const Model> model) {
   auto shared = std::make_shared<Memory>(name, memory);
-  return add(std::move(name), std::move(shared), std::move(role),
-             model ? std::move(model) : model_);
+  Engine& engine = parts_.add_processor(name);
+  return add(std::move(name), std::move(shared), std::move(role), model ? std::move(model) : model_,
+             engine);
 }
 
 Processor& Machine::add_companion(Processor& of, std::string name, std::string role) {
@@ -167,16 +168,18 @@ Processor& Machine::add_companion(Processor& of, std::string name, std::string r
     throw Misuse(
         of.name(), now(),
         fmt::format("{} would have two companions: {} is one", of.name(), of.companion()->name()));
-  Processor& companion = add(std::move(name), of.share_memory(), std::move(role), of.share_model());
+  Engine& engine = parts_.add_processor(name, &of.engine());
+  Processor& companion =
+      add(std::move(name), of.share_memory(), std::move(role), of.share_model(), engine);
   companion.join(of);
   of.join(companion);
   return companion;
 }
 
 Processor& Machine::add(std::string name, std::shared_ptr<Memory> memory, std::string role,
-                        std::shared_ptr<const Model> model) {
-  const int id = engine_.add_processor(name);
-  processors_.push_back(std::make_unique<Processor>(engine_, std::move(model), id, std::move(name),
+                        std::shared_ptr<const Model> model, Engine& engine) {
+  const int id = static_cast<int>(processors_.size());
+  processors_.push_back(std::make_unique<Processor>(engine, std::move(model), id, std::move(name),
                                                     std::move(memory), std::move(role), code_));
   ports_.push_back(0);
   return *processors_.back();
@@ -194,11 +197,12 @@ void Machine::connect(Processor& a, Processor& b, int switches) {
   const auto cable = std::make_shared<Cable>(end(a), end(b));
   const double bits = std::max(a.model().link.switch_bits, b.model().link.switch_bits);
   const Seconds delay{switches * bits / a.model().link.bit_rate};
-  std::size_t direction = engine_.add_link(a.id(), b.id(), rates);
+  Engine& engine = parts_.between(a.engine(), b.engine());
+  std::size_t direction = engine.add_link(a.id(), b.id(), rates, links_.size() / 2);
   for (auto [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     auto& known = links_of_[{from->id(), to->id()}];
-    links_.push_back(std::make_unique<LinkDirection>(engine_, direction++, *from, *to, known.size(),
-                                                     cable, delay));
+    links_.push_back(std::make_unique<LinkDirection>(engine, direction++, links_.size(), *from, *to,
+                                                     known.size(), cable, delay));
     known.push_back(links_.back().get());
   }
 }
@@ -214,18 +218,38 @@ LinkDirection& Machine::link(const Processor& from, const Processor& to, std::si
 }
 
 void Machine::set_observer(Observer* observer) {
+  if (observer) parts_.only("an observer");
   for (auto& processor : processors_) processor->set_observer(observer);
   for (auto& link : links_) link->set_observer(observer);
+}
+
+// What a process takes up to a link at the least, on any processor.
+Seconds Machine::lookahead() const {
+  Seconds least{std::numeric_limits<double>::infinity()};
+  for (const auto& processor : processors_) {
+    const auto cycles = static_cast<double>(processor->model().channel.least_to_link().value);
+    least = std::min(least,
+                     round_to_cycles(processor->software_factor() * cycles) / processor->clock());
+  }
+  return least;
+}
+
+// The first of them, if several parts have failed side by side.
+void Machine::throw_failure() const {
+  const Processor* first = nullptr;
+  for (const auto& processor : processors_)
+    if (processor->failure() && (!first || processor->failed_at() < first->failed_at()))
+      first = processor.get();
+  if (first) std::rethrow_exception(first->failure());
 }
 
 End Machine::run(Seconds until) {
   runs_until_ = until;
   for (const Failure& failure : planned_) expect(failure);
-  const Engine::End why = engine_.run(until);
-  for (const auto& processor : processors_)
-    if (processor->failure()) std::rethrow_exception(processor->failure());
+  const Engine::End why = parts_.run(until, lookahead());
+  throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
-  if (!cut && why != Engine::End::no_event_left) engine_.rewind();  // only old time-outs are left
+  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // only old time-outs are left
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
@@ -259,7 +283,7 @@ void Machine::plan(const Failure& failure) {
 void Machine::expect(const Failure& failure) {
   if (failure.at > *runs_until_) return;
   auto& together = failures_[failure.at];
-  if (together.empty()) engine_.first_at(failure.at, [this] { happen_now(); });
+  if (together.empty()) parts_.only("a failure").first_at(failure.at, [this] { happen_now(); });
   together.push_back(failure);
 }
 
@@ -272,7 +296,7 @@ void Machine::happen_now() {
     matters |= happen(failure);
   }
   failures_.erase(now());
-  if (!matters) engine_.ignore_event();
+  if (!matters) parts_.only("a failure").ignore_event();
 }
 
 // Everything has ended, no message is under way, and no process is ahead of the clock.
@@ -286,7 +310,7 @@ bool Machine::is_over() const {
 }
 
 bool Machine::cut_both_ways(LinkDirection& link) {
-  engine_.cut(link.number());
+  parts_.only("a failure").cut(link.direction());
   const bool there = link.cut(), back = links_[link.number() ^ 1]->cut();
   return there || back;
 }
@@ -301,7 +325,8 @@ bool Machine::cut_all(const Processor& a, const Processor& b) {
 bool Machine::happen(const Failure& failure) {
   Processor& a = *failure.a;
   if (is_over() || (failure.b ? link(a, *failure.b).is_cut() : a.stopped())) return false;
-  const auto asked = engine_.asked();
+  const Engine& engine = parts_.only("a failure");
+  const auto asked = engine.asked();
   bool matters = false;
   std::vector<Processor*> ends;  // processors that hear of it
   if (failure.b) {
@@ -319,7 +344,7 @@ bool Machine::happen(const Failure& failure) {
   for (const auto& observer : failure_observers_) observer(failure);
   for (const Processor* end : ends)
     for (const auto& process : end->processes()) process->tell_cut();
-  return matters || engine_.asked() != asked;
+  return matters || engine.asked() != asked;
 }
 
 }  // namespace machine

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "simulator/machine/link.hpp"
+#include "simulator/machine/parts.hpp"
 
 namespace machine {
 
@@ -30,7 +31,7 @@ struct Failure {
 class Machine {
  public:
   explicit Machine(const Model& model, Code code = Code::bare, EngineParams engine = {})
-      : model_(std::make_shared<const Model>(model)), code_(code), engine_(engine) {}
+      : model_(std::make_shared<const Model>(model)), code_(code), parts_(std::move(engine)) {}
 
   /// `memory` in bytes; `role` as Processor::role(); null: the machine's model.
   Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {},
@@ -59,29 +60,32 @@ class Machine {
   /// that instant. (The links of a processor that stops are not told one by one.)
   void on_failure(std::function<void(const Failure&)> observer);
 
-  /// From now on the observer is told what processors and links do; null: nobody is. During a run
-  /// it is told of nothing that has begun before.
+  /// From now on the observer is told what processors and links do (of a machine in one part);
+  /// null: nobody is. During a run it is told of nothing that has begun before.
   void set_observer(Observer* observer);
 
   /// Asks before the clock goes on, see Pace; only with Links::direct. To be called before run().
-  void set_pace(Pace& pace) { engine_.set_pace(pace); }
+  void set_pace(Pace& pace) { parts_.only("a pace").set_pace(pace); }
   /// Ends the run at its next event, as if the user had interrupted it.
-  void stop() { engine_.stop(); }
+  void stop() { parts_.stop(); }
 
   /// Runs until no process can do anything, or up to a time limit. Throws what a process threw;
   /// Deadlock, with the channels that processes wait on, if some have not ended and there was no
   /// limit.
   End run(Seconds until = {std::numeric_limits<double>::infinity()});
 
-  Seconds now() const { return engine_.now(); }
-  std::uint64_t events() const { return engine_.handled(); }
+  /// While it runs in several parts ask a processor.
+  Seconds now() const { return parts_.now(); }
+  std::uint64_t events() const { return parts_.handled(); }
   const Model& model() const { return *model_; }
   const std::vector<std::unique_ptr<Processor>>& processors() const { return processors_; }
   const std::vector<std::unique_ptr<LinkDirection>>& links() const { return links_; }
 
  private:
   Processor& add(std::string name, std::shared_ptr<Memory> memory, std::string role,
-                 std::shared_ptr<const Model> model);
+                 std::shared_ptr<const Model> model, Engine& engine);
+  Seconds lookahead() const;
+  void throw_failure() const;
   void plan(const Failure& failure);
   void expect(const Failure& failure);
   void happen_now();
@@ -92,7 +96,7 @@ class Machine {
 
   const std::shared_ptr<const Model> model_;
   Code code_;
-  Engine engine_;
+  Parts parts_;
   std::vector<std::unique_ptr<Processor>> processors_;
   std::vector<std::unique_ptr<LinkDirection>> links_;
   std::vector<std::size_t> ports_;  // in use, by processor

@@ -75,6 +75,8 @@ struct Model {
     Cycles copy_word;       // and moves one 4-byte word
     Cycles out_word;        // what outword takes beyond out, for a message of one word
     Cycles wake_companion;  // to make a process of the other CPU on the memory ready
+    /// The least that in or out on a link takes up to the rendezvous.
+    Cycles least_to_link() const { return operands + blocked; }
   } channel;
   struct Alternative {
     Cycles setup, timer_setup, end;               // alt, talt, altend

@@ -6,8 +6,6 @@ namespace machine {
 
 namespace {
 
-ProcessId last_id = 0;
-
 // Unwinds the body of a process that is destroyed before it has ended.
 struct Cancelled {};
 
@@ -20,7 +18,7 @@ void throw_outside_of_process() {
 Process::Process(Processor& processor, std::string name, Priority priority, Body body)
     : processor_(processor),
       priority_(priority),
-      id_(++last_id),
+      id_(processor.make_id()),
       coroutine_(processor.engine().make_coroutine(processor.id(), name, [this] { live(); })),
       body_(std::move(body)),
       name_(std::move(name)) {}
@@ -29,7 +27,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
     : processor_(processor),
       priority_(priority),
       proc_(std::move(proc)),
-      id_(++last_id),
+      id_(processor.make_id()),
       name_(std::move(name)) {}
 
 Process::~Process() {

@@ -96,6 +96,7 @@ class Process {
   /// a process comes to a link as soon as it has paid.
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
   void set_rank(std::uint64_t rank) { rank_ = rank; }
+  bool has_rank() const { return rank_ != NO_RANK; }
   bool has_stack() const { return coroutine_ != nullptr; }
   /// From now on it is blocked, see block().
   void start_wait(Wait& wait);
@@ -138,7 +139,7 @@ class Process {
   friend class Cpu;
   friend class Processor;
   friend Process& this_process();
-  static inline Process* executing = nullptr;
+  static constinit inline thread_local Process* executing = nullptr;
   static constexpr Cycles LONG_DEBT{1000}, MUCH_DEBT{1 << 20}, MOST_DEBT{1 << 30};
   void sync_if_much();
   void require_stack() const {

@@ -84,6 +84,7 @@ void Processor::set_observer(Observer* observer) {
 
 void Processor::fail(std::exception_ptr failure) {
   failure_ = failure;
+  failed_at_ = now();
   engine_.stop();
 }
 

@@ -69,6 +69,9 @@ class Processor {
   /// The same before all else that happens at that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
+  /// For its next process: never given twice in a machine.
+  ProcessId make_id() { return (static_cast<ProcessId>(id_) + 1) << 32 | ++made_; }
+
   int id() const { return id_; }
   const std::string& name() const { return name_; }
   const std::string& role() const { return role_; }
@@ -102,6 +105,7 @@ class Processor {
   /// Ends the simulation with this exception (thrown again by Machine::run).
   void fail(std::exception_ptr failure);
   const std::exception_ptr& failure() const { return failure_; }
+  Seconds failed_at() const { return failed_at_; }
 
  private:
   Process& start(std::unique_ptr<Process> process);
@@ -111,8 +115,10 @@ class Processor {
   std::shared_ptr<const Model> model_;
   double software_factor_;
   int id_;
+  std::uint32_t made_ = 0;  // processes
   Processor* companion_ = nullptr;
   std::exception_ptr failure_;
+  Seconds failed_at_{};
   Cpu cpu_;
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;

@@ -148,12 +148,12 @@ bool ChannelBase::Exchange::communicate(Process& self) {
     case Stage::comes:
       is_second_ = partner.process;
       if (!pay_to_come(self)) {
-        if (channel_->hard()) self.set_rank(channel_->link_->rank_of(side_));
+        if (channel_->hard()) channel_->link_->expect(side_, self);
         return stop_at(Stage::has_paid);
       }
       [[fallthrough]];
     case Stage::has_paid:
-      self.set_rank(Process::NO_RANK);
+      if (self.has_rank()) channel_->link_->expect_no_more(side_, self);
       if (partner.process && !is_second_ && !channel_->hard() && !pay_for_late_partner(self))
         return stop_at(Stage::has_paid_all);
       [[fallthrough]];
@@ -237,7 +237,7 @@ void ChannelBase::Exchange::go_to_link(Process& self) {
   is_at_link_ = false;
   if (self.blocked_since() > self.processor().now())
     channel_->link_->come_at(self.blocked_since(), side_, [this, &self] {
-      if (!come_to_link(self)) self.processor().engine().ignore_event();
+      if (!come_to_link(self)) channel_->link_->ignore_event();
     });
   else
     come_to_link(self);

@@ -40,6 +40,7 @@ void add_mesh();          // routers on an 8 x 8 mesh
 void add_farm();          // the farm of chapter 4
 void add_scheduler();     // rendezvous and pre-emptions on one processor
 void add_neighbours();    // neighbours of a mesh exchange: costs of a transputer and an event
+void add_threads();       // the same by one thread of the host and by two
 void add_renderers();     // the sequential renderer
 void add_noise();         // the same, with a lens and a light that has a size
 void add_form_factors();  // radiosity

@@ -10,6 +10,7 @@ int main(int argc, char** argv) try {
   add_farm();
   add_scheduler();
   add_neighbours();
+  add_threads();
   add_renderers();
   add_noise();
   add_form_factors();

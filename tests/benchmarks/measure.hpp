@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -35,6 +36,14 @@ double time_of(Body&& body) {
   const double start = cpu_time_s();
   body();
   return cpu_time_s() - start;
+}
+
+// The same by the clock on the wall, for what several threads do.
+template <class Body>
+double wall_time_of(Body&& body) {
+  const auto start = std::chrono::steady_clock::now();
+  body();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 // Resident memory of this process.

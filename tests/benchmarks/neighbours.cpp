@@ -4,6 +4,7 @@
 #include "simulator/occam/process.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/traffic.hpp"
+#include "topologies/graph/partition.hpp"
 #include "topologies/graph/topology.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -51,14 +52,16 @@ struct Exchange {
   }
 };
 
+// `threads` of the host run it; their time is that of the clock on the wall; 0: one, by CPU time.
 // Memory is of all there is to a machine: what is built, and what has grown when it has run.
-Sample exchange(int side, int work, machine::EngineParams engine) {
+Sample exchange(int side, int work, machine::EngineParams engine, int threads = 0) {
   // As in a process that has allocated nothing yet: what the parent freed would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   const double before_kb = memory_kb();
   const auto topology = topologies::make_topology(fmt::format("mesh:{0}x{0}", side));
   const auto around = topologies::neighbours(topology);
+  if (threads > 1) engine.parts = topologies::make_partition(topology, threads);
   Machine machine(model(), machine::Code::bare, engine);
   for (int id = 0; id < topology.processors; ++id)
     machine.add_processor(fmt::format("p{}", id), PROCESSOR_MEMORY);
@@ -74,13 +77,25 @@ Sample exchange(int side, int work, machine::EngineParams engine) {
     processor.start("compute", Priority::low, own.compute());
     hops += ROUNDS * neighbours.size();
   }
-  Sample sample = run(machine, hops);
+  Sample sample =
+      threads > 0 ? Sample{hops, wall_time_of([&] { machine.run(); })} : run(machine, hops);
   sample.memory_kb = memory_kb() - before_kb;
   sample.events = machine.events();
   return sample;
 }
 
 }  // namespace
+
+void add_threads() {
+  for (const int side : {32, 64, 128})
+    for (const int threads : {1, 2})
+      add(fmt::format("neighbours of a {0} x {0} mesh, two threads", side),
+          threads == 1 ? "one thread" : "tlab", [=](benchmark::State&) {
+            return in_child([&] {
+              return exchange(side, USUAL_WORK, {.links = machine::Links::direct}, threads);
+            });
+          });
+}
 
 void add_neighbours() {
   const auto add_one = [](const Engine& engine, int side, int work) {

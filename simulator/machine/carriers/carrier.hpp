@@ -29,8 +29,9 @@ class Carrier {
 
   /// Builds the network; only before run(). Processors are numbered from 0 in order of creation.
   virtual void add_processor(const std::string& name) = 0;
-  /// Returns the number of the direction from a to b.
-  virtual std::size_t add_link(int a, int b, LinkRates rates) = 0;
+  /// Returns the number of the direction from a to b. `rank` is the link's among all of the
+  /// machine.
+  virtual std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) = 0;
   virtual std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
                                                     Coroutine::Body body) = 0;
 
@@ -43,6 +44,11 @@ class Carrier {
   virtual void cut(std::size_t direction) = 0;
   /// Handles events and moves messages until neither is left, or the events are stopped.
   virtual void run() = 0;
+
+  /// What the engines of a machine's parts do, see Parts: the next thing that happens; and all that
+  /// happens before `bound`. Throw InvariantBroken if the carrier cannot.
+  virtual Moment next() = 0;
+  virtual void run_before(const Moment& bound) = 0;
 };
 
 /// SimGrid: processors are its hosts; a link is a SimGrid link that has the unidirectional rate for

@@ -13,9 +13,9 @@ class Direct final : public Carrier {
   explicit Direct(Events& events) : events_(events) {}
 
   void add_processor(const std::string& /*name*/) override {}
-  std::size_t add_link(int /*a*/, int /*b*/, LinkRates rates) override {
+  std::size_t add_link(int /*a*/, int /*b*/, LinkRates rates, std::size_t rank) override {
     arrived_.resize(arrived_.size() + 2);
-    return forecast_.add_link(rates.one_way, rates.both_ways);
+    return forecast_.add_link(rates.one_way, rates.both_ways, rank);
   }
   std::unique_ptr<Coroutine> make_coroutine(int /*processor*/, const std::string& /*name*/,
                                             Coroutine::Body body) override {
@@ -31,9 +31,18 @@ class Direct final : public Carrier {
   }
   void cut(std::size_t direction) override { forecast_.end(direction, events_.now()); }
 
-  void run() override {
+  void run() override { run_before({}); }
+
+  Moment next() override {
+    forecast_.settle();
+    return std::min(events_.next_moment(), forecast_.next_moment());
+  }
+
+  void run_before(const Moment& bound) override {
+    events_.finish();
     while (!events_.stopped()) {
       if (events_.next() <= events_.now()) {
+        if (events_.next() >= bound.date && events_.next_moment() >= bound) return;
         events_.handle_next();
         continue;
       }
@@ -42,8 +51,10 @@ class Direct final : public Carrier {
       const double next_end = forecast_.next_date();
       if (events_.pace() && std::min(events_.next(), next_end) > events_.now() && !may_go_on())
         continue;
+      if (std::min(events_.next(), next_end) >= bound.date &&
+          std::min(events_.next_moment(), forecast_.next_moment()) >= bound)
+        return;
       if (events_.next() <= next_end) {
-        if (events_.next() == Events::NEVER) return;
         events_.handle_next();
         continue;
       }

@@ -52,6 +52,12 @@ void Events::ask(double date, std::uint64_t order, Callback callback) {
   next_ = std::min(next_, date);
 }
 
+Moment Events::next_moment() const {
+  if (!soon_.empty()) return {now_};
+  if (heap_->empty()) return {};
+  return {next_, heap_->top().order_and_place >> PLACE_BITS};
+}
+
 void Events::handle_next() {
   const Event event = heap_->top();
   heap_->pop();
@@ -74,6 +80,10 @@ void Events::handle(Callback callback) {
   ignored_ = false;
   callback();
   if (!ignored_) last_useful_ = now_;
+  finish();
+}
+
+void Events::finish() {
   for (std::size_t i = 0; i < soon_.size() && !stopped_; ++i) {
     Callback then = soon_[i];  // which may ask for more
     then();

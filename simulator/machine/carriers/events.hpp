@@ -1,5 +1,6 @@
 #pragma once
 // The simulated clock and the events that are asked for, without the messages on links.
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -18,6 +19,16 @@ struct Pace {
   virtual bool before(double date) = 0;
 };
 
+/// When something happens, and its place among what happens at that date: see Events, whose orders
+/// these are, and Forecast, whose messages end after all events.
+struct Moment {
+  double date = std::numeric_limits<double>::infinity();
+  std::uint64_t order = 0;
+  double since = 0;
+  std::uint64_t rank = 0;
+  auto operator<=>(const Moment&) const = default;
+};
+
 /// Ends the simulation of this host process at its next event. May be called by a signal handler.
 void request_stop();
 
@@ -29,8 +40,9 @@ class Events {
   Events();
   ~Events();
 
-  double now() const { return now_; }      ///< seconds
-  double until() const { return until_; }  ///< the end of simulated time
+  double now() const { return now_; }                  ///< seconds
+  double last_useful() const { return last_useful_; }  ///< the last event that was of use
+  double until() const { return until_; }              ///< the end of simulated time
   void set_until(double date) { until_ = date; }
 
   /// Null: nobody is asked.
@@ -49,8 +61,17 @@ class Events {
   /// Asks for a callback when the event being handled is over, at the same instant.
   void soon(Callback callback) { soon_.push_back(callback); }
 
+  // Where those that have ranks come at a date, those that have none, and the ends of messages.
+  // Orders below are asked for as first.
+  static constexpr std::uint64_t RANKED = std::uint64_t{1} << 37, USUAL = std::uint64_t{1} << 38,
+                                 ENDS = std::uint64_t{1} << 40;
+
   /// The date of the next event; NEVER if there is none.
   double next() const { return next_; }
+  /// The same; now, if something has been asked for soon while no event was handled.
+  Moment next_moment() const;
+  /// Calls what has been asked for soon while no event was handled.
+  void finish();
   /// Takes the next event, which there must be: the clock comes to its date.
   void handle_next();
   /// The clock goes on to `date`, unless it is there already.
@@ -61,8 +82,9 @@ class Events {
 
   /// The event being handled is of no use: the clock does not stay at it when the run ends.
   void ignore() { ignored_ = true; }
-  /// The clock goes back to the last event that was of use.
+  /// The clock goes back to the last event that was of use, or to a date.
   void rewind() { now_ = last_useful_; }
+  void rewind_to(double date) { now_ = date; }
   /// Nothing is called any more. The first reason counts.
   void stop(End why);
   bool stopped() const { return stopped_; }
@@ -73,9 +95,6 @@ class Events {
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:
-  // Orders below are asked for as first; orders from USUAL on have no rank.
-  static constexpr std::uint64_t RANKED = std::uint64_t{1} << 37, USUAL = std::uint64_t{1} << 38;
-
   struct Heap;  // its library takes long to compile, and machines include this
   void ask(double date, std::uint64_t order, Callback callback);
 

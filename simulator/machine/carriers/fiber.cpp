@@ -1,6 +1,7 @@
 #include <sys/mman.h>
 
 #include <boost/context/fiber.hpp>
+#include <mutex>
 #include <new>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace machine {
 
 namespace {
 
-const void* scheduler_stack = nullptr;  // the host's, as the sanitizer has told it
-std::size_t scheduler_stack_size = 0;
+// The host's, as the sanitizer has told it.
+thread_local const void* scheduler_stack = nullptr;
+thread_local std::size_t scheduler_stack_size = 0;
 
 void leaving([[maybe_unused]] void** kept, [[maybe_unused]] const void* stack,
              [[maybe_unused]] std::size_t size) {
@@ -39,12 +41,16 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 class StackPool {
  public:
   boost::context::stack_context allocate() {
+    const std::lock_guard lock(mutex_);
     if (free_.empty()) add_block();
     const auto stack = free_.back();
     free_.pop_back();
     return stack;
   }
-  void deallocate(boost::context::stack_context& stack) noexcept { free_.push_back(stack); }
+  void deallocate(boost::context::stack_context& stack) noexcept {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(stack);
+  }
   ~StackPool() {
     for (void* block : blocks_) munmap(block, STACKS * Coroutine::STACK_BYTES);
   }
@@ -68,6 +74,7 @@ class StackPool {
     }
   }
 
+  std::mutex mutex_;
   std::vector<void*> blocks_;
   std::vector<boost::context::stack_context> free_;
 };

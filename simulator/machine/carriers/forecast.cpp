@@ -6,8 +6,8 @@
 
 namespace machine {
 
-std::size_t Forecast::add_link(double one_way, double both_ways) {
-  links_.push_back({std::min(one_way, both_ways), std::min(one_way, both_ways / 2)});
+std::size_t Forecast::add_link(double one_way, double both_ways, std::size_t rank) {
+  links_.push_back({std::min(one_way, both_ways), std::min(one_way, both_ways / 2), rank});
   return 2 * (links_.size() - 1);
 }
 
@@ -64,6 +64,13 @@ void Forecast::foresee(Link& link, std::size_t direction) {
   own.end = {date, 1e-9 * duration + 1e-11 + 1e-14 * date, direction};
   heap_.push_back({date, link.since, own.valid, direction, direction % 2 == link.newest});
   std::ranges::push_heap(heap_, std::less<>());
+}
+
+Moment Forecast::next_moment() {
+  if (next_date() == Events::NEVER) return {};
+  const Entry& first = heap_.front();
+  return {first.date, Events::ENDS, first.since,
+          2 * links_[first.direction / 2].rank + (first.is_newest ? 0 : 1)};
 }
 
 void Forecast::drop_top() {

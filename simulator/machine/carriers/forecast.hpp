@@ -5,13 +5,16 @@
 #include <limits>
 #include <vector>
 
+#include "simulator/machine/carriers/events.hpp"
+
 namespace machine {
 
 class Forecast {
  public:
-  /// Rates in bytes/s: of one direction while the other is idle, and of both together. Returns the
-  /// number of the link's direction there; that of its direction back is one higher.
-  std::size_t add_link(double one_way, double both_ways);
+  /// Rates in bytes/s: of one direction while the other is idle, and of both together. `rank` grows
+  /// from link to link. Returns the number of the link's direction there; that of its direction
+  /// back is one higher.
+  std::size_t add_link(double one_way, double both_ways, std::size_t rank = 0);
 
   /// A message of `bytes` starts on an idle direction; it ends there, or is lost. Dates are
   /// seconds, ascending.
@@ -49,6 +52,7 @@ class Forecast {
     while (!heap_.empty() && way(heap_.front().direction).valid != heap_.front().number) drop_top();
     return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().date;
   }
+  Moment next_moment();
   const End& end_of(std::size_t direction) const { return way(direction).end; }
 
  private:
@@ -60,6 +64,7 @@ class Forecast {
   };
   struct Link {
     double alone, shared;  // bytes/s of a direction
+    std::size_t rank;
     double since = 0;
     std::array<Way, 2> ways = {};
     std::size_t newest = 0;  // the way whose message has started last

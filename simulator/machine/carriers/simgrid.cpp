@@ -130,7 +130,7 @@ class OnSimGrid final : public Carrier {
     hosts_.push_back(zone_->create_host(name, "1f")->seal());
     idle_.emplace_back();
   }
-  std::size_t add_link(int a, int b, LinkRates rates) override;
+  std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) override;
   std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
                                             Coroutine::Body body) override {
     if (!has_actors_) return make_fiber(std::move(body));
@@ -147,8 +147,13 @@ class OnSimGrid final : public Carrier {
     forecast_.settle();
   }
   void run() override;
+  Moment next() override { throw_in_parts(); }
+  void run_before(const Moment& /*bound*/) override { throw_in_parts(); }
 
  private:
+  [[noreturn]] static void throw_in_parts() {
+    throw base::InvariantBroken("SimGrid runs a machine in one part, expected the direct engine");
+  }
   // By the numbers of the forecast and of SimGrid's communications.
   struct Direction {
     s4u::Host *from, *to;
@@ -220,7 +225,7 @@ OnSimGrid::OnSimGrid(Events& events, Processes processes)
   s4u::Engine::on_deadlock_cb([] { throw AllWait(); });
 }
 
-std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates) {
+std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates, std::size_t rank) {
   const auto rate = [rates](double, int messages) {
     return messages > 1 ? rates.both_ways : rates.one_way;
   };
@@ -237,7 +242,7 @@ std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates) {
                    {s4u::LinkInRoute(link)}, true);
   directions_.push_back({from, to});
   directions_.push_back({to, from});
-  return forecast_.add_link(rates.one_way, rates.both_ways);
+  return forecast_.add_link(rates.one_way, rates.both_ways, rank);
 }
 
 void OnSimGrid::start(std::size_t number, std::uint64_t bytes, Callback arrived) {

@@ -22,46 +22,66 @@ struct Engines : testing::Test {
   }
 };
 
-// A random machine, some of whose links are cut: when messages came, how it ended, what was busy.
-std::string run_random(std::uint64_t seed, EngineParams engine) {
+// A random machine: when messages came, how it ended, what was busy.
+std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link) {
   return isolated([&] {
     const Plan plan = make_plan(seed);
     Lab lab(make_stealing_model(), machine::Code::bare, engine);
-    std::string log, wrong;
+    std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
     build_machine(lab, plan);
-    for (const Stream& stream : plan.streams) start_stream(lab, stream, log, wrong);
+    for (std::size_t i = 0; i < logs.size(); ++i)
+      start_stream(lab, plan.streams[i], logs[i], wrongs[i]);
     const auto& cpus = lab.machine.processors();
     const auto& links = plan.topology.links;
-    if (seed % 3 == 0)
+    if (cuts_a_link)
       lab.machine.cut_link(*cpus[links[0].a.processor], *cpus[links[0].b.processor], {1e-3});
+    std::string log;
     try {
       lab.machine.run();
     } catch (const machine::Deadlock& deadlock) {
       log += deadlock.what();
     }
+    for (const auto& stream : logs) log += stream;
     for (const auto& cpu : cpus)
       log += fmt::format(" {:a} {}", lab.busy_cycles(*cpu), cpu->use().preemptions);
     for (const auto& link : lab.machine.links())
       log += fmt::format(" {:a}", link->use().busy.value);
-    return fmt::format("{} at {:a}, {} events {}", log, lab.cycles(), lab.machine.events(), wrong);
+    return fmt::format("{} at {:a}, {} events {}", log, lab.cycles(), lab.machine.events(),
+                       fmt::join(wrongs, ""));
   });
 }
 
 TEST_F(Engines, RunRandomMachinesTheSame) {
   int deadlocks = 0;
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
-    const auto on_fibers = run_random(seed, FIBERS);
-    EXPECT_EQ(on_fibers, run_random(seed, ACTORS)) << "seed " << seed;
-    EXPECT_EQ(on_fibers, run_random(seed, DIRECT)) << "seed " << seed;
+    const auto run = [&](EngineParams engine) { return run_random(seed, engine, seed % 3 == 0); };
+    const auto on_fibers = run(FIBERS);
+    EXPECT_EQ(on_fibers, run(ACTORS)) << "seed " << seed;
+    EXPECT_EQ(on_fibers, run(DIRECT)) << "seed " << seed;
     deadlocks += on_fibers.find("(link cut)") != std::string::npos ? 1 : 0;
   }
   EXPECT_GE(deadlocks, 3);
 }
 
+// On 2 to 16 threads, whatever processors are in the parts.
+TEST_F(Engines, RunRandomMachinesTheSameInParts) {
+  for (std::uint64_t seed = 0; seed < 42; ++seed) {
+    const auto in_one = run_random(seed, DIRECT, false);
+    std::mt19937_64 random(seed);
+    for (const int parts : {2, 3, 4, 8, 16}) {
+      EngineParams engine = DIRECT;
+      for (int i = 0; i < 16; ++i)
+        engine.parts.push_back(i < parts ? i : static_cast<int>(random() % parts));
+      std::ranges::shuffle(engine.parts, random);
+      EXPECT_EQ(in_one, run_random(seed, engine, false)) << "seed " << seed << ", " << parts;
+    }
+  }
+}
+
 // One waits for ever, one computes for ever, one waits in a PAR, one has not begun: at the limit
 // all are left, inside out, and of the last nothing but what its body holds.
 TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
-  for (const auto engine : ALL_KINDS) {
+  for (const auto& engine : ALL_KINDS) {
     const auto log = isolated([&] {
       std::string left;
       struct Leaver {
@@ -100,7 +120,7 @@ TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
 }
 
 TEST_F(Engines, WhatABodyThrowsEndsTheRun) {
-  for (const auto engine : ALL_KINDS)
+  for (const auto& engine : ALL_KINDS)
     EXPECT_THROW(isolated([&]() -> std::string {
                    Lab lab(make_exact_model(), machine::Code::bare, engine);
                    auto& cpu = lab.cpu();
@@ -113,7 +133,7 @@ TEST_F(Engines, WhatABodyThrowsEndsTheRun) {
 }
 
 TEST_F(Engines, HaveTheSameStacks) {
-  for (const auto engine : ALL_KINDS) {
+  for (const auto& engine : ALL_KINDS) {
     const auto sum = isolated([&] {
       int sum = 0;
       Lab lab(make_exact_model(), machine::Code::bare, engine);

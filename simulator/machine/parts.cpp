@@ -1,0 +1,135 @@
+#include "simulator/machine/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/machine/crew.hpp"
+#include "simulator/machine/processor.hpp"
+
+namespace machine {
+
+namespace {
+
+constexpr double ROUNDING = 1e-9;  // share of a duration by which a sum of dates may be rounded
+
+Moment just_after(Moment moment) {
+  ++moment.rank;
+  return moment;
+}
+
+}  // namespace
+
+Parts::Parts(EngineParams params) : part_of_(std::exchange(params.parts, {})) {
+  const int parts = part_of_.empty() ? 1 : *std::ranges::max_element(part_of_) + 1;
+  for (int part = 0; part < parts; ++part) engines_.push_back(std::make_unique<Engine>(params));
+  if (!is_one()) between_ = std::make_unique<Engine>(params);
+}
+
+Engine& Parts::add_processor(const std::string& name, const Engine* beside) {
+  const auto id = static_cast<std::size_t>(processors_++);
+  const auto is_beside = [&](const auto& engine) { return engine.get() == beside; };
+  const auto same = std::ranges::find_if(engines_, is_beside);
+  const std::size_t part = same != engines_.end() ? same - engines_.begin()
+                           : id < part_of_.size() ? part_of_[id]
+                                                  : 0;
+  engines_[part]->add_processor(name);
+  return *engines_[part];
+}
+
+Engine& Parts::only(const char* asked) {
+  if (is_one()) return *engines_.front();
+  throw base::InvariantBroken(
+      fmt::format("{} was asked of a machine in {} parts, expected one", asked, engines_.size()));
+}
+
+Engine::End Parts::run(Seconds until, Seconds lookahead) {
+  return is_one() ? engines_.front()->run(until) : run_windows(until, lookahead);
+}
+
+Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
+  for (const auto& engine : engines_) engine->events().set_until(until.value);
+  between_->events().set_until(until.value);
+  engines_.front()->at({}, [] {});  // as Engine::run
+  Crew crew(engines_.size(), [&](std::size_t part) { engines_[part]->run_before(bound_); });
+  for (;;) {
+    take_requests();
+    if (const Events* events = stopped()) return events->end();
+    const Moment first = next_of_parts(), at_links = between_->next();
+    const double date = std::min(first, at_links).date;
+    if (date == Events::NEVER) break;
+    be_at(std::min(date, until.value));
+    if (date > until.value) return Engine::End::until;
+    if (at_links < first) {
+      between_->run_before(just_after(at_links));
+      continue;
+    }
+    bound_ = end_of_window(first, at_links, lookahead.value);
+    crew.work();
+  }
+  rewind();
+  return Engine::End::no_event_left;
+}
+
+// What has been asked for in a window happens after it.
+void Parts::take_requests() {
+  for (const auto& engine : engines_) {
+    for (const auto& [date, rank, callback] : engine->requests()) {
+      if (Moment{date.value, Events::RANKED + rank} < bound_)
+        throw base::InvariantBroken(
+            fmt::format("a process came to a link between parts at {:.12f} s, expected not before "
+                        "{:.12f} s",
+                        date.value, bound_.date));
+      between_->ranked_at(date, rank, callback);
+    }
+    engine->requests().clear();
+  }
+}
+
+void Parts::be_at(double date) {
+  for (const auto& engine : engines_) engine->events().advance(date);
+  between_->events().advance(date);
+}
+
+Moment Parts::next_of_parts() {
+  Moment first;
+  for (const auto& engine : engines_) first = std::min(first, engine->next());
+  return first;
+}
+
+// No process comes to a link between parts before it, unless that is known already. What is first
+// is always in the window.
+Moment Parts::end_of_window(const Moment& first, const Moment& at_links, double lookahead) const {
+  double date = first.date + (1 - ROUNDING) * lookahead;
+  for (const auto& engine : engines_)
+    for (const Process* process : engine->coming())
+      date = std::min(date, first.date + (1 - ROUNDING) *
+                                             process->processor().cpu().least_left(*process).value);
+  date = std::min(date, std::nextafter(engines_.front()->until().value, Events::NEVER));
+  return std::max(std::min(Moment{date}, at_links), just_after(first));
+}
+
+const Events* Parts::stopped() const {
+  for (const auto& engine : engines_)
+    if (engine->events().stopped()) return &engine->events();
+  return between_->events().stopped() ? &between_->events() : nullptr;
+}
+
+void Parts::rewind() {
+  if (is_one()) return engines_.front()->rewind();
+  double last = between_->events().last_useful();
+  for (const auto& engine : engines_) last = std::max(last, engine->events().last_useful());
+  for (const auto& engine : engines_) engine->events().rewind_to(last);
+  between_->events().rewind_to(last);
+}
+
+void Parts::stop() {
+  for (const auto& engine : engines_) engine->stop();
+}
+
+std::uint64_t Parts::handled() const {
+  std::uint64_t sum = is_one() ? 0 : between_->handled();
+  for (const auto& engine : engines_) sum += engine->handled();
+  return sum;
+}
+
+}  // namespace machine
