@@ -104,6 +104,7 @@ struct Uses {
   bool faults = false;   ///< [[fault]]
   bool timed = false;    ///< run.cost = "timed"
   bool others = false;   ///< [[processor]]
+  bool threads = false;  ///< --threads: what its processors share on the host does not change
 };
 
 /// A program, its parameters in a std::any.

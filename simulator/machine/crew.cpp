@@ -7,10 +7,9 @@ namespace machine {
 namespace {
 
 // Some microseconds: a thread that sleeps takes longer than that to wake up.
-constexpr int TRIES = 4000;
+constexpr int TRIES = 2000;
 
-// Until `value` is not `old` any more. It sleeps only if that takes long, or if there are more
-// threads than the host has processors.
+// A thread sleeps only if that takes long, or if there are more than the host has processors.
 template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
@@ -22,23 +21,35 @@ void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
 
 }  // namespace
 
-Crew::Crew(std::size_t size, std::function<void(std::size_t)> share)
-    : share_(std::move(share)), may_spin_(size <= std::thread::hardware_concurrency()) {
+Crew::Crew(std::size_t size, Share share)
+    : share_(std::move(share)),
+      may_spin_(size <= std::thread::hardware_concurrency()),
+      members_(size) {
   for (std::size_t number = 1; number < size; ++number)
-    threads_.emplace_back([this, number] { live(number); });
+    members_[number].thread = std::jthread([this, number] { live(number); });
 }
 
 Crew::~Crew() {
   is_over_ = true;
-  ++round_;
-  round_.notify_all();
+  for (Member& member : members_) {
+    ++member.called;
+    member.called.notify_one();
+  }
 }
 
-void Crew::work() {
-  at_work_.store(threads_.size(), std::memory_order_relaxed);
-  round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
-  do_share(0);
+void Crew::work(const std::vector<std::size_t>& members) {
+  bool is_first_called = false;
+  for (const std::size_t number : members)
+    if (number == 0)
+      is_first_called = true;
+    else
+      at_work_.fetch_add(1, std::memory_order_relaxed);
+  for (const std::size_t number : members)
+    if (number != 0) {
+      members_[number].called.fetch_add(1, std::memory_order_release);
+      members_[number].called.notify_one();
+    }
+  if (is_first_called) do_share(0);
   for (std::size_t left = at_work_.load(std::memory_order_acquire); left != 0;
        left = at_work_.load(std::memory_order_acquire))
     wait_while(at_work_, left, may_spin_);
@@ -46,12 +57,11 @@ void Crew::work() {
 }
 
 void Crew::live(std::size_t number) {
-  for (std::uint64_t round = 0;; ++round) {
-    wait_while(round_, round, may_spin_);
+  for (std::uint64_t called = 0;; ++called) {
+    wait_while(members_[number].called, called, may_spin_);
     if (is_over_) return;
     do_share(number);
-    at_work_.fetch_sub(1, std::memory_order_release);
-    at_work_.notify_one();
+    if (at_work_.fetch_sub(1, std::memory_order_acq_rel) == 1) at_work_.notify_one();
   }
 }
 
@@ -59,7 +69,7 @@ void Crew::do_share(std::size_t number) {
   try {
     share_(number);
   } catch (...) {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(lock_);
     if (!failure_) failure_ = std::current_exception();
   }
 }

@@ -51,10 +51,13 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
   between_->events().set_until(until.value);
   engines_.front()->at({}, [] {});  // as Engine::run
   Crew crew(engines_.size(), [&](std::size_t part) { engines_[part]->run_before(bound_); });
+  std::vector<Moment> next(engines_.size());  // what happens in each part
+  std::vector<std::size_t> busy;              // parts in which something happens in the window
   for (;;) {
     take_requests();
     if (const Events* events = stopped()) return events->end();
-    const Moment first = next_of_parts(), at_links = between_->next();
+    for (std::size_t part = 0; part < next.size(); ++part) next[part] = engines_[part]->next();
+    const Moment first = std::ranges::min(next), at_links = between_->next();
     const double date = std::min(first, at_links).date;
     if (date == Events::NEVER) break;
     be_at(std::min(date, until.value));
@@ -63,8 +66,15 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
       between_->run_before(just_after(at_links));
       continue;
     }
-    bound_ = end_of_window(first, at_links, lookahead.value);
-    crew.work();
+    bound_ = std::min(end_of_window(first.date, lookahead.value), at_links);
+    busy.clear();
+    for (std::size_t part = 0; part < next.size(); ++part)
+      if (next[part] < bound_) busy.push_back(part);
+    if (busy.empty()) {  // a process may come to a link at once: the other parts stand still
+      bound_ = just_after(first);
+      busy.push_back(std::ranges::find(next, first) - next.begin());
+    }
+    crew.work(busy);
   }
   rewind();
   return Engine::End::no_event_left;
@@ -90,22 +100,14 @@ void Parts::be_at(double date) {
   between_->events().advance(date);
 }
 
-Moment Parts::next_of_parts() {
-  Moment first;
-  for (const auto& engine : engines_) first = std::min(first, engine->next());
-  return first;
-}
-
-// No process comes to a link between parts before it, unless that is known already. What is first
-// is always in the window.
-Moment Parts::end_of_window(const Moment& first, const Moment& at_links, double lookahead) const {
-  double date = first.date + (1 - ROUNDING) * lookahead;
+// From `date` on no process comes to a link between parts before it, unless that is known already.
+Moment Parts::end_of_window(double date, double lookahead) const {
+  double end = date + (1 - ROUNDING) * lookahead;
   for (const auto& engine : engines_)
     for (const Process* process : engine->coming())
-      date = std::min(date, first.date + (1 - ROUNDING) *
-                                             process->processor().cpu().least_left(*process).value);
-  date = std::min(date, std::nextafter(engines_.front()->until().value, Events::NEVER));
-  return std::max(std::min(Moment{date}, at_links), just_after(first));
+      end = std::min(end,
+                     date + (1 - ROUNDING) * process->processor().cpu().least_left(*process).value);
+  return {std::min(end, std::nextafter(engines_.front()->until().value, Events::NEVER))};
 }
 
 const Events* Parts::stopped() const {

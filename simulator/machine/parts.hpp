@@ -41,8 +41,7 @@ class Parts {
   Engine::End run_windows(Seconds until, Seconds lookahead);
   void take_requests();
   void be_at(double date);
-  Moment next_of_parts();
-  Moment end_of_window(const Moment& first, const Moment& at_links, double lookahead) const;
+  Moment end_of_window(double date, double lookahead) const;
   const Events* stopped() const;
 
   std::vector<int> part_of_;

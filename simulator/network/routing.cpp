@@ -66,7 +66,8 @@ Routing::Ports Routing::make_tree(const Epoch& epoch, int sender) const {
 
 const std::vector<int>& Routing::tree_ports(std::size_t epoch, int sender, int at) const {
   static const auto PORTS_OF = make_port_lists();
-  const Epoch& then = epochs_.at(epoch);
+  Epoch& then = epochs_.at(epoch);
+  const std::lock_guard lock(*lock_);
   auto tree = then.trees.find(sender);
   if (tree == then.trees.end()) tree = then.trees.emplace(sender, make_tree(then, sender)).first;
   return PORTS_OF[tree->second[at]];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -57,13 +59,14 @@ class Routing {
   struct Epoch {
     topologies::Topology topology;  // with the links that are left
     std::optional<TreeLinks> tree;
-    topologies::Topology allowed = {};        // with the tree's links, or all if there is none
-    mutable std::map<int, Ports> trees = {};  // by sender, as they are asked for
+    topologies::Topology allowed = {};  // with the tree's links, or all if there is none
+    std::map<int, Ports> trees = {};    // by sender, as they are asked for
   };
   void add_epoch(topologies::Topology topology, std::optional<TreeLinks> tree);
   Ports make_tree(const Epoch& epoch, int sender) const;
 
-  std::vector<Epoch> epochs_;
+  mutable std::vector<Epoch> epochs_;
+  std::shared_ptr<std::mutex> lock_ = std::make_shared<std::mutex>();  // of their trees
   topologies::RoutingTable routes_;
   Kind kind_;
   topologies::Peers peers_;

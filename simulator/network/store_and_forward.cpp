@@ -117,7 +117,11 @@ Proc StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   }
 }
 
-Proc StoreAndForward::queue(const Node& node, int way) {
+std::size_t StoreAndForward::longest_queue() const {
+  return std::ranges::max(nodes_, {}, &Node::longest_queue).longest_queue;
+}
+
+Proc StoreAndForward::queue(Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
@@ -130,7 +134,8 @@ Proc StoreAndForward::queue(const Node& node, int way) {
                          each(inputs, favourite, [&](std::size_t input, Pointer packet) {
                            if (waiting.full()) waiting.set_capacity(2 * waiting.size());
                            waiting.push_back(packet);
-                           longest_queue_ = std::max(longest_queue_, waiting.size());
+                           node.longest_queue = std::max(
+                               node.longest_queue, static_cast<std::uint32_t>(waiting.size()));
                            favourite = (input + 1) % inputs.size();
                          }));
     if (is_free && !waiting.empty()) {

@@ -44,7 +44,7 @@ class StoreAndForward {
   Channel<Pointer>& into(int processor) { return into_.at(processor); }
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
   const topologies::RoutingTable& routes() const { return routes_; }
-  std::size_t longest_queue() const { return longest_queue_; }  ///< packets, up to now
+  std::size_t longest_queue() const;  ///< packets, up to now
   /// Number of guards in the queues that a packet passes from one processor to another: what an ALT
   /// costs grows with it.
   int guards_on_the_way(int from, int to);
@@ -64,6 +64,7 @@ class StoreAndForward {
     ByWay<Channel<Pointer>*> to_sender{};
     // By the lowest port to a neighbour, the port to it whose turn it is.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
+    std::uint32_t longest_queue = 0;
   };
   void start(int id, const char* what, int way, Proc body);
   void start_way_out(int id, int way, Channel<Packet>* link);
@@ -71,7 +72,7 @@ class StoreAndForward {
   int take_way_to(int from, int to);
   int guards_of(int id, int way) const;
   Proc receive(int id, int way, Channel<Packet>* link);
-  Proc queue(const Node& node, int way);
+  Proc queue(Node& node, int way);
   Proc send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
 
   topologies::Topology topology_;
@@ -81,7 +82,6 @@ class StoreAndForward {
   std::deque<Channel<Signal>> signals_;
   std::deque<Channel<Packet>> links_;
   std::vector<Node> nodes_;
-  std::size_t longest_queue_ = 0;
 };
 
 }  // namespace network

@@ -23,7 +23,7 @@ using Turns = std::vector<std::uint8_t>;
 
 /// Routes of one topology: from each processor one way to each other, the same for all messages
 /// that come by. None is a loop. Kinds that find routes as they are asked for keep what they have
-/// found: one thread at a time may ask.
+/// found. Threads may ask side by side for ports and distances.
 class Rule {
  public:
   explicit Rule(const Topology& topology) : peers_(make_peers(topology)) {}

@@ -16,7 +16,10 @@ struct SearchedRule::Work {
   int step = 0;
 };
 
-SearchedRule::SearchedRule(const Topology& topology) : Rule(topology), piece_(topology.processors) {
+SearchedRule::SearchedRule(const Topology& topology)
+    : Rule(topology),
+      piece_(topology.processors),
+      finds_((topology.processors + GROUP - 1) / GROUP) {
   for_each_piece(topology, [&](int start, const Search& search) {
     for (const int p : search.order) piece_[p] = start;
     is_whole_ = static_cast<int>(search.order.size()) == topology.processors;
@@ -69,8 +72,10 @@ SearchedRule::Routes SearchedRule::find_routes(int group) const {
 
 int SearchedRule::next_port(int from, int to) const {
   if (piece_[from] != piece_[to]) return -1;
-  auto& routes = found_[to / GROUP];
-  if (!routes) routes = std::make_unique<const Routes>(find_routes(to / GROUP));
+  const int group = to / GROUP;
+  auto& routes = found_[group];
+  std::call_once(finds_[group],
+                 [&] { routes = std::make_unique<const Routes>(find_routes(group)); });
   const auto& [low, high] = routes->port[from];
   return static_cast<int>((low >> (to % GROUP) & 1U) | (high >> (to % GROUP) & 1U) << 1U);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 
 #include "topologies/route/rule.hpp"
 
@@ -37,6 +38,7 @@ class SearchedRule : public Rule {
   std::vector<int> piece_;                                    // of connected processors
   bool is_whole_ = false;                                     // one piece
   mutable std::vector<std::unique_ptr<const Routes>> found_;  // by group
+  mutable std::vector<std::once_flag> finds_;                 // the same
 };
 
 }  // namespace topologies

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <set>
 #include <tuple>
 
@@ -25,7 +26,8 @@ class UpDown : public Rule {
       : Rule(topology),
         piece_(topology.processors),
         depth_(topology.processors),
-        found_(topology.processors) {
+        found_(topology.processors),
+        finds_(topology.processors) {
     for_each_piece(topology, [&](int start, const Search& search) {
       for (const int p : search.order) piece_[p] = start, depth_[p] = search.distance[p];
     });
@@ -36,11 +38,11 @@ class UpDown : public Rule {
   int next_port(int from, int to) const override {
     if (piece_[from] != piece_[to]) return -1;
     auto& ports = found_[to];
-    if (ports.empty()) {
+    std::call_once(finds_[to], [&] {
       const auto ways = find_ways(to);
       ports = PackedPorts(processors());
       for (int p = 0; p < processors(); ++p) ports.set(p, ways[p].port);
-    }
+    });
     return ports.get(from);
   }
 
@@ -74,7 +76,8 @@ class UpDown : public Rule {
   }
 
   std::vector<int> piece_, depth_, downwards_;
-  mutable std::vector<PackedPorts> found_;  // by destination; empty until one asks
+  mutable std::vector<PackedPorts> found_;     // by destination; empty until one asks
+  mutable std::vector<std::once_flag> finds_;  // the same
 };
 
 // Whether a walk along turns can come back to where it began. Vertices are the directions of

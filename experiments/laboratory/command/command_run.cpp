@@ -87,6 +87,13 @@ void add_run_command(CLI::App& app) {
           COLUMNS_HELP)
       ->delimiter(',')
       ->allow_extra_args(false);
+  auto* jobs = command->get_option("--jobs");
+  command
+      ->add_option("--threads", o->threads,
+                   "threads that run the machine of one point together, for large machines of "
+                   "run.engine = \"direct\"; the results are those of one")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
   command
@@ -123,7 +130,8 @@ void add_run_command(CLI::App& app) {
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "
       "--uncertain 64      # how sure the results are\n  tlab help farm                     # the "
       "keys of a program; tlab help keys: of all");
-  command->callback([o, films] {
+  command->callback([o, films, jobs] {
+    if (jobs->count() == 0) o->jobs = std::max(1u, o->jobs / o->threads);
     if (o->list) return list_points(*o);
     read_films(*films, *o);
     if (!o->points.empty()) return run_chosen_points(*o);

@@ -17,6 +17,7 @@ struct RunOptions {
   std::string output;                  ///< results folder; "": results/NAME
   std::vector<std::string> overrides;  ///< --set
   unsigned jobs = 1;                   ///< points run side by side, and networks drawn
+  unsigned threads = 1;                ///< of a point; results do not depend on it
   bool profile = false;
   double until_s = std::numeric_limits<double>::infinity();  ///< simulated
   double from_s = 0;     ///< simulated; of trace, timeline and films

@@ -78,6 +78,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
   std::set<std::string> networks;
   for (const auto& point : file.points) try {
       check_point(point.experiment);
+      check_threads(options, point.experiment);
       if (chosen == 1 && file.points.size() == 1) check_films(options.films, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
     } catch (const std::runtime_error& error) {  // whatever room finds it, it is in the file

@@ -14,6 +14,7 @@
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/observe/watch.hpp"
+#include "topologies/graph/partition.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace laboratory {
@@ -40,13 +41,16 @@ Setup make_setup_without_network(const Experiment& experiment, const machine::Mo
   return setup;
 }
 
-Setup make_setup(const Experiment& experiment, const machine::Model& model, bool profile,
-                 observe::Watch& watch) {
+Setup make_setup(const Experiment& experiment, const machine::Model& model,
+                 const RunOptions& options, observe::Watch& watch) {
   auto setup = make_setup_without_network(experiment, model);
   setup.watch = &watch;
-  setup.profile = profile;
+  setup.profile = options.profile;
   const auto& uses = experiment.program->uses;
   if (uses.network) setup.topology = make_workers(experiment);
+  if (options.threads > 1)
+    setup.engine.parts =
+        topologies::make_partition(setup.topology, static_cast<int>(options.threads));
   if (uses.routes) {
     setup.routes = find_routes(experiment, setup.topology);
     setup.tree = find_tree(experiment, setup.topology);
@@ -174,11 +178,11 @@ void tell_failure(PointResult& result, const std::exception_ptr& why) {
   }
 }
 
-PointResult run(const Experiment& experiment, const fs::path& images, bool profile,
+PointResult run(const Experiment& experiment, const fs::path& images, const RunOptions& options,
                 observe::Watch& watch) {
   const double start_s = process_cpu_s();
   const auto model = make_model(experiment.model);
-  const auto setup = make_setup(experiment, model, profile, watch);
+  const auto setup = make_setup(experiment, model, options, watch);
   auto result = describe(experiment, setup.topology);
   const double run_start_s = process_cpu_s();
   try {
@@ -225,6 +229,19 @@ void check_point(const Experiment& experiment) {
   experiment.program->check(setup, experiment.params);
 }
 
+void check_threads(const RunOptions& options, const Experiment& experiment) {
+  if (options.threads == 1) return;
+  const auto refuse_if = [&](bool is_so, const char* found, const char* expected) {
+    require(!is_so, "--threads", "found {} with {}, expected {}", options.threads, found, expected);
+  };
+  require(experiment.program->uses.threads, "--threads",
+          "found {} with the program {}, which runs on one", options.threads,
+          experiment.program->name);
+  refuse_if(experiment.links != machine::Links::direct, "run.engine = \"simgrid\"",
+            "run.engine = \"direct\": SimGrid runs a machine on one");
+  refuse_if(options.wants_trace(), "a trace, a time line or a film", "one");
+}
+
 void check_traces(const RunOptions& options, std::size_t points) {
   for (const auto& [option, file, endings] :
        {std::tuple("--trace", options.trace, ".json or .paje"),
@@ -268,7 +285,7 @@ PointResult run_point(const Point& point, const RunOptions& options, const fs::p
   watch.spectator = spectator;
   if (options.films.is_asked()) watch.onlooker = &film;
   try {
-    auto result = run(point.experiment, images, options.profile, watch);
+    auto result = run(point.experiment, images, options, watch);
     save_traces(point, options, trace, film);
     return result;
   } catch (const machine::Fault&) {

@@ -11,6 +11,9 @@ namespace laboratory {
 /// Throws BadInput for files that are not there, and what the program's check throws.
 void check_point(const Experiment& experiment);
 
+/// Throws BadInput for several threads, RunOptions::threads, where a point runs on one.
+void check_threads(const RunOptions& options, const Experiment& experiment);
+
 /// Checks the files that show what a point's processors and links did, --trace, --timeline and
 /// --animate, for a run of so many points. Throws BadInput for a name with an ending that says no
 /// format, a place inside of the results folder, or more than one point; std::system_error where no

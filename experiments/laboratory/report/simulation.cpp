@@ -135,6 +135,7 @@ void save_run_json(const fs::path& folder, const RunOptions& options, const Simu
   run["complete"] = s.complete;
   run["host_wall_s"] = s.wall_s;
   run["jobs"] = options.jobs;
+  run["threads"] = options.threads;
   if (!s.host_speeds.empty()) run["host_speed"] = speeds_json(s.host_speeds);
   auto text = run.dump(2);
   text.resize(text.size() - 2);  // without its end, "\n}"

@@ -59,7 +59,7 @@ Program make_law() {
   return make_program<Params, Measured>(
       {.name = "law",
        .help = "a program with a serial fraction on a network",
-       .uses = {.network = true},
+       .uses = {.network = true, .threads = true},
        .fields = {D::number("serial_fraction", &Params::serial_fraction, 0, 1, "",
                             "serial share of the work; where scaled, of one processor's work"),
                   D::number("work_cycles", &Params::work_cycles, 1, 1e11, "cycles",

@@ -85,7 +85,7 @@ Program make_task_farm() {
   return make_program<Params, Measured>(
       {.name = "task_farm",
        .help = "a farm of equal tasks, its centre the first processor",
-       .uses = {.network = true, .others = true},
+       .uses = {.network = true, .others = true, .threads = true},
        .fields = {D::whole("bytes", &Params::bytes, 2, 1e9, "bytes",
                            "length of a task, and of its result"),
                   D::whole("tasks_per_worker", &Params::tasks_per_worker, 8, 1e6, "",

@@ -122,7 +122,7 @@ Program make_traffic() {
   return make_program<Params, Measured>(
       {.name = "traffic",
        .help = "uniform random traffic over store-and-forward routers",
-       .uses = {.network = true},
+       .uses = {.network = true, .threads = true},
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::number("load", &Params::load, 1e-6, 100, "",
                             "bytes that each processor offers, over what a link direction carries"),

@@ -44,7 +44,7 @@ Program make_unicast() {
   return make_program<Params, Measured>(
       {.name = "unicast",
        .help = "a packet through an idle network of store-and-forward routers",
-       .uses = {.network = true, .others = true},
+       .uses = {.network = true, .others = true, .threads = true},
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::whole("hops", &Params::hops, 0, 1000, "",
                                                "links from the first processor to the receiver")},

@@ -86,7 +86,7 @@ Program make_global() {
   return make_program<Params, Measured>(
       {.name = "global",
        .help = "GLOBAL messages from the root, until every other processor has answered",
-       .uses = {.network = true, .routes = true, .others = true},
+       .uses = {.network = true, .routes = true, .others = true, .threads = true},
        .fields = with_routers<Params>(
            {message_bytes_field<Params>(&Params::bytes),
             D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),

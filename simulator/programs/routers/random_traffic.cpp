@@ -70,7 +70,7 @@ Program make_random_traffic() {
   return make_program<Params, Measured>(
       {.name = "random_traffic",
        .help = "messages of all processors to all others, at random",
-       .uses = {.network = true, .routes = true, .others = true},
+       .uses = {.network = true, .routes = true, .others = true, .threads = true},
        .fields = with_routers<Params>(
            {message_bytes_field<Params>(&Params::bytes),
             D::number("pause_s", &Params::pause_s, 1e-6, 1e6, "s",
