@@ -130,7 +130,7 @@ void Cpu::account_high(const Process& process, Seconds time) {
   high_.preempting = false;
 }
 
-// The process that computes may have done so then.
+// The callback has the rank of the process, if that has one.
 void Cpu::at(Seconds date, const Process& process, Engine::Callback callback) {
   if (process.has_rank())
     engine_.ranked_at(date, process.rank_, callback);
@@ -233,9 +233,10 @@ void Cpu::arm_low_timer() {
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
-  const bool ranked = running_->has_rank();
-  if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || !ranked)) return;
-  low_timer_ = {true, at, low_timer_.id + 1};
+  const auto rank = running_->rank_;
+  if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || low_timer_.rank == rank))
+    return;
+  low_timer_ = {true, rank, at, low_timer_.id + 1};
   this->at(at, *running_, [this, id = low_timer_.id] {
     if (id != low_timer_.id) return engine_.ignore_event();
     low_timer_.armed = false;

@@ -141,6 +141,7 @@ class Cpu {
   };
   struct Timer {
     bool armed = false;
+    std::uint64_t rank = Process::NO_RANK;
     Seconds at{};
     std::uint64_t id = 0;  // timers with another id are stale
   };

@@ -6,7 +6,7 @@ namespace machine {
 
 namespace {
 
-// Some microseconds: a thread that sleeps takes longer than that to wake up.
+// Some tens of microseconds: a thread that sleeps takes longer than that to wake up.
 constexpr int TRIES = 2000;
 
 // A thread sleeps only if that takes long, or if there are more than the host has processors.
@@ -14,7 +14,9 @@ template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
     if (value.load(std::memory_order_acquire) != old) return;
+#ifdef __x86_64__
     __builtin_ia32_pause();
+#endif
   }
   value.wait(old, std::memory_order_acquire);
 }
@@ -25,11 +27,16 @@ Crew::Crew(std::size_t size, Share share)
     : share_(std::move(share)),
       may_spin_(size <= std::thread::hardware_concurrency()),
       members_(size) {
-  for (std::size_t number = 1; number < size; ++number)
-    members_[number].thread = std::jthread([this, number] { live(number); });
+  try {
+    for (std::size_t number = 1; number < size; ++number)
+      members_[number].thread = std::jthread([this, number] { live(number); });
+  } catch (...) {  // the host has no more threads
+    end();
+    throw;
+  }
 }
 
-Crew::~Crew() {
+void Crew::end() {
   is_over_ = true;
   for (Member& member : members_) {
     ++member.called;

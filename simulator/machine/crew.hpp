@@ -17,7 +17,7 @@ class Crew {
   /// `share` is called for members 0 to `size` - 1, each in a thread of its own: the first in that
   /// which calls work().
   Crew(std::size_t size, Share share);
-  ~Crew();
+  ~Crew() { end(); }
 
   /// The members given do their shares, all at the same time. Throws what one of them has thrown.
   void work(const std::vector<std::size_t>& members);
@@ -27,6 +27,7 @@ class Crew {
     std::atomic<std::uint64_t> called{0};  // times
     std::jthread thread;
   };
+  void end();
   void live(std::size_t number);
   void do_share(std::size_t number);
 

@@ -60,7 +60,7 @@ void LinkDirection::move() {
   if (cut_) return engine_.ignore_event();
   cable_->set_busy(cable_->busy() + 1);
   if (bytes_ == 0)
-    engine_.soon([this] { end(); });  // the processes meet, and nothing is sent
+    engine_.ranked_at(engine_.now(), rank_of(Side::writer), [this] { end(); });  // nothing is sent
   else {
     moves_ = true;
     engine_.transfer(direction_, bytes_, [this] { end(); });

@@ -58,7 +58,7 @@ class LinkDirection {
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
   /// A process that has been descheduled comes to an end of the link at a date, its own time: calls
-  /// back when the clock has come so far, before anything that processes do then.
+  /// back when the clock has come so far, before other processes go on at that date.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
   /// A process computes before it comes to an end of the link, and then: does not any more.
   void expect(Side side, Process& process);

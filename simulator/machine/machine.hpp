@@ -48,6 +48,7 @@ class Machine {
   /// the order of connect(). Throws Misuse if there is none.
   LinkDirection& link(const Processor& from, const Processor& to, std::size_t number = 0);
 
+  // Of a machine in one part:
   /// From the date on the links between the two carry nothing, in either direction: a message under
   /// way is lost. For its channels see occam::ChannelBase. Nothing happens if the date is after the
   /// end of the run, or the link is cut already. The date must not be over.

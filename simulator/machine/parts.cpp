@@ -10,7 +10,10 @@ namespace machine {
 
 namespace {
 
-constexpr double ROUNDING = 1e-9;  // share of a duration by which a sum of dates may be rounded
+// Not after `date + duration`, however that sum has been rounded on the way.
+double at_the_earliest(double date, double duration) {
+  return date + (1 - 1e-9) * duration - 1e-14 * date;
+}
 
 Moment just_after(Moment moment) {
   ++moment.rank;
@@ -21,6 +24,12 @@ Moment just_after(Moment moment) {
 
 Parts::Parts(EngineParams params) : part_of_(std::exchange(params.parts, {})) {
   const int parts = part_of_.empty() ? 1 : *std::ranges::max_element(part_of_) + 1;
+  if (parts > 1 && params.links != Links::direct)
+    throw base::InvariantBroken(
+        fmt::format("SimGrid runs a machine in one part, found {} parts", parts));
+  if (!part_of_.empty() && std::ranges::min(part_of_) < 0)
+    throw base::InvariantBroken(
+        fmt::format("found part {}, expected numbers from 0", std::ranges::min(part_of_)));
   for (int part = 0; part < parts; ++part) engines_.push_back(std::make_unique<Engine>(params));
   if (!is_one()) between_ = std::make_unique<Engine>(params);
 }
@@ -47,6 +56,8 @@ Engine::End Parts::run(Seconds until, Seconds lookahead) {
 }
 
 Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
+  if (!(lookahead.value > 0))
+    throw base::InvariantBroken("a machine whose operations on links cost nothing has one part");
   for (const auto& engine : engines_) engine->events().set_until(until.value);
   between_->events().set_until(until.value);
   engines_.front()->at({}, [] {});  // as Engine::run
@@ -55,7 +66,10 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
   std::vector<std::size_t> busy;              // parts in which something happens in the window
   for (;;) {
     take_requests();
-    if (const Events* events = stopped()) return events->end();
+    if (const Events* events = stopped()) {
+      be_at(latest());
+      return events->end();
+    }
     for (std::size_t part = 0; part < next.size(); ++part) next[part] = engines_[part]->next();
     const Moment first = std::ranges::min(next), at_links = between_->next();
     const double date = std::min(first, at_links).date;
@@ -95,6 +109,12 @@ void Parts::take_requests() {
   }
 }
 
+double Parts::latest() const {
+  double date = between_->now().value;
+  for (const auto& engine : engines_) date = std::max(date, engine->now().value);
+  return date;
+}
+
 void Parts::be_at(double date) {
   for (const auto& engine : engines_) engine->events().advance(date);
   between_->events().advance(date);
@@ -102,11 +122,11 @@ void Parts::be_at(double date) {
 
 // From `date` on no process comes to a link between parts before it, unless that is known already.
 Moment Parts::end_of_window(double date, double lookahead) const {
-  double end = date + (1 - ROUNDING) * lookahead;
+  double end = at_the_earliest(date, lookahead);
   for (const auto& engine : engines_)
     for (const Process* process : engine->coming())
       end = std::min(end,
-                     date + (1 - ROUNDING) * process->processor().cpu().least_left(*process).value);
+                     at_the_earliest(date, process->processor().cpu().least_left(*process).value));
   return {std::min(end, std::nextafter(engines_.front()->until().value, Events::NEVER))};
 }
 

@@ -18,7 +18,7 @@ class Processor;
 
 enum class Priority : std::uint8_t { high, low };
 
-using ProcessId = std::uint64_t;  ///< never given twice; 0 is no process
+using ProcessId = std::uint64_t;  ///< never given twice in a machine; 0 is no process
 
 /// What a blocked process waits for.
 struct Wait {
@@ -128,8 +128,6 @@ class Process {
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);
   }
-  /// From now on the blocked process waits for something else.
-  void wait_instead_for(Wait& wait) { wait_ = &wait; }
   Seconds blocked_since() const { return blocked_since_; }  ///< in its last wait, its own_time()
   /// How long it has been blocked so far in waits of this kind, the one under way included.
   Seconds blocked(Wait::Kind kind) const;

@@ -193,7 +193,8 @@ bool ChannelBase::Exchange::pay_to_come(Process& self) const {
   const Cycles before = is_outword ? costs.operands + costs.out_word : costs.operands;
   if (!channel_->hard() && is_second_)
     return pay(self, before + costs.soft_setup, cost_to_copy(costs) + wake);
-  return pay(self, before + costs.blocked, channel_->alternative_.process ? wake : Cycles{});
+  return pay(self, before + costs.blocked,
+             wakes && channel_->alternative_.process ? wake : Cycles{});
 }
 
 // The partner may come to a soft channel while a low-priority process spends that: then the copy is
@@ -247,16 +248,18 @@ void ChannelBase::Exchange::go_to_link(Process& self) {
 bool ChannelBase::Exchange::come_to_link(Process& self) {
   is_at_link_ = true;
   Party& partner = channel_->end_of(other_side()).waiting;
-  if (channel_->cut())
+  if (channel_->cut()) {
     on_cut(self);
-  else if (partner.process)
+    return self.state() == Process::State::ready;
+  }
+  if (partner.process)
     channel_->transfer(*std::exchange(partner, {}).process, self);
   else
     return wait_for_partner(self);
   return true;
 }
 
-// Whether the process waits for its partner or for the end of a transfer, it is over.
+// The process waits for its partner, or for the end of a transfer, in vain.
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut() || !is_at_link_) return;
   channel_->cancel_transfer();

@@ -87,7 +87,7 @@ Sample exchange(int side, int work, machine::EngineParams engine, int threads = 
 }  // namespace
 
 void add_threads() {
-  for (const int side : {32, 64, 128})
+  for (const int side : {8, 16, 32, 64, 128})
     for (const int threads : {1, 2})
       add(fmt::format("neighbours of a {0} x {0} mesh, two threads", side),
           threads == 1 ? "one thread" : "tlab", [=](benchmark::State&) {

@@ -10,7 +10,7 @@
 namespace topologies {
 
 /// The routes between all pairs of processors, which copies share. Memory and time are those of the
-/// rule; threads may ask side by side.
+/// rule; threads may ask side by side for ports and distances.
 struct RoutingTable {
   int processors = 0;
   std::shared_ptr<const Rule> rule;

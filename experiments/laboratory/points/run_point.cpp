@@ -239,6 +239,9 @@ void check_threads(const RunOptions& options, const Experiment& experiment) {
           experiment.program->name);
   refuse_if(experiment.links != machine::Links::direct, "run.engine = \"simgrid\"",
             "run.engine = \"direct\": SimGrid runs a machine on one");
+  refuse_if(!experiment.faults.empty(), "[[fault]]", "one");
+  refuse_if(make_model(experiment.model).channel.least_to_link().value <= 0,
+            "channel.operands + channel.blocked of 0 cycles", "one");
   refuse_if(options.wants_trace(), "a trace, a time line or a film", "one");
 }
 

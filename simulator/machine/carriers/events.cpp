@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <boost/heap/d_ary_heap.hpp>
-#include <csignal>
 
 #include "base/errors.hpp"
 
@@ -24,7 +24,7 @@ struct Event {
   }
 };
 
-volatile std::sig_atomic_t stop_requested = 0;
+std::atomic<bool> stop_requested = false;  // a signal handler sets it
 
 }  // namespace
 
@@ -33,7 +33,7 @@ struct Events::Heap : boost::heap::d_ary_heap<Event, boost::heap::arity<4>> {};
 Events::Events() : heap_(std::make_unique<Heap>()) {}
 Events::~Events() = default;
 
-void request_stop() { stop_requested = 1; }
+void request_stop() { stop_requested = true; }
 
 void Events::ask(double date, std::uint64_t order, Callback callback) {
   if (order >> (64 - PLACE_BITS) != 0)
@@ -75,7 +75,7 @@ void Events::handle(Callback callback) {
     now_ = until_;
     return stop(End::until);
   }
-  if (stop_requested != 0) return stop(End::requested);
+  if (stop_requested) return stop(End::requested);
   ++handled_;
   ignored_ = false;
   callback();

@@ -7,9 +7,12 @@
 
 #include "simulator/machine/carriers/coroutine.hpp"
 
-// The address sanitizer must be told when the stack changes; no effect on any result.
+// The sanitizers must be told when the stack changes; no effect on any result.
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/common_interface_defs.h>
+#endif
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
 #endif
 
 namespace machine {
@@ -19,6 +22,25 @@ namespace {
 // The host's, as the sanitizer has told it.
 thread_local const void* scheduler_stack = nullptr;
 thread_local std::size_t scheduler_stack_size = 0;
+
+// A stack as the thread sanitizer knows it.
+class KnownStack {
+ public:
+#ifdef __SANITIZE_THREAD__
+  ~KnownStack() { __tsan_destroy_fiber(fiber_); }
+  void enter() {
+    entered_from_ = __tsan_get_current_fiber();
+    __tsan_switch_to_fiber(fiber_, 0);
+  }
+  void leave() { __tsan_switch_to_fiber(entered_from_, 0); }
+
+ private:
+  void *fiber_ = __tsan_create_fiber(0), *entered_from_ = nullptr;
+#else
+  void enter() {}
+  void leave() {}
+#endif
+};
 
 void leaving([[maybe_unused]] void** kept, [[maybe_unused]] const void* stack,
              [[maybe_unused]] std::size_t size) {
@@ -94,6 +116,7 @@ class Fiber final : public Coroutine {
       body();
       has_ended_ = true;
       leaving(nullptr, scheduler_stack, scheduler_stack_size);
+      known_.leave();
       return std::move(scheduler_);
     };
     PooledStack allocator;
@@ -108,6 +131,7 @@ class Fiber final : public Coroutine {
   void resume() override {
     void* kept = nullptr;
     leaving(&kept, stack_, stack_size_);
+    known_.enter();
     fiber_ = std::move(fiber_).resume();
     arrived(kept, nullptr, nullptr);
   }
@@ -115,12 +139,14 @@ class Fiber final : public Coroutine {
   void suspend() override {
     void* kept = nullptr;
     leaving(&kept, scheduler_stack, scheduler_stack_size);
+    known_.leave();
     scheduler_ = std::move(scheduler_).resume();
     arrived(kept, &scheduler_stack, &scheduler_stack_size);
   }
 
  private:
   boost::context::fiber fiber_, scheduler_;
+  KnownStack known_;
   const void* stack_ = nullptr;  // lowest address, for the address sanitizer
   std::size_t stack_size_ = 0;
 };
