@@ -13,11 +13,6 @@ Engine::Engine(EngineParams params) {
   carrier_ = is_direct ? make_direct(events_) : make_simgrid(events_, params.processes);
 }
 
-int Engine::add_processor(const std::string& name) {
-  carrier_->add_processor(name);
-  return processors_++;
-}
-
 void Engine::set_pace(Pace& pace) {
   if (!can_wait_) throw base::InvariantBroken("only the direct engine's clock waits");
   events_.set_pace(&pace);

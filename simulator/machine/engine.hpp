@@ -35,7 +35,7 @@ class Engine {
   explicit Engine(EngineParams params = {});
 
   /// See Carrier.
-  int add_processor(const std::string& name);
+  void add_processor(const std::string& name) { carrier_->add_processor(name); }
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
     return carrier_->add_link(a, b, rates, rank);
   }
@@ -85,7 +85,7 @@ class Engine {
   /// the run ends.
   void ignore_event() { events_.ignore(); }
   /// After a run: the clock goes back to the last event that was of use.
-  void rewind() { events_.rewind(); }
+  void rewind() { events_.rewind_to(events_.last_useful()); }
   /// Drops all events still to come.
   void stop() { events_.stop(End::stopped); }
   std::uint64_t handled() const { return events_.handled(); }  ///< events
@@ -109,7 +109,6 @@ class Engine {
  private:
   Events events_;
   bool can_wait_, needs_stacks_;
-  int processors_ = 0;
   std::unique_ptr<Carrier> carrier_;
   std::vector<Request> requests_;
   std::vector<const Process*> coming_;

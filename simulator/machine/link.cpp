@@ -20,25 +20,24 @@ Engine& LinkDirection::engine_at(Side side) {
   return (side == Side::writer ? from_ : to_).engine();
 }
 
+bool LinkDirection::is_between_parts() const { return &from_.engine() != &to_.engine(); }
+
 void LinkDirection::come_at(Seconds date, Side side, Engine::Callback has_come) {
-  Engine& here = engine_at(side);
-  if (&here == &engine_)
-    engine_.ranked_at(date, rank_of(side), has_come);
+  if (is_between_parts())
+    engine_at(side).requests().push_back({date, rank_of(side), has_come});
   else
-    here.requests().push_back({date, rank_of(side), has_come});
+    engine_.ranked_at(date, rank_of(side), has_come);
 }
 
 // What happens at one date on links happens in the order of their ranks.
 void LinkDirection::expect(Side side, Process& process) {
   process.set_rank(rank_of(side));
-  Engine& here = engine_at(side);
-  if (&here != &engine_) here.coming().push_back(&process);
+  if (is_between_parts()) engine_at(side).coming().push_back(&process);
 }
 
 void LinkDirection::expect_no_more(Side side, Process& process) {
   process.set_rank(Process::NO_RANK);
-  Engine& here = engine_at(side);
-  if (&here != &engine_) std::erase(here.coming(), &process);
+  if (is_between_parts()) std::erase(engine_at(side).coming(), &process);
 }
 
 void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,

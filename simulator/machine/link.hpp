@@ -60,8 +60,9 @@ class LinkDirection {
   /// A process that has been descheduled comes to an end of the link at a date, its own time: calls
   /// back when the clock has come so far, before other processes go on at that date.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
-  /// A process computes before it comes to an end of the link, and then: does not any more.
+  /// A process computes, and comes to an end of the link as soon as it has done so.
   void expect(Side side, Process& process);
+  /// It has done so.
   void expect_no_more(Side side, Process& process);
   /// Both processes have been descheduled; calls back when the last byte has been acknowledged.
   /// `channel`, the name of the message's channel, must live until then.
@@ -96,6 +97,7 @@ class LinkDirection {
   void end();
   std::uint64_t rank_of(Side side) const { return 2 * number_ + static_cast<std::size_t>(side); }
   Engine& engine_at(Side side);
+  bool is_between_parts() const;
 
   Engine& engine_;
   std::size_t direction_, number_;

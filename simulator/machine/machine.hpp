@@ -48,7 +48,7 @@ class Machine {
   /// the order of connect(). Throws Misuse if there is none.
   LinkDirection& link(const Processor& from, const Processor& to, std::size_t number = 0);
 
-  // Of a machine in one part:
+  // These four are only for a machine that runs in one part, see EngineParams.
   /// From the date on the links between the two carry nothing, in either direction: a message under
   /// way is lost. For its channels see occam::ChannelBase. Nothing happens if the date is after the
   /// end of the run, or the link is cut already. The date must not be over.
@@ -78,6 +78,7 @@ class Machine {
   /// While it runs in several parts ask a processor.
   Seconds now() const { return parts_.now(); }
   std::uint64_t events() const { return parts_.handled(); }
+  Parts::Windows windows() const { return parts_.windows(); }
   const Model& model() const { return *model_; }
   const std::vector<std::unique_ptr<Processor>>& processors() const { return processors_; }
   const std::vector<std::unique_ptr<LinkDirection>>& links() const { return links_; }

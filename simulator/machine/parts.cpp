@@ -10,7 +10,8 @@ namespace machine {
 
 namespace {
 
-// Not after `date + duration`, however that sum has been rounded on the way.
+// Not after `date + duration`, whose parts have been rounded on the way a few times: by far less
+// than these shares.
 double at_the_earliest(double date, double duration) {
   return date + (1 - 1e-9) * duration - 1e-14 * date;
 }
@@ -77,6 +78,7 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
     be_at(std::min(date, until.value));
     if (date > until.value) return Engine::End::until;
     if (at_links < first) {
+      ++windows_.at_links;
       between_->run_before(just_after(at_links));
       continue;
     }
@@ -88,6 +90,8 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
       bound_ = just_after(first);
       busy.push_back(std::ranges::find(next, first) - next.begin());
     }
+    ++windows_.all;
+    if (busy.size() > 1) ++windows_.shared;
     crew.work(busy);
   }
   rewind();

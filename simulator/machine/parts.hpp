@@ -27,7 +27,8 @@ class Parts {
   Engine& between(Engine& a, Engine& b) { return &a == &b ? a : *between_; }
 
   bool is_one() const { return engines_.size() == 1; }
-  /// Of a machine in one part; throws InvariantBroken for more, which cannot do what is asked.
+  /// The engine, if there is one part. For more throws InvariantBroken: they cannot do what is
+  /// asked.
   Engine& only(const char* asked);
 
   /// See Engine. A process comes to a link at the earliest `lookahead` after it has begun to.
@@ -36,6 +37,13 @@ class Parts {
   void rewind();
   void stop();
   std::uint64_t handled() const;
+
+  /// What several parts have done so far.
+  struct Windows {
+    std::uint64_t all = 0, shared = 0;  ///< shared: something happens in several parts
+    std::uint64_t at_links = 0;         ///< events on links between parts, outside of windows
+  };
+  Windows windows() const { return windows_; }
 
  private:
   Engine::End run_windows(Seconds until, Seconds lookahead);
@@ -50,6 +58,7 @@ class Parts {
   std::unique_ptr<Engine> between_;  // of more than one
   int processors_ = 0;
   Moment bound_;  // of the window
+  Windows windows_;
 };
 
 }  // namespace machine

@@ -66,10 +66,11 @@ Routing::Ports Routing::make_tree(const Epoch& epoch, int sender) const {
 
 const std::vector<int>& Routing::tree_ports(std::size_t epoch, int sender, int at) const {
   static const auto PORTS_OF = make_port_lists();
-  Epoch& then = epochs_.at(epoch);
-  const std::lock_guard lock(*lock_);
-  auto tree = then.trees.find(sender);
-  if (tree == then.trees.end()) tree = then.trees.emplace(sender, make_tree(then, sender)).first;
+  const Epoch& then = epochs_.at(epoch);
+  auto& [lock, trees] = *then.trees;
+  const std::lock_guard guard(lock);
+  auto tree = trees.find(sender);
+  if (tree == trees.end()) tree = trees.emplace(sender, make_tree(then, sender)).first;
   return PORTS_OF[tree->second[at]];
 }
 

@@ -56,17 +56,20 @@ class Routing {
 
  private:
   using Ports = std::vector<std::uint8_t>;  // by processor, a bit for each port
+  struct Trees {
+    std::mutex lock;
+    std::map<int, Ports> by_sender;  // as they are asked for
+  };
   struct Epoch {
     topologies::Topology topology;  // with the links that are left
     std::optional<TreeLinks> tree;
     topologies::Topology allowed = {};  // with the tree's links, or all if there is none
-    std::map<int, Ports> trees = {};    // by sender, as they are asked for
+    std::shared_ptr<Trees> trees = std::make_shared<Trees>();
   };
   void add_epoch(topologies::Topology topology, std::optional<TreeLinks> tree);
   Ports make_tree(const Epoch& epoch, int sender) const;
 
-  mutable std::vector<Epoch> epochs_;
-  std::shared_ptr<std::mutex> lock_ = std::make_shared<std::mutex>();  // of their trees
+  std::vector<Epoch> epochs_;
   topologies::RoutingTable routes_;
   Kind kind_;
   topologies::Peers peers_;

@@ -45,8 +45,8 @@ struct Guard {
 /// Waits until a guard is ready; chosen() is then its index, and its input is still to be done. At
 /// least one condition must hold. It charges the transputer's instructions for an ALT: alt, altwt
 /// and altend once, enbc and disc for each guard (talt, taltwt, enbt and dist with a timer). A
-/// guard whose link is cut is never ready. The link of the chosen one can be cut before its input
-/// is over.
+/// guard whose link is cut is never ready; the link of the chosen one can still be cut before
+/// its input is over.
 class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
   /// The guards stay where they are until it is over.

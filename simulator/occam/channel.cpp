@@ -84,10 +84,8 @@ void ChannelBase::end_transfer() {
 }
 
 void ChannelBase::enable(Process& process) {
-  const Party& output = end_of(writer).waiting;
   alternative_ = {&process, process.own_time()};
-  alternative_wait_ = process.waits() + 1;                       // the wait about to begin
-  if (output.process && !cut()) wake_alternative(output.since);  // it is ahead of the clock
+  alternative_wait_ = process.waits() + 1;  // the wait about to begin
 }
 
 // An output waits from `at` on. Another guard may wake the process before.

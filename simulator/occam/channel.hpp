@@ -62,7 +62,8 @@ class ChannelBase {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= at && !cut();
   }
-  /// For ALT: the next output wakes the process, which waits since its own time.
+  /// For ALT on which no output waits: the next one wakes the process, which waits since its own
+  /// time.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
   /// For ALT: from here to leave_input() nobody else inputs; see take().

@@ -22,6 +22,8 @@ struct Sample {
   double simulated_s = 0;    // of a simulation: when it ended
   double memory_kb = 0;      // of some: what it added to the resident memory
   std::uint64_t events = 0;  // that the machine handled; 0: not counted
+  // Of a machine in parts: windows of its threads, and events on links between parts.
+  std::uint64_t windows = 0, events_between = 0;
 };
 
 // Host CPU time used by this process, in seconds: waiting for the CPU does not count.

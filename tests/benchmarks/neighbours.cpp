@@ -81,6 +81,8 @@ Sample exchange(int side, int work, machine::EngineParams engine, int threads = 
       threads > 0 ? Sample{hops, wall_time_of([&] { machine.run(); })} : run(machine, hops);
   sample.memory_kb = memory_kb() - before_kb;
   sample.events = machine.events();
+  sample.windows = machine.windows().all;
+  sample.events_between = machine.windows().at_links;
   return sample;
 }
 
@@ -90,10 +92,14 @@ void add_threads() {
   for (const int side : {8, 16, 32, 64, 128})
     for (const int threads : {1, 2})
       add(fmt::format("neighbours of a {0} x {0} mesh, two threads", side),
-          threads == 1 ? "one thread" : "tlab", [=](benchmark::State&) {
-            return in_child([&] {
+          threads == 1 ? "one thread" : "tlab", [=](benchmark::State& state) {
+            const Sample sample = in_child([&] {
               return exchange(side, USUAL_WORK, {.links = machine::Links::direct}, threads);
             });
+            state.counters["windows"] = static_cast<double>(sample.windows);
+            state.counters["events"] = static_cast<double>(sample.events);
+            state.counters["events_between"] = static_cast<double>(sample.events_between);
+            return sample;
           });
 }
 

@@ -19,13 +19,13 @@ struct Pace {
   virtual bool before(double date) = 0;
 };
 
-/// When something happens, and its place among what happens at that date: see Events, whose orders
-/// these are, and Forecast, whose messages end after all events.
+/// When something happens, and its place among all that happens at that date. Messages end after
+/// all events.
 struct Moment {
   double date = std::numeric_limits<double>::infinity();
-  std::uint64_t order = 0;
-  double since = 0;
-  std::uint64_t rank = 0;
+  std::uint64_t order = 0;  // of an event; Events::ENDS for the end of a message
+  double since = 0;         // of ends: when they were foreseen
+  std::uint64_t rank = 0;   // of ends that were foreseen together: that of their link
   auto operator<=>(const Moment&) const = default;
 };
 
@@ -82,8 +82,7 @@ class Events {
 
   /// The event being handled is of no use: the clock does not stay at it when the run ends.
   void ignore() { ignored_ = true; }
-  /// The clock goes back to the last event that was of use, or to a date.
-  void rewind() { now_ = last_useful_; }
+  /// The clock goes back.
   void rewind_to(double date) { now_ = date; }
   /// Nothing is called any more. The first reason counts.
   void stop(End why);

@@ -20,12 +20,9 @@ class Forecast {
   /// seconds, ascending.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
-  /// Foresees the ends on the links where messages have started or ended. Returns whether there
-  /// were any.
-  bool settle() {
-    if (changed_.empty()) return false;
-    foresee_changed();
-    return true;
+  /// Foresees the ends on the links where messages have started or ended.
+  void settle() {
+    if (!changed_.empty()) foresee_changed();
   }
 
   /// The bytes of a message that are left at `date`, if none starts or ends on its link before; 0
@@ -42,8 +39,8 @@ class Forecast {
     bool contains(double other) const { return earliest() <= other && other <= latest(); }
   };
   /// The first end of all that were foreseen, and the end of one message under way. Of those that
-  /// end together, the one that was foreseen first comes first; then that of the lower link; of the
-  /// two directions of a link, that whose message is newer, as on SimGrid.
+  /// end together, the one that was foreseen first comes first. If they were foreseen together, it
+  /// is that of the link of lower rank; on one link that of the newer message, as on SimGrid.
   const End& next() {
     static constexpr End NONE = {};
     return next_date() < NONE.date ? end_of(heap_.front().direction) : NONE;

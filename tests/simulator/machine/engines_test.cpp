@@ -25,7 +25,8 @@ struct Engines : testing::Test {
 // A random machine: when messages came, how it ended, what was busy.
 std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link) {
   return isolated([&] {
-    const Plan plan = make_plan(seed);
+    Plan plan = make_plan(seed);
+    for (Stream& stream : plan.streams) stream.lengths.back() = 0;
     Lab lab(make_stealing_model(), machine::Code::bare, engine);
     std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
     build_machine(lab, plan);
@@ -76,6 +77,22 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
       EXPECT_EQ(in_one, run_random(seed, engine, false)) << "seed " << seed << ", " << parts;
     }
   }
+}
+
+// Or else they would only take turns.
+TEST_F(Engines, PartsShareWindows) {
+  const Plan plan = make_plan(3);
+  EngineParams engine = DIRECT;
+  engine.parts = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};  // halves of a mesh
+  Lab lab(make_stealing_model(), machine::Code::bare, engine);
+  build_machine(lab, plan);
+  std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
+  for (std::size_t i = 0; i < logs.size(); ++i)
+    start_stream(lab, plan.streams[i], logs[i], wrongs[i]);
+  lab.machine.run();
+  const auto windows = lab.machine.windows();
+  EXPECT_GT(windows.at_links, 0u);
+  EXPECT_GT(windows.shared, windows.all / 20) << windows.all << " windows";
 }
 
 // One waits for ever, one computes for ever, one waits in a PAR, one has not begun: at the limit
