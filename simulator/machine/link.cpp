@@ -20,8 +20,6 @@ Engine& LinkDirection::engine_at(Side side) {
   return (side == Side::writer ? from_ : to_).engine();
 }
 
-bool LinkDirection::is_between_parts() const { return &from_.engine() != &to_.engine(); }
-
 void LinkDirection::come_at(Seconds date, Side side, Engine::Callback has_come) {
   if (is_between_parts())
     engine_at(side).requests().push_back({date, rank_of(side), has_come});

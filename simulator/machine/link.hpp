@@ -57,6 +57,9 @@ class LinkDirection {
   /// The direction is this channel's. Throws Misuse if it is another's.
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
+  Seconds now() const { return engine_.now(); }
+  /// Its ends are in two parts of the machine, see Parts.
+  bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
   /// A process that has been descheduled comes to an end of the link at a date, its own time: calls
   /// back when the clock has come so far, before other processes go on at that date.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
@@ -97,7 +100,6 @@ class LinkDirection {
   void end();
   std::uint64_t rank_of(Side side) const { return 2 * number_ + static_cast<std::size_t>(side); }
   Engine& engine_at(Side side);
-  bool is_between_parts() const;
 
   Engine& engine_;
   std::size_t direction_, number_;

@@ -86,6 +86,8 @@ void ChannelBase::end_transfer() {
 void ChannelBase::enable(Process& process) {
   alternative_ = {&process, process.own_time()};
   alternative_wait_ = process.waits() + 1;  // the wait about to begin
+  const Party& output = end_of(writer).waiting;
+  if (hard() && output.process) look_at(output.since, writer);
 }
 
 // An output waits from `at` on. Another guard may wake the process before.
@@ -93,6 +95,51 @@ void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     waiting.processor().make_ready(waiting, std::max(at, alternative_.since));
+}
+
+// A process waits at an end of the link from its own time on, which may be ahead of the clock. Only
+// what that changes for others is an event. Returns whether it changes anything, now or then.
+bool ChannelBase::come_to_link(Side side, Process& process) {
+  const Party& own = end_of(side).waiting = {&process, process.blocked_since()};
+  const Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
+  if (output.process && input.process)
+    return input.since >= output.since ? look_at(input.since, reader)
+                                       : look_at(output.since, writer);
+  const bool wakes_alternative = side == writer && alternative_.process;
+  return (wakes_alternative || cut()) && look_at(own.since, side);
+}
+
+bool ChannelBase::look_at(Seconds date, Side side) {
+  if (date <= link_->now()) return look();
+  link_->come_at(date, side, [this] {
+    if (!look()) link_->ignore_event();
+  });
+  return true;
+}
+
+// What those who have come to the link change for others. Returns whether they do.
+bool ChannelBase::look() {
+  const auto has_come = [&](const Party& at) { return at.process && at.since <= link_->now(); };
+  Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
+  bool matters = false;
+  if (cut()) {
+    for (const End& end : ends_) {
+      if (!has_come(end.waiting)) continue;
+      Process& waiting = *end.waiting.process;
+      waiting.tell_cut();
+      matters |= waiting.state() == Process::State::ready;
+    }
+  } else if (has_come(output) && has_come(input)) {
+    matters = true;
+    const bool input_is_first = input.since < output.since;
+    const Party from = std::exchange(output, {}), to = std::exchange(input, {});
+    transfer(input_is_first ? *to.process : *from.process,
+             input_is_first ? *from.process : *to.process);
+  } else if (has_come(output) && alternative_.process) {
+    matters = true;
+    wake_alternative(output.since);
+  }
+  return matters;
 }
 
 // The transfer under way, if there is one, does not end.
@@ -222,44 +269,31 @@ bool ChannelBase::Exchange::meet(Process& self, Party partner) {
   return true;
 }
 
-// Returns whether that may have woken an ALT.
-bool ChannelBase::Exchange::wait_for_partner(Process& self) {
+void ChannelBase::Exchange::wait_for_partner(Process& self) {
   Party& own = channel_->end_of(side_).waiting;
   own = {&self, self.blocked_since()};
-  const bool is_awaited = side_ == writer && channel_->alternative_.process;
-  if (is_awaited) channel_->wake_alternative(own.since);
-  return is_awaited;
+  if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// The process has been descheduled; its own time may be ahead of the clock.
+// The process has been descheduled; its own time may be ahead of the clock. Only a process of this
+// part of the machine may be told of it before.
 void ChannelBase::Exchange::go_to_link(Process& self) {
-  is_at_link_ = false;
-  if (self.blocked_since() > self.processor().now())
-    channel_->link_->come_at(self.blocked_since(), side_, [this, &self] {
-      if (!come_to_link(self)) channel_->link_->ignore_event();
+  const Seconds at = self.blocked_since();
+  if (at > channel_->link_->now() && channel_->link_->is_between_parts())
+    channel_->link_->come_at(at, side_, [channel = channel_, &self, side = side_] {
+      if (!channel->come_to_link(side, self)) channel->link_->ignore_event();
     });
   else
-    come_to_link(self);
-}
-
-// Returns whether that changes anything for others.
-bool ChannelBase::Exchange::come_to_link(Process& self) {
-  is_at_link_ = true;
-  Party& partner = channel_->end_of(other_side()).waiting;
-  if (channel_->cut()) {
-    on_cut(self);
-    return self.state() == Process::State::ready;
-  }
-  if (partner.process)
-    channel_->transfer(*std::exchange(partner, {}).process, self);
-  else
-    return wait_for_partner(self);
-  return true;
+    channel_->come_to_link(side_, self);
 }
 
 // The process waits for its partner, or for the end of a transfer, in vain.
 void ChannelBase::Exchange::on_cut(Process& process) {
-  if (!channel_->cut() || !is_at_link_) return;
+  if (!channel_->cut()) return;
+  if (process.blocked_since() > channel_->link_->now()) {
+    channel_->look_at(process.blocked_since(), side_);
+    return;
+  }
   channel_->cancel_transfer();
   channel_->end_of(side_).waiting = {};
   if (!may_fail_) return;

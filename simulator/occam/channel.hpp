@@ -57,10 +57,10 @@ class ChannelBase {
   machine::ProcessId last_writer() const { return end_of(writer).user; }
   /// For ALT: whether an output is waiting, if only from a time to come on.
   bool has_output() const { return end_of(writer).waiting.process != nullptr; }
-  /// The same at time `at`.
+  /// The same at time `at`; over a link only as far as the clock has come.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = end_of(writer).waiting;
-    return waiting.process && waiting.since <= at && !cut();
+    return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
   /// For ALT on which no output waits: the next one wakes the process, which waits since its own
   /// time.
@@ -109,6 +109,9 @@ class ChannelBase {
   const End& end_of(Side side) const { return ends_[static_cast<std::size_t>(side)]; }
   void check_may_take(Side side, Process& process);
   void move_part();
+  bool come_to_link(Side side, Process& process);
+  bool look_at(machine::Seconds date, Side side);
+  bool look();
   void transfer(Process& first, Process& second);
   void end_transfer();
   void cancel_transfer();
@@ -151,9 +154,8 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   bool pay_to_come(Process& self) const;
   bool pay_for_late_partner(Process& self) const;
   bool meet(Process& self, Party partner);
-  bool wait_for_partner(Process& self);
+  void wait_for_partner(Process& self);
   void go_to_link(Process& self);
-  bool come_to_link(Process& self);
   Cycles cost_to_copy(const machine::Model::Channel& costs) const;
 
   ChannelBase* channel_;
@@ -161,7 +163,6 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   Side side_;
   Stage stage_ = Stage::comes;
   bool is_second_ = false, may_fail_ = false, failed_ = false;
-  bool is_at_link_ = false;  // the clock has come so far
 };
 
 /// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
