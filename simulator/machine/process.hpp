@@ -90,8 +90,9 @@ class Process {
   /// The same before it meets others: a high process syncs if it owes so much that the speed of the
   /// CPU, which the links' DMA changes, is not certain so far ahead.
   bool must_sync_if_long() const {
-    return (priority_ == Priority::low || debt_ > LONG_DEBT) && must_sync();
+    return (priority_ == Priority::low || owes_much()) && must_sync();
   }
+  bool owes_much() const { return debt_ > LONG_DEBT; }
   /// While it computes, or would, it has this rank among what happens at one date; see Events. Such
   /// a process comes to a link as soon as it has paid.
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};

@@ -93,7 +93,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      if (must_settle(self)) return false;
+      if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
       begin_ = self.own_time();
@@ -103,6 +103,8 @@ bool Select::go_on(Process& self) {
       stage_ = Stage::enables_late;
       return false;
     case Stage::enables_late:
+      if (self.priority() == machine::Priority::low)  // it may have lost the CPU before it began
+        begin_ = self.own_time() - self.processor().duration(enabled_);
       ready_ = some_ready(self);
       spend_enabling(self);
       return spend_wait(self);
@@ -162,7 +164,8 @@ bool Select::spend_wait(Process& self) {
   else
     charge(ready_ ? costs.wait_ready : costs.wait_not);
   stage_ = Stage::waits;
-  return !must_settle(self) && wait(self);
+  const bool must_pay = ready_ ? must_settle(self) : self.must_sync_if_long();
+  return !must_pay && wait(self);
 }
 
 // Blocks until an open guard may be ready.
