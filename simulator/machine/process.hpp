@@ -72,6 +72,9 @@ class Process {
   void sync_if_low() {
     if (must_sync_if_low()) suspend();
   }
+  /// Its last instruction: nothing follows but the end of its body, even if a process that the
+  /// instruction makes ready takes the CPU. It has paid.
+  void end_by_this() { has_ended_itself_ = true; }
   /// Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(Wait& wait);
   /// An operation, to its end; returns it.
@@ -106,7 +109,7 @@ class Process {
   /// Pays the debt, and returns the time. Throws Misuse outside of this process.
   Seconds now();
   /// The clock plus the debt, as the CPU would pay it if nothing pre-empted the process and the
-  /// links' DMA went on as now. What a process that has no debt is told is exact.
+  /// links' DMA went on as now. What a process that has just paid is told is exact.
   inline Seconds own_time() const;
 
   Processor& processor() { return processor_; }
@@ -155,7 +158,7 @@ class Process {
   State state_ = State::blocked;
   Priority priority_;
   Wait::Kind waits_for_{};
-  bool cancelled_ = false, is_server_ = false;
+  bool cancelled_ = false, is_server_ = false, has_ended_itself_ = false;
   ReadyHook ready_hook_;  // in its ready queue
   Cycles debt_{};
   Seconds ready_at_{};  // when it joined its ready queue

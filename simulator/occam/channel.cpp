@@ -204,7 +204,10 @@ bool ChannelBase::Exchange::communicate(Process& self) {
       [[fallthrough]];
     case Stage::has_paid_all:
       if (side_ == writer) channel_->bytes_ = bytes_;
-      if (!channel_->hard() && partner.process) return meet(self, std::exchange(partner, {}));
+      if (!channel_->hard() && partner.process) {
+        meet(self, std::exchange(partner, {}));
+        return true;
+      }
       self.start_wait(*this);
       if (channel_->hard())
         go_to_link(self);
@@ -260,13 +263,11 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
 }
 
 // Both processes are here, this one second.
-bool ChannelBase::Exchange::meet(Process& self, Party partner) {
+void ChannelBase::Exchange::meet(Process& self, Party partner) {
   ++channel_->use_.messages;
   channel_->use_.bytes += channel_->bytes_;
   channel_->move_part();
   partner.process->processor().make_ready(*partner.process, self.own_time());
-  if (self.must_sync_if_low()) return stop_at(Stage::over);  // a high partner has taken the CPU
-  return true;
 }
 
 void ChannelBase::Exchange::wait_for_partner(Process& self) {

@@ -153,7 +153,7 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   bool pay(Process& self, Cycles instructions, Cycles copy) const;
   bool pay_to_come(Process& self) const;
   bool pay_for_late_partner(Process& self) const;
-  bool meet(Process& self, Party partner);
+  void meet(Process& self, Party partner);
   void wait_for_partner(Process& self);
   void go_to_link(Process& self);
   Cycles cost_to_copy(const machine::Model::Channel& costs) const;

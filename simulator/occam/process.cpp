@@ -57,6 +57,7 @@ void par(std::span<const Branch> branches) {
       body();
       charge(costs.end_process);
       this_process().sync();
+      this_process().end_by_this();
       if (--join.running == 0 && join.parent_waits)
         processor.make_ready(self, this_process().own_time());
     });
