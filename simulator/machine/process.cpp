@@ -18,8 +18,8 @@ void throw_outside_of_process() {
 Process::Process(Processor& processor, std::string name, Priority priority, Body body)
     : processor_(processor),
       priority_(priority),
-      id_(processor.make_id()),
       coroutine_(processor.engine().make_coroutine(processor.id(), name, [this] { live(); })),
+      id_(processor.make_id()),
       body_(std::move(body)),
       name_(std::move(name)) {}
 
@@ -63,11 +63,28 @@ void Process::live_on() {
 
 void Process::resume() {
   executing = this;
-  if (coroutine_)
-    coroutine_->resume();
-  else
+  if (!coroutine_)
     live_on();
+  else if (cancelled_ || !operation_ || go_on_in_operation())
+    coroutine_->resume();
   executing = nullptr;
+}
+
+// The body is entered again when its operation is over: what happens in between needs no stack.
+void Process::suspend_in(Operation& operation) {
+  operation_ = &operation;
+  leave_body();
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+bool Process::go_on_in_operation() {
+  try {
+    if (!operation_->go_on(*this)) return false;
+  } catch (const std::exception&) {
+    failure_ = std::current_exception();
+  }
+  operation_ = nullptr;
+  return true;
 }
 
 void Process::throw_without_stack() const {
@@ -76,8 +93,14 @@ void Process::throw_without_stack() const {
 
 void Process::suspend() {
   require_stack();
+  leave_body();
+}
+
+void Process::leave_body() {
   coroutine_->suspend();
-  if (cancelled_) throw Cancelled{};
+  if (!cancelled_) return;
+  operation_ = nullptr;
+  throw Cancelled{};
 }
 
 void Process::charge(Seconds duration) {
@@ -110,7 +133,7 @@ Seconds Process::blocked(Wait::Kind kind) const {
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();
-  const bool is_past_end = coroutine_ && earliest > processor_.engine().until();
+  const bool is_past_end = has_stack() && earliest > processor_.engine().until();
   if (debt_ > MOST_DEBT || is_past_end) sync();
 }
 

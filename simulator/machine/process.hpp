@@ -81,7 +81,7 @@ class Process {
   template <class SomeOperation>
   SomeOperation&& carry_out(SomeOperation&& operation) {
     require_stack();
-    while (!operation.go_on(*this)) suspend();
+    if (!operation.go_on(*this)) suspend_in(operation);
     return std::forward<SomeOperation>(operation);
   }
 
@@ -101,7 +101,8 @@ class Process {
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
   void set_rank(std::uint64_t rank) { rank_ = rank; }
   bool has_rank() const { return rank_ != NO_RANK; }
-  bool has_stack() const { return coroutine_ != nullptr; }
+  /// Whether it executes on its stack, and may wait anywhere.
+  bool has_stack() const { return coroutine_ && !operation_; }
   /// From now on it is blocked, see block().
   void start_wait(Wait& wait);
   // --------------------------------------------------------------------------------------------
@@ -150,6 +151,9 @@ class Process {
   [[noreturn]] void throw_without_stack() const;
   void resume();   // the CPU enters the body, until it suspends or ends
   void suspend();  // the body returns to the CPU
+  void leave_body();
+  void suspend_in(Operation& operation);
+  bool go_on_in_operation();
   void live();     // the body, and its end
   void live_on();  // the same without a stack, from where it was
 
@@ -161,8 +165,10 @@ class Process {
   bool cancelled_ = false, is_server_ = false, has_ended_itself_ = false;
   ReadyHook ready_hook_;  // in its ready queue
   Cycles debt_{};
-  Seconds ready_at_{};  // when it joined its ready queue
-  Proc proc_;           // the body without a stack
+  Seconds ready_at_{};                    // when it joined its ready queue
+  Proc proc_;                             // the body without a stack
+  std::unique_ptr<Coroutine> coroutine_;  // of a body with a stack
+  Operation* operation_ = nullptr;        // which that body waits in
   Wait* wait_ = nullptr;
   Seconds blocked_since_{};
   std::uint64_t waits_ = 0;
@@ -172,7 +178,7 @@ class Process {
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // Processor::wake_at still to come
   std::uint32_t trace_id_ = 0;
-  std::unique_ptr<Coroutine> coroutine_;  // of a body with a stack
+  std::exception_ptr failure_;  // of its operation
   Body body_;
   std::string name_;
 };
