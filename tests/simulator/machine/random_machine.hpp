@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "tests/support/lab.hpp"
@@ -18,6 +19,7 @@ struct Stage {
   bool two;
   Priority priority[2];
   std::int64_t computes;  // a message
+  int polls = 0;  // ticks that it waits for a message before it does something else; 0: ever
 };
 
 struct Stream {
@@ -65,6 +67,23 @@ inline Plan make_plan(std::uint64_t seed) {
   return plan;
 }
 
+// Some processes wait for their messages in ALTs that have time-outs.
+inline void let_some_poll(Plan& plan, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (Stream& stream : plan.streams)
+    for (Stage& stage : stream.stages)
+      if (random() % 2 == 0) stage.polls = 1 + static_cast<int>(random() % 40);
+}
+
+inline Words poll(Channel<Words>& channel, int ticks) {
+  std::optional<Words> message;
+  Words arrived;
+  while (!message)
+    pri_alt(when(channel, arrived, [&] { message = arrived; }),
+            after(read_timer() + ticks, [] { compute(50); }));
+  return *message;
+}
+
 // Starts the processes of a stream. The sink notes what is wrong and when messages came.
 inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::string& wrong) {
   const auto& cpus = lab.machine.processors();
@@ -74,8 +93,9 @@ inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::
     Processor& cpu = *cpus[stage.processor];
     const bool last = i + 1 == stream.stages.size();
     Channel<Words>* to = last ? nullptr : &lab.hard(cpu, *cpus[stream.stages[i + 1].processor]);
-    auto take = [&stream](Channel<Words>* channel, std::size_t n) {
-      return channel ? channel->in() : Words{stream.lengths[n], n};
+    auto take = [&stream, &stage](Channel<Words>* channel, std::size_t n) {
+      if (!channel) return Words{stream.lengths[n], n};
+      return stage.polls > 0 ? poll(*channel, stage.polls) : channel->in();
     };
     auto give = [&](Channel<Words>* channel, std::size_t n, const Words& message) {
       if (channel) return out(*channel, message);
