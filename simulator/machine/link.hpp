@@ -57,7 +57,7 @@ class LinkDirection {
   /// The direction is this channel's. Throws Misuse if it is another's.
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
-  Seconds now() const { return engine_.now(); }
+  Seconds now() const { return engine_.now(); }  ///< as far as is known what has come to it
   /// Its ends are in two parts of the machine, see Parts.
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
   /// A process that has been descheduled comes to an end of the link at a date, its own time: calls

@@ -153,9 +153,9 @@ class Process {
   void suspend();  // the body returns to the CPU
   void leave_body();
   void suspend_in(Operation& operation);
-  bool go_on_in_operation();
-  void live();     // the body, and its end
-  void live_on();  // the same without a stack, from where it was
+  bool go_on_in_operation();  // returns whether it is over
+  void live();                // the body, and its end
+  void live_on();             // the same without a stack, from where it was
 
   // What every wait and wake-up touches comes first: the host fetches it together.
   Processor& processor_;

@@ -262,7 +262,8 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
-// Both processes are here, this one second.
+// Both processes are here, this one second. A high partner takes the CPU from a low process, which
+// executes what follows, unseen by others, up to where it has to pay.
 void ChannelBase::Exchange::meet(Process& self, Party partner) {
   ++channel_->use_.messages;
   channel_->use_.bytes += channel_->bytes_;
