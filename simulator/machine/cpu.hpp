@@ -88,7 +88,8 @@ class Cpu {
   Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
   /// Whether the CPU is taken up to a date to come: a process's own time may be ahead.
   bool is_ahead() const { return high_.until > engine_.now(); }
-  /// Whether a high-priority process has become ready while this low one executes an operation.
+  /// Whether a high-priority process has become ready while this low one executes, and
+  /// has not paid yet.
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
 
   /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
@@ -131,7 +132,7 @@ class Cpu {
   };
   // The low-priority process that is computing or interrupted.
   struct Low {
-    bool computing = false;  // else it executes an operation
+    bool computing = false;  // else it executes
     Seconds since{};         // it has had the CPU since then; ahead of the clock on a way back
     Seconds end{};           // its computation ends then if nobody interferes any more
     Seconds left{};          // computation left while it is interrupted, at full speed

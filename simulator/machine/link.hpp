@@ -57,11 +57,12 @@ class LinkDirection {
   /// The direction is this channel's. Throws Misuse if it is another's.
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
-  Seconds now() const { return engine_.now(); }  ///< as far as is known what has come to it
+  /// The clock of its part of the machine, or of the links between parts.
+  Seconds now() const { return engine_.now(); }
   /// Its ends are in two parts of the machine, see Parts.
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
-  /// A process that has been descheduled comes to an end of the link at a date, its own time: calls
-  /// back when the clock has come so far, before other processes go on at that date.
+  /// A process that has been descheduled comes to an end of the link at a date: calls back when the
+  /// clock has come so far, before other processes go on at that date.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
   /// A process computes, and comes to an end of the link as soon as it has done so.
   void expect(Side side, Process& process);

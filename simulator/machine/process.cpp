@@ -42,7 +42,7 @@ void Process::live() {
   try {
     const Body body = std::move(body_);
     if (!cancelled_) body();
-    if (!cancelled_ && !has_ended_itself_) sync();  // it ends when its own time has come
+    if (!cancelled_ && !ends_by_this_) sync();  // it ends when its own time has come
   } catch (const Cancelled&) {
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
@@ -54,7 +54,7 @@ void Process::live_on() {
   try {
     if (proc_ && !proc_.go_on(*this)) return;
     proc_ = {};
-    if (!has_ended_itself_ && must_sync()) return;  // it ends when its own time has come
+    if (!ends_by_this_ && must_sync()) return;  // it ends when its own time has come
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
   }

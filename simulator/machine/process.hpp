@@ -69,15 +69,13 @@ class Process {
     if (must) suspend();
     return must;
   }
-  void sync_if_low() {
-    if (must_sync_if_low()) suspend();
-  }
   /// Its last instruction: nothing follows but the end of its body, even if a process that the
   /// instruction makes ready takes the CPU. It has paid.
-  void end_by_this() { has_ended_itself_ = true; }
+  void end_by_this() { ends_by_this_ = true; }
   /// Gives the CPU up until Processor::make_ready; a low-priority process must have paid.
   void block(Wait& wait);
-  /// An operation, to its end; returns it.
+  /// An operation, to its end; returns it. What it does after it has had to wait for the first time
+  /// is done without the stack of the body: it must not sync nor block.
   template <class SomeOperation>
   SomeOperation&& carry_out(SomeOperation&& operation) {
     require_stack();
@@ -89,12 +87,12 @@ class Process {
   /// Whether sync() would give the CPU up. If so, the operation returns that it is not over, and
   /// does not ask again when it goes on.
   inline bool must_sync() const;
-  bool must_sync_if_low() const { return priority_ == Priority::low && must_sync(); }
   /// The same before it meets others: a high process syncs if it owes so much that the speed of the
   /// CPU, which the links' DMA changes, is not certain so far ahead.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
+  /// Owes so much that how long it takes to pay is not certain.
   bool owes_much() const { return debt_ > LONG_DEBT; }
   /// While it computes, or would, it has this rank among what happens at one date; see Events. Such
   /// a process comes to a link as soon as it has paid.
@@ -162,7 +160,7 @@ class Process {
   State state_ = State::blocked;
   Priority priority_;
   Wait::Kind waits_for_{};
-  bool cancelled_ = false, is_server_ = false, has_ended_itself_ = false;
+  bool cancelled_ = false, is_server_ = false, ends_by_this_ = false;
   ReadyHook ready_hook_;  // in its ready queue
   Cycles debt_{};
   Seconds ready_at_{};                    // when it joined its ready queue

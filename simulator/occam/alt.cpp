@@ -93,21 +93,23 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
+      // Less is paid with the enabling.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
       begin_ = self.own_time();
       spend_enabling(self);
-      ready_ = some_ready(self);
-      if (ready_ || !must_settle(self)) return spend_wait(self);
+      if (some_ready(self)) return spend_wait(self, true);
+      if (!must_settle(self)) return spend_wait(self, false);
       stage_ = Stage::enables_late;
       return false;
-    case Stage::enables_late:
-      if (self.priority() == machine::Priority::low)  // it may have lost the CPU before it began
-        begin_ = self.own_time() - self.processor().duration(enabled_);
-      ready_ = some_ready(self);
+    case Stage::enables_late: {
+      // It was not certain how long it would take to pay what it owed before.
+      begin_ = self.own_time() - self.processor().duration(enabled_);
+      const bool ready = some_ready(self);
       spend_enabling(self);
-      return spend_wait(self);
+      return spend_wait(self, ready);
+    }
     case Stage::waits:
       return wait(self);
     case Stage::has_waited:
@@ -157,20 +159,21 @@ void Select::spend_enabling(Process& self) {
   enabled_ = known;
 }
 
-bool Select::spend_wait(Process& self) {
+// If no guard is ready, an output that comes while a high process pays for that wakes it.
+bool Select::spend_wait(Process& self, bool ready) {
   const auto& costs = self.processor().model().alternative;
   if (has_timer_)
-    charge(ready_ ? costs.timer_wait_ready : costs.timer_wait_not);
+    charge(ready ? costs.timer_wait_ready : costs.timer_wait_not);
   else
-    charge(ready_ ? costs.wait_ready : costs.wait_not);
+    charge(ready ? costs.wait_ready : costs.wait_not);
   stage_ = Stage::waits;
-  const bool must_pay = ready_ ? must_settle(self) : self.must_sync_if_long();
+  const bool must_pay = ready ? must_settle(self) : self.must_sync_if_long();
   return !must_pay && wait(self);
 }
 
 // Blocks until an open guard may be ready.
 bool Select::wait(Process& self) {
-  if (ready_ || some_ready(self)) return spend_disabling(self);
+  if (some_ready(self)) return spend_disabling(self);
   bool some_open = false;
   for (const Guard& guard : guards_) {
     if (!guard.condition) continue;
@@ -211,7 +214,6 @@ bool Select::choose(Process& self) {
   }
   if (!any_cut(guards_))
     throw base::InvariantBroken(self.name() + ": an ALT woke without a ready guard");
-  ready_ = false;
   return wait(self);
 }
 

@@ -66,7 +66,7 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   Cycles cost_to_enable_all(const Process& self) const;
   void spend_enabling(Process& self);
   // Each goes on to the next; they return as go_on() does.
-  bool spend_wait(Process& self);
+  bool spend_wait(Process& self, bool ready);
   bool wait(Process& self);
   bool spend_disabling(Process& self);
   bool choose(Process& self);
@@ -77,7 +77,7 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   Cycles enabling_{}, disabling_{};    // of all guards, if none is ready
   Cycles enabled_{};                   // spent for enabling
   Stage stage_ = Stage::comes;
-  bool looks_at_others_ = false, has_timer_ = false, ready_ = false;
+  bool looks_at_others_ = false, has_timer_ = false;
 };
 
 /// The same as a call, for a process with a stack.

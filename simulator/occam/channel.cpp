@@ -100,15 +100,18 @@ void ChannelBase::wake_alternative(Seconds at) {
 // A process waits at an end of the link from its own time on, which may be ahead of the clock. Only
 // what that changes for others is an event. Returns whether it changes anything, now or then.
 bool ChannelBase::come_to_link(Side side, Process& process) {
-  const Party& own = end_of(side).waiting = {&process, process.blocked_since()};
+  const Seconds date = process.blocked_since();
+  end_of(side).waiting = {&process, date};
+  if (cut()) return look_at(date, side);
   const Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
   if (output.process && input.process)
     return input.since >= output.since ? look_at(input.since, reader)
                                        : look_at(output.since, writer);
   const bool wakes_alternative = side == writer && alternative_.process;
-  return (wakes_alternative || cut()) && look_at(own.since, side);
+  return wakes_alternative && look_at(date, side);
 }
 
+// Looks when the clock has come so far. Returns whether that changes anything, or may.
 bool ChannelBase::look_at(Seconds date, Side side) {
   if (date <= link_->now()) return look();
   link_->come_at(date, side, [this] {
@@ -119,7 +122,7 @@ bool ChannelBase::look_at(Seconds date, Side side) {
 
 // What those who have come to the link change for others. Returns whether they do.
 bool ChannelBase::look() {
-  const auto has_come = [&](const Party& at) { return at.process && at.since <= link_->now(); };
+  const auto has_come = [&](const Party& p) { return p.process && p.since <= link_->now(); };
   Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
   bool matters = false;
   if (cut()) {
@@ -277,12 +280,14 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
   if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// The process has been descheduled; its own time may be ahead of the clock. Only a process of this
-// part of the machine may be told of it before.
+// The process has been descheduled; its own time may be ahead of the clock. Within a part of the
+// machine its date is noted at once; between parts, and after the limit of the run, which ends
+// then, when the clock has come so far.
 void ChannelBase::Exchange::go_to_link(Process& self) {
   const Seconds at = self.blocked_since();
-  if (at > channel_->link_->now() && channel_->link_->is_between_parts())
-    channel_->link_->come_at(at, side_, [channel = channel_, &self, side = side_] {
+  machine::LinkDirection& link = *channel_->link_;
+  if (at > link.now() && (link.is_between_parts() || at > self.processor().engine().until()))
+    link.come_at(at, side_, [channel = channel_, &self, side = side_] {
       if (!channel->come_to_link(side, self)) channel->link_->ignore_event();
     });
   else
@@ -293,7 +298,7 @@ void ChannelBase::Exchange::go_to_link(Process& self) {
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut()) return;
   if (process.blocked_since() > channel_->link_->now()) {
-    channel_->look_at(process.blocked_since(), side_);
+    if (may_fail_) channel_->look_at(process.blocked_since(), side_);
     return;
   }
   channel_->cancel_transfer();

@@ -34,7 +34,8 @@ struct ChannelUse {
 class ChannelBase {
  public:
   explicit ChannelBase(std::string name);
-  /// Throws Misuse if the link's direction has a channel already.
+  /// Must live as long as the machine runs. Throws Misuse if the link's direction has a channel
+  /// already.
   ChannelBase(std::string name, machine::LinkDirection& link);
   /// A soft channel between a processor and itself or its companion, whose processes are woken by
   /// an event (the model's channel.wake_companion). Throws Misuse for others.
@@ -62,8 +63,8 @@ class ChannelBase {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// For ALT on which no output waits: the next one wakes the process, which waits since its own
-  /// time.
+  /// For ALT on which no output waits yet: the next one, or one that waits from a time to come on,
+  /// wakes the process, which waits since its own time.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
   /// For ALT: from here to leave_input() nobody else inputs; see take().

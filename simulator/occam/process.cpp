@@ -62,7 +62,7 @@ void par(std::span<const Branch> branches) {
         processor.make_ready(self, this_process().own_time());
     });
     join.branches.push_back(&started);
-    self.sync_if_low();  // a high-priority branch has taken the CPU
+    self.sync();  // a high-priority branch has taken the CPU
   }
   if (own) {
     own->body();

@@ -62,6 +62,38 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   }
 }
 
+// What a process owes when it comes to an ALT seems to take until after the ALT's tick, since a
+// message slows the CPU down by a quarter; but that ends early. The tick is waited for.
+TEST(Dma, EndsBeforeAnAltIsPaidFor) {
+  constexpr double TICK = 1024;  // cycles
+  Model model = make_stealing_model();
+  model.memory.steal_word = 16;
+  for (auto priority : BOTH_PRIORITIES)
+    for (std::int64_t owes = 500; owes < 1000; owes += 12) {
+      const auto found = isolated_numbers([&] {
+        Lab lab(model);
+        Processor& a = lab.cpu();
+        Processor &b = lab.neighbour(a), &c = lab.neighbour(a);
+        auto &never = lab.hard(b, a), &slows = lab.hard(c, a);
+        a.start("reader", Priority::high, [&] { slows.in(); });
+        c.start("writer", Priority::high, [&] { out(slows, {10}); });
+        double end = 0;
+        a.start("waits", priority, [&] {
+          compute(64);
+          this_process().sync();  // the message is under way
+          Words message;
+          compute(owes);
+          pri_alt(when(never, message, [] {}), after(priority == Priority::high ? 64 : 1, [] {}));
+          end = own_cycles();
+        });
+        lab.machine.run();
+        return Numbers{end};
+      });
+      ASSERT_EQ(found.size(), 1u) << owes;
+      EXPECT_GE(found[0], TICK) << owes;
+    }
+}
+
 // Messages on several links, in both directions, overlapping anyhow: every word takes its cycles
 // from both of its CPUs, whatever the order.
 TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {

@@ -27,7 +27,7 @@ std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link
   return isolated([&] {
     Plan plan = make_plan(seed);
     for (Stream& stream : plan.streams) stream.lengths.back() = 0;
-    if (!cuts_a_link) let_some_poll(plan, seed);  // else there would be no deadlock
+    if (!cuts_a_link) let_some_poll(plan, seed);  // they never come to a deadlock
     Lab lab(make_stealing_model(), machine::Code::bare, engine);
     std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
     build_machine(lab, plan);
@@ -69,7 +69,7 @@ TEST_F(Engines, RunRandomMachinesTheSame) {
 TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     EngineParams one = DIRECT;
-    one.parts = {0};
+    one.parts = {0};  // events are not counted: between parts there are more
     const auto in_one = run_random(seed, one, false);
     std::mt19937_64 random(seed);
     for (const int parts : {2, 3, 4, 8, 16}) {

@@ -53,6 +53,24 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
+// It comes to a link after the limit, in any number of parts of the machine.
+TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
+  const auto limit = make_exact_model().channel.blocked.value / 2;
+  for (const auto& engine :
+       {engine_under_test(),
+        machine::EngineParams{.links = machine::Links::direct, .parts = {0, 1}}}) {
+    const auto found = isolated_numbers([&] {
+      Lab lab(make_exact_model(), machine::Code::bare, engine);
+      Processor& a = lab.cpu();
+      auto& channel = lab.hard(a, lab.neighbour(a));
+      a.start("writer", Priority::high, [&] { out(channel, {}); });
+      const End end = lab.machine.run(date_of_cycle(lab, limit));
+      return Numbers{static_cast<double>(end == End::limit), lab.cycles()};
+    });
+    EXPECT_EQ(found, (Numbers{1, static_cast<double>(limit)}));
+  }
+}
+
 // It never syncs nor blocks.
 void start_computing(Processor& cpu, Priority priority, std::int64_t step) {
   cpu.start("busy", priority, [step] {

@@ -119,6 +119,16 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
+// Nor while the process is ahead of the clock.
+TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
+  const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
+  const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {
+    auto& there = lab.hard(a, b);
+    a.start("Alice", Priority::high, [&] { out(there, {}); });
+  });
+  EXPECT_TRUE(report.starts_with("Deadlock of machine at 0\n")) << report;
+}
+
 // The end that may fail goes on, and the other blocks for ever; a server that inputs may.
 TEST(FailureDeadlock, OfATransferThatWasCut) {
   const auto run = [](bool is_server, bool writer_may_fail) {

@@ -254,6 +254,30 @@ TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1}));
 }
 
+// The same with a stack, which then goes on as before.
+TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
+  const auto found = isolated_numbers([] {
+    Lab lab;
+    Numbers caught;
+    Processor& cpu = lab.cpu();
+    auto& channel = lab.soft();
+    cpu.start("process", Priority::low, [&] {
+      compute(2000);
+      try {
+        pri_alt(otherwise(false, [] {}));
+      } catch (const machine::Misuse&) {
+        caught.push_back(own_cycles() > 2000);
+      }
+      out(channel, {4, 7});
+    });
+    cpu.start("reader", Priority::low,
+              [&] { caught.push_back(static_cast<double>(channel.in().content)); });
+    lab.machine.run();
+    return caught;
+  });
+  EXPECT_EQ(found, (Numbers{1, 7}));
+}
+
 // What it holds is given back when the machine is gone, or when the body has ended.
 TEST(Proc, IsUnwoundWhereItWaits) {
   const auto found = isolated_numbers([] {

@@ -124,6 +124,19 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
+// The first is ahead of the clock at the cut, and the second comes in between: each is told at its
+// own time.
+TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
+  for (auto first : {Side::writer, Side::reader})
+    for (auto priority : BOTH_PRIORITIES) {
+      const Side second = first == Side::writer ? Side::reader : Side::writer;
+      const double early = 550 + blocked(), late = 900 + blocked();
+      const auto found =
+          try_all(500, {{true, Priority::high, first, 900}, {true, priority, second, 550}});
+      EXPECT_EQ(found, (Numbers{0, late, 0, early, late, 0, 0, 0, 0, 0, 0, 0}));
+    }
+}
+
 // The cut is during the tag, between tag and contents, or during the contents.
 TEST(LinkFailure, OfAVariantProtocolIsTheSameInBothItsParts) {
   for (double cut = 1; cut < 2 * blocked() + 16 * (1 + 8); cut += 3) {
