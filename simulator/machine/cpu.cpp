@@ -131,11 +131,12 @@ void Cpu::account_high(const Process& process, Seconds time) {
 }
 
 // The callback has the rank of the process, if that has one.
-void Cpu::at(Seconds date, const Process& process, Engine::Callback callback) {
+template <class Then>
+void Cpu::at(Seconds date, const Process& process, Then then) {
   if (process.has_rank())
-    engine_.ranked_at(date, process.rank_, callback);
+    engine_.ranked_at(date, process.rank_, then);
   else
-    engine_.at(date, callback);
+    engine_.at(date, then);
 }
 
 // The high-priority process that runs has computed until then.

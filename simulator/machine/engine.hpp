@@ -50,15 +50,25 @@ class Engine {
   Seconds now() const { return {events_.now()}; }
   Seconds until() const { return {events_.until()}; }  ///< the limit given to run(); at first none
   /// Calls back at simulated time `date` (not before now). Callbacks never nest.
-  void at(Seconds date, Callback callback) { events_.at(date.value, callback); }
+  template <class Then>
+  void at(Seconds date, Then then) {
+    events_.at(date.value, then);
+  }
   /// The same, before all that at() has asked for at that instant.
-  void first_at(Seconds date, Callback callback) { events_.first_at(date.value, callback); }
+  template <class Then>
+  void first_at(Seconds date, Then then) {
+    events_.first_at(date.value, then);
+  }
   /// The same after them, but before others, in the order of ranks.
-  void ranked_at(Seconds date, std::uint64_t rank, Callback callback) {
-    events_.ranked_at(date.value, rank, callback);
+  template <class Then>
+  void ranked_at(Seconds date, std::uint64_t rank, Then then) {
+    events_.ranked_at(date.value, rank, then);
   }
   /// Calls back when the event being handled is over, at the same simulated instant.
-  void soon(Callback callback) { events_.soon(callback); }
+  template <class Then>
+  void soon(Then then) {
+    events_.soon(then);
+  }
   /// Moves `bytes` (> 0) in a direction of a link, then calls back. One message at a time.
   void transfer(std::size_t direction, std::uint64_t bytes, Callback arrived) {
     carrier_->start(direction, bytes, arrived);

@@ -88,10 +88,15 @@ inline std::size_t select(std::span<const Guard> guards) {
 /// The guards of an ALT; more than 16 of them cost the host an allocation.
 using Guards = boost::container::small_vector<Guard, 16>;
 
-// What is written in an ALT has, beside its guards, two functions: begin(i) gives the input of its
-// guard i, if there is one, and once that is over, end(i, input) does what follows. (An input is
-// kept without what its own await_resume() adds.)
+// What is written in an ALT has, beside its guards, two functions: begin(i, input) begins the input
+// of its guard i, if there is one, and once that is over, end(i, input) does what follows. (An
+// input is kept without what its own await_resume() adds.)
 using MaybeInput = std::optional<ChannelBase::Exchange>;
+
+inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
+  from.take_input(this_process());
+  input.emplace(from, may_fail);
+}
 
 /// `channel ? message`, if the condition holds. Into an optional message nothing is input if the
 /// link is cut before all of it has come.
@@ -101,12 +106,7 @@ struct InputGuard : Guard {
   Channel<Message>& from;
   Into& into;
   Then then;
-  MaybeInput begin(std::size_t /*only*/) const {
-    if constexpr (MAY_FAIL)
-      return from.input_or_fail();
-    else
-      return from.input();
-  }
+  void begin(std::size_t /*only*/, MaybeInput& input) const { begin_input(from, MAY_FAIL, input); }
   void end(std::size_t /*only*/, const MaybeInput& input) {
     if constexpr (MAY_FAIL)
       into = input->failed() ? std::nullopt : std::optional(from.received());
@@ -120,7 +120,7 @@ struct InputGuard : Guard {
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
-  MaybeInput begin(std::size_t /*only*/) const { return {}; }
+  void begin(std::size_t /*only*/, MaybeInput& /*none*/) const {}
   void end(std::size_t /*only*/, const MaybeInput& /*none*/) { then(); }
 };
 
@@ -165,12 +165,12 @@ struct Replicated {
 
   std::size_t size() const { return inputs.size(); }
   std::size_t index(std::size_t i) const { return (favourite + i) % size(); }
-  MaybeInput begin(std::size_t i) const requires requires(const Inputs& channels) {
+  void begin(std::size_t i, MaybeInput& input) const requires requires(const Inputs& channels) {
     channels[0]->input();
   }
   {
     charge_turn();
-    return inputs[index(i)]->input();
+    begin_input(*inputs[index(i)], false, input);
   }
   void end(std::size_t i, const MaybeInput& /*over*/) {
     then(index(i), inputs[index(i)]->received());
@@ -210,10 +210,9 @@ inline std::size_t add_guards(const Guard& guard, Guards& guards) {
 template <class Inputs, class Then>
 std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guards) {
   for (std::size_t i = 0; i < replicated.size(); ++i) {
-    Guard guard(&channel_of(replicated.inputs[replicated.index(i)]));
+    Guard& guard = guards.emplace_back(&channel_of(replicated.inputs[replicated.index(i)]));
     guard.replicated = true;
     guard.is_fair = replicated.is_fair;
-    guards.push_back(guard);
   }
   return replicated.size();
 }
@@ -239,8 +238,9 @@ void pri_alt(Written&&... written) {
   use_chosen(
       select({guards.data(), guards.size()}), counts,
       [](auto& one, std::size_t i) {
-        if constexpr (requires { one.begin(i); }) {
-          MaybeInput input = one.begin(i);
+        MaybeInput input;
+        if constexpr (requires { one.begin(i, input); }) {
+          one.begin(i, input);
           if (input) this_process().carry_out(*input);
           one.end(i, input);
         } else {
@@ -254,7 +254,7 @@ void pri_alt(Written&&... written) {
 template <class... Written>
 class [[nodiscard]] Alternative final : public machine::Operation {
  public:
-  explicit Alternative(Written... written)
+  explicit Alternative(Written&&... written)
       : written_(std::move(written)...),
         counts_(std::apply([&](const auto&... one) { return Counts{add_guards(one, guards_)...}; },
                            written_)),
@@ -266,7 +266,7 @@ class [[nodiscard]] Alternative final : public machine::Operation {
     if (!has_chosen_) {
       if (!select_.go_on(self)) return false;
       has_chosen_ = true;
-      use([&](auto& one, std::size_t i) { input_ = one.begin(i); });
+      use([&](auto& one, std::size_t i) { one.begin(i, input_); });
     }
     return !input_ || input_->go_on(self);
   }

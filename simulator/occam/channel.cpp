@@ -153,18 +153,6 @@ void ChannelBase::cancel_transfer() {
   use_.bytes -= bytes_;
 }
 
-ChannelBase::Exchange::Exchange(ChannelBase& channel, Parts output, bool may_fail)
-    : channel_(&channel),
-      bytes_(output.first > 0 ? output.first : output.rest),
-      rest_(output.first > 0 ? output.rest : 0),
-      side_(writer),
-      may_fail_(may_fail) {
-  channel.rest_follows_ = rest_ > 0;
-}
-
-ChannelBase::Exchange::Exchange(ChannelBase& channel, bool may_fail)
-    : channel_(&channel), side_(reader), may_fail_(may_fail) {}
-
 std::string ChannelBase::Exchange::describe() const {
   const auto doing = channel_->transfer_[0] ? "transfer" : side_ == writer ? "out" : "in";
   return fmt::format("{} on {}{}", doing, channel_->name_, channel_->cut() ? " (link cut)" : "");

@@ -136,8 +136,17 @@ class ChannelBase {
 /// or, if that is allowed, the link has been cut. A Proc may co_await it.
 class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::Wait {
  public:
-  Exchange(ChannelBase& channel, Parts output, bool may_fail);
-  Exchange(ChannelBase& channel, bool may_fail);  ///< an input
+  Exchange(ChannelBase& channel, Parts output, bool may_fail)
+      : channel_(&channel),
+        bytes_(output.first > 0 ? output.first : output.rest),
+        rest_(output.first > 0 ? output.rest : 0),
+        side_(writer),
+        may_fail_(may_fail) {
+    channel.rest_follows_ = rest_ > 0;
+  }
+  /// An input.
+  Exchange(ChannelBase& channel, bool may_fail)
+      : channel_(&channel), side_(reader), may_fail_(may_fail) {}
   bool go_on(Process& self) final;
   /// Once it is over: the link was cut before the whole message had moved.
   bool failed() const { return failed_; }
@@ -236,7 +245,7 @@ class Channel : public ChannelBase {
   Message received() { return std::move(incoming_); }
 
  private:
-  Parts prepare(Message message) {
+  Parts prepare(Message&& message) {
     take(writer, this_process());
     outgoing_ = std::move(message);
     const std::uint64_t bytes = outgoing_.bytes();

@@ -52,14 +52,24 @@ class Events {
   /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
   /// asked for; those asked for as first before all others, and after them those that have a rank,
   /// in the order of ranks.
-  void at(double date, Callback callback) { ask(date, asked_++, callback); }
-  void first_at(double date, Callback callback) { ask(date, asked_first_++, callback); }
-  void ranked_at(double date, std::uint64_t rank, Callback callback) {
-    ask(date, RANKED + rank, callback);
+  template <class Then>
+  void at(double date, Then then) {
+    new (ask(date, asked_++)) Callback(then);
+  }
+  template <class Then>
+  void first_at(double date, Then then) {
+    new (ask(date, asked_first_++)) Callback(then);
+  }
+  template <class Then>
+  void ranked_at(double date, std::uint64_t rank, Then then) {
+    new (ask(date, RANKED + rank)) Callback(then);
     ++asked_;
   }
   /// Asks for a callback when the event being handled is over, at the same instant.
-  void soon(Callback callback) { soon_.push_back(callback); }
+  template <class Then>
+  void soon(Then then) {
+    soon_.emplace_back(then);
+  }
 
   // Where those that have ranks come at a date, those that have none, and the ends of messages.
   // Orders below are asked for as first.
@@ -95,7 +105,9 @@ class Events {
 
  private:
   struct Heap;  // its library takes long to compile, and machines include this
-  void ask(double date, std::uint64_t order, Callback callback);
+  // Returns where the callback is to be. (It is made there: to copy what has just been written
+  // makes the host wait.)
+  Callback* ask(double date, std::uint64_t order);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;
   double next_ = NEVER;  // the heap's next date, which is asked for at every event
