@@ -13,6 +13,11 @@ struct Nearest {
 
 // The state of a walk, and what it counts.
 struct Walk {
+  // (A constructor, since GCC fills what an initialiser list leaves out with a slow instruction.)
+  Walk(const Scene& scene, const Ray& ray)
+      : scene(scene), ray(ray), probe{ray.origin,    ray.direction, ray.from,
+                                      scene.epsilon, ray.reach,     scene.corners.data()} {}
+
   const Scene& scene;
   const Ray& ray;
   Nearest best;
@@ -146,14 +151,13 @@ void walk_boxes(Walk& walk, const Told& told) {
 // The hit on the nearest object; a feeler's has neither point nor normal. Inlined, since a call
 // that takes the walk would keep its counts in memory.
 template <bool MOVES>
-[[gnu::always_inline]] inline Hit make_hit(const Walk& walk) {
+[[gnu::always_inline]] inline void make_hit(const Walk& walk, Hit& hit) {
   const Scene& scene = walk.scene;
   const Ray& ray = walk.ray;
   const Place place = walk.best.place;
-  Hit hit;
   hit.distance = walk.probe.reach;
   hit.object = walk.best.object;
-  if (ray.kind == RayKind::shadow) return hit;
+  if (ray.kind == RayKind::shadow) return;
   hit.point = ray.origin + hit.distance * ray.direction;
   Vec still = hit.point;  // where the point is as long as the object has not moved
   if constexpr (MOVES) still = hit.point - eval_shift(scene, hit.object, ray.time);
@@ -175,29 +179,23 @@ template <bool MOVES>
   }
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;
-  return hit;
-}
-
-[[gnu::always_inline]] inline Walk make_walk(const Scene& scene, const Ray& ray) {
-  return {scene,
-          ray,
-          {},
-          {ray.origin, ray.direction, ray.from, scene.epsilon, ray.reach, scene.corners.data()}};
 }
 
 // What the walk found.
 template <bool MOVES>
 [[gnu::always_inline]] inline std::optional<Hit> conclude(Walk& walk, Work& work) {
   count(walk, work);
-  if (walk.best.object == NO_OBJECT) return std::nullopt;
+  std::optional<Hit> hit;
+  if (walk.best.object == NO_OBJECT) return hit;
   work[Op::hit_made] += walk.ray.kind != RayKind::shadow;
-  return make_hit<MOVES>(walk);
+  make_hit<MOVES>(walk, hit.emplace());
+  return hit;
 }
 
 template <bool MOVES, class Told>
 std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                         const Told& told) {
-  Walk walk = make_walk(scene, ray);
+  Walk walk(scene, ray);
   switch (traversal) {
     case Traversal::linear:
       walk_linear<MOVES>(walk, told);
@@ -225,7 +223,7 @@ std::optional<Hit> choose(const Scene& scene, const Ray& ray, Traversal traversa
 
 template <bool MOVES>
 std::optional<Hit> find_on(const Scene& scene, const Ray& ray, Place place, Work& work) {
-  Walk walk = make_walk(scene, ray);
+  Walk walk(scene, ray);
   consider<MOVES>(walk, place, Nobody{});
   return conclude<MOVES>(walk, work);
 }

@@ -118,7 +118,10 @@ State make_state(const Mesh& mesh, Sends sends) {
   State state;
   for (const Vertex& v : mesh.vertices)
     state.radiosity.push_back(mesh.materials[v.material].emission);
-  for (const Patch& p : mesh.patches) state.unshot.push_back(mesh.materials[p.material].emission);
+  for (const Patch& p : mesh.patches) {
+    state.unshot.push_back(mesh.materials[p.material].emission);
+    state.areas.push_back(p.area);
+  }
   if (sends == Sends::corners)
     for (const Rgb& unshot : state.unshot)
       state.in_corners.push_back({unshot, unshot, unshot, unshot});
@@ -132,7 +135,7 @@ std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
                               std::span<const std::uint32_t> patches, Work& work) {
   Shot best;
   for (const auto patch : patches) {
-    const double power = sum(state.unshot[patch]) * mesh.patches[patch].area;
+    const double power = sum(state.unshot[patch]) * state.areas[patch];
     if (power > best.power) best = {patch, {}, power};
   }
   work[Op::patch_compared] += patches.size();
@@ -200,7 +203,7 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   Unshot total;
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
-    const Rgb power = unit * mesh.patches[p].area * state.unshot[p];
+    const Rgb power = unit * state.areas[p] * state.unshot[p];
     // Half away from zero, as std::llround(), which takes longer than all else here.
     const auto round = [](double share) {
       return static_cast<std::int64_t>(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT) +

@@ -27,6 +27,8 @@ enum class Sends : std::uint8_t {
 struct State {
   std::vector<Rgb> radiosity;  ///< by vertex
   std::vector<Rgb> unshot;     ///< by patch, the mean
+  /// By patch, the mesh's: every shot reads them all, and the host finds them sooner side by side.
+  std::vector<double> areas;
   /// By patch, what its corners have not sent; none for Sends::mean.
   std::vector<std::array<Rgb, 4>> in_corners;
   std::vector<Rgb> received;   ///< by vertex, the light that arrived in the last shot
