@@ -36,13 +36,6 @@ void write_all(int fd, const std::string& text) {
   }
 }
 
-void hold_signals(int how) {
-  sigset_t asked;
-  sigemptyset(&asked);
-  for (const int signal : ASKS_TO_END) sigaddset(&asked, signal);
-  sigprocmask(how, &asked, nullptr);
-}
-
 [[noreturn]] void run_child(pid_t parent, int fd, const Job& job, std::size_t index) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child does not outlive a parent that was killed
   if (getppid() != parent) _exit(1);

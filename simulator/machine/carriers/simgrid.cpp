@@ -34,16 +34,23 @@ namespace {
 class KeptSignals {
  public:
   KeptSignals() {
+    sigset_t all;
+    sigemptyset(&all);
+    for (const int signal : SIGNALS) sigaddset(&all, signal);
+    pthread_sigmask(SIG_BLOCK, &all,
+                    &held_);  // at one that comes now SimGrid would end the program
     for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], nullptr, &kept_[i]);
   }
   ~KeptSignals() {
     for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], &kept_[i], nullptr);
+    pthread_sigmask(SIG_SETMASK, &held_, nullptr);
     std::set_terminate(terminate_);
   }
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
   struct sigaction kept_[3];
+  sigset_t held_;
   std::terminate_handler terminate_ = std::get_terminate();
 };
 

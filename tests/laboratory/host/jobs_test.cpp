@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <map>
+
+#include "experiments/laboratory/host/interrupt.hpp"
+#include "tests/support/isolated.hpp"
 
 namespace laboratory {
 namespace {
@@ -47,6 +51,21 @@ TEST(ExperimentsJobs, AnExceptionEndsTheOthers) {
     EXPECT_STREQ(failed.what(), "no such scene");
     EXPECT_EQ(failed.exit_code, 2);
   }
+}
+
+// What a child that was asked to end has said is read only once it is known here that all were
+// asked: no other thread may take the signal, and count it when it is its turn.
+TEST(ExperimentsJobs, AnInterruptIsCountedByTheMainThread) {
+  test::run_isolated([] {
+    const InterruptWatch watch;
+    const InterruptGuard guard;
+    hold_signals(SIG_BLOCK);
+    kill(getpid(), SIGINT);
+    usleep(100'000);
+    EXPECT_EQ(count_interrupts(), 0);
+    hold_signals(SIG_UNBLOCK);
+    EXPECT_EQ(count_interrupts(), 1);
+  });
 }
 
 }  // namespace

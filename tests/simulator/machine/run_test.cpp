@@ -1,5 +1,10 @@
 // How a run ends: when all is done, at its limit, at the user's wish.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
 
 #include "tests/simulator/machine/failures.hpp"
 
@@ -157,6 +162,23 @@ TEST(Run, StopsWhenTheUserWants) {
   EXPECT_EQ(found.at(0), 1);
   EXPECT_GE(found.at(1), 40'000);
   EXPECT_LE(found.at(1), 41'000);
+}
+
+// SimGrid would end the program at the signal, while it starts.
+TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
+  test::run_isolated([] {
+    static std::atomic<int> asked = 0;
+    signal(SIGINT, [](int) { ++asked; });
+    const auto to = pthread_self();
+    const std::jthread user([to](const std::stop_token& enough) {
+      for (; !enough.stop_requested(); usleep(20)) pthread_kill(to, SIGINT);
+    });
+    while (asked < 100) {
+    }
+    Lab lab;
+    lab.cpu().start("once", Priority::high, [] { compute(1000); });
+    EXPECT_EQ(lab.machine.run(), End::done);
+  });
 }
 
 // A computation that was pre-empted, a slice that was not needed, a timeout that did not fire: none
