@@ -151,7 +151,7 @@ void walk_boxes(Walk& walk, const Told& told) {
 // The hit on the nearest object; a feeler's has neither point nor normal. Inlined, since a call
 // that takes the walk would keep its counts in memory.
 template <bool MOVES>
-[[gnu::always_inline]] inline void make_hit(const Walk& walk, Hit& hit) {
+[[gnu::always_inline]] inline void fill_hit(const Walk& walk, Hit& hit) {
   const Scene& scene = walk.scene;
   const Ray& ray = walk.ray;
   const Place place = walk.best.place;
@@ -188,7 +188,7 @@ template <bool MOVES>
   std::optional<Hit> hit;
   if (walk.best.object == NO_OBJECT) return hit;
   work[Op::hit_made] += walk.ray.kind != RayKind::shadow;
-  make_hit<MOVES>(walk, hit.emplace());
+  fill_hit<MOVES>(walk, hit.emplace());
   return hit;
 }
 

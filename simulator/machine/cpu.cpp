@@ -131,8 +131,7 @@ void Cpu::account_high(const Process& process, Seconds time) {
 }
 
 // The callback has the rank of the process, if that has one.
-template <class Then>
-void Cpu::at(Seconds date, const Process& process, Then then) {
+void Cpu::at(Seconds date, const Process& process, auto then) {
   if (process.has_rank())
     engine_.ranked_at(date, process.rank_, then);
   else

@@ -161,8 +161,7 @@ class Cpu {
   Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);
   void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
-  template <class Then>
-  void at(Seconds date, const Process& process, Then then);
+  void at(Seconds date, const Process& process, auto then);
   void arm_low_timer();
   void low_timer();
   void account_low();  // what the low process has computed since low_.since

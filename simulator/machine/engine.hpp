@@ -50,25 +50,15 @@ class Engine {
   Seconds now() const { return {events_.now()}; }
   Seconds until() const { return {events_.until()}; }  ///< the limit given to run(); at first none
   /// Calls back at simulated time `date` (not before now). Callbacks never nest.
-  template <class Then>
-  void at(Seconds date, Then then) {
-    events_.at(date.value, then);
-  }
+  void at(Seconds date, auto then) { events_.at(date.value, then); }
   /// The same, before all that at() has asked for at that instant.
-  template <class Then>
-  void first_at(Seconds date, Then then) {
-    events_.first_at(date.value, then);
-  }
+  void first_at(Seconds date, auto then) { events_.first_at(date.value, then); }
   /// The same after them, but before others, in the order of ranks.
-  template <class Then>
-  void ranked_at(Seconds date, std::uint64_t rank, Then then) {
+  void ranked_at(Seconds date, std::uint64_t rank, auto then) {
     events_.ranked_at(date.value, rank, then);
   }
   /// Calls back when the event being handled is over, at the same simulated instant.
-  template <class Then>
-  void soon(Then then) {
-    events_.soon(then);
-  }
+  void soon(auto then) { events_.soon(then); }
   /// Moves `bytes` (> 0) in a direction of a link, then calls back. One message at a time.
   void transfer(std::size_t direction, std::uint64_t bytes, Callback arrived) {
     carrier_->start(direction, bytes, arrived);

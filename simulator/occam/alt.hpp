@@ -238,8 +238,8 @@ void pri_alt(Written&&... written) {
   use_chosen(
       select({guards.data(), guards.size()}), counts,
       [](auto& one, std::size_t i) {
-        MaybeInput input;
-        if constexpr (requires { one.begin(i, input); }) {
+        if constexpr (requires(MaybeInput & begun) { one.begin(i, begun); }) {
+          MaybeInput input;
           one.begin(i, input);
           if (input) this_process().carry_out(*input);
           one.end(i, input);

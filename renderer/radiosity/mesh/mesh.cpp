@@ -393,8 +393,9 @@ class Builder {
     const Vec twice = eval_area_normal(at);
     renderer::require(length(twice) > 0, room_.faces[face].where,
                       "patches smaller than 1e-9 of the room", "larger faces or fewer divisions");
-    mesh_.patches.push_back({corners, mesh_.vertices[corners[0]].material, object_, face, at,
-                             eval_bilinear(at, 0.5, 0.5), normalize(twice), length(twice) / 2});
+    mesh_.patches.push_back({corners, at, eval_bilinear(at, 0.5, 0.5), normalize(twice),
+                             length(twice) / 2, mesh_.vertices[corners[0]].material, object_,
+                             face});
   }
 
   const Room& room_;

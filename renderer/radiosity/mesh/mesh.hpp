@@ -25,13 +25,13 @@ struct Vertex {
 /// (s, t) = (0,0), (1,0), (1,1), (0,1).
 struct Patch {
   std::array<std::uint32_t, 4> corners{};  ///< indices into Mesh::vertices
-  std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< index into Mesh::blockers
-  std::uint32_t face = 0;    ///< index into Room::faces
-  std::array<Vec, 4> at;     ///< where the corners are
+  std::array<Vec, 4> at;                   ///< where the corners are
   Vec centre;
   Vec normal;  ///< unit
   double area = 0;
+  std::uint32_t material = 0;
+  std::uint32_t object = 0;  ///< index into Mesh::blockers
+  std::uint32_t face = 0;    ///< index into Room::faces
 };
 
 /// A flat mirror, whole; it reflects at its front and is black at its back.

@@ -19,8 +19,8 @@ constexpr std::size_t FEW = 64;  // events to come, of a machine that the host's
 __extension__ using Key = unsigned __int128;
 
 // Its date, then the order of being asked for, then its callback's place, in one number: to compare
-// two, the host does not have to guess a branch. (A date is not negative: its bits are in the order
-// of its values.)
+// two, the host does not have to guess a branch. (A date is not negative, and -0 is made 0: its
+// bits are in the order of its values.)
 struct Event {
   Key key;
   Event(double date, std::uint64_t order, std::size_t place)

@@ -52,24 +52,14 @@ class Events {
   /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
   /// asked for; those asked for as first before all others, and after them those that have a rank,
   /// in the order of ranks.
-  template <class Then>
-  void at(double date, Then then) {
-    new (ask(date, asked_++)) Callback(then);
-  }
-  template <class Then>
-  void first_at(double date, Then then) {
-    new (ask(date, asked_first_++)) Callback(then);
-  }
-  template <class Then>
-  void ranked_at(double date, std::uint64_t rank, Then then) {
+  void at(double date, auto then) { new (ask(date, asked_++)) Callback(then); }
+  void first_at(double date, auto then) { new (ask(date, asked_first_++)) Callback(then); }
+  void ranked_at(double date, std::uint64_t rank, auto then) {
     new (ask(date, RANKED + rank)) Callback(then);
     ++asked_;
   }
   /// Asks for a callback when the event being handled is over, at the same instant.
-  template <class Then>
-  void soon(Then then) {
-    soon_.emplace_back(then);
-  }
+  void soon(auto then) { soon_.emplace_back(then); }
 
   // Where those that have ranks come at a date, those that have none, and the ends of messages.
   // Orders below are asked for as first.
