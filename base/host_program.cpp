@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -69,6 +70,10 @@ class Child {
   template <class... Settings>
   explicit Child(Settings&&... settings) {
     const Undivided section;
+    // One at a time: a program that another thread starts meanwhile would inherit the pipe by which
+    // Boost waits for this one to begin, and it would wait for the end of that program.
+    static std::mutex starts;
+    const std::lock_guard lock(starts);
     child_ = process::child(
         std::forward<Settings>(settings)...,
         process::extend::on_exec_setup([parent = getpid()](const auto&) { set_up_child(parent); }));

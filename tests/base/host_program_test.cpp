@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "tests/support/files.hpp"
 
 namespace base {
@@ -41,6 +43,21 @@ TEST(HostProgram, MissingProgramsComeWithTheRemedy) {
   missing.name = "no-such-program";
   EXPECT_EQ(failure_of(missing),
             "plot p: drawing needs the program no-such-program, which was not found: install it");
+}
+
+// Threads that start programs side by side: none inherits the pipe by which the start of another is
+// waited for, which would last until its end.
+TEST(HostProgram, StartsDoNotWaitForOtherProgramsToEnd) {
+  const HostProgram program{.name = "find",
+                            .arguments = {"/proc/self/fd", "-lname", "pipe:*"},
+                            .purpose = "test",
+                            .remedy = "install findutils"};
+  const std::string alone = run_program(program);
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 8; ++i)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 100; ++k) EXPECT_EQ(run_program(program), alone);
+    });
 }
 
 }  // namespace
