@@ -55,4 +55,13 @@ void undo_all() {
     }
 }
 
+HeldSignals::HeldSignals(std::span<const int> signals) {
+  sigset_t held;
+  sigemptyset(&held);
+  for (const int signal : signals) sigaddset(&held, signal);
+  pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+HeldSignals::~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
 }  // namespace base

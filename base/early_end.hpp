@@ -1,7 +1,11 @@
 #pragma once
-// What is undone when a signal ends the program early: files half written, folders, processes.
+// The program's end at a signal: what is undone then, as files half written, folders, processes;
+// and signals that have to wait.
+#include <signal.h>
+
 #include <functional>
 #include <list>
+#include <span>
 
 namespace base {
 
@@ -35,5 +39,18 @@ void request_early_end() noexcept;
 /// Waits for the threads that are in sections, then undoes everything, the latest first. The caller
 /// ends the program.
 void undo_all();
+
+/// While it lives, these signals wait, as far as the thread goes that made it. Threads and child
+/// processes that this thread begins meanwhile hold them from their start on.
+class HeldSignals {
+ public:
+  explicit HeldSignals(std::span<const int> signals);
+  ~HeldSignals();
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
 
 }  // namespace base

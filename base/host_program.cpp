@@ -64,15 +64,16 @@ void set_up_child(pid_t parent) {
   for (const int ours : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
 }
 
+// Programs are started one at a time: one that another thread starts meanwhile would inherit the
+// pipe by which Boost waits for the first to begin, and Boost would wait for its end.
+std::mutex starts;
+
 // A child process that is gone when this is, and when the program ends early.
 class Child {
  public:
   template <class... Settings>
   explicit Child(Settings&&... settings) {
     const Undivided section;
-    // One at a time: a program that another thread starts meanwhile would inherit the pipe by which
-    // Boost waits for this one to begin, and it would wait for the end of that program.
-    static std::mutex starts;
     const std::lock_guard lock(starts);
     child_ = process::child(
         std::forward<Settings>(settings)...,

@@ -88,8 +88,8 @@ class Cpu {
   Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
   /// Whether the CPU is taken up to a date to come: a process's own time may be ahead.
   bool is_ahead() const { return high_.until > engine_.now(); }
-  /// Whether a high-priority process has become ready while this low one executes, and
-  /// has not paid yet.
+  /// Whether a high-priority process has become ready while this low one executes, and has not
+  /// paid yet.
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
 
   /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.

@@ -71,8 +71,8 @@ class Machine {
   void stop() { parts_.stop(); }
 
   /// Runs until no process can do anything, or up to a time limit. Throws what a process threw;
-  /// Deadlock, with the channels that processes wait on, if some have not ended and there was no
-  /// limit.
+  /// Deadlock, with the channels that processes wait on, if some have not ended and nothing is left
+  /// that could happen, before the limit or after it.
   End run(Seconds until = {std::numeric_limits<double>::infinity()});
 
   /// While it runs in several parts ask a processor.

@@ -113,6 +113,8 @@ void Process::start_wait(Wait& wait) {
   blocked_since_ = own_time();
   ++waits_;
   state_ = State::blocked;
+  Engine& engine = processor_.engine();
+  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // the run ends before
 }
 
 void Process::block(Wait& wait) {

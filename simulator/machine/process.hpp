@@ -87,12 +87,11 @@ class Process {
   /// Whether sync() would give the CPU up. If so, the operation returns that it is not over, and
   /// does not ask again when it goes on.
   inline bool must_sync() const;
-  /// The same before it meets others: a high process syncs if it owes so much that the speed of the
-  /// CPU, which the links' DMA changes, is not certain so far ahead.
+  /// The same before it meets others: a high process syncs only if it owes much.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
-  /// Owes so much that how long it takes to pay is not certain.
+  /// How long it takes to pay is not certain: the links' DMA changes the speed of the CPU.
   bool owes_much() const { return debt_ > LONG_DEBT; }
   /// While it computes, or would, it has this rank among what happens at one date; see Events. Such
   /// a process comes to a link as soon as it has paid.

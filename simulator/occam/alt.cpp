@@ -93,7 +93,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // Less is paid with the enabling.
+      // A smaller debt is paid together with the enabling.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -104,7 +104,7 @@ bool Select::go_on(Process& self) {
       stage_ = Stage::enables_late;
       return false;
     case Stage::enables_late: {
-      // It was not certain how long it would take to pay what it owed before.
+      // It has paid: enabling began so long before now.
       begin_ = self.own_time() - self.processor().duration(enabled_);
       const bool ready = some_ready(self);
       spend_enabling(self);
@@ -122,10 +122,11 @@ bool Select::go_on(Process& self) {
   return true;
 }
 
-// An output of another CPU can come from a time that is behind this process's own: whether it waits
-// is certain only when the clock has come so far.
+// An output of another CPU can come from a time that is behind this process's own, and that may
+// come sooner than it seems, before a tick: what is ready is certain only when the clock has come
+// so far.
 bool Select::must_settle(const Process& self) const {
-  return looks_at_others_ ? self.must_sync() : self.must_sync_if_long();
+  return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
 }
 
 bool Select::some_ready(const Process& self) const {

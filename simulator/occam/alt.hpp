@@ -165,8 +165,9 @@ struct Replicated {
 
   std::size_t size() const { return inputs.size(); }
   std::size_t index(std::size_t i) const { return (favourite + i) % size(); }
-  void begin(std::size_t i, MaybeInput& input) const requires requires(const Inputs& channels) {
-    channels[0]->input();
+  void begin(std::size_t i, MaybeInput& input) const requires
+      requires(const Inputs& channels, MaybeInput& begun) {
+    begin_input(*channels[0], false, begun);
   }
   {
     charge_turn();

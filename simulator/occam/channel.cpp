@@ -269,12 +269,11 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
 }
 
 // The process has been descheduled; its own time may be ahead of the clock. Within a part of the
-// machine its date is noted at once; between parts, and after the limit of the run, which ends
-// then, when the clock has come so far.
+// machine its date is noted at once; between parts, when the clock has come so far.
 void ChannelBase::Exchange::go_to_link(Process& self) {
   const Seconds at = self.blocked_since();
   machine::LinkDirection& link = *channel_->link_;
-  if (at > link.now() && (link.is_between_parts() || at > self.processor().engine().until()))
+  if (at > link.now() && link.is_between_parts())
     link.come_at(at, side_, [channel = channel_, &self, side = side_] {
       if (!channel->come_to_link(side, self)) channel->link_->ignore_event();
     });
@@ -286,6 +285,7 @@ void ChannelBase::Exchange::go_to_link(Process& self) {
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut()) return;
   if (process.blocked_since() > channel_->link_->now()) {
+    // One that is not to be told would only put off the report of a deadlock by an event.
     if (may_fail_) channel_->look_at(process.blocked_since(), side_);
     return;
   }

@@ -76,10 +76,11 @@ void wait_for_end() {
 
 InterruptWatch::InterruptWatch() {
   if (pipe2(wake, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  // The thread leaves them to this one, which counts a signal before it does anything else.
-  hold_signals(SIG_BLOCK);
-  waits_ = std::thread(wait_for_end);
-  hold_signals(SIG_UNBLOCK);
+  {
+    // The thread leaves them to this one, which counts a signal before it does anything else.
+    const base::HeldSignals held(ASKS_TO_END);
+    waits_ = std::thread(wait_for_end);
+  }
   watched = getpid();
   begin_to_count();
 }
@@ -107,12 +108,5 @@ InterruptGuard::~InterruptGuard() {
 }
 
 int count_interrupts() { return interrupts; }
-
-void hold_signals(int how) {
-  sigset_t asked;
-  sigemptyset(&asked);
-  for (const int signal : ASKS_TO_END) sigaddset(&asked, signal);
-  pthread_sigmask(how, &asked, nullptr);
-}
 
 }  // namespace laboratory

@@ -46,8 +46,4 @@ class InterruptGuard {
 int count_interrupts();
 inline bool was_interrupted() { return count_interrupts() != 0; }
 
-/// SIG_BLOCK: these signals wait until SIG_UNBLOCK, as far as the calling thread goes. Threads and
-/// children begin as the one that makes them.
-void hold_signals(int how);
-
 }  // namespace laboratory

@@ -36,11 +36,12 @@ void write_all(int fd, const std::string& text) {
   }
 }
 
-[[noreturn]] void run_child(pid_t parent, int fd, const Job& job, std::size_t index) {
+[[noreturn]] void run_child(pid_t parent, int fd, const Job& job, std::size_t index,
+                            std::optional<base::HeldSignals>& held) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child does not outlive a parent that was killed
   if (getppid() != parent) _exit(1);
   for (const int asked : ASKS_TO_END) signal(asked, [](int) { machine::request_stop(); });
-  hold_signals(SIG_UNBLOCK);
+  held.reset();
   std::string reply;
   try {
     reply = '\0' + job(index);
@@ -64,14 +65,13 @@ class Pool {
     int ends[2];
     if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
     std::fflush(nullptr);
-    const base::Undivided section;  // the child stays in it
-    hold_signals(SIG_BLOCK);        // until the child has handlers of its own
+    const base::Undivided section;                       // the child stays in it
+    std::optional<base::HeldSignals> held(ASKS_TO_END);  // until the child has its own handlers
     const pid_t parent = getpid(), pid = fork();
-    if (pid != 0) hold_signals(SIG_UNBLOCK);
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (pid == 0) {
       close(ends[0]);
-      run_child(parent, ends[1], job, index);
+      run_child(parent, ends[1], job, index, held);
     }
     close(ends[1]);
     children_[ends[0]] = {pid, index, {}};

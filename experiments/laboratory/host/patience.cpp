@@ -1,13 +1,14 @@
 #include "experiments/laboratory/host/patience.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <condition_variable>
 #include <mutex>
 
+#include "base/early_end.hpp"
 #include "base/message.hpp"
+#include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
@@ -39,13 +40,10 @@ void show_seconds(const std::stop_token& stop, const std::string& what,
 
 Patience::Patience(std::string what, std::chrono::milliseconds after) {
   if (isatty(STDERR_FILENO) != 1) return;
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);  // the thread inherits it
+  const base::HeldSignals held(ASKS_TO_END);  // they are not the new thread's
   thread_ = std::jthread([what = base::make_readable(what), after](const std::stop_token& stop) {
     show_seconds(stop, what, after);
   });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 }  // namespace laboratory

@@ -12,6 +12,7 @@
 #include <exception>
 #include <utility>
 
+#include "base/early_end.hpp"
 #include "base/errors.hpp"
 #include "simulator/machine/carriers/carrier.hpp"
 #include "simulator/machine/carriers/forecast.hpp"
@@ -34,23 +35,18 @@ namespace {
 class KeptSignals {
  public:
   KeptSignals() {
-    sigset_t all;
-    sigemptyset(&all);
-    for (const int signal : SIGNALS) sigaddset(&all, signal);
-    pthread_sigmask(SIG_BLOCK, &all,
-                    &held_);  // at one that comes now SimGrid would end the program
     for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], nullptr, &kept_[i]);
   }
   ~KeptSignals() {
     for (std::size_t i = 0; i < std::size(SIGNALS); ++i) sigaction(SIGNALS[i], &kept_[i], nullptr);
-    pthread_sigmask(SIG_SETMASK, &held_, nullptr);
     std::set_terminate(terminate_);
   }
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  struct sigaction kept_[3];
-  sigset_t held_;
+  // At one that comes before they are the program's again SimGrid would end it.
+  const base::HeldSignals held_{SIGNALS};
+  struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
 };
 

@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include "base/early_end.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "tests/support/isolated.hpp"
 
@@ -57,13 +58,15 @@ TEST(ExperimentsJobs, AnExceptionEndsTheOthers) {
 // asked: no other thread may take the signal, and count it when it is its turn.
 TEST(ExperimentsJobs, AnInterruptIsCountedByTheMainThread) {
   test::run_isolated([] {
+    std::signal(SIGINT, SIG_DFL);  // the tests may have begun with it ignored
     const InterruptWatch watch;
     const InterruptGuard guard;
-    hold_signals(SIG_BLOCK);
-    kill(getpid(), SIGINT);
-    usleep(100'000);
-    EXPECT_EQ(count_interrupts(), 0);
-    hold_signals(SIG_UNBLOCK);
+    {
+      const base::HeldSignals held(ASKS_TO_END);
+      kill(getpid(), SIGINT);
+      usleep(100'000);
+      EXPECT_EQ(count_interrupts(), 0);
+    }
     EXPECT_EQ(count_interrupts(), 1);
   });
 }

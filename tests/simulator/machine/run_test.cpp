@@ -58,22 +58,39 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// It comes to a link after the limit, in any number of parts of the machine.
+// Whatever it waits for, and in any number of parts of the machine.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
-  const auto limit = make_exact_model().channel.blocked.value / 2;
+  constexpr std::int64_t LIMIT = 100;  // cycles
+  using Waits = void (*)(Channel<Words>&);
+  const std::pair<const char*, Waits> all[] = {
+      {"out", [](Channel<Words>& channel) { out(channel, {}); }},
+      {"in", [](Channel<Words>& channel) { channel.in(); }},
+      {"alt", [](Channel<Words>& channel) {
+         Words message;
+         pri_alt(when(channel, message, [] {}));
+       }}};
   for (const auto& engine :
        {engine_under_test(),
-        machine::EngineParams{.links = machine::Links::direct, .parts = {0, 1}}}) {
-    const auto found = isolated_numbers([&] {
-      Lab lab(make_exact_model(), machine::Code::bare, engine);
-      Processor& a = lab.cpu();
-      auto& channel = lab.hard(a, lab.neighbour(a));
-      a.start("writer", Priority::high, [&] { out(channel, {}); });
-      const End end = lab.machine.run(date_of_cycle(lab, limit));
-      return Numbers{static_cast<double>(end == End::limit), lab.cycles()};
-    });
-    EXPECT_EQ(found, (Numbers{1, static_cast<double>(limit)}));
-  }
+        machine::EngineParams{.links = machine::Links::direct, .parts = {0, 1}}})
+    for (const auto& [name, waits] : all)
+      for (const bool hard : {false, true})
+        for (const auto priority : BOTH_PRIORITIES) {
+          const auto found = isolated_numbers([&] {
+            Lab lab(make_exact_model(), machine::Code::bare, engine);
+            Processor &a = lab.cpu(), &b = lab.neighbour(a);
+            auto& channel = !hard                  ? lab.soft()
+                            : name == all[0].first ? lab.hard(a, b)
+                                                   : lab.hard(b, a);
+            a.start("waits", priority, [&] {
+              compute(5 * LIMIT);
+              waits(channel);
+            });
+            const End end = lab.machine.run(date_of_cycle(lab, LIMIT));
+            return Numbers{static_cast<double>(end == End::limit), lab.cycles()};
+          });
+          EXPECT_EQ(found, (Numbers{1, static_cast<double>(LIMIT)}))
+              << name << (hard ? " on a link, " : ", ") << name_of(priority);
+        }
 }
 
 // It never syncs nor blocks.
