@@ -23,11 +23,13 @@ struct Engines : testing::Test {
 };
 
 // A random machine: when messages came, how it ended, what was busy; in one part, how many events.
-std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link) {
+std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link,
+                       bool is_different = false) {
   return isolated([&] {
     Plan plan = make_plan(seed);
     for (Stream& stream : plan.streams) stream.lengths.back() = 0;
     if (!cuts_a_link) let_some_poll(plan, seed);  // they never come to a deadlock
+    if (is_different) make_different(plan, seed);
     Lab lab(make_stealing_model(), machine::Code::bare, engine);
     std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
     build_machine(lab, plan);
@@ -56,7 +58,9 @@ std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link
 TEST_F(Engines, RunRandomMachinesTheSame) {
   int deadlocks = 0;
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
-    const auto run = [&](EngineParams engine) { return run_random(seed, engine, seed % 3 == 0); };
+    const auto run = [&](EngineParams engine) {
+      return run_random(seed, engine, seed % 3 == 0, seed % 3 == 1);
+    };
     const auto on_fibers = run(FIBERS);
     EXPECT_EQ(on_fibers, run(ACTORS)) << "seed " << seed;
     EXPECT_EQ(on_fibers, run(DIRECT)) << "seed " << seed;
@@ -70,14 +74,16 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     EngineParams one = DIRECT;
     one.parts = {0};  // events are not counted: between parts there are more
-    const auto in_one = run_random(seed, one, false);
+    const std::string in_one[] = {run_random(seed, one, false), run_random(seed, one, false, true)};
     std::mt19937_64 random(seed);
     for (const int parts : {2, 3, 4, 8, 16}) {
       EngineParams engine = DIRECT;
       for (int i = 0; i < 16; ++i)
         engine.parts.push_back(i < parts ? i : static_cast<int>(random() % parts));
       std::ranges::shuffle(engine.parts, random);
-      EXPECT_EQ(in_one, run_random(seed, engine, false)) << "seed " << seed << ", " << parts;
+      for (const bool is_different : {false, true})
+        EXPECT_EQ(in_one[is_different], run_random(seed, engine, false, is_different))
+            << "seed " << seed << ", " << parts << (is_different ? ", different" : "");
     }
   }
 }

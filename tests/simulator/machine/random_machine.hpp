@@ -19,17 +19,22 @@ struct Stage {
   bool two;
   Priority priority[2];
   std::int64_t computes;  // a message
-  int polls = 0;  // ticks that it waits for a message before it does something else; 0: ever
+  int polls = 0;        // ticks that it waits for a message before it does something else; 0: ever
+  bool in_par = false;  // the two are branches of one process
+  bool by_companion = false;  // which relays what the one sends the other
 };
 
 struct Stream {
   std::vector<Stage> stages;
   std::vector<std::uint64_t> lengths;  // of its messages
+  machine::Seconds begins = {};
 };
 
 struct Plan {
   topologies::Topology topology;
-  std::vector<Stream> streams;  // no two on one link direction
+  std::vector<Stream> streams;     // no two on one link direction
+  std::vector<bool> is_slow = {};  // by processor: half the clock; empty: none is
+  std::vector<int> switches = {};  // by link; empty: none
 };
 
 inline Plan make_plan(std::uint64_t seed) {
@@ -75,6 +80,24 @@ inline void let_some_poll(Plan& plan, std::uint64_t seed) {
       if (random() % 2 == 0) stage.polls = 1 + static_cast<int>(random() % 40);
 }
 
+// Processors of two kinds, some with companions, links with switches, processes in PARs, late
+// dates.
+inline void make_different(Plan& plan, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < plan.topology.processors; ++i) plan.is_slow.push_back(random() % 2 == 0);
+  for (std::size_t i = 0; i < plan.topology.links.size(); ++i)
+    plan.switches.push_back(static_cast<int>(random() % 3));
+  for (Stream& stream : plan.streams) {
+    stream.begins = {1000 + 1e-6 * static_cast<double>(random() % 1000)};
+    for (Stage& stage : stream.stages) {
+      stage.in_par = random() % 2 == 0;
+      stage.by_companion = random() % 2 == 0;
+      // On a slow processor an ALT may last longer than few ticks: it would never wait.
+      if (stage.polls > 0) stage.polls += 40;
+    }
+  }
+}
+
 inline Words poll(Channel<Words>& channel, int ticks) {
   std::optional<Words> message;
   Words arrived;
@@ -103,29 +126,54 @@ inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::
         wrong += fmt::format("message {} is {}\n", n, message.content);
       log += fmt::format("{:a} ", own_cycles());
     };
-    Channel<Words>* middle = stage.two ? &lab.soft() : nullptr;
-    cpu.start("stage", stage.priority[0], [=, &stream, &stage] {
+    Channel<Words>*middle = stage.two ? &lab.soft() : nullptr, *back = middle;
+    if (middle && stage.by_companion) {
+      Processor& beside =
+          cpu.companion() ? *cpu.companion() : lab.machine.add_companion(cpu, cpu.name() + "'s");
+      middle = &lab.channels.emplace_back("there", cpu, beside);
+      back = &lab.channels.emplace_back("back", beside, cpu);
+      beside.start("relay", stage.priority[1], [=, &stream] {
+        for (std::size_t n = 0; n < stream.lengths.size(); ++n) out(*back, middle->in());
+      });
+    }
+    const auto first = [=, &stream, &stage] {
+      if (stream.begins.value > 0) wait_until(ticks(stream.begins));
       for (std::size_t n = 0; n < stream.lengths.size(); ++n) {
         const Words message = take(from, n);
         compute(stage.computes);
         give(middle ? middle : to, n, message);
       }
       this_process().sync();
-    });
-    if (middle)
-      cpu.start("second half", stage.priority[1], [=, &stream] {
-        for (std::size_t n = 0; n < stream.lengths.size(); ++n) give(to, n, middle->in());
-        this_process().sync();
+    };
+    const auto second = [=, &stream] {
+      for (std::size_t n = 0; n < stream.lengths.size(); ++n) give(to, n, back->in());
+      this_process().sync();
+    };
+    if (middle && stage.in_par) {
+      cpu.start("stage", stage.priority[0], [=, &stage] {
+        par({{"first half", stage.priority[0], first}, {"second half", stage.priority[1], second}});
       });
+    } else {
+      cpu.start("stage", stage.priority[0], first);
+      if (middle) cpu.start("second half", stage.priority[1], second);
+    }
     from = to;
   }
 }
 
 inline void build_machine(Lab& lab, const Plan& plan) {
-  for (int i = 0; i < plan.topology.processors; ++i) lab.cpu();
+  Model slow = lab.machine.model();
+  slow.cpu.clock = {slow.cpu.clock.value / 2};
+  const auto slow_one = std::make_shared<const Model>(slow);
+  for (int i = 0; i < plan.topology.processors; ++i)
+    lab.machine.add_processor(fmt::format("cpu {}", i), 1 << 20, {},
+                              !plan.is_slow.empty() && plan.is_slow[i] ? slow_one : nullptr);
   const auto& cpus = lab.machine.processors();
-  for (const auto& link : plan.topology.links)
-    lab.machine.connect(*cpus[link.a.processor], *cpus[link.b.processor]);
+  for (std::size_t i = 0; i < plan.topology.links.size(); ++i) {
+    const auto& link = plan.topology.links[i];
+    lab.machine.connect(*cpus[link.a.processor], *cpus[link.b.processor],
+                        plan.switches.empty() ? 0 : plan.switches[i]);
+  }
 }
 
 }  // namespace occam
