@@ -122,9 +122,9 @@ bool Select::go_on(Process& self) {
   return true;
 }
 
-// An output of another CPU can come from a time that is behind this process's own, and that may
-// come sooner than it seems, before a tick: what is ready is certain only when the clock has come
-// so far.
+// An output of another CPU can come from a time that is behind this process's own; and its own time
+// may come sooner than it seems, before a tick. So what is ready is certain only when the clock has
+// come so far.
 bool Select::must_settle(const Process& self) const {
   return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
 }

@@ -187,11 +187,8 @@ void bind_model_entry(Experiment& experiment, const Place& at) {
 void check_used(const Programs& in_play, const Place& at) {
   const auto refuse = [&](const char* what, bool programs::Uses::*uses) {
     if (std::ranges::any_of(in_play, [&](const auto* p) { return p->uses.*uses; })) return;
-    std::vector<std::string> users;
-    for (const auto& other : programs::all_programs())
-      if (other.uses.*uses) users.push_back(other.name);
     throw BadInput(fmt::format("{}: {}: the program {} has no use for {}, expected one of {}",
-                               at.where(), at.key, in_play[0]->name, what, fmt::join(users, ", ")));
+                               at.where(), at.key, in_play[0]->name, what, list_users(uses)));
   };
   const bool is_tree = at.key == "network.tree" || at.key == "network.tree_links";
   const auto has_network = [](const auto* program) { return program->uses.network; };
@@ -288,6 +285,13 @@ void check_files(const Experiment& experiment) {
     base::require(file.path.empty() || std::filesystem::is_regular_file(file.path), key,
                   "found \"{}\", expected a file: there is none at {}", file.text, file.path);
   }
+}
+
+std::string list_users(bool programs::Uses::*of) {
+  std::vector<std::string> names;
+  for (const auto& program : programs::all_programs())
+    if (program.uses.*of) names.push_back(program.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::vector<std::string> split_names(std::string_view name) {

@@ -11,6 +11,9 @@ namespace laboratory {
 using Programs = std::vector<const programs::Program*>;
 Programs programs_in_play(const toml::table& file, const std::string& origin);
 
+/// The names of all programs that have a use for something, for an error: "farm, iirra".
+std::string list_users(bool programs::Uses::*of);
+
 /// A value that takes the place of a key's own.
 struct Replacement {
   std::string key;

@@ -234,13 +234,9 @@ void check_threads(const RunOptions& options, const Experiment& experiment) {
   const auto refuse_if = [&](bool is_so, const char* found, const char* expected) {
     require(!is_so, "--threads", "found {} with {}, expected {}", options.threads, found, expected);
   };
-  if (!experiment.program->uses.threads) {
-    std::vector<std::string> others;
-    for (const auto& other : programs::all_programs())
-      if (other.uses.threads) others.push_back(other.name);
-    base::refuse("--threads", "found {} with the program {}, which runs on one, as all but {} do",
-                 options.threads, experiment.program->name, fmt::join(others, ", "));
-  }
+  require(experiment.program->uses.threads, "--threads",
+          "found {} with the program {}, which runs on one, expected one of {}", options.threads,
+          experiment.program->name, list_users(&programs::Uses::threads));
   refuse_if(experiment.links != machine::Links::direct, "run.engine = \"simgrid\"",
             "run.engine = \"direct\": SimGrid runs a machine on one");
   refuse_if(!experiment.faults.empty(), "[[fault]]", "one");

@@ -78,9 +78,9 @@ TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
           const auto found = isolated_numbers([&] {
             Lab lab(make_exact_model(), machine::Code::bare, engine);
             Processor &a = lab.cpu(), &b = lab.neighbour(a);
-            auto& channel = !hard                  ? lab.soft()
-                            : name == all[0].first ? lab.hard(a, b)
-                                                   : lab.hard(b, a);
+            auto& channel = !hard                    ? lab.soft()
+                            : waits == all[0].second ? lab.hard(a, b)
+                                                     : lab.hard(b, a);
             a.start("waits", priority, [&] {
               compute(5 * LIMIT);
               waits(channel);
