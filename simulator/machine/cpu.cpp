@@ -27,16 +27,21 @@ std::uint32_t CpuDiary::number_of(const std::string& name) {
 }
 
 void CpuDiary::note(const Process& process, Observer::Doing doing, Seconds from, Seconds to) {
-  if (!observer_ || to <= from) return;
-  auto over = spans_.begin();
-  for (; over != spans_.end() && over->to <= from; ++over)
-    observer_->ran(processor_, over->process, over->doing, over->from, over->to);
-  spans_.erase(spans_.begin(), over);
-  spans_.push_back({process.trace_id(), doing, from, to});
+  if (observer_ && to > from) spans_.push_back({process.trace_id(), doing, from, to});
 }
 
-void CpuDiary::end_last_at(Seconds date) {
-  if (!spans_.empty()) spans_.back().to = date;
+void CpuDiary::tell_past(Seconds now) {
+  auto over = spans_.begin();
+  for (; over != spans_.end() && over->to <= now; ++over)
+    observer_->ran(processor_, over->process, over->doing, over->from, over->to);
+  spans_.erase(spans_.begin(), over);
+}
+
+void CpuDiary::stretch(const Stretch& stretch) {
+  for (Span& span : spans_) {
+    span.from = stretch(span.from);
+    span.to = stretch(span.to);
+  }
 }
 
 void CpuDiary::flush(Seconds now) {
@@ -72,16 +77,25 @@ void Cpu::make_ready(Process& process, Seconds at) {
   auto place = queue.end();
   while (place != queue.begin() && std::prev(place)->ready_at_ > at) --place;
   queue.insert(place, process);
-  if (!running_) return dispatch_at(free_at_);
+  if (!running_) return dispatch_when_free();
   if (!high && low_.computing && !interrupted_) arm_low_timer();
 }
 
-void Cpu::dispatch_at(Seconds date) {
-  if (std::exchange(dispatching_, true)) return;
-  if (date > now())
-    engine_.at(date, [this] { dispatch(); });
+void Cpu::dispatch_when_free() {
+  if (!std::exchange(dispatching_, true)) ask_dispatch();
+}
+
+void Cpu::ask_dispatch() {
+  const auto then = [this, id = ++dispatch_id_] {
+    if (id == dispatch_id_)
+      dispatch();
+    else
+      engine_.ignore_event();
+  };
+  if (free_at_ > now() || has_come_to_link_)
+    engine_.last_at(std::max(now(), free_at_), then);
   else
-    engine_.soon([this] { dispatch(); });
+    engine_.soon(then);
 }
 
 void Cpu::dispatch() {
@@ -89,6 +103,8 @@ void Cpu::dispatch() {
   if (stopped()) return engine_.ignore_event();
   if (!high_queue_.empty()) {
     execute(take_first(high_queue_));
+  } else if (interrupted_) {
+    resume_interrupted();
   } else if (!low_queue_.empty()) {
     begin_slice(take_first(low_queue_));
   }
@@ -103,10 +119,12 @@ void Cpu::execute(Process& process) {
   if (processor_.failure()) return;
   const Seconds time = duration(process.debt_);
   const bool done = process.state_ != Process::State::running;
-  process.debt_ = {};
+  process.paying_ = std::exchange(process.debt_, {});
+  process.paid_for_ = {};
   if (process.priority_ == Priority::high) {
     account_high(process, time);
     if (done) return release(process, high_.until);
+    process.paid_for_ = time;
     high_.computing = true;
     end_high_at(high_.until);
   } else {
@@ -122,6 +140,7 @@ void Cpu::account_high(const Process& process, Seconds time) {
   use_.busy_high += time;
   high_.until = now() + time;
   if (diary_.has_observer()) {
+    diary_.tell_past(now());
     const Seconds switched =
         high_.preempting ? now() + duration(model_.scheduler.preemption) : now();
     diary_.note(process, Observer::Doing::switching, now(), switched);
@@ -143,7 +162,9 @@ void Cpu::end_high_at(Seconds date) {
   at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();
     high_.computing = false;
+    has_come_to_link_ = running_->has_rank();
     execute(*running_);
+    has_come_to_link_ = false;
   });
 }
 
@@ -157,9 +178,10 @@ void Cpu::release(Process& process, Seconds free_at) {
   }
   running_ = nullptr;
   free_at_ = free_at;
-  if (!high_queue_.empty()) return dispatch_at(free_at);
-  if (interrupted_) return resume_interrupted();
-  if (!low_queue_.empty()) dispatch_at(free_at);
+  last_high_ = &process;
+  const bool at_once = free_at <= now() && !has_come_to_link_;
+  if (interrupted_ && high_queue_.empty() && at_once) return resume_interrupted();
+  if (interrupted_ || ready() > 0) dispatch_when_free();
 }
 
 // A high-priority process became ready while a low one runs.
@@ -167,35 +189,29 @@ void Cpu::preempt(Process& high) {
   interrupted_ = running_;
   running_ = &high;
   if (low_.computing) stop_low();
-  if (free_at_ > now()) {  // the last high-priority process is still there: no pre-emption
-    engine_.at(free_at_, [this, &high] { execute(high); });
-    return;
-  }
   ++use_.preemptions;
   high_.preempting = true;
   high.debt_ += model_.scheduler.preemption;
   engine_.soon([this, &high] { execute(high); });
 }
 
-// The low process stops computing. If it was only on its way back, from free_at_ to low_.since, it
-// has not computed yet.
+// The low process stops computing. On its way back, before low_.since, it has not begun yet.
 void Cpu::stop_low() {
   low_.left = speed_ * (low_.end - std::max(now(), low_.since));
   if (low_.since <= now()) return account_low();
-  const Seconds left = std::max(now(), free_at_);
-  use_.busy_high -= low_.since - left;  // it is no more on its way back
-  high_.until = left;
-  diary_.note(*interrupted_, Observer::Doing::switching, low_.way_back_from, left);
+  use_.busy_high -= low_.since - now();
+  high_.until = now();
+  diary_.note(*interrupted_, Observer::Doing::switching, low_.way_back_from, now());
   low_.way_back_from = NEVER;
 }
 
-// From free_at_ on the CPU goes back to the low-priority process.
+// The CPU goes back to the low-priority process.
 void Cpu::resume_interrupted() {
   running_ = std::exchange(interrupted_, nullptr);
   const Seconds back = duration(model_.scheduler.return_to_low);
-  low_.way_back_from = free_at_;
+  low_.way_back_from = now();
   use_.busy_high += back;
-  low_.since = high_.until = free_at_ + back;
+  low_.since = high_.until = now() + back;
   low_.end = low_.since + Seconds{low_.left.value / speed_};
   arm_low_timer();
 }
@@ -262,10 +278,13 @@ void Cpu::low_timer() {
 }
 
 void Cpu::account_low() {
-  use_.busy_low += now() - low_.since;
+  Process& low = interrupted_ ? *interrupted_ : *running_;
+  const Seconds computed = now() - low_.since;
+  use_.busy_low += computed;
+  low.paid_for_ += computed;
   const Seconds way_back_from = std::exchange(low_.way_back_from, NEVER);
   if (!diary_.has_observer()) return;
-  const Process& low = interrupted_ ? *interrupted_ : *running_;
+  diary_.tell_past(now());
   if (way_back_from < NEVER)
     diary_.note(low, Observer::Doing::switching, way_back_from, low_.since);
   diary_.note(low, Observer::Doing::low, low_.since, now());
@@ -276,19 +295,34 @@ void Cpu::set_stolen(std::size_t thief, double share) {
   double stolen = 0;
   for (double s : stolen_) stolen += s;
   const double speed = std::max(1 - stolen, model_.memory.least_share);
-  if (speed == speed_) return;
+  if (speed == speed_ || stopped()) return;
   const double before = std::exchange(speed_, speed);
-  if (high_.computing && high_.until > now()) {
-    const Seconds until = now() + before / speed * (high_.until - now());
-    use_.busy_high += until - high_.until;
-    diary_.end_last_at(until);
-    end_high_at(high_.until = until);
-    return;
+  stretch({now(), before / speed});
+}
+
+void Cpu::stretch(const Stretch& stretch) {
+  if (is_ahead()) {
+    const Seconds until = stretch(high_.until);
+    const Seconds more = until - std::exchange(high_.until, until);
+    use_.busy_high += more;
+    diary_.stretch(stretch);
+    for (auto* queue : {&high_queue_, &low_queue_})
+      for (Process& process : *queue) process.ready_at_ = stretch(process.ready_at_);
+    if (high_.computing) {
+      running_->paid_for_ += more;
+      return end_high_at(until);
+    }
+  }
+  if (free_at_ > stretch.now) {
+    free_at_ = stretch(free_at_);
+    last_high_->stretch(stretch);
+    if (dispatching_) ask_dispatch();
   }
   if (!low_.computing || interrupted_) return;
-  const Seconds since = std::max(now(), low_.since);
-  low_.end = since + before / speed * (low_.end - since);
-  if (speed > before) arm_low_timer();
+  low_.since = stretch(low_.since);
+  low_.end = stretch(low_.end);
+  if (low_.way_back_from < NEVER) low_.way_back_from = stretch(low_.way_back_from);
+  if (stretch.ratio < 1) arm_low_timer();
 }
 
 std::vector<CpuDiary::Span> Cpu::untold() const {

@@ -40,7 +40,7 @@ struct CpuUse {
 };
 
 /// What a CPU tells its observer. Spans that are ahead of the clock may still change: each is told
-/// with the next one, or by flush().
+/// when it is over, or by flush().
 class CpuDiary {
  public:
   explicit CpuDiary(const Processor& processor) : processor_(processor) {}
@@ -54,8 +54,8 @@ class CpuDiary {
   /// The number of a process's name, see Observer; 0 without an observer.
   std::uint32_t number_of(const std::string& name);
   void note(const Process& process, Observer::Doing doing, Seconds from, Seconds to);
-  /// The span noted last ends then.
-  void end_last_at(Seconds date);
+  void tell_past(Seconds now);  ///< tells the observer of the spans that are over
+  void stretch(const Stretch& stretch);
   void flush(Seconds now);
 
   struct Span {
@@ -99,8 +99,7 @@ class Cpu {
   }
   /// From now on `thief`, which is the DMA of a link by its port (0 to 3), BY_COMPANION or the DMA
   /// of a companion's link behind it, takes this share of the CPU's cycles: whatever is being
-  /// computed ends later. (What a high-priority process charged just before it blocked is certain
-  /// already: see Process::must_sync_if_long.)
+  /// computed ends later, and so does what a high-priority process charged before it blocked.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
   CpuUse use() const { return use_by(now()); }  ///< up to now
@@ -148,7 +147,8 @@ class Cpu {
   };
 
   Seconds now() const { return engine_.now(); }
-  void dispatch_at(Seconds date);  // the CPU is free from then on: see who runs next
+  void dispatch_when_free();  // from free_at_ on: see who runs next
+  void ask_dispatch();
   void dispatch();
   void execute(Process& process);  // let it run until it needs time, blocks or ends
   void account_high(const Process& process, Seconds time);
@@ -161,6 +161,7 @@ class Cpu {
   Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);
   void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
+  void stretch(const Stretch& stretch);
   void at(Seconds date, const Process& process, auto then);
   void arm_low_timer();
   void low_timer();
@@ -176,7 +177,12 @@ class Cpu {
   Seconds free_at_{};  // when the last high-priority process gave it up
   double speed_ = 1;   // share of the cycles that the links' DMA and a companion leave
   Seconds stopped_at_ = NEVER;
-  bool dispatching_ = false;  // dispatch() is due
+  bool dispatching_ = false;       // dispatch() is due
+  std::uint64_t dispatch_id_ = 0;  // those with another id are stale
+  Process* last_high_ = nullptr;   // gave the CPU up, at free_at_
+  // A high-priority process has paid for that: the next goes on after others that come at this
+  // date.
+  bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;
   CpuDiary diary_;

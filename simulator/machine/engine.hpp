@@ -57,6 +57,8 @@ class Engine {
   void ranked_at(Seconds date, std::uint64_t rank, auto then) {
     events_.ranked_at(date.value, rank, then);
   }
+  /// The same, after all others.
+  void last_at(Seconds date, auto then) { events_.last_at(date.value, then); }
   /// Calls back when the event being handled is over, at the same simulated instant.
   void soon(auto then) { events_.soon(then); }
   /// Moves `bytes` (> 0) in a direction of a link, then calls back. One message at a time.
@@ -93,13 +95,6 @@ class Engine {
   std::uint64_t asked() const { return events_.asked(); }
 
   // --- for Parts, and links between two of them -----------------------------------------------
-  /// What processes here have asked the links between parts for: see ranked_at.
-  struct Request {
-    Seconds date;
-    std::uint64_t rank;
-    Callback callback;
-  };
-  std::vector<Request>& requests() { return requests_; }
   /// Processes that compute before they come to such a link.
   std::vector<const Process*>& coming() { return coming_; }
   Events& events() { return events_; }
@@ -110,7 +105,6 @@ class Engine {
   Events events_;
   bool can_wait_, needs_stacks_;
   std::unique_ptr<Carrier> carrier_;
-  std::vector<Request> requests_;
   std::vector<const Process*> coming_;
 };
 

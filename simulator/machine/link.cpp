@@ -22,9 +22,11 @@ Engine& LinkDirection::engine_at(Side side) {
 
 void LinkDirection::come_at(Seconds date, Side side, Engine::Callback has_come) {
   if (is_between_parts())
-    engine_at(side).requests().push_back({date, rank_of(side), has_come});
-  else
-    engine_.ranked_at(date, rank_of(side), has_come);
+    throw base::InvariantBroken(
+        fmt::format("a process comes to link {} between two parts at {:.12f} s, expected not after "
+                    "the clock, {:.12f} s",
+                    name(), date.value, now().value));
+  engine_.ranked_at(date, rank_of(side), has_come);
 }
 
 // What happens at one date on links happens in the order of their ranks.

@@ -61,8 +61,9 @@ class LinkDirection {
   Seconds now() const { return engine_.now(); }
   /// Its ends are in two parts of the machine, see Parts.
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
-  /// A process that has been descheduled comes to an end of the link at a date: calls back when the
-  /// clock has come so far, before other processes go on at that date.
+  /// Calls back at a date ahead of the clock at which a descheduled process comes to an end of the
+  /// link: before other processes go on at that date. To a link between parts processes come on
+  /// time.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
   /// A process computes, and comes to an end of the link as soon as it has done so.
   void expect(Side side, Process& process);

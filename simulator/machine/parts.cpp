@@ -66,7 +66,6 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
   std::vector<Moment> next(engines_.size());  // what happens in each part
   std::vector<std::size_t> busy;              // parts in which something happens in the window
   for (;;) {
-    take_requests();
     if (const Events* events = stopped()) {
       be_at(latest());
       return events->end();
@@ -96,21 +95,6 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
   }
   rewind();
   return Engine::End::no_event_left;
-}
-
-// What has been asked for in a window happens after it.
-void Parts::take_requests() {
-  for (const auto& engine : engines_) {
-    for (const auto& [date, rank, callback] : engine->requests()) {
-      if (Moment{date.value, Events::RANKED + rank} < bound_)
-        throw base::InvariantBroken(
-            fmt::format("a process came to a link between parts at {:.12f} s, expected not before "
-                        "{:.12f} s",
-                        date.value, bound_.date));
-      between_->ranked_at(date, rank, callback);
-    }
-    engine->requests().clear();
-  }
 }
 
 double Parts::latest() const {

@@ -47,7 +47,6 @@ class Parts {
 
  private:
   Engine::End run_windows(Seconds until, Seconds lookahead);
-  void take_requests();
   double latest() const;
   void be_at(double date);
   Moment end_of_window(double date, double lookahead) const;

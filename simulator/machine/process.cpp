@@ -113,8 +113,20 @@ void Process::start_wait(Wait& wait) {
   blocked_since_ = own_time();
   ++waits_;
   state_ = State::blocked;
+  note_end_of_run();
+}
+
+void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
   if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // the run ends before
+}
+
+// It has given the CPU up ahead of the clock.
+void Process::stretch(const Stretch& stretch) {
+  if (state_ != State::blocked || blocked_since_ <= stretch.now) return;
+  blocked_since_ = stretch(blocked_since_);
+  note_end_of_run();
+  wait_->on_stretch(*this, stretch);
 }
 
 void Process::block(Wait& wait) {

@@ -20,6 +20,13 @@ enum class Priority : std::uint8_t { high, low };
 
 using ProcessId = std::uint64_t;  ///< never given twice in a machine; 0 is no process
 
+/// A change of a CPU's speed: dates of its future move, those that have passed stay.
+struct Stretch {
+  Seconds now{};
+  double ratio = 1;  ///< durations afterwards over durations before
+  Seconds operator()(Seconds date) const { return date > now ? now + ratio * (date - now) : date; }
+};
+
 /// What a blocked process waits for.
 struct Wait {
   enum class Kind : std::uint8_t { other, output, input, alternative };
@@ -32,6 +39,10 @@ struct Wait {
   /// A link of the processor has been cut. If `process` waits for that link and is to be told, its
   /// wait ends.
   virtual void on_cut(Process& process) { static_cast<void>(process); }
+  /// `process` waits from a date ahead of the clock, and that date, blocked_since(), has moved.
+  virtual void on_stretch(Process& process, const Stretch& stretch) {
+    static_cast<void>(process), static_cast<void>(stretch);
+  }
 
  protected:
   ~Wait() = default;
@@ -91,8 +102,12 @@ class Process {
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
-  /// How long it takes to pay is not certain: the links' DMA changes the speed of the CPU.
   bool owes_much() const { return debt_ > LONG_DEBT; }
+  /// Mean duration of one cycle of the debt that was paid last. A transfer that starts or ends
+  /// within the payment changes it; one that does so at the instant of payment does not.
+  Seconds paid_cycle() const {
+    return {paid_for_.value / static_cast<double>(std::max<std::int64_t>(1, paying_.value))};
+  }
   /// While it computes, or would, it has this rank among what happens at one date; see Events. Such
   /// a process comes to a link as soon as it has paid.
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
@@ -107,7 +122,8 @@ class Process {
   /// Pays the debt, and returns the time. Throws Misuse outside of this process.
   Seconds now();
   /// The clock plus the debt, as the CPU would pay it if nothing pre-empted the process and the
-  /// links' DMA went on as now. What a process that has just paid is told is exact.
+  /// links' DMA went on as now: exact for a process that has just paid. Dates ahead of the clock
+  /// that are kept must be stretched, see Wait::on_stretch.
   inline Seconds own_time() const;
 
   Processor& processor() { return processor_; }
@@ -151,8 +167,10 @@ class Process {
   void leave_body();
   void suspend_in(Operation& operation);
   bool go_on_in_operation();  // returns whether it is over
-  void live();                // the body, and its end
-  void live_on();             // the same without a stack, from where it was
+  void stretch(const Stretch& stretch);
+  void note_end_of_run();
+  void live();     // the body, and its end
+  void live_on();  // the same without a stack, from where it was
 
   // What every wait and wake-up touches comes first: the host fetches it together.
   Processor& processor_;
@@ -171,6 +189,8 @@ class Process {
   std::uint64_t waits_ = 0;
   std::array<Seconds, 4> blocked_{};  // in waits that are over, by Wait::Kind
   ProcessId id_;
+  Cycles paying_{};      // the debt that is paid, or was paid last,
+  Seconds paid_for_{};   // so long by then
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // Processor::wake_at still to come

@@ -98,6 +98,7 @@ bool Select::go_on(Process& self) {
       [[fallthrough]];
     case Stage::enables:
       begin_ = self.own_time();
+      cycle_ = self.processor().duration(Cycles{1});
       spend_enabling(self);
       if (some_ready(self)) return spend_wait(self, true);
       if (!must_settle(self)) return spend_wait(self, false);
@@ -105,7 +106,8 @@ bool Select::go_on(Process& self) {
       return false;
     case Stage::enables_late: {
       // It has paid: enabling began so long before now.
-      begin_ = self.own_time() - self.processor().duration(enabled_);
+      cycle_ = self.paid_cycle();
+      begin_ = self.own_time() - span(enabled_);
       const bool ready = some_ready(self);
       spend_enabling(self);
       return spend_wait(self, ready);
@@ -117,6 +119,8 @@ bool Select::go_on(Process& self) {
         if (guard.condition && guard.channel) guard.channel->disable();
       return spend_disabling(self);
     case Stage::chooses:
+      cycle_ = self.paid_cycle();
+      from_ = self.own_time() - span(disabling_);
       return choose(self);
   }
   return true;
@@ -127,6 +131,16 @@ bool Select::go_on(Process& self) {
 // come so far.
 bool Select::must_settle(const Process& self) const {
   return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
+}
+
+// It waits from a date ahead of the clock, which has moved, and so have the guards' turns.
+void Select::on_stretch(Process& process, const machine::Stretch& stretch) {
+  const Seconds enabled_at = stretch(begin_ + span(enabled_));
+  begin_ = stretch(begin_);
+  if (enabled_.value > 0)
+    cycle_ = {(enabled_at - begin_).value / static_cast<double>(enabled_.value)};
+  for (const Guard& guard : guards_)
+    if (guard.condition && guard.channel) guard.channel->move_enabling(process.blocked_since());
 }
 
 bool Select::some_ready(const Process& self) const {
@@ -140,13 +154,13 @@ bool Select::some_ready(const Process& self) const {
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
-           guard.channel->output_waits(begin_ + self.processor().duration(enabling_));
+           guard.channel->output_waits(begin_ + span(enabling_));
   };
   if (std::ranges::none_of(guards_, waits)) return enabling_;
   const auto& costs = self.processor().model().alternative;
   Cycles spent = compiled(has_timer_ ? costs.timer_setup : costs.setup);
   for (const Guard& guard : guards_) {
-    const auto turn = [&] { return begin_ + self.processor().duration(spent); };
+    const auto turn = [&] { return begin_ + span(spent); };
     spent += cost_to_enable(costs, guard, is_ready(self, guard, turn));
   }
   return spent;
@@ -195,6 +209,7 @@ bool Select::wait(Process& self) {
 bool Select::spend_disabling(Process& self) {
   spend_enabling(self);
   from_ = self.own_time();
+  cycle_ = self.processor().duration(Cycles{1});
   self.charge(disabling_);
   stage_ = Stage::chooses;
   return !must_settle(self) && choose(self);
@@ -208,7 +223,7 @@ bool Select::choose(Process& self) {
   for (chosen_ = 0; chosen_ < guards_.size(); ++chosen_) {
     const Guard& guard = guards_[chosen_];
     spent += cost_to_disable(costs, guard);
-    if (!is_ready(self, guard, [&] { return from_ + self.processor().duration(spent); })) continue;
+    if (!is_ready(self, guard, [&] { return from_ + span(spent); })) continue;
     for (const Guard& each : guards_)
       if (each.condition && each.channel) each.channel->leave_input();
     return true;

@@ -61,6 +61,8 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   std::string describe() const override;
   std::vector<machine::ProcessId> waits_for() const override;
   Kind kind() const override { return Kind::alternative; }
+  void on_stretch(Process& process, const machine::Stretch& stretch) override;
+  machine::Seconds span(Cycles cycles) const { return static_cast<double>(cycles.value) * cycle_; }
   bool must_settle(const Process& self) const;
   bool some_ready(const Process& self) const;
   Cycles cost_to_enable_all(const Process& self) const;
@@ -74,6 +76,7 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   std::span<const Guard> guards_;
   std::size_t chosen_ = 0;
   machine::Seconds begin_{}, from_{};  // of enabling, of disabling
+  machine::Seconds cycle_{};           // mean duration of one while it does that
   Cycles enabling_{}, disabling_{};    // of all guards, if none is ready
   Cycles enabled_{};                   // spent for enabling
   Stage stage_ = Stage::comes;

@@ -201,7 +201,7 @@ bool ChannelBase::Exchange::communicate(Process& self) {
       }
       self.start_wait(*this);
       if (channel_->hard())
-        go_to_link(self);
+        channel_->come_to_link(side_, self);
       else
         wait_for_partner(self);
       return stop_at(Stage::over);
@@ -249,7 +249,8 @@ bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
 bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy) const {
   charge(instructions);
   self.charge(copy);
-  const bool at_once = channel_->joins_cpus() && !channel_->hard();
+  const bool at_once =
+      channel_->joins_cpus() && (!channel_->hard() || channel_->link_->is_between_parts());
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
@@ -268,17 +269,13 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
   if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// The process has been descheduled; its own time may be ahead of the clock. Within a part of the
-// machine its date is noted at once; between parts, when the clock has come so far.
-void ChannelBase::Exchange::go_to_link(Process& self) {
-  const Seconds at = self.blocked_since();
-  machine::LinkDirection& link = *channel_->link_;
-  if (at > link.now() && link.is_between_parts())
-    link.come_at(at, side_, [channel = channel_, &self, side = side_] {
-      if (!channel->come_to_link(side, self)) channel->link_->ignore_event();
-    });
-  else
-    channel_->come_to_link(side_, self);
+// The process waits from a date ahead of the clock, which has moved. What was asked for the old
+// date finds nothing to do there.
+void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch& /*stretch*/) {
+  Party& own = channel_->end_of(side_).waiting;
+  if (own.process != &process) return;
+  own.since = process.blocked_since();
+  if (channel_->hard()) channel_->come_to_link(side_, process);
 }
 
 // The process waits for its partner, or for the end of a transfer, in vain.

@@ -67,6 +67,8 @@ class ChannelBase {
   /// wakes the process, which waits since its own time.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
+  /// The process has enabled the guard ahead of the clock, and its own time has moved.
+  void move_enabling(machine::Seconds since) { alternative_.since = since; }
   /// For ALT: from here to leave_input() nobody else inputs; see take().
   void take_input(Process& process) { take(reader, process); }
   void leave_input() { leave(reader); }
@@ -157,6 +159,7 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   std::vector<machine::ProcessId> waits_for() const override;
   Kind kind() const override { return side_ == reader ? Kind::input : Kind::output; }
   void on_cut(Process& process) override;
+  void on_stretch(Process& process, const machine::Stretch& stretch) override;
   bool communicate(Process& self);
   Side other_side() const { return side_ == writer ? reader : writer; }
   bool stop_at(Stage next);
@@ -165,7 +168,6 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   bool pay_for_late_partner(Process& self) const;
   void meet(Process& self, Party partner);
   void wait_for_partner(Process& self);
-  void go_to_link(Process& self);
   Cycles cost_to_copy(const machine::Model::Channel& costs) const;
 
   ChannelBase* channel_;

@@ -51,20 +51,21 @@ class Events {
 
   /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
   /// asked for; those asked for as first before all others, and after them those that have a rank,
-  /// in the order of ranks.
+  /// in the order of ranks; those asked for as last after all others.
   void at(double date, auto then) { new (ask(date, asked_++)) Callback(then); }
   void first_at(double date, auto then) { new (ask(date, asked_first_++)) Callback(then); }
   void ranked_at(double date, std::uint64_t rank, auto then) {
     new (ask(date, RANKED + rank)) Callback(then);
     ++asked_;
   }
+  void last_at(double date, auto then) { new (ask(date, LAST + asked_++)) Callback(then); }
   /// Asks for a callback when the event being handled is over, at the same instant.
   void soon(auto then) { soon_.emplace_back(then); }
 
-  // Where those that have ranks come at a date, those that have none, and the ends of messages.
-  // Orders below are asked for as first.
+  // Where those that have ranks come at a date, those that have none, the last, and the ends of
+  // messages. Orders below are asked for as first.
   static constexpr std::uint64_t RANKED = std::uint64_t{1} << 37, USUAL = std::uint64_t{1} << 38,
-                                 ENDS = std::uint64_t{1} << 40;
+                                 LAST = std::uint64_t{1} << 39, ENDS = std::uint64_t{1} << 40;
 
   /// The date of the next event; NEVER if there is none.
   double next() const { return next_; }

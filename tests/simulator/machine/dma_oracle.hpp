@@ -1,0 +1,187 @@
+// An independent simulation of relayed messages beside DMA: a list of what is under way, and
+// nothing of the simulator.
+//
+// Every process is of high priority and relays the messages of one stream: it inputs, computes and
+// outputs. A CPU serves its processes first come, first served, and each keeps the CPU until it has
+// come to a link. Whatever a CPU does is slowed by the transfers on its links, from the instant
+// they start to the instant they end.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace dma_oracle {
+
+struct Machine {
+  double clock;               // cycles/s
+  double one_way, both_ways;  // bytes/s of a link, in both directions together
+  double steal_byte;          // cycles that DMA takes for each byte, at both ends
+  double come_to_link;        // cycles of the instruction that inputs or outputs
+};
+
+struct Relay {
+  int processor;
+  double computes;  // cycles a message
+};
+struct Stream {
+  std::vector<Relay> relays;    // from source to sink
+  std::vector<double> lengths;  // bytes of its messages
+};
+
+class Simulation {
+ public:
+  Simulation(const Machine& machine, int processors, const std::vector<Stream>& streams)
+      : machine_(machine), cpus_(processors), arrived_s_(streams.size()) {
+    for (std::size_t s = 0; s < streams.size(); ++s)
+      for (std::size_t i = 0; i < streams[s].relays.size(); ++i)
+        processes_.push_back({&streams[s], s, i});
+    for (Process& process : processes_) {
+      begin_message(process);
+      cpus_[process.relay().processor].ready.push_back(&process);
+    }
+  }
+
+  // When the sinks of the streams have computed their messages.
+  std::vector<std::vector<double>> run() {
+    for (;;) {
+      for (Cpu& cpu : cpus_)
+        if (!cpu.running && !cpu.ready.empty()) {
+          cpu.running = cpu.ready.front();
+          cpu.ready.pop_front();
+        }
+      const double step_s = time_to_next();
+      if (step_s == NEVER) return arrived_s_;
+      advance(step_s);
+    }
+  }
+
+ private:
+  static constexpr double NEVER = std::numeric_limits<double>::infinity();
+
+  enum class Step { comes_to_input, computes, comes_to_output };
+  struct Process {
+    const Stream* stream;
+    std::size_t number, place;  // of the stream, of the relay in it
+    std::size_t message = 0;
+    Step step{};
+    double left = 0;  // cycles
+    const Relay& relay() const { return stream->relays[place]; }
+    bool is_source() const { return place == 0; }
+    bool is_sink() const { return place + 1 == stream->relays.size(); }
+  };
+  struct Cpu {
+    std::deque<Process*> ready;
+    Process* running = nullptr;
+  };
+  struct Direction {
+    Process *writer = nullptr, *reader = nullptr;
+    double left = 0;  // bytes of the transfer under way
+  };
+
+  void spend(Process& process, Step step, double cycles) {
+    process.step = step;
+    process.left = cycles;
+  }
+  void begin_message(Process& process) {
+    if (process.is_source())
+      spend(process, Step::computes, process.relay().computes);
+    else
+      spend(process, Step::comes_to_input, machine_.come_to_link);
+  }
+  Direction& direction(const Process& process, std::size_t from) {
+    const auto& relays = process.stream->relays;
+    return directions_[{relays[from].processor, relays[from + 1].processor}];
+  }
+  bool is_busy(int from, int to) const {
+    const auto found = directions_.find({from, to});
+    return found != directions_.end() && found->second.left > 0;
+  }
+  double bytes_per_s(int from, int to) const {
+    return is_busy(to, from) ? std::min(machine_.one_way, machine_.both_ways / 2)
+                             : machine_.one_way;
+  }
+  double cycles_per_s(int cpu) const {
+    double stolen = 0;
+    for (const auto& [ends, direction] : directions_)
+      if (direction.left > 0 && (ends.first == cpu || ends.second == cpu))
+        stolen += machine_.steal_byte * bytes_per_s(ends.first, ends.second);
+    return machine_.clock - stolen;
+  }
+
+  double time_to_next() const {
+    double step_s = NEVER;
+    for (std::size_t i = 0; i < cpus_.size(); ++i)
+      if (cpus_[i].running)
+        step_s = std::min(step_s, cpus_[i].running->left / cycles_per_s(static_cast<int>(i)));
+    for (const auto& [ends, direction] : directions_)
+      if (direction.left > 0)
+        step_s = std::min(step_s, direction.left / bytes_per_s(ends.first, ends.second));
+    return step_s;
+  }
+
+  // What ends within this hair of the step has ended: 1e-7 cycles or bytes.
+  static constexpr double HAIR = 1e-7;
+
+  void advance(double step_s) {
+    std::vector<double> speeds, rates;
+    for (std::size_t i = 0; i < cpus_.size(); ++i)
+      speeds.push_back(cycles_per_s(static_cast<int>(i)));
+    for (const auto& [ends, direction] : directions_)
+      rates.push_back(bytes_per_s(ends.first, ends.second));
+    now_s_ += step_s;
+    std::size_t n = 0;
+    std::vector<Direction*> ended;
+    for (auto& [ends, direction] : directions_) {
+      const double rate = rates[n++];
+      if (direction.left <= 0) continue;
+      direction.left -= step_s * rate;
+      if (direction.left < HAIR) ended.push_back(&direction);
+    }
+    for (std::size_t i = 0; i < cpus_.size(); ++i) {
+      if (!cpus_[i].running) continue;
+      cpus_[i].running->left -= step_s * speeds[i];
+      if (cpus_[i].running->left < HAIR) end_step(cpus_[i], *cpus_[i].running);
+    }
+    for (Direction* direction : ended) end_transfer(*direction);
+  }
+
+  void end_step(Cpu& cpu, Process& process) {
+    if (process.step == Step::computes) {
+      if (!process.is_sink()) return spend(process, Step::comes_to_output, machine_.come_to_link);
+      arrived_s_[process.number].push_back(now_s_);
+      if (++process.message < process.stream->lengths.size()) return begin_message(process);
+      cpu.running = nullptr;
+      return;
+    }
+    cpu.running = nullptr;
+    const bool is_output = process.step == Step::comes_to_output;
+    Direction& link = direction(process, is_output ? process.place : process.place - 1);
+    (is_output ? link.writer : link.reader) = &process;
+    if (link.writer && link.reader) link.left = process.stream->lengths[process.message];
+  }
+
+  void end_transfer(Direction& link) {
+    link.left = 0;
+    Process& writer = *std::exchange(link.writer, nullptr);
+    Process& reader = *std::exchange(link.reader, nullptr);
+    spend(reader, Step::computes, reader.relay().computes);
+    cpus_[reader.relay().processor].ready.push_back(&reader);
+    if (++writer.message == writer.stream->lengths.size()) return;
+    begin_message(writer);
+    cpus_[writer.relay().processor].ready.push_back(&writer);
+  }
+
+  Machine machine_;
+  std::vector<Cpu> cpus_;
+  std::deque<Process> processes_;
+  std::map<std::pair<int, int>, Direction> directions_;
+  std::vector<std::vector<double>> arrived_s_;
+  double now_s_ = 0;
+};
+
+}  // namespace dma_oracle
