@@ -145,6 +145,7 @@ void save_stats(const RadiosityOptions& o, const Outcome& made) {
         {"absorbed", balance.absorbed},
         {"unsent", balance.unsent},
         {"escaped", balance.escaped},
+        {"backs", balance.backs},
         {"closed", made.is_closed}}},
       {"ambient", {made.solution.ambient.r, made.solution.ambient.g, made.solution.ambient.b}},
       {"work", make_json(made.solution.work)},
@@ -161,17 +162,21 @@ void save_stats(const RadiosityOptions& o, const Outcome& made) {
 constexpr double FAIR_BALANCE = 0.01;
 
 void print_balance(const Outcome& made) {
-  const auto& [reflected, absorbed, unsent, escaped] = made.solution.balance;
+  const auto& [reflected, absorbed, unsent, escaped, backs] = made.solution.balance;
+  const double lost = escaped - backs;
+  const auto where = made.is_closed ? fmt::format("{:.2f} % on backs of faces, {:.2f} % lost",
+                                                  100 * backs, 100 * lost)
+                                    : fmt::format("{:.2f} % escaped or in mirrors", 100 * escaped);
   fmt::print(
-      "of the emitted power {:.2f} % absorbed, {:.2f} % unsent, {:.2f} % {}; {:.2f} % "
-      "reflected on the way\n",
-      100 * absorbed, 100 * unsent, 100 * escaped,
-      made.is_closed ? "lost" : "escaped or in mirrors", 100 * reflected);
-  if (made.is_closed ? std::abs(escaped) > FAIR_BALANCE : escaped < -FAIR_BALANCE)
+      "of the emitted power {:.2f} % absorbed, {:.2f} % unsent, {}; {:.2f} % reflected on the "
+      "way\n",
+      100 * absorbed, 100 * unsent, where, 100 * reflected);
+  const double error = made.is_closed ? lost : std::min(escaped, 0.0);
+  if (std::abs(error) > FAIR_BALANCE)
     complain(
         fmt::format("warning: {:.1f} % of the light is {}: more patches (--refine), or smaller "
                     "delta areas (--spread), find it",
-                    100 * std::abs(escaped), escaped > 0 ? "lost" : "too much"));
+                    100 * std::abs(error), error > 0 ? "lost" : "too much"));
 }
 
 void warn_of_error(const RadiosityOptions& o, const Outcome& made) {

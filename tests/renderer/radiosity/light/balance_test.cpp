@@ -57,13 +57,35 @@ TEST(Balance, AHoleAMirrorAndABackOpenARoom) {
   EXPECT_FALSE(is_closed(make_mesh(mirror, {})));
 }
 
-// Two walls that are seen from both sides divide a room into closed halves.
-TEST(Balance, WhatHasTwoSidesClosesBoth) {
+// A wall inside a room does not open it, and what falls on its back is told from what is lost.
+TEST(Balance, AWallInsideDoesNotOpenARoom) {
   Room room = make_closed();
   add_quad(room, 0, {1, 0, 0}, {0, 2, 0}, {0, 0, 2}, 2, 2);
-  EXPECT_FALSE(is_closed(make_mesh(room, {})));
+  EXPECT_TRUE(is_closed(make_mesh(room, {})));
+  const Balance balance = light(room);
+  EXPECT_GT(balance.backs, 0.1);
+  EXPECT_NEAR(balance.escaped, balance.backs, 0.01);
   room.faces.back().two_sided = true;
   EXPECT_TRUE(is_closed(make_mesh(room, {})));
+  EXPECT_EQ(light(room).backs, 0);
+}
+
+// Rooms with lamps that hang, and with blocks that stand in them: only the shell counts, and a
+// hole in it opens them.
+TEST(Balance, FreeStandingFacesDoNotOpenARoom) {
+  for (const double below : {0.05, 0.3, 1.0}) {
+    SCOPED_TRACE(testing::Message() << "lamp " << below << " m below the ceiling");
+    Room room;
+    room.materials = {{"grey", grey(0.6), {}}, {"lamp", grey(0), grey(10)}};
+    add_box(room, 0, {0, 0, 0}, {3, 3, 2.5}, 12);
+    add_block(room, 0, {0.5, 0.5, 0}, {1, 1.2, 0.8}, 4);
+    add_quad(room, 1, {1.2, 1.2, 2.5 - below}, {0, 0.6, 0}, {0.6, 0, 0}, 3, 3);
+    EXPECT_TRUE(is_closed(make_mesh(room, {})));
+    const Balance balance = light(room);
+    EXPECT_NEAR(balance.escaped, balance.backs, 0.01);
+    room.faces.erase(room.faces.begin() + 3);
+    EXPECT_FALSE(is_closed(make_mesh(room, {})));
+  }
 }
 
 }  // namespace
