@@ -316,20 +316,26 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
   return sum_deltas(cut, sight.chain.last(), sight.quad, sight, source, sight.work);
 }
 
+template <class Source>
+constexpr bool KEEPS = std::is_same_v<Source, Recorder>;
+
 // The sum over all chains that begin with that of `sight`, without its own.
 template <class Source>
-Rgb sum_chains(const MirroredSight& sight, const Source& source) {
+auto sum_chains(const MirroredSight& sight, const Source& source) {
   const auto& [eye, vertex, patch, quad, chain, work] = sight;
-  Rgb total;
+  decltype(std::declval<SumOf<Source>>() * Rgb{}) total{};
   if (chain.mirrors.size() == static_cast<std::size_t>(eye.params.reflections)) return total;
   for (const Mirror& mirror : eye.mesh.mirrors) {
     if (!chain.can_meet(mirror)) continue;
     work[Op::light_mirrored] += 1;
     const Chain longer = chain.extend(mirror, eye.mesh.materials[mirror.material].reflectance);
     const MirroredSight further{eye, vertex, patch, quad, longer, work};
+    std::size_t begun = 0;
+    if constexpr (KEEPS<Source>) begun = source.begin(longer.mirrors.size(), longer.reflectance);
     if (face_each_other(longer.last(), patch) && longer.may_show(patch.at))
       total += eval_chain(further, source) * longer.reflectance;
     total += sum_chains(further, source);
+    if constexpr (KEEPS<Source>) source.end(begun);
   }
   return total;
 }
@@ -341,6 +347,12 @@ Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& send
   const MirroredSight sight{eye, vertex, sender.patch, sender.quad, none, work};
   return sender.is_even ? sum_chains(sight, Even{}) * sender.glow.at
                         : sum_chains(sight, sender.glow);
+}
+
+void find_mirrored_terms(const Eye& eye, const Vertex& vertex, const Sender& sender, Terms& kept,
+                         Work& work) {
+  const Chain none({vertex.lit, vertex.normal});
+  sum_chains({eye, vertex, sender.patch, sender.quad, none, work}, Recorder{kept});
 }
 
 }  // namespace radiosity

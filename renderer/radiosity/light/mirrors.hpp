@@ -18,6 +18,7 @@
 //   (mirror_share). No light is lost or doubled, and the illumination has no steps (figure 3.19).
 
 #include "renderer/radiosity/light/form_factor.hpp"
+#include "renderer/radiosity/light/terms.hpp"
 
 namespace radiosity {
 
@@ -25,5 +26,9 @@ namespace radiosity {
 /// chain once; for each colour times the reflectance of the chain's mirrors.
 Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& sender,
                         renderer::Work& work);
+
+/// Adds the terms of that light, whatever the sender's glow, and their chains.
+void find_mirrored_terms(const Eye& eye, const Vertex& vertex, const Sender& sender, Terms& kept,
+                         renderer::Work& work);
 
 }  // namespace radiosity

@@ -69,11 +69,32 @@ struct Looks {
   Mask looking;
 };
 
+// As Recorder, in lanes.
+struct TermLanes {
+  Lanes share, s, t;
+};
+struct LaneRecorder {
+  struct Place {
+    Lanes s, t;
+    [[gnu::always_inline]] friend TermLanes operator*(const Lanes& share, const Place& at) {
+      return {share, at.s, at.t};
+    }
+  };
+  [[gnu::always_inline]] Place eval(const Lanes& s, const Lanes& t) const { return {s, t}; }
+};
+
+// The receivers' lights; or, where these are kept, their terms.
+struct Sum {
+  Lights lights{};
+  TermsLanes* kept = nullptr;
+};
+
 // Adds to the lights the terms of what is seen, as eval_seen() of each delta area that is not wide.
-template <class Share, class Add>
+// `receiver(k)`: that of lane k.
+template <class Share, class Receiver>
 [[gnu::always_inline]] inline void add_terms(const Eye& eye, const Sender& sender,
                                              const Points& points, const Looks<Share>& looks,
-                                             const Add& add, Work& work) {
+                                             const Receiver& receiver, Sum& sum, Work& work) {
   const auto& [patch, quad, glow, is_even] = sender;
   const auto& [delta, way, square, here, there, looking] = looks;
   const Mask seeing = find_seeing(eye, points, patch, looking, way, square, work);
@@ -81,6 +102,15 @@ template <class Share, class Add>
   const DeltaSize size(quad, delta);
   const Rise<Lanes> rise{dot(points.normal, quad.a), dot(points.normal, quad.b),
                          dot(points.normal, quad.c)};
+  if (sum.kept) {
+    const TermLanes terms =
+        eval_far(quad, delta, size, rise, way, square, here, there, LaneRecorder{});
+    work[Op::glow_found] += count(seeing);
+    for (std::size_t k = 0; k < LANES; ++k)
+      if (seeing[k])
+        (*sum.kept)[receiver(k)].terms.push_back({terms.share[k], terms.s[k], terms.t[k]});
+    return;
+  }
   renderer::Rgbs terms;
   if (is_even) {
     terms = eval_far(quad, delta, size, rise, way, square, here, there, EvenGlow{glow.at});
@@ -89,14 +119,14 @@ template <class Share, class Add>
     work[Op::glow_found] += count(seeing);
   }
   for (std::size_t k = 0; k < LANES; ++k)
-    if (seeing[k]) add(k, Rgb{terms.r[k], terms.g[k], terms.b[k]});
+    if (seeing[k]) sum.lights[receiver(k)] += Rgb{terms.r[k], terms.g[k], terms.b[k]};
 }
 
 // Adds what arrives directly at those that see the patch as one delta area. `near`: those that do
 // not, or to which it is wide.
 TLAB_WIDE_REGISTERS
-void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender,
-                    Lights& lights, Mask& near, Work& work) {
+void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
+                    Mask& near, Work& work) {
   const auto& quad = sender.quad;
   const Points points(receivers);
   const Mask facing = find_facing(points, sender.patch);
@@ -122,8 +152,7 @@ void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& se
   looks.looking = facing & ~near & (looks.here > 0.0) & (looks.there > 0.0);
   if (holds_any(looks.looking))
     add_terms(
-        eye, sender, points, looks, [&](std::size_t k, const Rgb& term) { lights[k] += term; },
-        work);
+        eye, sender, points, looks, [](std::size_t k) { return k; }, sum, work);
 }
 
 // A delta area that a receiver looks at.
@@ -136,7 +165,7 @@ struct Seen {
 using SeenLanes = std::array<Seen, LANES>;
 
 TLAB_WIDE_REGISTERS
-void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Lights& lights,
+void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Sum& sum,
                      Work& work) {
   const Points points({seen[0].vertex, seen[1].vertex, seen[2].vertex, seen[3].vertex});
   const auto gather = [&](const auto& of) __attribute__((always_inline)) {
@@ -155,15 +184,14 @@ void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender
   looks.there = gather([](const Seen& s) { return s.look.there; });
   looks.looking = points.present;
   add_terms(
-      eye, sender, points, looks,
-      [&](std::size_t k, const Rgb& term) { lights[seen[k].receiver] += term; }, work);
+      eye, sender, points, looks, [&](std::size_t k) { return seen[k].receiver; }, sum, work);
 }
 
 // Collects delta areas that receivers look at until there is one for each lane.
 class Near {
  public:
-  Near(const Eye& eye, const Sender& sender, Lights& lights, Work& work)
-      : eye_(eye), sender_(sender), lights_(lights), work_(work) {}
+  Near(const Eye& eye, const Sender& sender, Sum& sum, Work& work)
+      : eye_(eye), sender_(sender), sum_(sum), work_(work) {}
 
   // Adds what arrives directly at the vertex, which the patch faces; the last of it in flush().
   void add(const Vertex& vertex, std::size_t receiver) {
@@ -183,7 +211,7 @@ class Near {
       seen_[k] = seen_[0];
       seen_[k].vertex = nullptr;
     }
-    add_near_lights(eye_, seen_, sender_, lights_, work_);
+    add_near_lights(eye_, seen_, sender_, sum_, work_);
     count_ = 0;
   }
 
@@ -192,44 +220,68 @@ class Near {
     flush();  // terms are added in their order
     const auto& [patch, quad, glow, is_even] = sender_;
     if (!sees(eye_, vertex.lit, vertex.object, look.point, patch.object, work_)) return;
-    lights_[receiver] += is_even
-                             ? eval_seen(quad, delta, vertex.normal, look, EvenGlow{glow.at}, work_)
-                             : eval_seen(quad, delta, vertex.normal, look, glow, work_);
+    const auto eval = [&](const auto& source) {
+      return eval_seen(quad, delta, vertex.normal, look, source, work_);
+    };
+    if (sum_.kept)
+      eval(Recorder{(*sum_.kept)[receiver]});
+    else
+      sum_.lights[receiver] += is_even ? eval(EvenGlow{glow.at}) : eval(glow);
   }
 
   const Eye& eye_;
   const Sender& sender_;
-  Lights& lights_;
+  Sum& sum_;
   Work& work_;
   SeenLanes seen_;
   std::size_t count_ = 0;
 };
 
+template <class F>
+void for_each(const Receivers& receivers, const F& f) {
+  for (std::size_t k = 0; k < LANES && receivers[k]; ++k) f(*receivers[k], k);
+}
+
+void add_direct_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
+                       Work& work) {
+  Mask near;
+  add_far_lights(eye, receivers, sender, sum, near, work);
+  if (!holds_any(near)) return;
+  Near rest(eye, sender, sum, work);
+  for_each(receivers, [&](const Vertex& v, std::size_t k) {
+    if (near[k]) rest.add(v, k);
+  });
+  rest.flush();
+}
+
 }  // namespace
 
 Lights eval_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Work& work) {
-  Lights lights{};
-  const auto for_each = [&](const auto& f) {
-    for (std::size_t k = 0; k < LANES && receivers[k]; ++k) f(*receivers[k], k);
-  };
-  if (eye.access || eye.params.traversal != renderer::Traversal::nearest) {
-    for_each([&](const Vertex& v, std::size_t k) { lights[k] = eval_light(eye, v, sender, work); });
-    return lights;
-  }
-  Mask near;
-  add_far_lights(eye, receivers, sender, lights, near, work);
-  if (holds_any(near)) {
-    Near rest(eye, sender, lights, work);
-    for_each([&](const Vertex& v, std::size_t k) {
-      if (near[k]) rest.add(v, k);
+  Sum sum;
+  if (!are_in_lanes(eye)) {
+    for_each(receivers, [&](const Vertex& v, std::size_t k) {
+      sum.lights[k] = eval_light(eye, v, sender, work);
     });
-    rest.flush();
+    return sum.lights;
   }
+  add_direct_lights(eye, receivers, sender, sum, work);
   if (has_mirrors(eye))
-    for_each([&](const Vertex& v, std::size_t k) {
-      lights[k] += eval_mirrored_light(eye, v, sender, work);
+    for_each(receivers, [&](const Vertex& v, std::size_t k) {
+      sum.lights[k] += eval_mirrored_light(eye, v, sender, work);
     });
-  return lights;
+  return sum.lights;
+}
+
+TermsLanes find_terms(const Eye& eye, const Receivers& receivers, const Sender& sender,
+                      Work& work) {
+  TermsLanes kept;
+  Sum sum{.kept = &kept};
+  add_direct_lights(eye, receivers, sender, sum, work);
+  if (has_mirrors(eye))
+    for_each(receivers, [&](const Vertex& v, std::size_t k) {
+      find_mirrored_terms(eye, v, sender, kept[k], work);
+    });
+  return kept;
 }
 
 }  // namespace radiosity

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "renderer/radiosity/light/receivers.hpp"
+#include "renderer/radiosity/light/rows.hpp"
 
 namespace radiosity {
 
@@ -17,6 +18,9 @@ namespace {
 
 // Units of one patch, of which a million can be added.
 constexpr double MOST_UNSHOT = 0x1p42;
+
+// Bytes of form factors that a solution may keep.
+constexpr std::size_t MOST_KEPT = std::size_t{1} << 30;
 
 std::vector<std::uint32_t> count_up(std::size_t n) {
   std::vector<std::uint32_t> all(n);
@@ -71,12 +75,32 @@ Glow find_glow(const Mesh& mesh, const State& state, std::uint32_t p) {
   return fit_glow(mesh.patches[p], state.in_corners[p], state.unshot[p]);
 }
 
+std::vector<Vertex> make_centres(const Mesh& mesh) {
+  std::vector<Vertex> centres;
+  for (const Patch& patch : mesh.patches) centres.push_back(make_centre(patch));
+  return centres;
+}
+
+// What receive() does with the lights of all vertices.
+void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& work) {
+  for (std::size_t v = 0; v < lights.size(); ++v) {
+    state.received[v] = lights[v];
+    state.radiosity[v] += mesh.materials[mesh.vertices[v].material].reflectance * lights[v];
+  }
+  work[Op::vertex_lit] += lights.size();
+}
+
 // See solve().
 Solution shoot_until(const Mesh& mesh, const SolveParams& params, Solution solution,
                      const Step& step, const Mesh* fine) {
   check(params.factor);
-  const auto vertices = all_vertices(mesh), patches = all_patches(mesh);
-  const auto fine_vertices = fine ? all_vertices(*fine) : std::vector<std::uint32_t>{};
+  const auto patches = all_patches(mesh);
+  const Eye eye{mesh, params.factor}, fine_eye{fine ? *fine : mesh, params.factor};
+  std::size_t room = MOST_KEPT;
+  Rows to_vertices(eye, mesh.vertices, room);
+  Rows to_fine(fine_eye, fine ? fine->vertices : std::vector<Vertex>{}, room);
+  Rows to_centres(eye, params.mean == Mean::simpson ? make_centres(mesh) : std::vector<Vertex>{},
+                  room);
   State& state = solution.state;
   State fine_state = fine ? make_state(*fine, Sends::mean) : State{};
   Work& work = solution.work;
@@ -89,10 +113,12 @@ Solution shoot_until(const Mesh& mesh, const SolveParams& params, Solution solut
     const auto shot = find_shot(mesh, state, patches, work);
     if (!shot) break;
     const Sender sender(mesh.patches[shot->patch], shot->glow);
-    receive({mesh, params.factor}, sender, vertices, state, work);
-    if (fine) receive({*fine, params.factor}, sender, fine_vertices, fine_state, work);
-    if (params.mean == Mean::simpson)
-      receive_in_centres({mesh, params.factor}, sender, patches, state, work);
+    take(mesh, to_vertices.eval(shot->patch, sender, work), state, work);
+    if (fine) take(*fine, to_fine.eval(shot->patch, sender, work), fine_state, work);
+    if (params.mean == Mean::simpson) {
+      std::ranges::copy(to_centres.eval(shot->patch, sender, work), state.in_centre.begin());
+      work[Op::vertex_lit] += patches.size();
+    }
     settle(mesh, *shot, patches, params.mean, state, work);
   }
   solution.means.clear();

@@ -1,6 +1,6 @@
 #pragma once
 // Progressive refinement: the patch with most light to send sends it to every vertex, then the
-// next (thesis, 1.2.2.2; M. Cohen et al., SIGGRAPH 1988). No form factor is kept.
+// next (thesis, 1.2.2.2; M. Cohen et al., SIGGRAPH 1988). Form factors are kept in rows.hpp.
 
 #include <functional>
 

@@ -1,0 +1,61 @@
+#pragma once
+// The light that a patch sends to a point as a sum of terms.
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/scene/vec.hpp"
+
+namespace radiosity {
+
+using renderer::Rgb;
+
+/// A part of the light that a patch sends to a point: `share` times the patch's glow at (s, t).
+struct Term {
+  double share, s, t;
+};
+
+/// A chain of mirrors. The terms from `begin` on, up to the next chain's, arrive over it.
+struct ChainTerms {
+  std::uint32_t begin;   ///< index of a Term
+  std::uint32_t length;  ///< number of mirrors, >= 1
+  Rgb reflectance;       ///< product of the mirrors'
+};
+
+/// The light that a patch sends to one point, apart from the patch's glow: direct terms, and then
+/// those over mirrors. A chain is followed by the longer ones that begin with it.
+struct Terms {
+  std::vector<Term> terms;
+  std::vector<ChainTerms> chains;
+};
+
+/// A source for sum_deltas() that keeps terms instead of adding them up.
+struct Recorder {
+  static constexpr bool IS_EVEN = false;
+  struct Nothing {
+    Nothing& operator+=(const Nothing&) { return *this; }
+    friend Nothing operator*(const Nothing&, const Rgb&) { return {}; }
+  };
+  struct Place {
+    std::vector<Term>& terms;
+    double s, t;
+    friend Nothing operator*(double share, const Place& at) {
+      at.terms.push_back({share, at.s, at.t});
+      return {};
+    }
+  };
+  Place eval(double s, double t) const { return {kept.terms, s, t}; }
+  /// Returns the chain's index for end(), which drops it if no term arrived over it or a longer
+  /// one.
+  std::size_t begin(std::size_t length, const Rgb& reflectance) const {
+    kept.chains.push_back({static_cast<std::uint32_t>(kept.terms.size()),
+                           static_cast<std::uint32_t>(length), reflectance});
+    return kept.chains.size() - 1;
+  }
+  void end(std::size_t chain) const {
+    if (kept.chains[chain].begin == kept.terms.size()) kept.chains.resize(chain);
+  }
+  Terms& kept;
+};
+
+}  // namespace radiosity
