@@ -148,14 +148,15 @@ void add_branches(const Scene& scene, const Params& params, const Ray& ray, cons
     out.push_back(reflected);
   }
   if (surface.t > 0 && influence * surface.t >= least) {
-    const auto direction =
+    const auto refracted =
         refract(ray.direction, hit.normal, hit.inside ? 1 / surface.ior : surface.ior);
-    if (!direction) return;
+    if (!refracted && surface.translucency == 0) return;
+    const Vec direction = refracted.value_or(mirrored);
     Ray transmitted = make_child(ray, hit, RayKind::transmitted);
-    transmitted.direction = *direction;
+    transmitted.direction = direction;
     if (surface.translucency > 0)
       transmitted.direction = spread(
-          *direction, surface.translucency, hit.normal,
+          direction, surface.translucency, hit.normal,
           sample_square(params.sampling, key_of(ray, transmitted.path), Dimension::translucency));
     transmitted.influence = surface.t * ray.influence;
     work[Op::ray_refracted] += 1;

@@ -31,10 +31,10 @@ using Children = std::vector<Ray>;
 
 /// Appends to `out` the rays that `ray` leaves where it hits: a shadow feeler to every light
 /// (Eq 4.17), then the reflected ray where ks > 0 and the transmitted one where t > 0 (Eq 4.15),
-/// within the limits. Total internal reflection transmits nothing. A feeler leaves no rays. Feelers
-/// go to a point of the light that is the sample's, reflected and transmitted rays of surfaces with
-/// gloss and translucency to a point of a disc; where that is on the wrong side of the surface,
-/// they go to its mirror image.
+/// within the limits; none from a feeler. On total internal reflection the transmitted ray is
+/// mirrored where there is translucency, else there is none. Feelers go to a point of the light
+/// that is the sample's, reflected and transmitted rays of surfaces with gloss and translucency to
+/// a point of a disc; where that is on the wrong side of the surface, to its mirror image.
 void make_children(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work);
 /// The same without shadow feelers.

@@ -275,6 +275,85 @@ TEST(Distributed, GlossStaysOnItsSide) {
   }
 }
 
+// A white furnace: everything that a ray can meet is white, and no surface absorbs.
+Scene make_white_furnace(double ks, double ior, double roughness) {
+  return parse(
+      fmt::format("b 1 1 1\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 24\n"
+                  "f 0 0 0 0 {} 1 {} {}\n# gloss {}\n# translucent {}\ns 0 0 0 1\n",
+                  ks, 1 - ks, ior, roughness, roughness));
+}
+
+// The light that a ray brings back, and the influence of rays that the depth has cut.
+struct Furnace {
+  double light = 0, cut = 0;
+};
+
+void follow(const Scene& scene, const Params& params, const Ray& ray, Furnace& found) {
+  Work work;
+  const auto hit = intersect(scene, ray, params.traversal, work);
+  found.light += eval_contribution(scene, params, ray, hit, work).g;
+  if (!hit) return;
+  if (ray.level >= params.limits.depth) found.cut += ray.influence.g;
+  Children rays;
+  make_branches(scene, params, ray, *hit, rays, work);
+  for (const Ray& child : rays) follow(scene, params, child, found);
+}
+
+// The mean of 100 samples at a place of the sphere's disc: 0 is its middle, 1 its rim.
+Furnace look_at_disc(const Scene& scene, double place, int depth) {
+  constexpr int SAMPLES = 100;
+  Params params = make_params(10, 10, depth);
+  params.sampling.pixel_samples = SAMPLES;
+  params.ambient = 0;
+  Furnace sum;
+  for (int pass = 0; pass < SAMPLES; ++pass) {
+    Ray ray{.origin = {place, 0, 5}, .direction = {0, 0, -1}, .influence = {1, 1, 1}};
+    ray.pass = static_cast<std::uint16_t>(pass);
+    follow(scene, params, ray, sum);
+  }
+  return {sum.light, sum.cut / SAMPLES};  // each sample's light is weighted already
+}
+
+// Light is lost by the depth alone: rough glass that cannot let a ray out reflects it. At the rim
+// that happens many times to a few rays.
+TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
+  for (const double roughness : {0.0, 0.1, 0.3, 1.0})
+    for (const double place : {0.0, 0.5, 0.9, 0.98, 0.999}) {
+      SCOPED_TRACE(fmt::format("roughness {} at {}", roughness, place));
+      for (const double ks : {0.0, 0.2}) {
+        const auto thin = look_at_disc(make_white_furnace(ks, 1, roughness), place, 15);
+        EXPECT_NEAR(thin.light, 1, 1e-6);
+        const auto glass = look_at_disc(make_white_furnace(ks, 1.5, roughness), place, 15);
+        EXPECT_NEAR(glass.light + glass.cut, 1, 1e-9);
+        EXPECT_LT(glass.cut, roughness == 0 ? 1e-6 : 0.3);
+      }
+      EXPECT_GT(look_at_disc(make_white_furnace(0, 1.5, roughness), place, 1000).light, 0.95);
+    }
+}
+
+// The thesis's rays: what clear glass reflects in total is lost.
+TEST(Distributed, TotalInternalReflectionInClearGlassLeavesNoRay) {
+  for (const bool is_rough : {false, true}) {
+    const Scene scene =
+        parse(fmt::format("v from 0 0 -5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 0 1 1 1.5\n{}"
+                          "p 4 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n",
+                          is_rough ? "# translucent 0.1\n" : ""));
+    const Vec in = normalize({1, 0, 0.2});
+    Params params = make_params(10, 10, 5);
+    const Ray ray{.origin = -1 * in, .direction = in, .influence = {1, 1, 1}};
+    Work work;
+    const auto hit = intersect(scene, ray, params.traversal, work);
+    ASSERT_TRUE(hit && hit->inside);
+    Children rays;
+    make_branches(scene, params, ray, *hit, rays, work);
+    ASSERT_EQ(rays.size(), is_rough ? 1u : 0u);
+    if (!is_rough) continue;
+    EXPECT_EQ(rays[0].kind, RayKind::transmitted);
+    EXPECT_EQ(rays[0].influence, ray.influence);
+    EXPECT_LT(rays[0].direction.z, 0);
+  }
+}
+
 // The light of a rectangle is even over its area, that of a sphere over the disc that is seen.
 TEST(Distributed, LightsShineFromAllTheirPoints) {
   const Scene scene = parse(
