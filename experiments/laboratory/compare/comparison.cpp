@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
+#include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/gnuplot.hpp"
 #include "experiments/laboratory/report/plot.hpp"
@@ -21,6 +23,17 @@ namespace {
 using Texts = std::vector<std::string>;
 
 constexpr std::pair<double, double> NO_BAND = {NAN, NAN};
+
+// Columns that are a setting of some run, and therefore no result.
+std::set<std::string> find_settings(const std::vector<ComparedRun>& runs) {
+  std::set<std::string> settings;
+  for (const auto& run : runs) {
+    settings.merge(input_names(run.simulation.file, run.simulation.table));
+    for (const auto& result : run.simulation.results)
+      for (const auto& [name, cell] : result.described) settings.insert(name);
+  }
+  return settings;
+}
 
 // What the first run's program is usually asked for, as far as all have it.
 Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
@@ -145,11 +158,17 @@ Texts name_runs(const Comparison& c) {
 Comparison compare_runs(const Texts& folders, const Texts& columns) {
   Comparison c{.runs = load_runs(folders), .matched = {}, .columns = columns};
   c.matched = match_points(make_tables(c.runs));
-  const auto common = find_common_results(c.matched.runs);
-  for (const auto& column : columns)
+  auto common = find_common_results(c.matched.runs);
+  const auto settings = find_settings(c.runs);
+  std::erase_if(common, [&](const auto& column) { return settings.contains(column); });
+  for (const auto& column : columns) {
+    base::require(!settings.contains(column), "--columns",
+                  "{} is a setting, expected results; settings that differ are listed as such",
+                  column);
     if (std::ranges::find(common, column) == common.end())
       throw base::BadInput(fmt::format("--columns: {} is no number that all runs have{}", column,
                                        base::suggest(column, common)));
+  }
   if (c.columns.empty()) c.columns = usual_columns(c.runs, common);
   if (c.columns.empty()) c.columns = common;
   if (c.columns.empty())

@@ -16,7 +16,8 @@ struct Comparison {
 };
 
 /// `columns`: the results to compare; none: those of the first run's usual table. Throws what
-/// load_runs and match_points throw, and BadInput for a column that is no number in all runs.
+/// load_runs and match_points throw, and BadInput for a column that is a setting of some run, or no
+/// number in all runs.
 Comparison compare_runs(const std::vector<std::string>& folders,
                         const std::vector<std::string>& columns);
 

@@ -1,4 +1,5 @@
 // tlab compare: what it says of results, and what it refuses.
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -71,6 +72,29 @@ TEST_F(Compare, RunsThatAreTheSameAreSaidToBe) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "the same in all runs: time_s")) << outcome.out;
   EXPECT_FALSE(contains(outcome.out, "differ")) << outcome.out;
+}
+
+// Parameters are settings, also those that [report] shows.
+TEST_F(Compare, SettingsAreNoResults) {
+  write_file(folder.path / "e.toml",
+             "[program]\nname = \"message\"\n[report]\ncolumns = [\"bytes\", \"latency_s\"]\n");
+  ASSERT_EQ(run({"-o", "short", "--set", "program.bytes=10"}).exit_code, 0);
+  ASSERT_EQ(run({"-o", "long", "--set", "program.bytes=20"}).exit_code, 0);
+  ASSERT_EQ(run({"-o", "all", "--columns", "all"}).exit_code, 0);
+  const auto outcome = compare({"short", "long", "-o", "c.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "program.bytes     10    20")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "\nlatency_s: long is")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "\nbytes: ")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "bytes at each point")) << outcome.out;
+  const auto table = parse_csv(read_file(folder.path / "c.csv"), "c.csv");
+  for (const auto& row : table.rows) EXPECT_NE(row[0], Value("bytes"));
+  const auto all = compare({"all", "long"});
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_FALSE(contains(all.out, "\nbytes: ")) << all.out;
+  const auto refused = compare({"short", "long", "--columns", "bytes"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "bytes is a setting")) << refused.err;
 }
 
 // Points that were cut short are no results.
