@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/programs/network/traffic.hpp"
 #include "tests/simulator/network/router_support.hpp"
 
 namespace network {
@@ -60,6 +61,52 @@ TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
     EXPECT_LT(two / one, method == Method::acyclic ? 0.76 : 1.01) << static_cast<int>(method);
     EXPECT_GT(two / one, method == Method::acyclic ? 0.49 : 0.98) << static_cast<int>(method);
   }
+}
+
+// Messages on each link from processor 0, after one process there has sent six to another.
+std::vector<double> loads_of(int links, Method method) {
+  return occam::isolated_numbers([&] {
+    Params params;
+    params.method = method;
+    Bench bench(pair_joined_by(links), params);
+    bench.start_sink(1);
+    bench.start(0, [](Client& client) {
+      for (std::uint64_t i = 0; i < 6; ++i) client.send(make_message({1, 0}, i));
+    });
+    bench.machine.run();
+    std::vector<double> messages;
+    for (const auto& link : bench.machine.links())
+      if (&link->from() == bench.machine.processors()[0].get())
+        messages.push_back(static_cast<double>(link->use().messages));
+    return messages;
+  });
+}
+
+// docs/manual/topologies.md, parallel links: each link has its own load.
+TEST(ParallelLinks, RoutersPutAPairOfProcessesOnOne) {
+  for (const Method method : METHODS) {
+    const double one = loads_of(1, method).at(0);
+    auto two = loads_of(2, method);
+    std::ranges::sort(two);
+    EXPECT_GE(one, 6);
+    EXPECT_EQ(two, (std::vector<double>{0, one})) << static_cast<int>(method);
+  }
+}
+
+TEST(ParallelLinks, TrafficAlternates) {
+  const auto busy = [](int links) {
+    return std::stod(isolated([&] {
+      const auto model = machine::load_model("t805-25");
+      std::vector<programs::Arrival> arrivals;
+      for (int i = 0; i < 6; ++i) arrivals.push_back({10'000 * i, 0, 1});
+      const auto result =
+          programs::run_traffic(programs::Setup{model, pair_joined_by(links)}, arrivals, 1000);
+      return fmt::format("{}", result.link_busy_max);
+    }));
+  };
+  EXPECT_NEAR(busy(2), busy(1) / 2, 1e-3 * busy(1));
+  EXPECT_NEAR(busy(3), busy(1) / 3, 1e-3 * busy(1));
+  EXPECT_NEAR(busy(4), busy(1) / 3, 1e-3 * busy(1));  // two, two, one and one
 }
 
 TEST(ParallelLinks, TakeMessagesToAllOnce) {

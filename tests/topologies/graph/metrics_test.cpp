@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "tests/topologies/support.hpp"
+#include "topologies/graph/all_pairs.hpp"
 #include "topologies/graph/bisection.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/routes.hpp"
@@ -171,6 +172,22 @@ TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
     EXPECT_EQ(busiest.messages, most);
     EXPECT_EQ(load[busiest.from][busiest.to], most);
   }
+}
+
+// 0 = 1 - 2, with two links between 0 and 1.
+TEST(TopologyTraffic, ParallelLinksShareAllToAllAndTreesTakeOne) {
+  Topology t{"parallel", 3, 0, {}, {}, {}};
+  t.links = {{{0, 0}, {1, 0}}, {{1, 1}, {2, 0}}, {{0, 1}, {1, 2}}};
+  const auto load = eval_all_pairs(t).load;
+  EXPECT_EQ(load[0], (std::array<std::int64_t, 2>{1, 1}));  // of two messages each way
+  EXPECT_EQ(load[1], (std::array<std::int64_t, 2>{2, 2}));
+  EXPECT_EQ(load[2], (std::array<std::int64_t, 2>{1, 1}));
+  EXPECT_EQ(eval_metrics(t).farm.messages, 2);
+  t.links.push_back({{0, 2}, {1, 3}});
+  const auto thirds = eval_all_pairs(t).load;
+  EXPECT_EQ(thirds[0][0] + thirds[2][0] + thirds[3][0], 2);
+  EXPECT_EQ(thirds[0][0], 1);  // the lowest port has what is left over
+  EXPECT_EQ(thirds[3][0], 0);
 }
 
 TEST(TopologyTraffic, KnownLoads) {
