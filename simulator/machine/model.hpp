@@ -94,7 +94,7 @@ struct Model {
     double high_tick, low_tick;           // s
   } timer;
   struct Software {
-    double occam_factor;  // what compiled occam takes beyond its instructions, off chip
+    double occam_factor;  // multiplies instructions of occam's words where Code is compiled
     Cycles turn;          // of a WHILE
     double idle_period;   // s; an application without work looks for messages so often; 0: at once
   } software;

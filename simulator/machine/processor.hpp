@@ -14,7 +14,7 @@ namespace machine {
 /// What the instructions of programs take.
 enum class Code : std::uint8_t {
   bare,      ///< what the data sheet says, with nothing between them
-  compiled,  ///< model.software.occam_factor times that, as compiled programs off chip do
+  compiled,  ///< model.software.occam_factor times that; copies, divisions, durations as they are
 };
 
 /// The memory of one simulated processor: what its program has allocated, and its limit.
