@@ -296,6 +296,9 @@ void Cpu::set_stolen(std::size_t thief, double share) {
   for (double s : stolen_) stolen += s;
   const double speed = std::max(1 - stolen, model_.memory.least_share);
   if (speed == speed_ || stopped()) return;
+  use_.stolen_idle += stolen_idle(now());
+  speed_since_ = now();
+  busy_then_ = busy_by(now());
   const double before = std::exchange(speed_, speed);
   stretch({now(), before / speed});
 }
@@ -342,9 +345,30 @@ Seconds Cpu::least_left(const Process& process) const {
 
 CpuUse Cpu::use_by(Seconds date) const {
   CpuUse use = use_;
-  if (high_.until > date) use.busy_high -= high_.until - date;
-  if (low_.computing && !interrupted_ && date > low_.since) use.busy_low += date - low_.since;
+  use.busy_high -= high_after(date);
+  use.busy_low += low_before(date);
+  use.stolen_idle += stolen_idle(std::min(date, stopped_at_));
   return use;
+}
+
+// How much of the high-priority time that use_ counts is after a date.
+Seconds Cpu::high_after(Seconds date) const { return std::max(Seconds{}, high_.until - date); }
+
+// How long the low process has computed by a date, beyond what use_ counts.
+Seconds Cpu::low_before(Seconds date) const {
+  const bool computes = low_.computing && !interrupted_ && date > low_.since;
+  return computes ? date - low_.since : Seconds{};
+}
+
+Seconds Cpu::busy_by(Seconds date) const {
+  return use_.busy() - high_after(date) + low_before(date);
+}
+
+// What DMA has taken of the idle CPU since the speed changed.
+Seconds Cpu::stolen_idle(Seconds date) const {
+  if (speed_ == 1) return {};
+  const Seconds idle = date - speed_since_ - (busy_by(date) - busy_then_);
+  return (1 - speed_) * idle;
 }
 
 void Cpu::stop() {

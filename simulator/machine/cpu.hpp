@@ -35,8 +35,12 @@ struct Observer {
 
 struct CpuUse {
   Seconds busy_high{}, busy_low{};  ///< executing, by priority; switches count as high
+  /// What DMA took of the CPU while that was idle: while it is busy, it is busy for longer.
+  Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
+  /// All that a further process of lowest priority would not get, apart from switches.
+  Seconds taken() const { return busy() + stolen_idle; }
 };
 
 /// What a CPU tells its observer. Spans that are ahead of the clock may still change: each is told
@@ -166,6 +170,10 @@ class Cpu {
   void arm_low_timer();
   void low_timer();
   void account_low();  // what the low process has computed since low_.since
+  Seconds high_after(Seconds date) const;
+  Seconds low_before(Seconds date) const;
+  Seconds busy_by(Seconds date) const;
+  Seconds stolen_idle(Seconds date) const;
 
   // What every process that comes and goes touches is first: the host fetches it together.
   Engine& engine_;
@@ -176,6 +184,7 @@ class Cpu {
   ReadyQueue high_queue_, low_queue_;
   Seconds free_at_{};  // when the last high-priority process gave it up
   double speed_ = 1;   // share of the cycles that the links' DMA and a companion leave
+  Seconds speed_since_{}, busy_then_{};
   Seconds stopped_at_ = NEVER;
   bool dispatching_ = false;       // dispatch() is due
   std::uint64_t dispatch_id_ = 0;  // those with another id are stale

@@ -53,8 +53,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   std::vector<Measured> rows;
   for (int id = 0; id < n; ++id) {
     const auto& use = on.network->use(id);
-    const double busy_s = on[id].use().busy().value;
-    rows.push_back({processor_cell(setup.topology, id), 100 * (busy_s / time_s),
+    const double taken_s = on[id].use().taken().value;
+    rows.push_back({processor_cell(setup.topology, id), 100 * (taken_s / time_s),
                     static_cast<double>(use.taken) / time_s,
                     static_cast<double>(use.delivered) / time_s,
                     static_cast<double>(use.passed) / time_s, use.most_held});
@@ -79,8 +79,9 @@ Program make_random_traffic() {
             seed_field<Params>(&Params::seed, "seed of pauses and destinations")}),
        .columns = {column("processor", &Measured::processor, "number or label"),
                    column("cpu_percent", &Measured::cpu_percent,
-                          "percent of the time that its router and the application that "
-                          "makes messages took of its CPU"),
+                          "percent of its CPU that its router, the application that makes "
+                          "messages and the DMA of its links took: what a monitoring process "
+                          "would not get"),
                    column("sent_per_s", &Measured::sent_per_s,
                           "messages a second that its application sent"),
                    column("received_per_s", &Measured::received_per_s,
