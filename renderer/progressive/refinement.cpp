@@ -30,14 +30,6 @@ const Params& checked(const Params& params, int threads) {
   return params;
 }
 
-// In place of one sample's sums, those of as many as all.
-Samples::Sums repeat(const Samples::Sums& sums, std::uint64_t times) {
-  const auto product = [times](std::int64_t sum) {
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) * times);
-  };
-  return {product(sums.r), product(sums.g), product(sums.b)};
-}
-
 }  // namespace
 
 Walk::Walk(Order order, const Area& area) : area_(area) {
@@ -172,7 +164,7 @@ void Refinement::trace_pixel(const Pixel& pixel, PixelTracer& tracer) {
 
 Samples::Sums Refinement::find_shown(std::size_t index) const {
   const bool is_share = state_.counts[index] == 1 && !is_adaptive(params_.sampling);
-  return is_share ? repeat(state_.sums[index], pixel_samples()) : state_.sums[index];
+  return is_share ? repeat(state_.sums[index], params_.sampling.pixel_samples) : state_.sums[index];
 }
 
 // Draws each block of the first pass over those before it.

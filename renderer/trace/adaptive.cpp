@@ -6,30 +6,25 @@ namespace renderer {
 
 namespace {
 
-bool has_border(std::span<const TracedSample> samples, const Corners& corners) {
-  const std::uint32_t object = corners[0];
-  return !std::ranges::all_of(corners, [&](std::uint32_t other) { return other == object; }) ||
-         !std::ranges::all_of(samples, [&](const auto& s) { return s.object == object; });
-}
-
 // How often samples were in a square of the pixel, and what they were.
 struct Square {
   int count = 0;
   Rgb sum, squares;
 };
 
-// The largest of the components' standard errors, squared. The pixel is divided into squares that
-// have two or four samples each (see sample_square()): how they differ there is all that is not
-// known of it.
-double eval_error_square(std::span<const TracedSample> samples) {
+// The square of the standard error of the pixel's mean, the largest of its components, if the group
+// `own` varies as the others do, whose samples are looked at. The pixel is divided into squares
+// that have two or four samples each: how they differ there is all that is not known of it.
+double eval_error_square(std::span<const TracedSample> samples, int own) {
   int levels = 0;
   while (std::size_t{4} << (2 * levels) < samples.size()) ++levels;
   std::vector<Square> squares(std::size_t{1} << (2 * levels));
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(i));
+  for (int pass = 0; pass < static_cast<int>(samples.size()); ++pass) {
+    if (group_of(pass) == own) continue;
+    const auto [u, v] = eval_pixel_sequence(pass);
     const auto find = [&](std::uint32_t at) { return std::uint64_t{at} >> (32 - levels); };
     Square& square = squares[find(v) << levels | find(u)];
-    const Rgb colour = to_rgb(samples[i].sums);
+    const Rgb colour = to_rgb(samples[static_cast<std::size_t>(pass)].sums);
     const auto show = [](double component) { return std::clamp(component, 0.0, 1.0); };
     const Rgb shown{show(colour.r), show(colour.g), show(colour.b)};
     ++square.count;
@@ -39,22 +34,50 @@ double eval_error_square(std::span<const TracedSample> samples) {
   Rgb all;
   for (const auto& [count, sum, sum_of_squares] : squares)
     if (count > 1) all += (1.0 / (count - 1)) * (count * sum_of_squares + -1.0 * sum * sum);
+  constexpr double ALL_OVER_OTHERS = double{GROUPS} / (GROUPS - 1);
   const auto n = static_cast<double>(samples.size());
-  return max_component(all) / (n * n);
+  return ALL_OVER_OTHERS * max_component(all) / (n * n);
+}
+
+bool has_border(std::span<const TracedSample> samples, int own, const Corners& corners) {
+  for (int pass = 0; pass < static_cast<int>(samples.size()); ++pass)
+    if (group_of(pass) != own && samples[static_cast<std::size_t>(pass)].object != corners[0])
+      return true;
+  return !std::ranges::all_of(corners, [&](auto object) { return object == corners[0]; });
+}
+
+// Whether these samples of the pixel are enough, as far as the other groups than `own` tell.
+bool is_enough(const Sampling& s, std::span<const TracedSample> samples, int own,
+               const Corners& corners) {
+  if (samples.size() == FIRST_ROUND && has_border(samples, own, corners)) return false;
+  const double allowed =
+      s.adaptive * s.adaptive * static_cast<double>(samples.size()) / ADAPTIVE_SAMPLES;
+  return !(eval_error_square(samples, own) > allowed);
 }
 
 }  // namespace
 
+Kept find_kept(const Sampling& s, std::span<const TracedSample> samples, const Corners& corners) {
+  const int has = static_cast<int>(samples.size());
+  Kept kept{};
+  for (int end = first_round(s); end <= has; end += round_of(s, end).count) {
+    const bool is_last = end >= s.pixel_samples;
+    const auto begun = samples.first(static_cast<std::size_t>(end));
+    for (int group = 0; group < GROUPS; ++group) {
+      int& own = kept[static_cast<std::size_t>(group)];
+      if (own == 0 && (is_last || is_enough(s, begun, group, corners))) own = end;
+    }
+    if (is_last) break;
+  }
+  return kept;
+}
+
 int find_wanted(const Sampling& s, std::span<const TracedSample> samples, const Corners& corners) {
   const int has = static_cast<int>(samples.size());
-  if (has >= s.pixel_samples || has < 2) return has;
-  const bool border = has_border(samples, corners);
-  if (!border && corners[0] == NO_OBJECT) return has;
-  const int second_round = round_of(s, first_round(s)).count + first_round(s);
-  const bool is_early = has < second_round || (has == second_round && border);
-  const double allowed = s.adaptive * s.adaptive * has / ADAPTIVE_SAMPLES;
-  if (!is_early && !(eval_error_square(samples) > allowed)) return has;
-  return has + round_of(s, has).count;
+  if (has >= s.pixel_samples) return has;
+  const bool is_finished =
+      std::ranges::all_of(find_kept(s, samples, corners), [](int kept) { return kept > 0; });
+  return is_finished ? has : has + round_of(s, has).count;
 }
 
 void OpenPixel::add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& contribution) {
@@ -62,10 +85,25 @@ void OpenPixel::add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& co
   renderer::add(samples.at(ray.pass).sums, contribution);
 }
 
-Samples::Sums add_up(std::span<const TracedSample> samples) {
-  Samples::Sums sums;
-  for (const auto& sample : samples) add(sums, sample.sums);
-  return sums;
+Samples::Sums eval_estimate(const Sampling& sampling, std::span<const TracedSample> samples,
+                            const Corners& corners) {
+  const Kept kept = find_kept(sampling, samples, corners);
+  std::array<Samples::Sums, GROUPS> sums;
+  std::array<int, GROUPS> counts{};
+  for (int pass = 0; pass < static_cast<int>(samples.size()); ++pass) {
+    const auto group = static_cast<std::size_t>(group_of(pass));
+    if (pass >= kept[group]) continue;
+    add(sums[group], samples[static_cast<std::size_t>(pass)].sums);
+    ++counts[group];
+  }
+  Samples::Sums all;
+  if (std::ranges::all_of(counts, [&](int count) { return count == counts[0]; })) {
+    for (const auto& group : sums) add(all, group);
+    return eval_mean(all, GROUPS * counts[0]);
+  }
+  for (std::size_t group = 0; group < GROUPS; ++group)
+    add(all, eval_mean(sums[group], counts[group]));
+  return eval_mean(all, GROUPS);
 }
 
 Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples) {
@@ -89,6 +127,13 @@ std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts) 
     bytes.insert(bytes.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
   }
   return bytes;
+}
+
+Samples::Sums repeat(const Samples::Sums& mean, int samples) {
+  const auto product = [times = static_cast<std::uint64_t>(samples)](std::int64_t sum) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) * times);
+  };
+  return {product(mean.r), product(mean.g), product(mean.b)};
 }
 
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples) {

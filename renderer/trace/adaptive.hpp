@@ -1,6 +1,11 @@
 #pragma once
-// Adaptive supersampling: more samples where an object's border crosses a pixel or its samples
-// disagree, none where no ray meets anything.
+// Adaptive supersampling without bias: a pixel has more samples where an object's border crosses it
+// or where its samples disagree.
+//
+// A pixel that stops as soon as its own samples agree is too dark where few samples find a bright
+// thing, and too bright where few find a dark one. So its samples form GROUPS, and each group's
+// number of samples is decided by the others (compare D. Kirk and J. Arvo, "Unbiased Sampling
+// Techniques for Image Synthesis", 1991). The pixel's colour is the mean of the groups' means.
 
 #include <span>
 
@@ -25,11 +30,21 @@ using Corners = std::array<std::uint32_t, 4>;
 /// sqrt(n) times that: so a ray removes as much of the image's error wherever it goes.
 inline constexpr int ADAPTIVE_SAMPLES = 64;
 
-/// How many samples a pixel should have. `samples` are those that it has, whole rounds in the order
-/// of their passes; as many: it is finished. Where all rays miss, that is after the first round. An
-/// object's border calls for more after the first two rounds; after any but the first, so does a
-/// standard error of the mean of its colours, each component as a screen shows it (0 to 1), that is
-/// above what `sampling.adaptive` allows.
+/// By group, the number of the pixel's samples when the group is finished; 0: not yet. The group's
+/// later samples count for the other groups' decisions alone, not for the colour.
+using Kept = std::array<int, GROUPS>;
+/// A group is finished after the first round in which the samples of the *other* groups call for no
+/// more, at the latest after `sampling.pixel_samples`. Its own values have no effect on its number
+/// of samples, so that their mean has no bias. `samples` are those that the pixel has, whole rounds
+/// in the order of their passes.
+///
+/// An object's border, seen by samples or corners, calls for more after the first round. After any
+/// round, so does a standard error of the mean of the colours, each component as a screen shows it
+/// (0 to 1), that is above what `sampling.adaptive` allows.
+Kept find_kept(const Sampling& sampling, std::span<const TracedSample> samples,
+               const Corners& corners);
+/// How many samples a pixel should have: as many as it has, if all of its groups are finished, else
+/// another round.
 int find_wanted(const Sampling& sampling, std::span<const TracedSample> samples,
                 const Corners& corners);
 
@@ -45,14 +60,18 @@ struct OpenPixel {
   void add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& contribution);
 };
 
-/// The sum of the samples' contributions.
-Samples::Sums add_up(std::span<const TracedSample> samples);
 /// The colour that a pixel shows when so many of its samples have begun: their mean. (Fixed numbers
 /// of samples have their weights, which are made up for until all are there.)
 Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples);
-/// What render() gives for a pixel from the sums of all its samples: with adaptive sampling their
-/// mean.
+/// The colour of a pixel whose groups are finished: the mean of the groups' means, each over the
+/// samples that the group had when it was finished.
+Samples::Sums eval_estimate(const Sampling& sampling, std::span<const TracedSample> samples,
+                            const Corners& corners);
+/// What render() gives for a pixel from `sums`: of all its samples, or with adaptive sampling
+/// `samples` times eval_estimate().
 Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, int samples);
+/// The sums of which eval_mean() is this mean.
+Samples::Sums repeat(const Samples::Sums& mean, int samples);
 /// The mean of as many samples, each component rounded to the nearest unit.
 Samples::Sums eval_mean(const Samples::Sums& sums, int samples);
 

@@ -21,12 +21,12 @@ TracedPixel PixelTracer::finish(int column, int row, const TracedSample& first) 
       add(pixel.sums, tracer_.trace(x, y, pass).sums);
     return pixel;
   }
+  const Corners at_corners = corners_.of_pixel(column, row);
   samples_.assign(1, first);
   int has = 1;
-  for (int wanted = first_round(s); has < wanted;
-       wanted = find_wanted(s, samples_, corners_.of_pixel(column, row)))
+  for (int wanted = first_round(s); has < wanted; wanted = find_wanted(s, samples_, at_corners))
     for (; has < wanted; ++has) samples_.push_back(tracer_.trace(x, y, has));
-  return {eval_mean(add_up(samples_), has), has};
+  return {eval_estimate(s, samples_, at_corners), has};
 }
 
 }  // namespace renderer

@@ -42,13 +42,29 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse(x);
 }
 
-// The index of an adaptive pixel's sample in the sequence of a dimension: in the pixel as they
-// come; others are paired with that at random within each round.
-std::uint32_t find_index(const Sampling& s, const SampleKey& key, Dimension dimension,
-                         std::uint64_t stream) {
-  if (dimension == Dimension::pixel) return static_cast<std::uint32_t>(key.pass);
+// The index of an adaptive pixel's sample in its group's sequence: in the pixel by pass; other
+// dimensions are paired with that at random within each round.
+int find_index(const Sampling& s, const SampleKey& key, Dimension dimension, std::uint64_t stream) {
+  const int place = key.pass / GROUPS;
+  if (dimension == Dimension::pixel) return place;
   const Round round = round_of(s, key.pass);
-  return static_cast<std::uint32_t>(round.first + find_region(stream, round, key.pass));
+  const int first = round.first / GROUPS;
+  const int end = (round.first + round.count - group_of(key.pass) + GROUPS - 1) / GROUPS;
+  return first + find_region(stream, {first, end - first}, place);
+}
+
+SquarePoint sample_group(const Sampling& s, const SampleKey& key, Dimension dimension,
+                         std::uint64_t stream) {
+  const auto group = static_cast<std::uint64_t>(group_of(key.pass));
+  const std::uint64_t own = mix(stream, group), seeds = mix(own, 0);
+  const int index = find_index(s, key, dimension, own);
+  const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(index));
+  const SquarePoint at{0x1p-32 * scramble(u, static_cast<std::uint32_t>(seeds)),
+                       0x1p-32 * scramble(v, static_cast<std::uint32_t>(seeds >> 32))};
+  if (dimension != Dimension::pixel) return at;
+  const std::uint64_t quarter = group ^ (mix(stream, GROUPS) & 3);
+  return {(static_cast<double>(quarter & 1) + at.u) / 2,
+          (static_cast<double>(quarter >> 1) + at.v) / 2};
 }
 
 // sin() and cos() for angles of at most pi / 4, by their series.
@@ -72,7 +88,7 @@ Round round_of(const Sampling& s, int pass) {
   int first = 0, end = FIRST_ROUND;
   while (pass >= end) {
     first = end;
-    end *= first == FIRST_ROUND ? 4 : 2;
+    end *= 2;
   }
   return {first, std::min(end, s.pixel_samples) - first};
 }
@@ -123,14 +139,15 @@ WholePoint eval_sequence(std::uint32_t index) {
   return point;
 }
 
+WholePoint eval_pixel_sequence(int pass) {
+  const auto group = static_cast<std::uint32_t>(group_of(pass));
+  const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(pass / GROUPS));
+  return {(group & 1) << 31 | u >> 1, (group >> 1) << 31 | v >> 1};
+}
+
 SquarePoint sample_square(const Sampling& s, const SampleKey& key, Dimension dimension) {
   const auto stream = make_stream(s, key, dimension);
-  if (is_adaptive(s)) {
-    const auto [u, v] = eval_sequence(find_index(s, key, dimension, stream));
-    const std::uint64_t seeds = mix(stream, 0);
-    return {0x1p-32 * scramble(u, static_cast<std::uint32_t>(seeds)),
-            0x1p-32 * scramble(v, static_cast<std::uint32_t>(seeds >> 32))};
-  }
+  if (is_adaptive(s)) return sample_group(s, key, dimension, stream);
   const Round round = round_of(s, key.pass);
   const Region in = make_region(find_region(stream, round, key.pass), round.count);
   const auto pass = static_cast<std::uint64_t>(key.pass);

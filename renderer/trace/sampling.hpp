@@ -29,13 +29,13 @@ struct SampleKey {
 struct Round {
   int first = 0, count = 1;
 };
-inline constexpr int FIRST_ROUND = 4;
+inline constexpr int FIRST_ROUND = 16;
 /// Whether pixels may have different numbers of samples: not unless there is more than one round.
 inline bool is_adaptive(const Sampling& s) {
   return s.adaptive > 0 && s.pixel_samples > FIRST_ROUND;
 }
-/// All of a pixel's samples are one round; with adaptive sampling, samples come in rounds that make
-/// them 4, 16, 32, 64 ... together, and at last `pixel_samples`.
+/// All of a pixel's samples are one round; with adaptive sampling, rounds end at 16, 32, 64 ...
+/// samples, the last one at `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// How many samples a pixel has after its first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }
@@ -48,9 +48,18 @@ struct WholePoint {
 /// whose sides are halves, quarters ... of the square's.
 WholePoint eval_sequence(std::uint32_t index);
 
+/// With adaptive sampling, the samples of a pixel form groups. Each group lies in a quarter of the
+/// pixel. Which quarter that is, is random; all other random numbers of different groups are
+/// independent, as find_kept() needs.
+inline constexpr int GROUPS = 4;
+inline int group_of(int pass) { return pass % GROUPS; }
+/// Samples of an adaptive pixel share a square of its division into halves, quarters ... exactly if
+/// these points do.
+WholePoint eval_pixel_sequence(int pass);
+
 /// The sample's point of a square: one of the samples lies in each of `count` regions of equal
-/// area, in rows as equal as can be. With adaptive sampling they are eval_sequence()'s, by `pass`
-/// in the pixel, all over the smallest of its rectangles: which share one of them is as it was.
+/// area, in rows as equal as can be. With adaptive sampling, each group has a scrambled
+/// eval_sequence() of its own: samples that share one of the sequence's rectangles still do.
 SquarePoint sample_square(const Sampling& sampling, const SampleKey& key, Dimension dimension);
 /// The sample's point of a line, 0..1.
 double sample_line(const Sampling& sampling, const SampleKey& key, Dimension dimension);

@@ -70,6 +70,10 @@ void Visualisation::run(Channel<Answer>& inp) {
                [block](FrameBuffer& to, renderer::Work& work) { to.add(*block, work); });
           rays += block->rays.total();
         },
+        [&](const FinishedPixel& finished) {
+          cost(picture, scratch,
+               [finished](FrameBuffer& to, renderer::Work& work) { to.finish(finished, work); });
+        },
         [&](const KeepImage& keep) {
           key_images.push_back({this_process().now(), keep.name, picture.rgb8()});
         },

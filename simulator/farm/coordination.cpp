@@ -246,6 +246,7 @@ class Coordinator {
       }
     if (const auto next = ledger_->next_sample(ray.sample)) deposit_sample(ray, *next);
     account(held);
+    send_finished();
   }
 
   void take_probe(const renderer::Ray& probe, const std::optional<renderer::Hit>& hit) {
@@ -258,6 +259,15 @@ class Coordinator {
         deposit(primary);
       }
     account(held);
+    send_finished();
+  }
+
+  // The display adds up all samples of a pixel; where their weights differ it is sent other sums.
+  void send_finished() {
+    for (const FinishedPixel& finished : ledger_->take_finished()) {
+      this_process().charge(setup_.message.made);
+      out(to_.into_visualisation, Answer{finished, FINISHED_BYTES});
+    }
   }
 
   // The memory of the samples that the ledger holds; there were `before`.

@@ -23,6 +23,8 @@ constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< the parameters of increasing realism: 8 words
 constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< a block's task: where it is
 
+constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;  ///< a pixel and three sums
+
 constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< and the keys' weights, where they have any
 inline std::uint32_t bytes_of(const Limits& limits) {
   return LIMITS_BYTES + (limits.weights ? WEIGHTS_BYTES : 0);
@@ -66,7 +68,9 @@ struct KeepImage {   ///< to visualisation only: keep the picture as it is now
 
 /// Workers -> coordination -> visualisation.
 struct Answer {
-  std::variant<Stop, SceneReceived, SceneData, KeepImage, Intersection, RenderedBlock> content;
+  std::variant<Stop, SceneReceived, SceneData, KeepImage, FinishedPixel, Intersection,
+               RenderedBlock>
+      content;
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
   bool stop() const { return std::holds_alternative<Stop>(content); }

@@ -204,6 +204,8 @@ int Worker::find_wanted(Sample& sample, const Point& p) {
   }
   open.wanted = renderer::find_wanted(params_.image.sampling, open.samples, corners);
   if (open.wanted == sample.begun) {
+    sample.sums =
+        repeat(eval_estimate(params_.image.sampling, open.samples, corners), sample.begun);
     own_memory().release(sizes_.pixel * open.samples.size());
     open.samples.clear();
   }

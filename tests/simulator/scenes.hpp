@@ -35,7 +35,10 @@ inline renderer::Scene make_soft_scene() {
 inline renderer::Sampling random_sampling(std::mt19937_64& random) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 1 + static_cast<int>(random() % 7);
-  if (random() % 2 == 0) sampling.adaptive = 0.02 * static_cast<double>(1 + random() % 4);
+  if (random() % 2 == 0) {
+    sampling.pixel_samples += renderer::FIRST_ROUND + static_cast<int>(random() % 20);
+    sampling.adaptive = 0.02 * static_cast<double>(1 + random() % 4);
+  }
   sampling.lens = static_cast<double>(random() % 3);
   sampling.seed = random() % 1000;
   return sampling;

@@ -134,6 +134,16 @@ bool FrameBuffer::add(const renderer::Ray& ray, const Rgb& contribution, rendere
   samples_.add(sample, contribution);
   if (!counts_.empty() && ray.level == 1) ++counts_[sample];
   own(sample);
+  return paint_all(sample, work);
+}
+
+void FrameBuffer::finish(const FinishedPixel& finished, renderer::Work& work) {
+  samples_.sums[finished.sample] = finished.sums;
+  work[Op::sample_updated] += 1;
+  paint_all(finished.sample, work);
+}
+
+bool FrameBuffer::paint_all(std::uint32_t sample, renderer::Work& work) {
   bool changed = paint(sample, work);
   if (light_ == CellLight::smooth) changed |= paint_neighbours(sample, work);
   return changed;

@@ -60,6 +60,12 @@ enum class CellLight : std::uint8_t {
   smooth     ///< bilinear between the samples at its corners, where there are any
 };
 
+/// An adaptive pixel that has all of its samples, whose weights in its colour differ.
+struct FinishedPixel {
+  std::uint32_t sample = 0;      ///< y * width + x
+  renderer::Samples::Sums sums;  ///< eval_estimate() times the number of the pixel's samples
+};
+
 /// The display's picture, painted while samples grow. A pixel shows the smallest cell around it
 /// that has a sample; one that has none shows the background, which is black. When all samples are
 /// there it is the image.
@@ -74,6 +80,8 @@ class FrameBuffer {
   /// of those of its samples whose primary ray has come. Returns whether a pixel of the picture has
   /// another colour now.
   bool add(const renderer::Ray& ray, const renderer::Rgb& contribution, renderer::Work& work);
+  /// Replaces the sums of an adaptive pixel that has all of its samples, and paints the change.
+  void finish(const FinishedPixel& finished, renderer::Work& work);
   /// What pixels show that have no cell with a sample: a picture of as many pixels.
   void set_background(std::vector<std::uint8_t> rgb8) { rgb8_ = std::move(rgb8); }
   /// Adds a block of complete samples.
@@ -89,6 +97,7 @@ class FrameBuffer {
   bool is_sampled(std::uint32_t sample) const;
   int size_now(std::uint32_t sample) const;
   void own(std::uint32_t sample);
+  bool paint_all(std::uint32_t sample, renderer::Work& work);
   bool paint(std::uint32_t sample, renderer::Work& work);
   bool paint_neighbours(std::uint32_t sample, renderer::Work& work);
   renderer::Rgb colour_of(std::uint32_t sample) const;

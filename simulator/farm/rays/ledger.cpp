@@ -57,12 +57,21 @@ std::optional<int> Ledger::next_sample(std::uint32_t number) {
     if (pixel.under_way > 0 || !corners) return std::nullopt;
     pixel.wanted = find_wanted(params_.sampling, pixel.samples, *corners);
     if (pixel.wanted == has) {
+      finish(number, pixel, *corners);
       held_ -= pixel.samples.size();
       open_.erase(open);
       return std::nullopt;
     }
   }
   return pixel.begun++;
+}
+
+void Ledger::finish(std::uint32_t number, const Pixel& pixel, const renderer::Corners& corners) {
+  const auto estimate = eval_estimate(params_.sampling, pixel.samples, corners);
+  const int count = static_cast<int>(pixel.samples.size());
+  renderer::Samples::Sums sums;
+  for (const auto& sample : pixel.samples) add(sums, sample.sums);
+  if (eval_mean(sums, count) != estimate) finished_.push_back({number, repeat(estimate, count)});
 }
 
 std::optional<renderer::Corners> Ledger::find_corners(std::uint32_t pixel) const {

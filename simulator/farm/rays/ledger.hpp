@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "renderer/trace/adaptive.hpp"
+#include "simulator/farm/rays/cells.hpp"
 
 namespace farm {
 
@@ -25,6 +26,9 @@ class Ledger {
   /// of the sample before it has come, a round when all of the round before it and the corners
   /// have.
   std::optional<int> next_sample(std::uint32_t pixel);
+  /// Pixels finished by next_sample() since the last call, for FrameBuffer::finish(). Pixels whose
+  /// samples have equal weights are left out.
+  std::vector<FinishedPixel> take_finished() { return std::exchange(finished_, {}); }
   std::size_t samples_held() const { return held_; }
 
  private:
@@ -33,6 +37,7 @@ class Ledger {
     std::size_t under_way = 0;  // rays that its samples have left
     int begun = 1;              // samples
   };
+  void finish(std::uint32_t number, const Pixel& pixel, const renderer::Corners& corners);
   std::optional<renderer::Corners> find_corners(std::uint32_t pixel) const;
 
   const renderer::Params& params_;
@@ -41,6 +46,7 @@ class Ledger {
   std::unordered_set<std::uint32_t> asked_;                   // corners
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects that are known
   std::size_t held_ = 0;
+  std::vector<FinishedPixel> finished_;
 };
 
 }  // namespace farm

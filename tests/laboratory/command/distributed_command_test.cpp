@@ -46,7 +46,7 @@ TEST(DistributedCommand, OptionsOfSamplesChangeTheImage) {
                                  {"--pixel-samples", "9", "--lens", "0"},
                                  {"--pixel-samples", "9", "--shutter", "0"},
                                  {"--pixel-samples", "9", "--sample-seed", "2"},
-                                 {"--pixel-samples", "9", "--adaptive", "0.1"}})
+                                 {"--pixel-samples", "20", "--adaptive", "0.1"}})
     EXPECT_NE(image_of(other), image) << other.back();
 }
 

@@ -52,7 +52,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
         "program.reference=512"}},
       {"paper/adaptive",
        {"program.width=64", "program.height=64", "program.reference=256",
-        "sweep.scene, adaptive=[[\"spheres:200\", 0.014]]", "let.most=\"0.8\""}},
+        "sweep.scene, adaptive=[[\"spheres:200\", 0.015]]", "let.most=\"0.8\""}},
       {"paper/samples",
        {"image.width=16", "image.height=16", "sweep.pixel_samples=[1, 16]",
         "sweep.program, task, topology=[[\"farm\", \"ray\", \"tree:1\"], "

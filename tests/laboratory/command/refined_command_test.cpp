@@ -43,7 +43,7 @@ std::string render(const TemporaryFolder& folder, const Arguments& arguments) {
 TEST(RefinedCommand, TheImageIsThatOfAPlainRendering) {
   const TemporaryFolder folder;
   for (const Arguments& sampling :
-       {Arguments{}, {"--pixel-samples", "5"}, {"--pixel-samples", "9", "--adaptive", "0.02"}}) {
+       {Arguments{}, {"--pixel-samples", "5"}, {"--pixel-samples", "40", "--adaptive", "0.02"}}) {
     const auto plain = render(folder, quick(sampling));
     for (const char* order : {"scan", "quadrants"})
       for (const char* threads : {"1", "3"})
@@ -56,7 +56,7 @@ TEST(RefinedCommand, StoppedByABudgetItGoesOnToTheSameImage) {
   const TemporaryFolder folder;
   base::Random random(1);
   for (const Arguments& sampling :
-       {Arguments{"--pixel-samples", "4"}, {"--pixel-samples", "6", "--adaptive", "0.05"}}) {
+       {Arguments{"--pixel-samples", "4"}, {"--pixel-samples", "40", "--adaptive", "0.05"}}) {
     const auto plain = render(folder, quick(sampling));
     for (int i = 0; i < 15; ++i) {
       const auto percent = fmt::format("{}%", 100 * random.uniform());

@@ -33,7 +33,7 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Scene scene = test::make_random_scene(seed, 12);
     for (const double adaptive : {0.0, 0.05})
-      for (const int samples : {1, 2, 5, 16}) {
+      for (const int samples : {1, 2, 5, 40}) {
         Params params = make_sampled(23, 14, samples, adaptive);
         if (seed == 2) params.area = {3, 2, 17, 9};
         const auto expected = render(scene, params);
@@ -54,15 +54,15 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
 // Whatever the steps: a step stops where it is asked to, and a copy of the state goes on.
 TEST(Refinement, StoppedAnywhereItGoesOnToTheSamePicture) {
   const Scene scene = test::make_random_scene(7, 10);
-  for (const double adaptive : {0.0, 0.05}) {
-    const Params params = make_sampled(19, 13, 6, adaptive);
+  for (const auto& [samples, adaptive] : {std::pair{6, 0.0}, {20, 0.05}}) {
+    const Params params = make_sampled(19, 13, samples, adaptive);
     const auto expected = render(scene, params);
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", adaptive " << adaptive);
       test::Random random{seed};
       const Order order = random.below(2) ? Order::scan : Order::quadrants;
       Refinement begun(scene, params, order, 1 + random.below(3));
-      const auto stop = static_cast<std::uint64_t>(random.below(19 * 13 * 6 + 1));
+      const auto stop = static_cast<std::uint64_t>(random.below(19 * 13 * samples + 1));
       while (begun.done() < stop) begun.advance(1 + static_cast<std::uint64_t>(random.below(200)));
       Refinement resumed(scene, params, order, 1 + random.below(3), begun.state());
       expect_equal(resumed.make_rendering(), begun.make_rendering());
@@ -162,8 +162,8 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
   // The same number of samples, but it is not the most.
-  Refinement fixed(scene, make_sampled(8, 8, 8), Order::scan);
-  EXPECT_THROW(resume(make_sampled(8, 8, 8, 0.1), fixed.state()), base::BadInput);
+  Refinement fixed(scene, make_sampled(8, 8, 20), Order::scan);
+  EXPECT_THROW(resume(make_sampled(8, 8, 20, 0.1), fixed.state()), base::BadInput);
   auto state = small.state();
   state.done = 8 * 8 * 2 + 1;
   EXPECT_THROW(resume(make_sampled(8, 8, 2), state), base::BadInput);

@@ -29,7 +29,7 @@ int find_part(const SquarePoint& at, int columns, int rows) {
   return static_cast<int>(at.v * rows) * columns + static_cast<int>(at.u * columns);
 }
 
-TEST(Adaptive, RoundsDoubleAfterTheSecond) {
+TEST(Adaptive, RoundsDoubleTheSamples) {
   const Params params = make_adaptive(1, 0.1, 100);
   std::vector<int> ends;
   for (int pass = 0; pass < 100;) {
@@ -37,24 +37,52 @@ TEST(Adaptive, RoundsDoubleAfterTheSecond) {
     EXPECT_EQ(round.first, pass);
     ends.push_back(pass += round.count);
   }
-  EXPECT_EQ(ends, (std::vector<int>{4, 16, 32, 64, 100}));
+  EXPECT_EQ(ends, (std::vector<int>{16, 32, 64, 100}));
 }
 
-// In the pixel for any power of two, in other dimensions after whole rounds.
+// The sample's point of its group's square: in the pixel, that is a quarter.
+SquarePoint sample_in_group(const Params& params, int group, int place, Dimension dimension,
+                            std::uint32_t pixel) {
+  const auto at = sample(params, GROUPS * place + group, dimension, pixel);
+  if (dimension != Dimension::pixel) return at;
+  return {2 * at.u - std::floor(2 * at.u), 2 * at.v - std::floor(2 * at.v)};
+}
+
+// Of each group, in the pixel for any power of two, in other dimensions after whole rounds.
 TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
   const Params params = make_adaptive(1, 0.1, 1000);
   for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})
     for (std::uint32_t pixel = 0; pixel < 30; ++pixel)
-      for (const int count : {2, 4, 8, 16, 32, 64, 128, 256}) {
-        if (dimension != Dimension::pixel && (count == 2 || count == 8)) continue;
-        for (int columns = 1; columns <= count; columns *= 2) {
-          std::set<int> parts;
-          for (int pass = 0; pass < count; ++pass)
-            parts.insert(
-                find_part(sample(params, pass, dimension, pixel), columns, count / columns));
-          EXPECT_EQ(parts.size(), static_cast<std::size_t>(count));
+      for (int group = 0; group < GROUPS; ++group)
+        for (const int count : {2, 4, 8, 16, 32, 64, 128}) {
+          if (dimension != Dimension::pixel && count == 2) continue;  // half a round
+          for (int columns = 1; columns <= count; columns *= 2) {
+            std::set<int> parts;
+            for (int place = 0; place < count; ++place)
+              parts.insert(find_part(sample_in_group(params, group, place, dimension, pixel),
+                                     columns, count / columns));
+            EXPECT_EQ(parts.size(), static_cast<std::size_t>(count));
+          }
         }
-      }
+}
+
+TEST(Adaptive, GroupsHaveAQuarterOfThePixelEach) {
+  const Params params = make_adaptive(1, 0.1, 256);
+  std::set<int> first;
+  for (std::uint32_t pixel = 0; pixel < 50; ++pixel) {
+    std::map<int, std::set<int>> quarters;
+    for (int pass = 0; pass < 256; ++pass)
+      quarters[group_of(pass)].insert(
+          find_part(sample(params, pass, Dimension::pixel, pixel), 2, 2));
+    std::set<int> all;
+    for (const auto& [group, found] : quarters) {
+      EXPECT_EQ(found.size(), 1u);
+      all.insert(*found.begin());
+    }
+    EXPECT_EQ(all.size(), 4u);
+    first.insert(*quarters[0].begin());
+  }
+  EXPECT_EQ(first.size(), 4u);
 }
 
 TEST(Adaptive, TheSequenceSaysWhichSamplesShareASquare) {
@@ -63,7 +91,7 @@ TEST(Adaptive, TheSequenceSaysWhichSamplesShareASquare) {
     for (int levels = 0; levels < 4; ++levels) {
       std::map<int, std::set<int>> squares;
       for (int pass = 0; pass < 256; ++pass) {
-        const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(pass));
+        const auto [u, v] = eval_pixel_sequence(pass);
         const int part = find_part({0x1p-32 * u, 0x1p-32 * v}, 1 << levels, 1 << levels);
         squares[part].insert(
             find_part(sample(params, pass, Dimension::pixel, pixel), 1 << levels, 1 << levels));
@@ -76,13 +104,16 @@ TEST(Adaptive, TheSequenceSaysWhichSamplesShareASquare) {
 TEST(Adaptive, TimesAreSpreadEvenlyToo) {
   const Params params = make_adaptive(1, 0.1, 256);
   for (std::uint32_t pixel = 0; pixel < 20; ++pixel)
-    for (const int count : {4, 16, 32, 64, 256}) {
-      std::set<int> parts;
-      for (int pass = 0; pass < count; ++pass)
-        parts.insert(
-            static_cast<int>(sample_line(params.sampling, {pixel, pass}, Dimension::time) * count));
-      EXPECT_EQ(parts.size(), static_cast<std::size_t>(count));
-    }
+    for (int group = 0; group < GROUPS; ++group)
+      for (const int count : {4, 8, 16, 64}) {
+        std::set<int> parts;
+        for (int place = 0; place < count; ++place) {
+          const SampleKey key{pixel, GROUPS * place + group};
+          parts.insert(
+              static_cast<int>(sample_line(params.sampling, key, Dimension::time) * count));
+        }
+        EXPECT_EQ(parts.size(), static_cast<std::size_t>(count));
+      }
 }
 
 TEST(Adaptive, EachSampleIsAnywhereInItsSquare) {
@@ -114,47 +145,51 @@ int find_wanted(double error, const std::vector<TracedSample>& samples, std::uin
   return find_wanted(make_adaptive(1, error).sampling, samples, {corner, corner, corner, corner});
 }
 
-TEST(Adaptive, NothingAnywhereIsEnoughAfterOneRound) {
-  std::vector<TracedSample> samples(4, make_sample(0, NO_OBJECT));
-  EXPECT_EQ(find_wanted(0.1, samples, NO_OBJECT), 4);
-  EXPECT_EQ(find_wanted(0.1, samples, 3), 16);
-  samples[2].object = 3;
-  EXPECT_EQ(find_wanted(0.1, samples, NO_OBJECT), 16);
-}
-
-TEST(Adaptive, ABorderHasAThirdRound) {
-  std::vector<TracedSample> samples(16, make_sample(0.5));
-  EXPECT_EQ(find_wanted(0.1, samples, 7), 16);
-  EXPECT_EQ(find_wanted(0.1, samples, 8), 32);
-  samples[9].object = 8;
-  EXPECT_EQ(find_wanted(0.1, samples, 7), 32);
-  samples.resize(32, make_sample(0.5));
-  EXPECT_EQ(find_wanted(0.1, samples, 7), 32);
-}
-
-// The quarter of the pixel that a sample is in.
-int quarter_of(int pass) {
-  const auto [u, v] = eval_sequence(static_cast<std::uint32_t>(pass));
-  return static_cast<int>(u >> 31 | v >> 31 << 1);
+TEST(Adaptive, ABorderHasASecondRound) {
+  for (const std::uint32_t object : {std::uint32_t{7}, NO_OBJECT}) {
+    std::vector<TracedSample> samples(16, make_sample(0.5, object));
+    EXPECT_EQ(find_wanted(0.1, samples, object), 16);
+    EXPECT_EQ(find_wanted(0.1, samples, 8), 32);
+    samples[9].object = 8;
+    EXPECT_EQ(find_wanted(0.1, samples, object), 32);
+    samples.resize(32, make_sample(0.5, object));
+    EXPECT_EQ(find_wanted(0.1, samples, object), 32);
+  }
 }
 
 TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
   // Half of the quarters white, half black, none of them mixed: no error.
   std::vector<TracedSample> samples;
-  for (int i = 0; i < 16; ++i) samples.push_back(make_sample(quarter_of(i) % 2));
+  for (int i = 0; i < 16; ++i) samples.push_back(make_sample(group_of(i) % 2));
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
   // One white and three black in each: four quarters of variance 1 / 4, of which the mean's is a
   // 16th of a quarter's, 0.125 squared.
   samples.clear();
   std::set<int> seen;
   for (int i = 0; i < 16; ++i)
-    samples.push_back(make_sample(seen.insert(quarter_of(i)).second ? 1 : 0));
+    samples.push_back(make_sample(seen.insert(group_of(i)).second ? 1 : 0));
   // Of 16 samples half of what 64 may leave is allowed.
   EXPECT_EQ(find_wanted(0.252, samples, 7), 16);
   EXPECT_EQ(find_wanted(0.248, samples, 7), 32);
   // What is brighter than white is white.
   for (TracedSample& s : samples) s = make_sample(s.sums.r > 0 ? 50 : 1);
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
+}
+
+TEST(Adaptive, AGroupIsFinishedByTheOthers) {
+  const Sampling sampling = make_adaptive(1, 0.02).sampling;
+  const Corners nothing{NO_OBJECT, NO_OBJECT, NO_OBJECT, NO_OBJECT};
+  std::vector<TracedSample> samples(16, make_sample(0, NO_OBJECT));
+  samples[1] = make_sample(1, 3);
+  EXPECT_EQ(find_kept(sampling, samples, nothing), (Kept{0, 16, 0, 0}));
+  EXPECT_EQ(find_wanted(sampling, samples, nothing), 32);
+  samples.resize(32, make_sample(0, NO_OBJECT));
+  EXPECT_EQ(find_kept(sampling, samples, nothing), (Kept{0, 16, 0, 0}));
+  samples.resize(64, make_sample(0, NO_OBJECT));
+  EXPECT_EQ(find_kept(sampling, samples, nothing), (Kept{64, 16, 64, 64}));
+  EXPECT_EQ(find_wanted(sampling, samples, nothing), 64);
+  // One of the four samples that the group keeps hits.
+  EXPECT_EQ(to_rgb(eval_estimate(sampling, samples, nothing)).r, 1.0 / 16);
 }
 
 double eval_rmse(const Samples& a, const Samples& b, const Area& area) {
@@ -243,14 +278,12 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   EXPECT_GT(borders, 500);
 }
 
-// Balls that are smaller than a pixel, or touch one between its corners and samples, may escape,
-// but not all of the rounds that every object has.
+// Balls that are smaller than a pixel, or touch one between its corners and samples, may escape.
 TEST(Adaptive, HardlyABallsBorderIsWithoutExtraSamples) {
   for (const int spheres : {200, 3200}) {
     const Params params = make_adaptive(32, 0.01);
     const Scene scene = make_spheres(spheres);
     const auto [all, few] = count_borders(scene, params, 16);
-    EXPECT_EQ(count_borders(scene, params, FIRST_ROUND).second, 0);
     EXPECT_LT(few, 0.02 * all);
   }
 }

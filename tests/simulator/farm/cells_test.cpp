@@ -184,10 +184,16 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
     EXPECT_EQ(picture.rgb8()[16], 51) << pass;
   }
   sampling.adaptive = 0.1;
-  sampling.pixel_samples = 8;
+  sampling.pixel_samples = 32;
   FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
   for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
   EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
+  // Samples of different weights.
+  renderer::Samples::Sums sums;
+  add(sums, renderer::Rgb{3 * 0.6, 0, 0});
+  means.finish({3, sums}, work);
+  EXPECT_NEAR(means.samples().get(3).r, 0.6, 1e-9);
+  EXPECT_EQ(means.rgb8()[9], 153);
 }
 
 // Quadrants whose samples come in any order: each pixel has the colour of the latest in the queue.

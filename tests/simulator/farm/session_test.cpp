@@ -114,6 +114,7 @@ TEST(Session, EndsWithTheImageOfSeveralSamples) {
       params.order = static_cast<CellOrder>(random() % 4);
       params.cells = static_cast<CellLight>(random() % 3);
       if (random() % 3 == 0) params.image.area = {5, 3, 13, 10};
+      if (is_adaptive(params.image.sampling)) params.image.area = {5, 3, 6, 4};
       params.stages = {random_limits(random), random_limits(random)};
       if (random() % 2 == 0) params.script = {{{0.1}, random_limits(random)}};
       const auto scene = test::make_soft_scene();
