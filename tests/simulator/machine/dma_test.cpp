@@ -1,6 +1,8 @@
 // Links cost the CPU: the DMA's memory cycles.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/support/lab.hpp"
 
 namespace occam {
@@ -209,6 +211,55 @@ TEST(Dma, NowIsExactBesideIt) {
     const auto end = model.channel.blocked + Cycles{charges * cycles + words * STEAL_WORD};
     EXPECT_NEAR(end_of(false).at(0), static_cast<double>((end + switches).value), ROUNDING);
     EXPECT_EQ(end_of(false), end_of(true)) << name_of(priority);
+  }
+}
+
+// A process of lowest priority that only counts gets what neither processes nor DMA take, where
+// switches cost nothing.
+TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
+  Model model = make_stealing_model();
+  model.scheduler.preemption = model.scheduler.return_to_low = {0};
+  constexpr double END_S = 0.02;
+  constexpr std::int64_t ROUND = 8;  // cycles
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto run = [&](bool is_watched) {
+      return isolated_numbers([&] {
+        std::mt19937_64 random(seed);
+        Lab lab(model);
+        Processor& a = lab.cpu();
+        Processor& b = lab.neighbour(a);
+        auto &there = lab.hard(a, b), &back = lab.hard(b, a);
+        const auto talk = [&](Channel<Words>& channel, Processor& from, Processor& to) {
+          const std::uint64_t bytes = 4 * (1 + random() % 500);
+          const auto gap = static_cast<std::int64_t>(random() % 3000);
+          from.start("writer", Priority::high, [&channel, bytes, gap] {
+            for (int i = 0; i < 10; ++i) compute(gap), out(channel, {bytes});
+          });
+          to.start("reader", Priority::high, [&channel] {
+            for (int i = 0; i < 10; ++i) channel.in();
+          });
+        };
+        talk(there, a, b);
+        talk(back, b, a);
+        Numbers found;
+        std::array<std::int64_t, 2> rounds{};
+        if (is_watched)
+          for (std::size_t i : {0, 1})
+            (i == 0 ? a : b).start("monitor", Priority::low, [&rounds, i] {
+              for (;; ++rounds[i]) compute(ROUND), this_process().sync();
+            });
+        lab.machine.run({END_S});
+        for (std::size_t i : {0, 1}) {
+          const double taken_s = (i == 0 ? a : b).use().taken().value;
+          found.push_back(is_watched ? static_cast<double>(rounds[i] * ROUND)
+                                     : (END_S - taken_s) * model.cpu.clock.value);
+        }
+        return found;
+      });
+    };
+    const Numbers counted = run(true), left = run(false);
+    for (std::size_t i : {0, 1})
+      EXPECT_NEAR(counted.at(i), left.at(i), 2 * ROUND) << "seed " << seed;
   }
 }
 
