@@ -1,6 +1,7 @@
 // Signals that come where nothing is simulated: the program ends with one sentence and leaves
 // nothing behind, neither files nor programs that it has started.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/stat.h>
 
