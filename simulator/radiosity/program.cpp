@@ -1,5 +1,6 @@
 #include "simulator/radiosity/program.hpp"
 
+#include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
 #include "simulator/declare/routers.hpp"
 #include "simulator/growth/growth.hpp"
@@ -207,7 +208,7 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
 
 Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   const auto room = load_scene(params.room);
-  const auto mesh = make_mesh(room, params.room.light.mesh);
+  const auto mesh = make_lit_mesh(room, params.room.light).mesh;
   auto result = run_radiosity(setup.model, setup.topology, mesh,
                               machine_params(setup, params, room.view, mesh));
   if (result.end != machine::End::done)

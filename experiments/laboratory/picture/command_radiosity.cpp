@@ -90,11 +90,9 @@ Outcome light(RadiosityOptions& o) {
   const auto picture = fit(o.picture, room.view);
   Progress bar("radiosity");
   const auto step = make_step(o, bar);
-  radiosity::AdaptedMesh adapted;
-  if (o.adapt.error > 0)
-    adapted = radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adapt, step);
-  else
-    adapted.mesh = radiosity::make_mesh(room, o.light.mesh);
+  radiosity::AdaptedMesh adapted =
+      o.adapt.error > 0 ? radiosity::adapt_mesh(room, o.light, o.reconstruction, o.adapt, step)
+                        : radiosity::make_lit_mesh(room, o.light, step);
   const Mesh& mesh = adapted.mesh;
   made.rounds = adapted.rounds;
   made.error = adapted.error;
@@ -107,8 +105,10 @@ Outcome light(RadiosityOptions& o) {
     bar.say(fmt::format("tlab: warning: {}: {}", o.room, problem));
   made.mesh_s = clock.lap();
 
-  made.solution = o.adapt.error > 0 ? solve_adapted(room, adapted, o.light, step)
-                                    : solve_room(room, adapted.mesh, o.light, step);
+  made.solution = solve_adapted(room, adapted, o.light, step);
+  if (o.adapt.error == 0 && o.light.senders == 0)
+    made.error =
+        radiosity::estimate_error(mesh, made.solution, o.light.solve, o.reconstruction, room.view);
   made.emitted = mesh.emitted;
   made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();
@@ -179,7 +179,17 @@ void print_balance(const Outcome& made) {
                     100 * std::abs(error), error > 0 ? "lost" : "too much"));
 }
 
+// Estimated error of a picture from which on a warning tells it.
+constexpr double FAIR_ERROR = 0.02;
+
 void warn_of_error(const RadiosityOptions& o, const Outcome& made) {
+  const bool follows = o.adapt.error == 0 && o.creases == radiosity::Creases::found;
+  if (follows && made.error > FAIR_ERROR)
+    complain(fmt::format(
+        "warning: patches do not follow the light everywhere: the picture's error is "
+        "estimated to be {:.2g} % between vertices: more patches (--refine, --adaptive) "
+        "show it",
+        100 * made.error));
   if (o.adapt.error > 0 && made.error > o.adapt.error)
     complain(
         fmt::format("warning: patches were halved {} times, and the error is estimated to be "

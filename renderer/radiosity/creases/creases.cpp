@@ -172,7 +172,7 @@ base::Field<Creases> creases_field() {
 }
 
 void choose_creases(Room& room, Creases creases) {
-  room.fine_near_lights = creases == Creases::found;
+  room.fine_near_lights = room.fine_shadows = creases == Creases::found;
   if (creases == Creases::none) room.creases.clear();
   if (creases != Creases::found) return;
   const auto found = find_creases(room);

@@ -31,7 +31,8 @@ enum class Creases : std::uint8_t {
 /// The field "creases".
 base::Field<Creases> creases_field();
 
-/// The room's creases become the chosen ones, and Room::fine_near_lights what belongs to them.
+/// The room's creases become the chosen ones, and Room::fine_near_lights and
+/// Room::fine_shadows what belongs to them.
 void choose_creases(Room& room, Creases creases);
 
 }  // namespace radiosity

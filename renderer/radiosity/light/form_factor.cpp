@@ -24,13 +24,13 @@ struct DirectSight {
 
 // What a vertex gets from a patch directly, for sum_deltas()'s `source`.
 template <class Source>
-auto eval_direct(const Eye& eye, const Vertex& vertex, const Patch& patch, const Quad& quad,
-                 const Source& source, Work& work) {
+auto eval_direct(const Eye& eye, const Cut& cut, const Vertex& vertex, const Patch& patch,
+                 const Quad& quad, const Source& source, Work& work) {
   work[Op::factor_begun] += 1;
   const Viewpoint view{vertex.lit, vertex.normal};
   if (!face_each_other(view, patch)) return SumOf<Source>{};
   const DirectSight sight{eye, vertex, patch, work};
-  return sum_deltas(direct_cut(eye.params), view, quad, sight, source, work);
+  return sum_deltas(cut, view, quad, sight, source, work);
 }
 
 }  // namespace
@@ -57,13 +57,14 @@ base::Fields<FactorParams> factor_fields() {
 void check(const FactorParams& params) { renderer::require_allowed(factor_fields(), params); }
 
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
-  return eval_direct(eye, vertex, patch, Quad(patch), Even{}, work);
+  return eval_direct(eye, direct_cut(eye.params), vertex, patch, Quad(patch), Even{}, work);
 }
 
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, Work& work) {
   const auto& [patch, quad, glow, is_even] = sender;
-  const Rgb direct = is_even ? eval_direct(eye, vertex, patch, quad, EvenGlow{glow.at}, work)
-                             : eval_direct(eye, vertex, patch, quad, glow, work);
+  const Cut cut = direct_cut(eye, sender);
+  const Rgb direct = is_even ? eval_direct(eye, cut, vertex, patch, quad, EvenGlow{glow.at}, work)
+                             : eval_direct(eye, cut, vertex, patch, quad, glow, work);
   return has_mirrors(eye) ? direct + eval_mirrored_light(eye, vertex, sender, work) : direct;
 }
 

@@ -101,6 +101,16 @@ struct Sender {
   bool is_even;
 };
 
+/// How delta areas of a sender are cut where light comes directly: none of a lamp would give more
+/// of what it emits than Mesh::most_at_once, by its form factor at most.
+inline Cut direct_cut(const Eye& eye, const Sender& sender) {
+  Cut cut = direct_cut(eye.params);
+  const double emitted = sum(eye.mesh.materials[sender.patch.material].emission) / 3;
+  if (emitted > 0)
+    cut.enough = std::min(cut.enough, std::numbers::pi * eye.mesh.most_at_once / emitted);
+  return cut;
+}
+
 /// The sum of Eq 3.9 times A_2, without mirrors: the share of the vertex's hemisphere, weighted by
 /// its cosine, in which the patch is seen, 0..1; B_1 = rho_1 B_2 times it. Adds to `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);

@@ -133,7 +133,7 @@ void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& se
   work[Op::factor_begun] += count(points.present);
   near = Mask{};
   if (!holds_any(facing)) return;
-  const Cut cut = direct_cut(eye.params);
+  const Cut cut = direct_cut(eye, sender);
   if (cut.samples > 1) {
     near = facing;
     return;
@@ -203,7 +203,7 @@ class Near {
       seen_[count_++] = {&vertex, receiver, delta, look};
       if (count_ == LANES) flush();
     };
-    Cutter(direct_cut(eye_.params), view, sender_.quad, misses, take, work_).run();
+    Cutter(direct_cut(eye_, sender_), view, sender_.quad, misses, take, work_).run();
   }
   void flush() {
     if (count_ == 0) return;

@@ -9,7 +9,7 @@ namespace radiosity {
 struct Line {
   Crease crease;
   double touch = 0;      ///< points that are nearer than this to it lie on it; in the room's unit
-  bool contact = false;  ///< contacts come before other creases
+  bool contact = false;  ///< contacts, and lines that are cut as they are, come before creases
 };
 
 /// Lengths in the room's units.

@@ -13,10 +13,14 @@ namespace radiosity {
 namespace {
 
 constexpr double OFF_PLANE = 1e-6;  // share of a face's size
-// So many times its height inside an edge, a tenth of the light below the edge is left.
-constexpr double HEIGHTS_INSIDE = 2;
-// What hangs over a face touches it if the light fades within a patch; a share of its width.
-constexpr double GAP = 1 / HEIGHTS_INSIDE;
+// Least and largest height, as shares of a patch's width, of an edge beside which patches are
+// graded. What hangs nearer touches the face; without strips, also what hangs within half of it.
+constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
+// Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, and so
+// on to WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, 15 % of the light is missing.
+constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
+// Least cosine between the normals of a face and of what hangs over it.
+constexpr double PARALLEL = 0.8;
 // Pairs of faces that may touch: in any room, and for each of its faces.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
@@ -182,8 +186,9 @@ Heights find_heights(const Pair& pair) {
 // cannot show how light fades under its edges.
 bool hangs_over(const Pair& pair) {
   const auto [low, high] = find_heights(pair);
-  return low > pair.tolerance && high <= pair.on.gap() && pair.other.width >= pair.on.patch_width &&
-         overlap(pair);
+  return low > pair.tolerance && low <= pair.on.gap() && high <= 2 * pair.on.gap() &&
+         pair.other.width >= pair.on.patch_width &&
+         std::abs(dot(pair.on.plane.normal, pair.other.plane.normal)) >= PARALLEL && overlap(pair);
 }
 
 bool lies_on(const Flat& flat, const Vec& point, double tolerance) {
@@ -219,34 +224,83 @@ std::vector<Plane> make_shape(const Pair& pair) {
   return make_edge_planes(below, normalize(eval_area_normal(below)));
 }
 
+// An open edge of what hangs over a face.
+struct OpenEdge {
+  const Pair pair;
+  Crease below;                  // on the face's plane
+  std::array<double, 2> height;  // of its ends
+  Vec inward;                    // unit, in the face's plane
+};
+
 // Adds the open edges of what hangs over a face. `neighbours`: of what hangs.
-void add_hanging(const Pair& pair, std::span<const Flat> flats,
-                 std::span<const std::uint32_t> neighbours, Contacts& contacts) {
+void find_open_edges(const Pair& pair, std::span<const Flat> flats,
+                     std::span<const std::uint32_t> neighbours, std::vector<OpenEdge>& open) {
   const Plane& plane = pair.on.plane;
   const auto& corners = pair.other.face->corners;
   const Vec middle = project(plane, eval_mean(corners));
-  const auto shape = make_shape(pair);
-  const bool is_wide =
-      corners.size() == 4 && pair.other.width >= 2 * HEIGHTS_INSIDE * find_heights(pair).high;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Crease edge{corners[i], corners[(i + 1) % corners.size()]};
     const Crease below{project(plane, edge.a), project(plane, edge.b)};
     Vec inward = normalize(cross(plane.normal, below.b - below.a));
     if (dot(inward, middle - below.a) < 0) inward = -inward;
-    if (is_shut(pair, edge, -inward, flats, neighbours)) continue;
-    const auto line = clip_to(pair.on, below, pair.tolerance, pair.tolerance);
+    const std::array height{length(edge.a - below.a), length(edge.b - below.b)};
+    if (std::max(height[0], height[1]) <= pair.on.gap() &&
+        !is_shut(pair, edge, -inward, flats, neighbours))
+      open.push_back({pair, below, height, inward});
+  }
+}
+
+// The segment so many heights of the edge inside it, or outside if negative; there it is as much
+// longer, so that those of neighbouring edges meet.
+Crease shift(const OpenEdge& edge, double heights) {
+  const Vec along = normalize(edge.below.b - edge.below.a);
+  const double longer = std::max(0.0, -heights);
+  return {edge.below.a + edge.height[0] * (heights * edge.inward - longer * along),
+          edge.below.b + edge.height[1] * (heights * edge.inward + longer * along)};
+}
+
+// The edge is so near that no strips show how light fades: it touches the face.
+void add_touching(const OpenEdge& edge, const Crease& line, Contacts& contacts) {
+  contacts.lines.push_back(line);
+  contacts.hanging.push_back({line, edge.inward, edge.pair.other.plane});
+}
+
+// Adds the strips beside an edge in which the light fades: of a long edge of height h, the share
+// (1 + x / sqrt(x^2 + h^2)) / 2 arrives at the distance x outside it.
+void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
+  const Pair& pair = edge.pair;
+  const auto shape = make_shape(pair);
+  const double height = std::max(edge.height[0], edge.height[1]);
+  double heights = FIRST_STRIP;
+  for (std::size_t i = 0; i < most && heights * height <= WIDEST_STRIP * pair.on.patch_width;
+       ++i, heights *= GROWTH) {
+    if (const auto line = clip_to(pair.on, shift(edge, -heights), pair.tolerance, pair.tolerance))
+      contacts.strips.push_back(*line);
+    const Crease inner = shift(edge, heights);
+    if (const auto part = clip_segment(inner.a, inner.b, shape, 0))
+      if (const auto line = clip_to(
+              pair.on, {lerp(inner.a, inner.b, part->from), lerp(inner.a, inner.b, part->to)},
+              pair.tolerance, pair.tolerance))
+        contacts.strips.push_back(*line);
+  }
+}
+
+// Adds what the edges that hang over a face make on it. `most_strips`: beside all of them, on each
+// of their sides; with many edges there are few or none.
+void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Contacts& contacts) {
+  const std::size_t most = most_strips / std::max<std::size_t>(1, edges.size());
+  for (const OpenEdge& edge : edges) {
+    const Pair& pair = edge.pair;
+    const auto line = clip_to(pair.on, edge.below, pair.tolerance, pair.tolerance);
     if (!line) continue;
-    contacts.lines.push_back(*line);
-    contacts.hanging.push_back({*line, inward, pair.other.plane});
-    if (!is_wide) continue;
-    const Crease inner{below.a + HEIGHTS_INSIDE * length(edge.a - below.a) * inward,
-                       below.b + HEIGHTS_INSIDE * length(edge.b - below.b) * inward};
-    const auto under = clip_segment(inner.a, inner.b, shape, 0);
-    if (!under) continue;
-    if (const auto part = clip_to(
-            pair.on, {lerp(inner.a, inner.b, under->from), lerp(inner.a, inner.b, under->to)},
-            pair.tolerance, pair.tolerance))
-      contacts.lines.push_back(*part);
+    const auto [low, high] = std::minmax(edge.height[0], edge.height[1]);
+    if (low < LEAST_GAP * pair.on.patch_width ||
+        (most == 0 && high <= TOUCHING_GAP * pair.on.patch_width)) {
+      add_touching(edge, *line, contacts);
+      continue;
+    }
+    contacts.folds.push_back(*line);
+    add_strips(edge, most, contacts);
   }
 }
 
@@ -296,7 +350,7 @@ double eval_width(const Ledge& ledge, const Vec& at) {
   return width;
 }
 
-std::vector<Contacts> find_contacts(const Room& room, int refine) {
+std::vector<Contacts> find_contacts(const Room& room, int refine, std::size_t most_strips) {
   std::vector<Flat> flats;
   for (const Face& face : room.faces) flats.push_back(make_flat(face, refine));
   const auto neighbours = find_neighbours(flats);
@@ -305,11 +359,12 @@ std::vector<Contacts> find_contacts(const Room& room, int refine) {
     const Flat& on = flats[f];
     if (room.materials[on.face->material].mirror) continue;
     auto& lines = contacts[f].lines;
+    std::vector<OpenEdge> open;
     for (const auto i : neighbours[f]) {
       const Pair pair = make_pair(on, flats[i]);
       const double tolerance = pair.tolerance;
       if (hangs_over(pair)) {
-        add_hanging(pair, flats, neighbours[i], contacts[f]);
+        find_open_edges(pair, flats, neighbours[i], open);
       } else if (are_coplanar(pair)) {
         if (!overlap(pair)) continue;
         const auto& corners = flats[i].face->corners;
@@ -326,6 +381,7 @@ std::vector<Contacts> find_contacts(const Room& room, int refine) {
           contacts[f].ledges.push_back(make_ledge(pair, *border, flats, neighbours[i]));
       }
     }
+    add_hanging(open, most_strips, contacts[f]);
   }
   return contacts;
 }

@@ -89,8 +89,9 @@ struct Cutting {
   std::size_t most;   // patches that creases may make of it
   Vec normal;
   double width;                // of a patch
-  std::vector<Line> near;      // contacts and creases in the plane, within or on the border
-  std::vector<Line> crossing;  // those of them that cross the inside
+  std::vector<Line> contacts;  // in the plane, within or on the border
+  std::vector<Line> creases;   // likewise: folds and creases
+  std::vector<Line> crossing;  // those that cross the inside: contacts, folds, strips, creases
 };
 
 // The length of the part of a crease that is inside all planes by a margin.
@@ -112,19 +113,23 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   const Grid grid = find_grid(face, refine);
   const auto along = static_cast<int>(grid.along.size()) - 1;
   const auto across = static_cast<int>(grid.across.size()) - 1;
-  Cutting cutting{face, along, across, 0, normal, find_patch_width(face, refine), {}, {}};
+  Cutting cutting{face, along, across, 0, normal, find_patch_width(face, refine), {}, {}, {}};
   cutting.most =
       std::max(count_quads(face, refine), LEAST_PATCHES) * static_cast<std::size_t>(cuts.growth);
   const std::vector<Plane> edges = make_edge_planes(corners, normal);
-  const auto add = [&](std::span<const Crease> creases, double touch, bool contact) {
+  const auto add = [&](std::span<const Crease> creases, double share, bool contact,
+                       std::vector<Line>* near) {
+    const double touch = share * cutting.width;
     for (const Crease& crease : select_creases(face, creases, touch)) {
-      cutting.near.push_back({crease, touch, contact});
-      if (find_inside(crease, edges, touch) > touch)
-        cutting.crossing.push_back({crease, touch, contact});
+      const Line line{crease, touch, contact};
+      if (near) near->push_back(line);
+      if (find_inside(crease, edges, touch) > touch) cutting.crossing.push_back(line);
     }
   };
-  add(cuts.contacts, CONTACT_TOUCH * cutting.width, true);
-  add(cuts.creases, CREASE_TOUCH * cutting.width, false);
+  add(cuts.contacts, CONTACT_TOUCH, true, &cutting.contacts);
+  add(cuts.folds, CONTACT_TOUCH, true, &cutting.creases);
+  add(cuts.strips, CONTACT_TOUCH, true, nullptr);
+  add(cuts.creases, CREASE_TOUCH, false, &cutting.creases);
   return cutting;
 }
 
@@ -334,10 +339,10 @@ Division divide_face(const Face& face, int refine, const Cuts& cuts) {
     division = make_grid(cutting, rows, find_grid(face, refine));
   else
     division = divide_freely(cutting, rows);
-  division.creases = find_edges(division, cutting.near, cutting.normal);
-  const auto contacts = static_cast<std::size_t>(
-      std::ranges::find(cutting.near, false, &Line::contact) - cutting.near.begin());
-  division.contacts = find_edges(division, std::span(cutting.near).first(contacts), cutting.normal);
+  division.contacts = find_edges(division, cutting.contacts, cutting.normal);
+  std::vector<Line> all = cutting.contacts;
+  all.insert(all.end(), cutting.creases.begin(), cutting.creases.end());
+  division.creases = find_edges(division, all, cutting.normal);
   division.left_out += rows.left_out;
   return division;
 }

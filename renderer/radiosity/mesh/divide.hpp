@@ -45,6 +45,8 @@ inline constexpr double CREASE_TOUCH = 0.1, CONTACT_TOUCH = 0.002;
 struct Cuts {
   std::span<const Crease> creases{};   ///< the first count most
   std::span<const Crease> contacts{};  ///< where others touch the face: before all creases
+  std::span<const Crease> folds{};     ///< as creases, but before them and never left out
+  std::span<const Crease> strips{};    ///< likewise; light is smooth there: these are no creases
   /// Creases are left out once the face has this many times the patches that it has without.
   int growth = 1000;
 };

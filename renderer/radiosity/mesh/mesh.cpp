@@ -19,6 +19,9 @@ namespace {
 // Patches that creases may make of any room, and times as many as without of one face.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
+// The largest step in a penumbra, as a share of the mean illumination that the room would have if
+// it were closed.
+constexpr double STEP = 0.005;
 
 std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
   return std::minmax(patch.corners[side], patch.corners[(side + 1) % 4]);
@@ -119,8 +122,8 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
       share = std::max(share, t + inset);
   // Through a gap between the border and an edge that is parallel to it; `inside`: unit.
   const auto light_through = [&](double width, const Vec& inside) {
-    constexpr double WIDE = 4;                  // beyond, light falls evenly
-    const double depth = 2 * dot(way, inside);  // of the patch
+    constexpr double WIDE = 4;                            // beyond, light falls evenly
+    const double depth = 2 * std::abs(dot(way, inside));  // of the patch
     if (width < WIDE * depth) share = std::max(share, 2 * eval_lit_place(width / depth));
   };
   const double touch = 2 * CONTACT_TOUCH * fringe.width;
@@ -285,7 +288,7 @@ class Builder {
   }
 
   Mesh build() {
-    limit_creases();
+    limit_cuts();
     for (std::uint32_t i = 0; i < room_.faces.size(); ++i) add(room_.faces[i], i);
     finish(mesh_.blockers);
     // Contacts are borders: what is lit on their two sides is inset to either side.
@@ -304,30 +307,59 @@ class Builder {
   }
 
  private:
-  // Finds the largest growth of a face with which the room has no more patches than it may: halves
-  // it until that is so, then raises it by bisection.
-  void limit_creases() {
-    if (room_.creases.empty()) return;
-    const auto count = [&] {
-      std::size_t patches = 0;
-      for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
-        const Face& face = room_.faces[i];
-        if (room_.materials[face.material].mirror) continue;
-        const Cuts cuts{room_.creases, contacts_[i].lines, growth_};
-        patches += (face.two_sided ? 2 : 1) * divide_face(face, params_.refine, cuts).quads.size();
-      }
-      return patches;
-    };
+  std::size_t count_with_cuts() const {
+    std::size_t patches = 0;
+    for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
+      const Face& face = room_.faces[i];
+      if (room_.materials[face.material].mirror) continue;
+      patches +=
+          (face.two_sided ? 2 : 1) * divide_face(face, params_.refine, make_cuts(i)).quads.size();
+    }
+    return patches;
+  }
+
+  std::size_t find_most_patches() const {
     const std::size_t plain = count_patches(room_, params_.refine);
-    const std::size_t most =
-        std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
+    return std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
+  }
+
+  // Leaves out strips and creases until the room has no more patches than it may.
+  void limit_cuts() {
     growth_ = MOST_FACE_GROWTH;
-    while (growth_ > 1 && count() > most) growth_ /= 2;
+    const std::size_t most = find_most_patches();
+    if (!has_strips() && room_.creases.empty()) return;
+    if (count_with_cuts() <= most) return;
+    growth_ = 0;
+    limit_strips(most / 2);
+    limit_creases(most);
+  }
+
+  bool has_strips() const {
+    return std::ranges::any_of(contacts_, [](const Contacts& c) { return !c.strips.empty(); });
+  }
+
+  // Halves the number of strips.
+  void limit_strips(std::size_t most) {
+    std::size_t strips = MOST_STRIPS;
+    while (has_strips() && count_with_cuts() > most)
+      contacts_ = find_contacts(room_, params_.refine, strips /= 2);
+  }
+
+  // Finds the largest growth of a face: halves it, then raises it by bisection.
+  void limit_creases(std::size_t most) {
+    growth_ = MOST_FACE_GROWTH;
+    while (growth_ > 1 && count_with_cuts() > most) growth_ /= 2;
     if (growth_ == MOST_FACE_GROWTH) return;
     for (int more = growth_ / 2; more > 0; more /= 2) {
       growth_ += more;
-      if (count() > most) growth_ -= more;
+      if (count_with_cuts() > most) growth_ -= more;
     }
+  }
+
+  // What cuts a face of the room.
+  Cuts make_cuts(std::uint32_t face) const {
+    const Contacts& contacts = contacts_[face];
+    return {room_.creases, contacts.lines, contacts.folds, contacts.strips, growth_};
   }
 
   std::vector<Fringe> make_fringes() const {
@@ -348,6 +380,8 @@ class Builder {
       mesh_.reflectance += patch.area * material.reflectance;
     }
     mesh_.reflectance = (1 / mesh_.area) * mesh_.reflectance;
+    const double absorbed = mesh_.area * (1 - sum(mesh_.reflectance) / 3);
+    if (room_.fine_shadows) mesh_.most_at_once = STEP * sum(mesh_.emitted) / 3 / absorbed;
   }
 
   void add(const Face& face, std::uint32_t number) {
@@ -369,8 +403,7 @@ class Builder {
   }
 
   void add_patches(const Face& face, std::uint32_t number) {
-    const Division division =
-        divide_face(face, params_.refine, {room_.creases, contacts_[number].lines, growth_});
+    const Division division = divide_face(face, params_.refine, make_cuts(number));
     check_count(face, mesh_.patches.size() + division.quads.size());
     mesh_.left_out += division.left_out;
     const Normals normals(face);

@@ -3,6 +3,7 @@
 // not (another reflectance, emission or normal, a crease) vertices are doubled (3.1.4.2).
 
 #include <array>
+#include <limits>
 #include <set>
 #include <span>
 
@@ -53,6 +54,9 @@ struct Mesh {
   double area = 0;           ///< of all patches, in squares of the room's unit
   Rgb emitted;               ///< power that all patches emit
   Rgb reflectance;           ///< mean reflectance of the patches, by area
+  /// Illumination, mean of the colours: a delta area that would give more, if it is seen, is
+  /// halved. Infinite unless Room::fine_shadows.
+  double most_at_once = std::numeric_limits<double>::infinity();
   std::size_t left_out = 0;  ///< creases that the patches do not keep, or not everywhere: once for
                              ///< each side of a face
 };
@@ -61,7 +65,8 @@ struct MeshParams {
   int refine = 1;         ///< factor of the divisions of every face, 1 to 1000
   int crease_growth = 4;  ///< times as many patches as without creases (after halving near lights)
                           ///< that the room may have with them, or 2000 patches if that is more, 1
-                          ///< to 1000; further creases of the faces that grow most are left out, on
+                          ///< to 1000; beyond, strips below what hangs are fewer, until they leave
+                          ///< half of it, and creases of the faces that grow most are left out, on
                           ///< each the last first
   double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
                           ///< the way to the mean centre of their patches, 0..0.5; if that is not

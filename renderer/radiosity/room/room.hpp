@@ -52,6 +52,7 @@ struct Room {
   std::vector<Face> faces;
   std::vector<Crease> creases;
   bool fine_near_lights = false;  ///< whether make_mesh() halves patches there
+  bool fine_shadows = false;      ///< whether penumbrae have small steps, see Mesh::most_at_once
   renderer::View view;
 };
 

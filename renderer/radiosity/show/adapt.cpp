@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "renderer/radiosity/mesh/divide.hpp"
+#include "renderer/radiosity/mesh/grade.hpp"
 #include "renderer/radiosity/show/locate.hpp"
 #include "renderer/radiosity/show/picture.hpp"
 #include "renderer/scene/require.hpp"
@@ -17,6 +18,11 @@ namespace {
 constexpr double LEFT = 0.5;
 // A patch is halved along one side only if that is so many times as long as the other.
 constexpr double LONG = 1.5;
+// Rows are halved across one direction only if the light differs there so many times as much.
+constexpr double STEEP = 2;
+// How often make_lit_mesh() halves patches, and how many times as many they may become.
+constexpr int MOST_HALVINGS = 2;
+constexpr std::size_t MOST_GROWTH = 2;
 // Times that patches are halved while their number does not grow.
 constexpr int MOST_TRIES = 4;
 // While patches are halved, a solution leaves so much light unsent: what makes edges is sent early.
@@ -37,29 +43,54 @@ std::vector<Rgb> find_weights(const Mesh& mesh, const renderer::View& view) {
   return find_shares(mesh, view, {.width = shorten(view.width), .height = shorten(view.height)});
 }
 
+// The radiosity in a patch's middle: Simpson's mean, solved for it.
+Rgb find_middle(const Mesh& mesh, const Solution& solution, std::uint32_t p) {
+  Rgb corners;
+  for (const auto corner : mesh.patches[p].corners) corners += solution.vertices[corner];
+  return 1.5 * (solution.means[p] + -1.0 / 12 * corners);
+}
+
+// How far a patch's middle is off the surface. The middle of a curved patch has another normal than
+// its surface there, and is not judged.
+Rgb find_off(const Mesh& mesh, const Solution& solution, const Illumination& illumination,
+             std::uint32_t p) {
+  const Patch& patch = mesh.patches[p];
+  const bool is_flat = std::ranges::all_of(patch.corners, [&](std::uint32_t corner) {
+    return dot(mesh.vertices[corner].normal, patch.normal) > 1 - 1e-9;
+  });
+  if (!is_flat) return {};
+  return find_middle(mesh, solution, p) + -1.0 * eval_illumination(illumination, p, 0.5, 0.5);
+}
+
 // By patch, what it adds to the picture's mean square of the error, mean of the colours, from the
 // error in its middle.
 std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
                                 const Illumination& illumination, const std::vector<Rgb>& weights) {
   std::vector<double> errors;
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
-    const Patch& patch = mesh.patches[p];
-    // The middle of a curved patch has another normal than its surface there.
-    const bool is_flat = std::ranges::all_of(patch.corners, [&](std::uint32_t corner) {
-      return dot(mesh.vertices[corner].normal, patch.normal) > 1 - 1e-9;
-    });
-    if (!is_flat) {
-      errors.push_back(0);
-      continue;
-    }
-    Rgb corners;
-    for (const auto corner : patch.corners) corners += solution.vertices[corner];
-    // Simpson's mean, solved for the centre.
-    const Rgb centre = 1.5 * (solution.means[p] + -1.0 / 12 * corners);
-    const Rgb off = centre + -1.0 * eval_illumination(illumination, p, 0.5, 0.5);
+    const Rgb off = find_off(mesh, solution, illumination, p);
     errors.push_back(SMOOTH * sum(weights[p] * off * off) / 3);
   }
   return errors;
+}
+
+// The patches in whose middles the light, with what is unsent, is off by more than MOST_OFF_HERE;
+// those first that add most to the mean square.
+std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& solution) {
+  const Illumination illumination = reconstruct(mesh, solution.vertices, {});
+  std::vector<std::pair<double, std::uint32_t>> found;
+  for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
+    const Material& material = mesh.materials[mesh.patches[p].material];
+    if (max_component(material.emission) > 0) continue;
+    const double off = std::abs(sum(find_off(mesh, solution, illumination, p)));
+    const double light =
+        sum(find_middle(mesh, solution, p) + material.reflectance * solution.ambient);
+    if (off > MOST_OFF_HERE * light) found.emplace_back(off * off * mesh.patches[p].area, p);
+  }
+  std::ranges::stable_sort(found, std::greater{}, [](const auto& f) { return f.first; });
+  std::vector<std::uint32_t> patches;
+  for (const auto& [square, p] : found) patches.push_back(p);
+  return patches;
 }
 
 // The picture's mean square radiosity, mean of the colours, without what emits; what is unsent is
@@ -126,7 +157,39 @@ struct Marks {
   std::vector<bool> along, across;
 };
 
-void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chosen) {
+// The directions of its face in which a patch's rows are halved.
+struct Ways {
+  bool along = false, across = false;
+};
+
+// A patch's longer side, or both.
+Ways find_long_ways(const Face& face, const Patch& patch) {
+  const auto [lo, hi] = find_extent(face, patch);
+  const double wide = (hi.u - lo.u) * length(face.corners[1] - face.corners[0]);
+  const double high = (hi.v - lo.v) * length(face.corners[3] - face.corners[0]);
+  return {LONG * wide > high, LONG * high > wide};
+}
+
+// The direction in which the light of a patch's corners differs most, or both.
+Ways find_steep_ways(const Face& face, const Patch& patch, const Solution& solution) {
+  const Vec u = normalize(face.corners[1] - face.corners[0]);
+  const Vec v = normalize(face.corners[3] - face.corners[0]);
+  double along = 0, across = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    const Vec side = patch.at[next] - patch.at[i];
+    const double step = std::abs(sum(solution.vertices[patch.corners[next]] +
+                                     -1.0 * solution.vertices[patch.corners[i]])) /
+                        length(side);
+    along += step * std::abs(dot(side, u));
+    across += step * std::abs(dot(side, v));
+  }
+  return {STEEP * along > across, STEEP * across > along};
+}
+
+// `find_ways(face, patch)`: the Ways of a patch.
+void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chosen,
+            const auto& find_ways) {
   std::vector<Marks> marks;
   for (const Face& face : room.faces)
     marks.push_back(
@@ -140,10 +203,9 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
       continue;
     }
     const auto [lo, hi] = find_extent(face, patch);
-    const double wide = (hi.u - lo.u) * length(face.corners[1] - face.corners[0]);
-    const double high = (hi.v - lo.v) * length(face.corners[3] - face.corners[0]);
-    if (LONG * wide > high) mark(face.grid.along, lo.u, hi.u, marks[patch.face].along);
-    if (LONG * high > wide) mark(face.grid.across, lo.v, hi.v, marks[patch.face].across);
+    const Ways ways = find_ways(face, patch);
+    if (ways.along) mark(face.grid.along, lo.u, hi.u, marks[patch.face].along);
+    if (ways.across) mark(face.grid.across, lo.v, hi.v, marks[patch.face].across);
   }
   for (std::size_t f = 0; f < room.faces.size(); ++f) {
     Face& face = room.faces[f];
@@ -204,7 +266,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     // Lines near a contact or a crease give way to it: those between them may need more halvings.
     Mesh finer;
     for (int tries = 0; tries < MOST_TRIES; ++tries) {
-      refine(room, mesh, chosen);
+      refine(room, mesh, chosen, find_long_ways);
       finer = make_mesh(room, parts);
       if (finer.patches.size() > MOST_ADAPTED) return adapted;
       if (finer.patches.size() > mesh.patches.size()) break;
@@ -216,10 +278,65 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
   }
 }
 
+namespace {
+
+// Halves rows of the first of the chosen patches: as many as leave the room `most` patches.
+Room halve_some(const Room& room, const AdaptedMesh& adapted, std::vector<std::uint32_t> chosen,
+                int refined, std::size_t most) {
+  for (; !chosen.empty(); chosen.resize(chosen.size() / 2)) {
+    Room finer = room;
+    for (Face& face : finer.faces)
+      if (face.corners.size() == 4) face.grid = find_grid(face, refined);
+    refine(finer, adapted.mesh, chosen, [&](const Face& face, const Patch& patch) {
+      return find_steep_ways(face, patch, adapted.rough);
+    });
+    if (count_patches(finer, refined) <= most) return finer;
+  }
+  return room;
+}
+
+}  // namespace
+
+AdaptedMesh make_lit_mesh(const Room& given, const LightParams& params, const Step& step) {
+  if (!given.fine_near_lights || params.senders > 0 || params.solve.mean != Mean::simpson)
+    return {make_mesh(given, params.mesh), 0, 0, {}};
+  Room room = make_graded(given, params.mesh.refine);
+  room.fine_near_lights = false;
+  const std::size_t most = MOST_GROWTH * count_patches(room, params.mesh.refine);
+  SolveParams rough = params.solve;
+  rough.tolerance = std::max(params.solve.tolerance, ROUGH);
+  AdaptedMesh adapted{make_mesh(room, params.mesh), 0, 0, {}};
+  for (;; ++adapted.rounds) {
+    adapted.rough = solve(adapted.mesh, rough, step);
+    if (adapted.rounds == MOST_HALVINGS) return adapted;
+    auto chosen = find_patches_off(adapted.mesh, adapted.rough);
+    std::erase_if(chosen, [&](std::uint32_t p) {
+      return room.faces[adapted.mesh.patches[p].face].corners.size() != 4;
+    });
+    if (chosen.empty()) return adapted;
+    Room finer = halve_some(room, adapted, std::move(chosen), params.mesh.refine, most);
+    Mesh mesh = make_mesh(finer, params.mesh);
+    if (mesh.patches.size() <= adapted.mesh.patches.size()) return adapted;
+    room = std::move(finer);
+    adapted.mesh = std::move(mesh);
+  }
+}
+
+double estimate_error(const Mesh& mesh, const Solution& solution, const SolveParams& params,
+                      const ReconstructionParams& reconstruction, const renderer::View& view) {
+  if (params.mean != Mean::simpson) return 0;
+  const auto weights = find_weights(mesh, view);
+  const auto errors =
+      find_errors(mesh, solution, reconstruct(mesh, solution.vertices, reconstruction), weights);
+  const double square = eval_mean_square(mesh, solution, weights);
+  return square > 0 ? std::sqrt(std::accumulate(errors.begin(), errors.end(), 0.0) / square) : 0;
+}
+
 Solution solve_adapted(const Room& room, AdaptedMesh& adapted, const LightParams& params,
                        const Step& step) {
-  return params.senders > 0
-             ? solve_room(room, adapted.mesh, params, step)
+  return params.senders > 0 ? solve_room(room, adapted.mesh, params, step)
+         : adapted.rough.means.empty()
+             ? solve(adapted.mesh, params.solve, step)
              : solve_further(adapted.mesh, params.solve, std::move(adapted.rough), step);
 }
 

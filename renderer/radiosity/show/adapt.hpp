@@ -18,7 +18,7 @@ base::Field<AdaptParams> adaptive_field();
 struct AdaptedMesh {
   Mesh mesh;
   int rounds = 0;    ///< how often patches were halved
-  double error = 0;  ///< the estimate of what is left, as `error` below
+  double error = 0;  ///< the estimate of what is left, as `error` above
   Solution rough;    ///< the mesh's light, from which solve_further() goes on
 };
 
@@ -39,6 +39,22 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
 /// The light of what adapt_mesh() made of the room: goes on from `rough`, or see solve_room().
 Solution solve_adapted(const Room& room, AdaptedMesh& adapted, const LightParams& params,
                        const Step& step = {});
+
+/// The mesh of a room: make_mesh()'s, but if Room::fine_near_lights, rows of patches are halved
+/// twice at most in whose middles the light is off the surface by more than MOST_OFF_HERE of it,
+/// in the direction in which the light of their corners differs. That is so where light is
+/// concentrated, as behind a slit or beside a bright strip. The view does not matter. `rough` is a
+/// solution from which solve_adapted() goes on. Patches become twice as many as make_graded()'s at
+/// most. Params::senders, Mean::corners and faces of other than 4 corners are left alone.
+AdaptedMesh make_lit_mesh(const Room& room, const LightParams& params, const Step& step = {});
+inline constexpr double MOST_OFF_HERE = 0.15;
+
+/// The estimate of how far the picture that the view shows is off between vertices, root mean
+/// square over that of its light without what emits; 0 where means are not Simpson's. `solution`
+/// must be of the mesh that sends.
+double estimate_error(const Mesh& mesh, const Solution& solution, const SolveParams& params,
+                      const ReconstructionParams& reconstruction, const renderer::View& view);
+
 inline constexpr int MOST_ROUNDS = 40;
 inline constexpr std::size_t MOST_ADAPTED = 200'000;
 

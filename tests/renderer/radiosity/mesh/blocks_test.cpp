@@ -81,14 +81,19 @@ void check_room(const Room& room, int refine, Count& count) {
     const Face& face = room.faces[f];
     const double width = measure_patch_width(face, refine);
     widest = std::max(widest, width);
-    const Division division =
-        divide_face(face, refine, {.creases = room.creases, .contacts = contacts[f].lines});
+    const Division division = divide_face(face, refine,
+                                          {.creases = room.creases,
+                                           .contacts = contacts[f].lines,
+                                           .folds = contacts[f].folds,
+                                           .strips = contacts[f].strips});
     check_division(face, refine, division);
     if (division.left_out == 0) {
-      check_not_crossed(face, division, contacts[f].lines, 0.004 * width);
+      for (const auto* lines : {&contacts[f].lines, &contacts[f].folds, &contacts[f].strips})
+        check_not_crossed(face, division, *lines, 0.004 * width);
       check_not_crossed(face, division, room.creases, 0.15 * width);
     }
-    all.insert(all.end(), contacts[f].lines.begin(), contacts[f].lines.end());
+    for (const auto* lines : {&contacts[f].lines, &contacts[f].folds})
+      all.insert(all.end(), lines->begin(), lines->end());
     count.left_out += division.left_out;
     count.creases += contacts[f].lines.size();
     if (testing::Test::HasFailure()) return;
@@ -139,8 +144,10 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
         continue;
       }
       ++limited;
-      EXPECT_GT(some.left_out, all.left_out);
-      emptiest = std::min(emptiest, double(some.patches.size()) / double(allowed));
+      // Strips below what floats are fewer first: creases may all find room then.
+      const double full = double(some.patches.size()) / double(allowed);
+      EXPECT_GT(full, 0.5);
+      if (some.left_out > all.left_out) emptiest = std::min(emptiest, full);
     }
   }
   std::printf("%zu limited rooms, which have at least %.2f of the patches that they may\n", limited,

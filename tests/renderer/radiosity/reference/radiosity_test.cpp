@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/radiosity/creases/creases.hpp"
+#include "renderer/radiosity/show/adapt.hpp"
 #include "tests/reference/deviation.hpp"
 #include "tests/reference/random_room.hpp"
+#include "tests/reference/room_kinds.hpp"
 #include "tests/renderer/radiosity/rooms.hpp"
 #include "tests/support/places.hpp"
 
@@ -63,6 +66,54 @@ TEST(RadiosityAgainstPathTracer, UprightBox) {
   EXPECT_LT(std::abs(found.bias), 0.02);
   EXPECT_LT(found.p99, 0.15);
   EXPECT_LT(found.group, 12);
+}
+
+// A lamp 2 cm below a ceiling, seen from below and from a corner: no dark halo around it.
+TEST(RadiosityAgainstPathTracer, LampBelowACeiling) {
+  Room room = test::read(R"(
+material wall reflect 0.75 0.75 0.75
+material lamp reflect 0 0 0  emit 15 15 15
+box wall  0 0 0  2 1.6 1.4  divide 4 inside
+quad lamp  0.8 0.5 1.38  0.8 1.2 1.38  1.4 1.2 1.38  1.4 0.5 1.38  divide 2 2
+view from 1 0.8 0.1 at 1.05 0.85 1.4 up 0 1 0 angle 70 size 160 120
+)");
+  choose_creases(room, Creases::found);
+  LightParams light;
+  light.mesh.refine = 2;
+  light.solve.tolerance = 0.01;
+  AdaptedMesh adapted = make_lit_mesh(room, light);
+  LitRoom lit{adapted.mesh, {}};
+  const Solution solution = solve_adapted(room, adapted, light);
+  lit.vertices = solution.vertices;
+  add_ambient(lit.mesh, solution.ambient, lit.vertices);
+  PictureParams size;
+  size.width = WIDTH;
+  size.height = HEIGHT;
+  for (const Vec& from : {Vec{1, 0.8, 0.1}, Vec{0.2, 0.2, 0.2}}) {
+    room.view.from = from;
+    const Picture picture = trace_picture(lit, {Reconstruction::bicubic}, room.view, size);
+    const Deviation found = compare(picture, trace(room, WIDTH, HEIGHT, 256));
+    fmt::print("lamp from z = {}: RMSE {:.2f} %, {} together\n", from.z, 100 * found.rmse,
+               found.group);
+    EXPECT_LT(found.rmse, 0.02);
+    EXPECT_LT(found.group, 3);
+  }
+}
+
+TEST(RandomRooms, OfAllKindsAreClosedAndSeenFromInside) {
+  for (const auto& [name, kind] : room_kinds())
+    for (std::uint64_t seed = 1; seed <= 8; ++seed)
+      for (int view = 0; view < (kind == RoomKind::blocks ? 1 : ROOM_VIEWS); ++view) {
+        const std::string text = make_room_of_kind(kind, seed, view);
+        EXPECT_EQ(text, make_room_of_kind(kind, seed, view));
+        const Reference made = trace(test::read(text), 16, 12, 8);
+        const auto seen =
+            std::ranges::count_if(made.faces, [](std::uint32_t face) { return face != 0; });
+        const auto lit = std::ranges::count_if(
+            made.picture.pixels, [](const Rgb& pixel) { return max_component(pixel) > 0; });
+        EXPECT_EQ(seen, 16 * 12) << name << ' ' << seed << ' ' << view;
+        EXPECT_GT(lit, 16 * 12 / 2) << name << ' ' << seed << ' ' << view;
+      }
 }
 
 TEST(RandomRooms, AreClosedAndSeenFromInside) {
