@@ -71,12 +71,18 @@ void Cpu::make_ready(Process& process, Seconds at) {
     process.blocked_[static_cast<std::size_t>(process.waits_for_)] +=
         std::max(Seconds{}, at - process.blocked_since_);
   const bool high = process.priority_ == Priority::high;
-  if (high && running_ && running_->priority_ == Priority::low) return preempt(process);
+  const bool finds_low = high && running_ && running_->priority_ == Priority::low;
+  const bool low_ends = low_.computing && !interrupted_ && low_.end - now() < INSTANT;
+  if (finds_low && !low_ends) return preempt(process);
   // First come, first served by simulated time: a process's own time may be ahead of the clock.
   auto& queue = high ? high_queue_ : low_queue_;
   auto place = queue.end();
   while (place != queue.begin() && std::prev(place)->ready_at_ > at) --place;
   queue.insert(place, process);
+  if (finds_low) {  // which has computed: it goes on first, as if that had come a hair before
+    low_.end = now();
+    return arm_low_timer();
+  }
   if (!running_) return dispatch_when_free();
   if (!high && low_.computing && !interrupted_) arm_low_timer();
 }
@@ -128,7 +134,11 @@ void Cpu::execute(Process& process) {
     high_.computing = true;
     end_high_at(high_.until);
   } else {
-    if (!done) return compute(process, {time.value * speed_});
+    if (!done) {
+      compute(process, {time.value * speed_});
+      if (!high_queue_.empty() && !interrupted_) preempt(take_first(high_queue_));
+      return;
+    }
     if (time.value > 0)
       throw base::InvariantBroken(process.name() +
                                   " left the CPU at low priority with unpaid cycles");
@@ -178,7 +188,7 @@ void Cpu::release(Process& process, Seconds free_at) {
   }
   running_ = nullptr;
   free_at_ = free_at;
-  last_high_ = &process;
+  if (free_at > now()) last_high_ = &process;
   const bool at_once = free_at <= now() && !has_come_to_link_;
   if (interrupted_ && high_queue_.empty() && at_once) return resume_interrupted();
   if (interrupted_ || ready() > 0) dispatch_when_free();
@@ -188,10 +198,15 @@ void Cpu::release(Process& process, Seconds free_at) {
 void Cpu::preempt(Process& high) {
   interrupted_ = running_;
   running_ = &high;
+  // At the instant at which the CPU would go back there is nothing to be saved.
+  const bool goes_back_now =
+      low_.computing && low_.way_back_from < NEVER && now() - low_.way_back_from < INSTANT;
   if (low_.computing) stop_low();
-  ++use_.preemptions;
-  high_.preempting = true;
-  high.debt_ += model_.scheduler.preemption;
+  if (!goes_back_now) {
+    ++use_.preemptions;
+    high_.preempting = true;
+    high.debt_ += model_.scheduler.preemption;
+  }
   engine_.soon([this, &high] { execute(high); });
 }
 
@@ -310,7 +325,7 @@ void Cpu::stretch(const Stretch& stretch) {
     use_.busy_high += more;
     diary_.stretch(stretch);
     for (auto* queue : {&high_queue_, &low_queue_})
-      for (Process& process : *queue) process.ready_at_ = stretch(process.ready_at_);
+      for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
       return end_high_at(until);
@@ -324,7 +339,6 @@ void Cpu::stretch(const Stretch& stretch) {
   if (!low_.computing || interrupted_) return;
   low_.since = stretch(low_.since);
   low_.end = stretch(low_.end);
-  if (low_.way_back_from < NEVER) low_.way_back_from = stretch(low_.way_back_from);
   if (stretch.ratio < 1) arm_low_timer();
 }
 

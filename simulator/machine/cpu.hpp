@@ -35,7 +35,7 @@ struct Observer {
 
 struct CpuUse {
   Seconds busy_high{}, busy_low{};  ///< executing, by priority; switches count as high
-  /// What DMA took of the CPU while that was idle: while it is busy, it is busy for longer.
+  /// What DMA, and a companion, took of the CPU while it was idle. A busy CPU is busy for longer.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
@@ -188,9 +188,9 @@ class Cpu {
   Seconds stopped_at_ = NEVER;
   bool dispatching_ = false;       // dispatch() is due
   std::uint64_t dispatch_id_ = 0;  // those with another id are stale
-  Process* last_high_ = nullptr;   // gave the CPU up, at free_at_
-  // A high-priority process has paid for that: the next goes on after others that come at this
-  // date.
+  Process* last_high_ = nullptr;   // blocks from free_at_ on, where that is ahead of the clock
+  // The process that executes has just paid for coming to a link: the CPU goes to the next one
+  // after all others that come to links at this date.
   bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;

@@ -121,8 +121,16 @@ void Process::note_end_of_run() {
   if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // the run ends before
 }
 
-// It has given the CPU up ahead of the clock.
+// It has given the CPU up, or has been made ready, ahead of the clock.
 void Process::stretch(const Stretch& stretch) {
+  if (state_ == State::ready) {
+    const Seconds waited = ready_at_ - blocked_since_;
+    ready_at_ = stretch(ready_at_);
+    blocked_since_ = stretch(blocked_since_);
+    const Seconds more = ready_at_ - blocked_since_ - waited;
+    if (wait_ && waited.value > 0) blocked_[static_cast<std::size_t>(waits_for_)] += more;
+    return;
+  }
   if (state_ != State::blocked || blocked_since_ <= stretch.now) return;
   blocked_since_ = stretch(blocked_since_);
   note_end_of_run();

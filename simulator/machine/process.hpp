@@ -189,8 +189,8 @@ class Process {
   std::uint64_t waits_ = 0;
   std::array<Seconds, 4> blocked_{};  // in waits that are over, by Wait::Kind
   ProcessId id_;
-  Cycles paying_{};      // the debt that is paid, or was paid last,
-  Seconds paid_for_{};   // so long by then
+  Cycles paying_{};      // debt being paid, or paid last
+  Seconds paid_for_{};   // time spent on it so far
   Seconds remaining_{};  // computation left of a low-priority process that lost the CPU
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // Processor::wake_at still to come

@@ -61,7 +61,7 @@ class NotebooksTest(unittest.TestCase):
         pictures, text = self.run_notebook("study")
         self.assertEqual(pictures, 2)
         self.assertRegex(text, r"Rays: speed-up 6\.\d to 6\.\d, on any network")
-        self.assertRegex(text, r"the fastest with each size: 40: amp")
+        self.assertRegex(text, r"the fastest with each size: 40: \w+, 48: \w+, ")
 
     def test_history(self):
         pictures, text = self.run_notebook("history")

@@ -50,8 +50,8 @@ class Events {
   Pace* pace() const { return pace_; }
 
   /// Asks for a callback at `date`, not before now. Those of one date come in the order they were
-  /// asked for; those asked for as first before all others, and after them those that have a rank,
-  /// in the order of ranks; those asked for as last after all others.
+  /// asked for. First come those of first_at(), then those that have a rank, in the order of ranks;
+  /// those of last_at() come after all others.
   void at(double date, auto then) { new (ask(date, asked_++)) Callback(then); }
   void first_at(double date, auto then) { new (ask(date, asked_first_++)) Callback(then); }
   void ranked_at(double date, std::uint64_t rank, auto then) {
