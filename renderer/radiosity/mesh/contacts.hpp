@@ -40,16 +40,20 @@ inline constexpr std::size_t MOST_STRIPS = 96;
 /// For each face the segments along which other faces touch it in front of it (of a two-sided one,
 /// on either side), or overlap it in its plane, within 1e-6 of the larger face's size. What a face
 /// touches by its border only, as walls do each other, is none, unless the surface goes on there in
-/// a third face. What hangs over a face within the width of its patches, about parallel to it and
-/// itself nowhere narrower than a patch, counts by its open edges: those from which nothing goes
-/// down, and beyond which nothing hangs as near. An edge nearer than a hundredth of a patch's width
-/// touches the face; below a higher one there is a fold, and on its two sides strips end at half
-/// its height, once, twice and so on up to 0.6 of a patch's width: each edge of a face has at most
-/// `most_strips`, over the number of these edges, on each side. If that is none, it touches the
-/// face within half a patch's width. A ledge is what is left of a face before a one-sided one
-/// that stands on its front, about upright, by its border. A face's patches are those that it has
-/// by its `along` and `across`, times `refine`. BadInput if more than 1,000,000 + 100 n of the
-/// pairs of n faces touch or nearly so.
+/// a third face.
+///
+/// A face hangs over another if it is at most a patch's width above it, about parallel to it and at
+/// least as wide as a patch. Its open edges count: nothing goes down from them, and nothing beyond
+/// them hangs as near. An open edge nearer than a hundredth of a patch's width touches the face. A
+/// higher one makes a fold below it and strips on both sides of the fold. These end at half the
+/// edge's height, at once, twice, four times it, and so on up to 0.6 of a patch's width. All open
+/// edges over a face share `most_strips` on each side. Without any strips, an edge within half a
+/// patch's width touches the face.
+///
+/// A ledge is what is left of a face before a one-sided one that stands on its front, about
+/// upright, by its border. A face's patches are those that it has by its `along` and `across`,
+/// times `refine`. BadInput if more than 1,000,000 + 100 n of the pairs of n faces touch or nearly
+/// so.
 std::vector<Contacts> find_contacts(const Room& room, int refine,
                                     std::size_t most_strips = MOST_STRIPS);
 
