@@ -19,9 +19,9 @@ using renderer::Vec;
 using Corners = std::array<Vec, 4>;
 
 // A room: a shell from (0, 0, 0) to `size`, what is in it, and where its views are from.
-class Builder {
+class KindBuilder {
  public:
-  explicit Builder(std::uint64_t seed) : random_(seed) {}
+  explicit KindBuilder(std::uint64_t seed) : random_(seed) {}
 
   std::string build(RoomKind kind, int view) {
     switch (kind) {
@@ -360,7 +360,7 @@ const base::Names<RoomKind>& room_kinds() {
 }
 
 std::string make_room_of_kind(RoomKind kind, std::uint64_t seed, int view) {
-  return kind == RoomKind::blocks ? make_random_room(seed) : Builder(seed).build(kind, view);
+  return kind == RoomKind::blocks ? make_random_room(seed) : KindBuilder(seed).build(kind, view);
 }
 
 }  // namespace radiosity::reference

@@ -10,8 +10,8 @@ namespace radiosity {
 namespace {
 
 // Shares of a patch's width: a line of the grid nearer than KEEP to a crease gives way to it; a
-// crease off a side's direction by less than PARALLEL runs along that side.
-constexpr double KEEP = 1.0 / 3, PARALLEL = 1e-3;
+// crease off a side's direction by less than ALONG runs along that side.
+constexpr double KEEP = 1.0 / 3, ALONG = 1e-3;
 // An edge of a quad lies on a crease if it is off it by less than ASIDE and beyond its ends by less
 // than BEYOND, in touches.
 constexpr double ASIDE = 1.1, BEYOND = 1.01;
@@ -158,15 +158,15 @@ Rows find_rows(const Cutting& cutting) {
   const auto& c = cutting.face.corners;
   if (c.size() != 4) return rows;
   const Vec u = c[1] - c[0], v = c[3] - c[0];
-  if (length(u - (c[2] - c[3])) > PARALLEL * cutting.width) return rows;
+  if (length(u - (c[2] - c[3])) > ALONG * cutting.width) return rows;
   rows.others.clear();
   const double twice = dot(cutting.normal, cross(u, v)), wide = length(u), high = length(v);
   for (const Line& line : cutting.crossing) {
     const Vec a = line.crease.a - c[0], b = line.crease.b - c[0];
     const auto along = [&](const Vec& p) { return dot(cutting.normal, cross(p, v)) / twice; };
     const auto across = [&](const Vec& p) { return dot(cutting.normal, cross(u, p)) / twice; };
-    const bool is_up = std::abs(along(a) - along(b)) * wide <= PARALLEL * cutting.width;
-    const bool is_level = std::abs(across(a) - across(b)) * high <= PARALLEL * cutting.width;
+    const bool is_up = std::abs(along(a) - along(b)) * wide <= ALONG * cutting.width;
+    const bool is_level = std::abs(across(a) - across(b)) * high <= ALONG * cutting.width;
     if (!is_up && !is_level)
       rows.others.push_back(line);
     else if (!line.contact &&
