@@ -71,18 +71,13 @@ void Cpu::make_ready(Process& process, Seconds at) {
     process.blocked_[static_cast<std::size_t>(process.waits_for_)] +=
         std::max(Seconds{}, at - process.blocked_since_);
   const bool high = process.priority_ == Priority::high;
-  const bool finds_low = high && running_ && running_->priority_ == Priority::low;
-  const bool low_ends = low_.computing && !interrupted_ && low_.end - now() < INSTANT;
-  if (finds_low && !low_ends) return preempt(process);
+  if (high && is_coming_back() && now() <= low_.way_back_from) stay_away();
+  if (high && running_ && running_->priority_ == Priority::low) return preempt(process);
   // First come, first served by simulated time: a process's own time may be ahead of the clock.
   auto& queue = high ? high_queue_ : low_queue_;
   auto place = queue.end();
   while (place != queue.begin() && std::prev(place)->ready_at_ > at) --place;
   queue.insert(place, process);
-  if (finds_low) {  // which has computed: it goes on first, as if that had come a hair before
-    low_.end = now();
-    return arm_low_timer();
-  }
   if (!running_) return dispatch_when_free();
   if (!high && low_.computing && !interrupted_) arm_low_timer();
 }
@@ -93,10 +88,9 @@ void Cpu::dispatch_when_free() {
 
 void Cpu::ask_dispatch() {
   const auto then = [this, id = ++dispatch_id_] {
-    if (id == dispatch_id_)
-      dispatch();
-    else
-      engine_.ignore_event();
+    if (id != dispatch_id_) return engine_.ignore_event();
+    if (free_at_ > now()) return ask_dispatch();  // DMA has moved it
+    dispatch();
   };
   if (free_at_ > now() || has_come_to_link_)
     engine_.last_at(std::max(now(), free_at_), then);
@@ -134,11 +128,7 @@ void Cpu::execute(Process& process) {
     high_.computing = true;
     end_high_at(high_.until);
   } else {
-    if (!done) {
-      compute(process, {time.value * speed_});
-      if (!high_queue_.empty() && !interrupted_) preempt(take_first(high_queue_));
-      return;
-    }
+    if (!done) return compute(process, {time.value * speed_});
     if (time.value > 0)
       throw base::InvariantBroken(process.name() +
                                   " left the CPU at low priority with unpaid cycles");
@@ -171,6 +161,7 @@ void Cpu::at(Seconds date, const Process& process, auto then) {
 void Cpu::end_high_at(Seconds date) {
   at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();
+    if (high_.until > now()) return end_high_at(high_.until);  // DMA has moved it
     high_.computing = false;
     has_come_to_link_ = running_->has_rank();
     execute(*running_);
@@ -189,8 +180,7 @@ void Cpu::release(Process& process, Seconds free_at) {
   running_ = nullptr;
   free_at_ = free_at;
   if (free_at > now()) last_high_ = &process;
-  const bool at_once = free_at <= now() && !has_come_to_link_;
-  if (interrupted_ && high_queue_.empty() && at_once) return resume_interrupted();
+  if (interrupted_ && high_queue_.empty()) return resume_interrupted();
   if (interrupted_ || ready() > 0) dispatch_when_free();
 }
 
@@ -198,15 +188,10 @@ void Cpu::release(Process& process, Seconds free_at) {
 void Cpu::preempt(Process& high) {
   interrupted_ = running_;
   running_ = &high;
-  // At the instant at which the CPU would go back there is nothing to be saved.
-  const bool goes_back_now =
-      low_.computing && low_.way_back_from < NEVER && now() - low_.way_back_from < INSTANT;
   if (low_.computing) stop_low();
-  if (!goes_back_now) {
-    ++use_.preemptions;
-    high_.preempting = true;
-    high.debt_ += model_.scheduler.preemption;
-  }
+  ++use_.preemptions;
+  high_.preempting = true;
+  high.debt_ += model_.scheduler.preemption;
   engine_.soon([this, &high] { execute(high); });
 }
 
@@ -214,21 +199,28 @@ void Cpu::preempt(Process& high) {
 void Cpu::stop_low() {
   low_.left = speed_ * (low_.end - std::max(now(), low_.since));
   if (low_.since <= now()) return account_low();
-  use_.busy_high -= low_.since - now();
-  high_.until = now();
+  use_.busy_high += switched_back(now());
   diary_.note(*interrupted_, Observer::Doing::switching, low_.way_back_from, now());
   low_.way_back_from = NEVER;
 }
 
-// The CPU goes back to the low-priority process.
+// The CPU goes back to the low-priority process from free_at_ on, unless a high one comes by then.
 void Cpu::resume_interrupted() {
   running_ = std::exchange(interrupted_, nullptr);
-  const Seconds back = duration(model_.scheduler.return_to_low);
-  low_.way_back_from = now();
-  use_.busy_high += back;
-  low_.since = high_.until = now() + back;
-  low_.end = low_.since + Seconds{low_.left.value / speed_};
+  low_.way_back_from = std::max(now(), free_at_);
+  foresee_way_back();
   arm_low_timer();
+}
+
+void Cpu::foresee_way_back() {
+  low_.since = low_.way_back_from + duration(model_.scheduler.return_to_low);
+  low_.end = low_.since + Seconds{low_.left.value / speed_};
+}
+
+// A high-priority process has become ready before the way back began: it runs first.
+void Cpu::stay_away() {
+  interrupted_ = std::exchange(running_, nullptr);
+  low_.way_back_from = NEVER;
 }
 
 // The clock in time slice periods, and the date of one of its ticks.
@@ -297,6 +289,7 @@ void Cpu::account_low() {
   const Seconds computed = now() - low_.since;
   use_.busy_low += computed;
   low.paid_for_ += computed;
+  use_.busy_high += switched_back(now());
   const Seconds way_back_from = std::exchange(low_.way_back_from, NEVER);
   if (!diary_.has_observer()) return;
   diary_.tell_past(now());
@@ -319,7 +312,7 @@ void Cpu::set_stolen(std::size_t thief, double share) {
 }
 
 void Cpu::stretch(const Stretch& stretch) {
-  if (is_ahead()) {
+  if (high_.until > stretch.now) {
     const Seconds until = stretch(high_.until);
     const Seconds more = until - std::exchange(high_.until, until);
     use_.busy_high += more;
@@ -328,17 +321,23 @@ void Cpu::stretch(const Stretch& stretch) {
       for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
-      return end_high_at(until);
+      if (stretch.ratio < 1) end_high_at(until);  // else it finds when it comes that it is early
+      return;
     }
   }
   if (free_at_ > stretch.now) {
     free_at_ = stretch(free_at_);
     last_high_->stretch(stretch);
-    if (dispatching_) ask_dispatch();
+    if (dispatching_ && stretch.ratio < 1) ask_dispatch();
   }
   if (!low_.computing || interrupted_) return;
-  low_.since = stretch(low_.since);
-  low_.end = stretch(low_.end);
+  if (is_coming_back() && low_.way_back_from >= stretch.now) {
+    low_.way_back_from = stretch(low_.way_back_from);
+    foresee_way_back();
+  } else {
+    low_.since = stretch(low_.since);
+    low_.end = stretch(low_.end);
+  }
   if (stretch.ratio < 1) arm_low_timer();
 }
 
@@ -359,7 +358,7 @@ Seconds Cpu::least_left(const Process& process) const {
 
 CpuUse Cpu::use_by(Seconds date) const {
   CpuUse use = use_;
-  use.busy_high -= high_after(date);
+  use.busy_high += switched_back(date) - high_after(date);
   use.busy_low += low_before(date);
   use.stolen_idle += stolen_idle(std::min(date, stopped_at_));
   return use;
@@ -368,6 +367,12 @@ CpuUse Cpu::use_by(Seconds date) const {
 // How much of the high-priority time that use_ counts is after a date.
 Seconds Cpu::high_after(Seconds date) const { return std::max(Seconds{}, high_.until - date); }
 
+// How long the switch back to the low process has taken by a date, which use_ does not count yet.
+Seconds Cpu::switched_back(Seconds date) const {
+  if (!is_coming_back()) return {};
+  return std::max(Seconds{}, std::min(date, low_.since) - low_.way_back_from);
+}
+
 // How long the low process has computed by a date, beyond what use_ counts.
 Seconds Cpu::low_before(Seconds date) const {
   const bool computes = low_.computing && !interrupted_ && date > low_.since;
@@ -375,7 +380,7 @@ Seconds Cpu::low_before(Seconds date) const {
 }
 
 Seconds Cpu::busy_by(Seconds date) const {
-  return use_.busy() - high_after(date) + low_before(date);
+  return use_.busy() - high_after(date) + switched_back(date) + low_before(date);
 }
 
 // What DMA has taken of the idle CPU since the speed changed.
@@ -387,9 +392,13 @@ Seconds Cpu::stolen_idle(Seconds date) const {
 
 void Cpu::stop() {
   const bool on_way_back = low_.computing && !interrupted_ && low_.since > now();
-  if (on_way_back) diary_.note(*running_, Observer::Doing::switching, low_.way_back_from, now());
+  if (on_way_back) {
+    diary_.note(*running_, Observer::Doing::switching, low_.way_back_from, now());
+    use_.busy_high += switched_back(now());
+    low_.way_back_from = NEVER;
+  }
   flush_observer();  // accounts for what a low process has computed, too
-  if (is_ahead()) {
+  if (high_.until > now()) {
     use_.busy_high -= high_.until - now();
     high_.until = now();
   }

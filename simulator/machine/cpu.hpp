@@ -91,7 +91,7 @@ class Cpu {
   bool stopped() const { return stopped_at_ < NEVER; }
   Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
   /// Whether the CPU is taken up to a date to come: a process's own time may be ahead.
-  bool is_ahead() const { return high_.until > engine_.now(); }
+  bool is_ahead() const { return high_.until > now() || (is_coming_back() && low_.since > now()); }
   /// Whether a high-priority process has become ready while this low one executes, and has not
   /// paid yet.
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
@@ -139,7 +139,7 @@ class Cpu {
     Seconds since{};         // it has had the CPU since then; ahead of the clock on a way back
     Seconds end{};           // its computation ends then if nobody interferes any more
     Seconds left{};          // computation left while it is interrupted, at full speed
-    Seconds way_back_from = NEVER;  // the switch back to it is not noted yet
+    Seconds way_back_from = NEVER;  // the switch back to it, which is not counted yet, begins
     Seconds slice_end{};            // from then on it gives way to another low process,
     Seconds gives_way_at = NEVER;   // at this tick, once there is one
   };
@@ -161,6 +161,10 @@ class Cpu {
   void preempt(Process& high);
   void stop_low();
   void resume_interrupted();
+  void foresee_way_back();
+  void stay_away();
+  bool is_coming_back() const { return low_.way_back_from < NEVER; }
+  Seconds switched_back(Seconds date) const;
   double slices(Seconds date) const;
   Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);

@@ -37,7 +37,4 @@ struct Hertz {
 };
 inline Seconds operator/(Cycles c, Hertz f) { return {static_cast<double>(c.value) / f.value}; }
 
-/// Dates of one instant may be rounded apart by less. A cycle is a thousand times as long.
-inline constexpr Seconds INSTANT{1e-11};
-
 }  // namespace machine

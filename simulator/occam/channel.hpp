@@ -58,10 +58,9 @@ class ChannelBase {
   machine::ProcessId last_writer() const { return end_of(writer).user; }
   /// For ALT: whether an output is waiting, if only from a time to come on.
   bool has_output() const { return end_of(writer).waiting.process != nullptr; }
-  /// The same at the instant `at`; over a link only as far as the clock has come.
+  /// The same at time `at`; over a link only as far as the clock has come.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = end_of(writer).waiting;
-    at += machine::INSTANT;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
   /// For ALT on which no output waits yet: the next one, or one that waits from a time to come on,
