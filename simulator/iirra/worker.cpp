@@ -67,7 +67,7 @@ void Worker::work() {
       continue;
     }
     own_memory().release(sizes_.cell);
-    shared_.record.last_task_s = this_process().own_time().value;
+    shared_.record.last_task_s = this_process().now().value;
     if (stores_.active() < static_cast<std::size_t>(params_.reserve)) balance_->ask();
     advance(*task);
     balance_->worked();

@@ -120,11 +120,11 @@ void DataManager::look() {
 // An idle process looks every period: it finds what is there by then. (Looks that find nothing are
 // not simulated.)
 void DataManager::wait_for_message(Seconds period) {
-  const Seconds since = this_process().own_time();
+  const Seconds since = this_process().now();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};
   occam::select(guards);
   if (period.value <= 0) return;
-  const double periods = std::ceil((this_process().own_time() - since) / period);
+  const double periods = std::ceil((this_process().now() - since) / period);
   occam::wait_until(occam::ticks(since + periods * period));
 }
 
@@ -166,11 +166,11 @@ void DataManager::send(network::Address to, std::uint64_t bytes, const DataMessa
 
 void DataManager::fetch(std::size_t record, network::Address to) {
   ++use_.requests;
-  const Seconds since = this_process().own_time();
+  const Seconds since = this_process().now();
   has_reply_ = false;
   send(to, costs_.request_bytes, DataMessage(DataRequest{record}));
   while (!has_reply_) take(client_.receive());
-  use_.waited += this_process().own_time() - since;
+  use_.waited += this_process().now() - since;
 }
 
 void DataManager::reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level,
