@@ -82,9 +82,10 @@ std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& so
   for (std::uint32_t p = 0; p < mesh.patches.size(); ++p) {
     const Material& material = mesh.materials[mesh.patches[p].material];
     if (max_component(material.emission) > 0) continue;
-    const double off = std::abs(sum(find_off(mesh, solution, illumination, p)));
-    const double light =
-        sum(find_middle(mesh, solution, p) + material.reflectance * solution.ambient);
+    const Rgb by = find_off(mesh, solution, illumination, p);
+    const double off = std::abs(by.r) + std::abs(by.g) + std::abs(by.b);
+    const Rgb middle = find_middle(mesh, solution, p) + material.reflectance * solution.ambient;
+    const double light = std::max(0.0, sum(middle));
     if (off > MOST_OFF_HERE * light) found.emplace_back(off * off * mesh.patches[p].area, p);
   }
   std::ranges::stable_sort(found, std::greater{}, [](const auto& f) { return f.first; });
