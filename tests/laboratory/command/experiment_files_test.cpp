@@ -167,14 +167,8 @@ class Experiments : public testing::TestWithParam<std::string> {};
 
 constexpr double ROUNDING = 1e-9;
 
-// Where an output and the turn of its guard in an ALT come at the same instant, rounding decides
-// whether the guard is ready: 20 cycles.
-double find_rounding(const std::string& experiment) {
-  return experiment == "studies/radiosity-distribution" ? 1e-7 : ROUNDING;
-}
-
 // Numbers may differ by what dates are rounded, all else not at all.
-void expect_near(const Table& table, const Table& expected, double rounding) {
+void expect_near(const Table& table, const Table& expected) {
   ASSERT_EQ(table.columns, expected.columns);
   ASSERT_EQ(table.rows.size(), expected.rows.size());
   for (std::size_t row = 0; row < table.rows.size(); ++row)
@@ -182,7 +176,7 @@ void expect_near(const Table& table, const Table& expected, double rounding) {
       const Value &value = table.rows[row][column], &other = expected.rows[row][column];
       if (is_same(value, other)) continue;
       ASSERT_TRUE(as_number(value) && as_number(other)) << to_string(value) << to_string(other);
-      EXPECT_NEAR(*as_number(value), *as_number(other), rounding * std::abs(*as_number(other)))
+      EXPECT_NEAR(*as_number(value), *as_number(other), ROUNDING * std::abs(*as_number(other)))
           << table.columns[column] << " of row " << row + 1;
     }
 }
@@ -203,8 +197,7 @@ TEST_P(Experiments, ChecksHoldOnEveryEngine) {
     return parse_csv(read_file(folder.path / engine / "results.csv"), engine);
   };
   const auto direct = verify("direct");
-  if (!is_on_one_engine(GetParam()))
-    expect_near(direct, verify("simgrid"), find_rounding(GetParam()));
+  if (!is_on_one_engine(GetParam())) expect_near(direct, verify("simgrid"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Experiments, testing::ValuesIn(find_experiments()), name_of);
