@@ -10,11 +10,11 @@
 namespace renderer::test {
 namespace {
 
-constexpr int SIDE = 64;
+constexpr int DISC_SIDE = 64;
 
 // What glows by itself: ambient light alone, no lights.
 Params make_glow(int samples) {
-  Params params = make_params(SIDE, SIDE, 1);
+  Params params = make_params(DISC_SIDE, DISC_SIDE, 1);
   params.sample = SamplePosition::center;
   params.ambient = 1;
   params.sampling.pixel_samples = samples;
@@ -28,10 +28,10 @@ struct Spread {
 Spread eval_spread(const Scene& scene, const Params& params) {
   const Samples image = render(scene, params, 2).samples;
   double sum = 0, mean[2] = {}, square[2] = {};
-  for (int y = 0; y < SIDE; ++y)
-    for (int x = 0; x < SIDE; ++x) {
-      const double light = image.get(static_cast<std::uint32_t>(y * SIDE + x)).g;
-      const double at[2] = {x + 0.5 - SIDE / 2, y + 0.5 - SIDE / 2};
+  for (int y = 0; y < DISC_SIDE; ++y)
+    for (int x = 0; x < DISC_SIDE; ++x) {
+      const double light = image.get(static_cast<std::uint32_t>(y * DISC_SIDE + x)).g;
+      const double at[2] = {x + 0.5 - DISC_SIDE / 2, y + 0.5 - DISC_SIDE / 2};
       sum += light;
       for (int i = 0; i < 2; ++i) {
         mean[i] += light * at[i];
@@ -39,7 +39,7 @@ Spread eval_spread(const Scene& scene, const Params& params) {
       }
     }
   EXPECT_GT(sum, 0);
-  const double pixel = 2 * scene.view.half_height / SIDE;
+  const double pixel = 2 * scene.view.half_height / DISC_SIDE;
   const auto variance = [&](int i) {
     const double centre = mean[i] / sum;
     return pixel * pixel * (square[i] / sum - centre * centre - 1.0 / 12);
