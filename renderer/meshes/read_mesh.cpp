@@ -4,7 +4,6 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <filesystem>
@@ -18,9 +17,6 @@
 namespace renderer {
 
 namespace {
-
-constexpr std::array<std::string_view, 7> ENDINGS = {".stl", ".ply",  ".off", ".dae",
-                                                     ".3ds", ".gltf", ".glb"};
 
 Vec to_vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -150,8 +146,6 @@ class Teller {
 };
 
 }  // namespace
-
-std::span<const std::string_view> mesh_endings() { return ENDINGS; }
 
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
   Assimp::Importer importer;
