@@ -86,7 +86,7 @@ const CpuRow* find_role(const Use& use, std::string_view role) {
   return found == use.cpus.end() ? nullptr : &*found;
 }
 
-const ProcessRow& find_process(const Use& use, const std::string& name) {
+const ProcessRow& find_process(const Use& use, std::string_view name) {
   const auto found = std::ranges::find(use.processes, name, &ProcessRow::name);
   if (found == use.processes.end())
     throw base::InvariantBroken(fmt::format("no process is called {}", name));

@@ -60,7 +60,7 @@ std::string name_of(const LinkRow& link);
 /// The first processor of a role; null if there is none.
 const CpuRow* find_role(const Use& use, std::string_view role);
 /// Throws base::InvariantBroken for a name that is not there.
-const ProcessRow& find_process(const Use& use, const std::string& name);
+const ProcessRow& find_process(const Use& use, std::string_view name);
 std::uint64_t total_messages(const Use& use);
 std::uint64_t total_bytes(const Use& use);
 

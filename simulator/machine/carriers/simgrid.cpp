@@ -4,7 +4,11 @@
 #include <simgrid/version.h>
 #include <simgrid/kernel/Timer.hpp>
 #include <simgrid/s4u.hpp>
+#if __has_include(<simgrid/simcall.hpp>)
+#include <simgrid/simcall.hpp>
+#else
 #include <simgrid/simix.hpp>
+#endif
 
 #include <algorithm>
 #include <csignal>
@@ -29,6 +33,44 @@ std::string simgrid_version() {
 }
 
 namespace {
+
+// Calls that SimGrid 4 names differently from SimGrid 3. (Templates: what a version lacks is not
+// compiled.)
+auto make_zone(auto& engine, const auto& name) {
+  if constexpr (requires { engine.get_netzone_root()->add_netzone_full(name); })
+    return engine.get_netzone_root()->add_netzone_full(name);
+  else
+    return s4u::create_full_zone(name);
+}
+
+s4u::Host* add_host(auto& zone, const std::string& name) {
+  if constexpr (requires { zone.add_host(name, "1f"); })
+    return zone.add_host(name, "1f")->seal();
+  else
+    return zone.create_host(name, "1f")->seal();
+}
+
+s4u::Link* add_link(auto& zone, const std::string& name, double rate) {
+  if constexpr (requires { zone.add_link(name, rate); })
+    return zone.add_link(name, rate);
+  else
+    return zone.create_link(name, rate);
+}
+
+void add_route(auto& zone, const s4u::Host* from, const s4u::Host* to, const s4u::Link* link) {
+  const std::vector<s4u::LinkInRoute> links{s4u::LinkInRoute(link)};
+  if constexpr (requires { zone.add_route(from, to, links); })
+    zone.add_route(from, to, links);
+  else
+    zone.add_route(from->get_netpoint(), to->get_netpoint(), nullptr, nullptr, links, true);
+}
+
+void add_actor(auto& engine, const std::string& name, s4u::Host* host, auto body) {
+  if constexpr (requires { engine.add_actor(name, host, body); })
+    engine.add_actor(name, host, body);
+  else
+    s4u::Actor::create(name, host, body);
+}
 
 // SimGrid takes some signals, and what is done with an uncaught exception, for itself when it
 // starts: here they stay the program's.
@@ -77,7 +119,7 @@ class ActorCoroutine final : public Coroutine {
     } else if (idle_.empty()) {
       hand_ = std::make_shared<Hand>();
       hand_->works_for = this;
-      s4u::Actor::create(name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
+      add_actor(engine_, name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
     } else {
       hand_ = std::move(idle_.back());
       idle_.pop_back();
@@ -130,7 +172,7 @@ class OnSimGrid final : public Carrier {
   }
 
   void add_processor(const std::string& name) override {
-    hosts_.push_back(zone_->create_host(name, "1f")->seal());
+    hosts_.push_back(add_host(*zone_, name));
     idle_.emplace_back();
   }
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) override;
@@ -216,10 +258,11 @@ OnSimGrid::OnSimGrid(Events& events, Processes processes)
        {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
         "network/crosstraffic:0", "network/TCP-gamma:0", "surf/precision:1e-12"})
     s4u::Engine::set_config(setting);
-  zone_ = s4u::create_full_zone("machine");
-  s4u::Activity::on_completion_cb([this](const s4u::Activity& activity) {
-    call(
-        [this, number = reinterpret_cast<std::size_t>(activity.get_data<void>())] { end(number); });
+  zone_ = make_zone(*engine_, std::string("machine"));
+  s4u::Comm::on_completion_cb([this](const auto& comm) {
+    call([this, number = reinterpret_cast<std::size_t>(comm.template get_data<void>())] {
+      end(number);
+    });
   });
   if (!has_actors_) return;
   const auto stack = fmt::format("contexts/stack-size:{}", Coroutine::STACK_BYTES / 1024);
@@ -233,16 +276,14 @@ std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates, std::size_t rank)
     return messages > 1 ? rates.both_ways : rates.one_way;
   };
   const auto name = fmt::format("{}-{}-{}", a, b, joined_[std::minmax(a, b)]++);
-  auto* link = zone_->create_link(name, rates.both_ways)
+  auto* link = machine::add_link(*zone_, name, rates.both_ways)
                    ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
                    ->seal();
   // SimGrid has one route between two hosts: one more link between two processors begins at a host
   // of its own.
   const bool is_first = joined_[std::minmax(a, b)] == 1;
-  auto *from = is_first ? hosts_[a] : zone_->create_host("port " + name, "1f")->seal(),
-       *to = hosts_[b];
-  zone_->add_route(from->get_netpoint(), to->get_netpoint(), nullptr, nullptr,
-                   {s4u::LinkInRoute(link)}, true);
+  auto *from = is_first ? hosts_[a] : add_host(*zone_, "port " + name), *to = hosts_[b];
+  add_route(*zone_, from, to, link);
   directions_.push_back({from, to});
   directions_.push_back({to, from});
   return forecast_.add_link(rates.one_way, rates.both_ways, rank);
@@ -277,7 +318,7 @@ void OnSimGrid::run() {
 
 void OnSimGrid::start_scheduler() {
   called_ = s4u::Semaphore::create(0);
-  s4u::Actor::create("scheduler", hosts_.front(), [this] {
+  add_actor(*engine_, "scheduler", hosts_.front(), [this] {
     for (called_->acquire(); !calls_.empty(); called_->acquire()) {
       Callback next = calls_.front();
       calls_.pop_front();
