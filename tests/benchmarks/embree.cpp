@@ -1,8 +1,8 @@
-#include <embree3/rtcore.h>
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
 #include "tests/benchmarks/renderers.hpp"
+#include "tests/support/embree.hpp"
 
 namespace benchmarks {
 
@@ -77,16 +77,16 @@ std::vector<Query> make_queries(const std::vector<Ray>& rays) {
 }
 
 std::uint64_t trace(RTCScene scene, const std::vector<Query>& queries) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  embree::Context context;
+  embree::init(context);
   std::uint64_t hits = 0;
   for (const Query& query : queries) {
     RTCRayHit ray = query.ray;
     if (query.shadow) {
-      rtcOccluded1(scene, &context, &ray.ray);
+      embree::find_occlusion(scene, context, ray.ray);
       hits += ray.ray.tfar < 0 ? 1 : 0;
     } else {
-      rtcIntersect1(scene, &context, &ray);
+      embree::intersect(scene, context, ray);
       hits += ray.hit.geomID != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
     }
   }

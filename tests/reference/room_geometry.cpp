@@ -1,8 +1,8 @@
 #include "tests/reference/room_geometry.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <stdexcept>
+
+#include "tests/support/embree.hpp"
 
 namespace radiosity::reference {
 
@@ -15,7 +15,7 @@ constexpr float NEAREST = 1e-6F, NEARLY = 1 - 1e-6F;
 
 // A ray meets none of the faces that it starts or ends on: they are flat and convex.
 struct Context {
-  RTCIntersectContext base;  // first: Embree hands out its address
+  embree::Context base;  // first: Embree hands out its address
   const std::uint32_t* face_of_triangle;
   std::uint32_t from, to;
 };
@@ -73,7 +73,7 @@ struct RoomGeometry::Embree {
     }
     device = rtcNewDevice("threads=1");
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | embree::FILTERED);
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     std::ranges::copy(places, static_cast<float*>(rtcSetNewGeometryBuffer(
                                   geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -90,8 +90,7 @@ struct RoomGeometry::Embree {
 
   Context make_context(std::uint32_t from, std::uint32_t to) const {
     Context context{{}, face_of_triangle.data(), from, to};
-    rtcInitIntersectContext(&context.base);
-    context.base.filter = leave_out_own_faces;
+    embree::init(context.base);
     return context;
   }
 };
@@ -119,7 +118,7 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
   query.ray = make_ray(origin, direction, INF);
   for (int attempt = 0; attempt < 2; ++attempt) {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree_->scene, &context.base, &query);
+    embree::intersect(embree_->scene, context.base, query, leave_out_own_faces);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const std::uint32_t face = embree_->face_of_triangle[query.hit.primID];
     const Plane& plane = planes_[face];
@@ -144,7 +143,7 @@ bool RoomGeometry::is_blocked(const SurfacePoint& from, const Vec& to,
   const Vec way = to - from.at;
   const double distance = length(way);
   RTCRay ray = make_ray(from.at, (1 / distance) * way, static_cast<float>(distance) * NEARLY);
-  rtcOccluded1(embree_->scene, &context.base, &ray);
+  embree::find_occlusion(embree_->scene, context.base, ray, leave_out_own_faces);
   return ray.tfar < 0;
 }
 

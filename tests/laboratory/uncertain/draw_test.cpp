@@ -17,7 +17,7 @@
 namespace laboratory {
 namespace {
 
-const machine::Entry& entry_of(const machine::Model& model, const std::string& key) {
+const machine::Entry& entry_of(const machine::Model& model, std::string_view key) {
   return *std::ranges::find(model.entries, key, &machine::Entry::key);
 }
 

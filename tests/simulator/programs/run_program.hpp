@@ -11,9 +11,9 @@ namespace programs {
 
 using Settings = std::map<std::string, base::Scalar>;
 
-inline const Program& get_program(const std::string& name) {
-  if (const Program* program = find_program(name)) return *program;
-  throw std::invalid_argument("no program " + name);
+inline const Program& get_program(std::string_view name) {
+  if (const Program* program = find_program(std::string(name))) return *program;
+  throw std::invalid_argument("no program " + std::string(name));
 }
 
 // Throws std::invalid_argument for what a program has no parameter for, or what one does not allow.
