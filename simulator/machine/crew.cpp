@@ -6,10 +6,10 @@ namespace machine {
 
 namespace {
 
-// Some tens of microseconds: a thread that sleeps takes longer than that to wake up.
+// Spins for some tens of microseconds: waking a sleeping thread takes longer.
 constexpr int TRIES = 2000;
 
-// A thread sleeps only if that takes long, or if there are more than the host has processors.
+// Spins, then sleeps; sleeps at once without `may_spin` (more threads than host processors).
 template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
