@@ -30,7 +30,7 @@ Crew::Crew(std::size_t size, Share share)
   try {
     for (std::size_t number = 1; number < size; ++number)
       members_[number].thread = std::jthread([this, number] { live(number); });
-  } catch (...) {  // the host has no more threads
+  } catch (...) {  // the host has run out of threads
     end();
     throw;
   }

@@ -39,7 +39,7 @@ class Engine {
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
     return carrier_->add_link(a, b, rates, rank);
   }
-  /// Whether every process needs a stack, even a Proc: true for SimGrid's actors.
+  /// True if every process needs a stack, even a Proc: with SimGrid's actors.
   bool needs_stacks() const { return needs_stacks_; }
   /// Body of a process. Callbacks resume it; after run() it is resumed only to unwind it.
   std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,

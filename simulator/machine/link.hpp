@@ -59,7 +59,7 @@ class LinkDirection {
   enum class Side : std::uint8_t { writer, reader };
   /// Clock of the link's part of the machine, or of the links between parts.
   Seconds now() const { return engine_.now(); }
-  /// Whether the link's ends are in two parts of the machine, see Parts.
+  /// True if the link's ends are in two parts of the machine, see Parts.
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
   /// Calls back at `date`, ahead of the clock, when a descheduled process reaches an end of the
   /// link. The callback comes before other processes continue at that date. Not for links between

@@ -112,12 +112,12 @@ std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
   return text.empty() ? "" : "\n  the cycle:" + text;
 }
 
-// Whether some process has neither ended nor is a server that waits for input.
+// True if some process has not ended and is no server that waits for input.
 bool has_unfinished(const Processor& processor) {
   return !std::ranges::all_of(processor.processes(), [](const auto& p) { return has_ended(*p); });
 }
 
-// Whether no running processor has an unfinished process.
+// True if no running processor has an unfinished process.
 bool all_have_ended(const Machine& machine) {
   return std::ranges::all_of(machine.processors(),
                              [](const auto& p) { return p->stopped() || !has_unfinished(*p); });
@@ -299,7 +299,7 @@ void Machine::happen_now() {
   if (!matters) parts_.only("a failure").ignore_event();
 }
 
-// Whether all processes have ended, no message is under way, and no CPU is ahead of the clock.
+// True if all processes have ended, no message is under way, and no CPU is ahead of the clock.
 bool Machine::is_over() const {
   if (!all_have_ended(*this)) return false;
   for (const auto& link : links_)

@@ -16,7 +16,7 @@ class Coroutine {
   virtual void resume() = 0;
   /// Called by the body: returns to the caller of resume(), until the next resume().
   virtual void suspend() = 0;
-  /// Whether the body has returned; only then may the coroutine be destroyed.
+  /// True once the body has returned; only then may the coroutine be destroyed.
   bool has_ended() const { return has_ended_; }
 
  protected:

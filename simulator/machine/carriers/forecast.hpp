@@ -20,7 +20,7 @@ class Forecast {
   /// Dates are in seconds, ascending.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
-  /// Updates the predictions of links on which messages have started or ended.
+  /// Updates the predictions of links after starts and ends of messages.
   void settle() {
     if (!changed_.empty()) foresee_changed();
   }
@@ -37,9 +37,9 @@ class Forecast {
     double latest() const { return date + hair; }
     bool contains(double other) const { return earliest() <= other && other <= latest(); }
   };
-  /// The earliest predicted end, and the end of one message under way. Of equal dates the earlier
-  /// prediction comes first, then the link of lower rank. On one link the newer message comes
-  /// first, as on SimGrid.
+  /// The earliest predicted end, and the end of one message under way. Ties: the earlier prediction
+  /// comes first, then the link of lower rank. On one link the newer message comes first, as on
+  /// SimGrid.
   const End& next() {
     static constexpr End NONE = {};
     return next_date() < NONE.date ? end_of(heap_.front().direction) : NONE;
