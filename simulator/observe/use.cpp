@@ -18,7 +18,7 @@ ProcessRow make_row(const machine::Process& process) {
           process.blocked(Kind::input).value, process.blocked(Kind::alternative).value};
 }
 
-// Processes come and go: those of `before` may have ended, and others have begun.
+// Subtracts by id: processes of `before` may have ended, and others may have begun.
 void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
   std::unordered_map<machine::ProcessId, const ProcessRow*> known;
   for (const auto& row : before) known[row.id] = &row;
