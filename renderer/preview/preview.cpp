@@ -227,7 +227,7 @@ class Previewer {
     cue_depth();
   }
 
-  // Maximum difference in nearness, relative, up to which an edge shows through a facet.
+  // An edge shows through a facet up to this relative difference in nearness.
   static constexpr double MOST_SLACK = 0.02;
 
   // Growth of nearness from one pixel to its neighbours on a facet. An edge's samples may be less

@@ -30,7 +30,7 @@ inline Pixel own_pixel(const Area& quadrant) {
 /// returns only the other three, and thus every pixel once.
 ///
 /// The queue holds at most max(1, N / 2) quadrants of an area of N pixels; N / 3 if it is a square,
-/// N / 4 if it is a square whose side is a power of two.
+/// N / 4 if its side is also a power of two.
 class QuadrantQueue {
  public:
   /// The area of interest, 1 x 1 or larger.
