@@ -36,7 +36,7 @@ class Teller {
   }
 
  private:
-  // One word, and no other material's.
+  // Makes a name of one word that differs from the other materials'.
   std::string make_name(const aiMaterial& material) {
     std::string name = material.GetName().C_Str();
     for (char& c : name)
@@ -77,7 +77,7 @@ class Teller {
     target_.add_material(m);
   }
 
-  // A file of its own; others travel in the mesh's.
+  // Only pictures in files of their own are used; embedded ones are left out.
   void tell_picture(const std::string& name, MtlMaterial& material) {
     if (scene_.GetEmbeddedTexture(name.c_str()))
       left_out_.add("pictures in the file");
