@@ -197,9 +197,9 @@ TEST(Distributed, PenumbraOfASphere) {
   }
 }
 
-// The share of rays that a surface sends to the far side of an edge. Directions run over a disc of
-// radius S at distance 1 across the axis; an edge, e from the axis in a plane across it at distance
-// D, cuts a segment off that disc, at q = e / (D S) of its radius.
+// The share of rays that a surface sends beyond an edge. Directions fill a disc of radius S at
+// distance 1, across the axis. An edge, e from the axis in a plane across it at distance D, cuts
+// off a segment at q = e / (D S) of the disc's radius.
 double eval_beyond(const std::string& surface, bool is_mirror, double angle, double edge,
                    double distance, int samples) {
   const Vec in{std::sin(angle), 0, -std::cos(angle)};
