@@ -176,7 +176,7 @@ TEST(IncludeGraph, IncludesAreFromTheRoot) {
       }
 }
 
-// Whether a walk along the edges from `at` returns to a node on its own way.
+// True if a walk along the edges from `at` returns to a node on its own way.
 bool has_cycle(const Edges& edges, const std::string& at, std::vector<std::string>& way,
                std::set<std::string>& done) {
   if (std::ranges::find(way, at) != way.end()) return true;

@@ -25,8 +25,8 @@ farm::Result run_farm(observe::Watch* watch, bool profile, machine::EngineParams
   return farm::run_farm(model(), workers, scene, params);
 }
 
-// All stretches of time in which a process had a CPU, and all messages on links. Each processor's
-// activities are in the order of their start.
+// All times when a process had a CPU, and all messages on links. Each processor's activities are in
+// the order of their start.
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::Watch watch;

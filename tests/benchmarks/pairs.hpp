@@ -9,7 +9,7 @@
 
 namespace benchmarks {
 
-// Adds a benchmark "what/who" that is timed by its samples and reports items a second. `run` is
+// Adds a benchmark "what/who". Its samples give the time; it reports items a second. `run` is
 // called in this process.
 benchmark::internal::Benchmark* add(const std::string& what, const std::string& who,
                                     std::function<Sample(benchmark::State&)> run);

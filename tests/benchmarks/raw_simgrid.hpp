@@ -1,7 +1,7 @@
 #pragma once
 // The benchmarks of simulated machines, written directly on SimGrid's actors, mailboxes and
-// executions: the speed without tlab's machine layer. Messages cost no processor time. Of a
-// transputer only the link rates are modelled.
+// executions: the speed without tlab's machine layer. Messages cost no processor time. The
+// only property of a transputer here is the rate of its links.
 #include "simulator/machine/model.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/benchmarks/traffic.hpp"

@@ -22,7 +22,7 @@ inline int neighbour(int node, int direction) {
 }
 inline int opposite(int direction) { return direction ^ 1; }
 
-// The direction in which a message for `destination` leaves `node`.
+// The direction of a message for `destination` as it leaves `node`.
 inline int route(int node, int destination) {
   const int dx = destination % SIDE - node % SIDE, dy = destination / SIDE - node / SIDE;
   return dx != 0 ? (dx > 0 ? 0 : 1) : (dy > 0 ? 2 : 3);

@@ -78,7 +78,7 @@ void tell(Progress& progress, std::string_view what) {
   progress.what[size] = '\0';
 }
 
-// Whether the reader accepts or properly refuses the text.
+// True if the reader accepts or properly refuses the text.
 bool run_case(const Reader& reader, const std::string& text, Progress& progress) {
   try {
     reader.read(text);

@@ -60,7 +60,7 @@ void keep_finding(const Trial& trial, const Finding& finding, const Options& o,
   std::fflush(stdout);
 }
 
-// Whether no reader failed, and each accepted some cases: a reader that refuses all proves nothing.
+// True if no reader failed, and each accepted some cases: a reader that refuses all proves nothing.
 bool print_counts(const std::vector<Trial>& trials, const Options& o) {
   fmt::print("seed {}{}\n{:>17} {:>10} {:>10} {:>10} {:>9} {:>8}\n", o.seed,
              test::IS_SANITIZED ? ", with sanitizers" : "", "reader", "cases", "accepted",

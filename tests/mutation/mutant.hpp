@@ -29,7 +29,7 @@ inline void load() {
 
 }  // namespace mutation
 
-/// Whether the active mutant has this number; always false in constant expressions.
+/// True if the active mutant has this number; always false in constant expressions.
 constexpr bool is_mutant(int number) {
   if (std::is_constant_evaluated()) return false;
   if (mutation::active == mutation::UNKNOWN) mutation::load();

@@ -167,7 +167,7 @@ class PathTracer {
     return (density * e.area / e.share) * e.emission;
   }
 
-  // The density, by area, with which look_anywhere() finds an unoccluded point.
+  // The density, by area, of unoccluded points found by look_anywhere().
   static double eval_transfer(const SurfacePoint& point, const SurfacePoint& to) {
     const Vec way = to.at - point.at;
     const double square = dot(way, way);

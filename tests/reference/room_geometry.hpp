@@ -33,7 +33,7 @@ class RoomGeometry {
   std::optional<SurfacePoint> intersect(const Vec& origin, const Vec& direction,
                                         std::uint32_t from) const;
 
-  /// Whether another face blocks the line between the two points.
+  /// True if another face blocks the line between the two points.
   bool is_blocked(const SurfacePoint& from, const Vec& to, std::uint32_t to_face) const;
 
   /// The corners of a face in the units of this geometry.

@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// Whether the process has ended. A process that was not waited for remains as a zombie.
+/// True if the process has ended. A process that was not waited for remains as a zombie.
 inline bool is_gone(pid_t process) {
   std::ifstream in("/proc/" + std::to_string(process) + "/stat");
   std::string number, name, state;

@@ -13,7 +13,7 @@ const std::string SCENE =
     "# shutter 0 0.5\n# lens 0.3 5\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 40\nl 5 5 5\n"
     "f 1 0.5 0.2 0.8 0.2 9 0 0\n# path way.csv\ns 0 0 0 0.5\n# move 0 0 0\ns 1 1 0 0.4\n";
 
-// A folder with a scene in which a sphere moves to the right for three frames.
+// A folder with a scene of three frames: its sphere moves to the right.
 struct SceneFolder : TemporaryFolder {
   SceneFolder() {
     write("s.nff", SCENE);

@@ -144,8 +144,8 @@ TEST(Examples, SortSortsOnAnyNumberOfProcessors) {
   output_of("example_sort 3 4 2>&1", 2);
 }
 
-// A station holds the token for 100 ticks. It and its link add 8.03 us, of which only whole ticks
-// count: 8; the monitor's ALT makes that 9.
+// A station holds the token for 100 ticks. It and its link add 8.03 us. Only whole ticks count: 8;
+// the monitor's ALT makes that 9.
 TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
   std::istringstream lines(output_of("example_token_ring"));
   std::vector<double> back;

@@ -5,7 +5,7 @@
 namespace laboratory {
 namespace {
 
-// Runs a shell line, in which $TLAB is the program; returns the exit code.
+// Runs a shell line with $TLAB as the program; returns the exit code.
 int run_line(const std::filesystem::path& folder, const std::string& line) {
   const auto command =
       "cd '" + folder.string() + "' && TLAB='" + ::test::in_build("tlab") + "' && " + line;

@@ -9,8 +9,8 @@
 namespace laboratory {
 namespace {
 
-// Two points of a program, with a parameter that is no axis. Of the results one is asked for
-// through [let], one is constant, one does not apply, and others depend on the width.
+// Two points of a program, with a parameter that is no axis. One result is used by [let], one is
+// constant, one does not apply, and the others are shown if the width permits.
 const Table OF_RADIOSITY = {.columns = {"refine", "processors", "mean", "sends", "time_s", "rays",
                                         "speedup", "useful", "ended"},
                             .axes = 1,

@@ -23,7 +23,7 @@ std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params
   return objects;
 }
 
-// Whether a pixel within one of (x, y) shows another object than (x, y) does.
+// True if a pixel within one of (x, y) shows another object than (x, y) does.
 bool is_at_silhouette(const std::vector<std::uint32_t>& objects, const Params& p, int x, int y) {
   const auto at = [&](int i, int j) { return objects[static_cast<std::size_t>(j * p.width + i)]; };
   for (int j = std::max(0, y - 1); j <= std::min(p.height - 1, y + 1); ++j)

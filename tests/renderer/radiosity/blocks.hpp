@@ -19,7 +19,7 @@ struct Block {
   }
 };
 
-/// Whether a point is over the block and further than `margin` inside its sides.
+/// True if a point is over the block and further than `margin` inside its sides.
 inline bool is_within(const Block& block, const Vec& p, double margin) {
   const auto ring = block.ring(p.z);
   return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&  // (the ring is at the point's height)

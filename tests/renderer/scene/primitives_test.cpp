@@ -24,7 +24,7 @@ std::optional<Hit> meet(const Scene& scene, const Vec& origin, const Vec& direct
                    Traversal::nearest, work);
 }
 
-// A surface: the zeros of `value` for which `exists` holds.
+// A surface: the zeros of `value`, limited to places where `exists` holds.
 struct Implicit {
   std::function<double(const Vec&)> value;
   std::function<bool(const Vec&)> exists = [](const Vec&) { return true; };

@@ -221,7 +221,7 @@ TEST(Adaptive, SavesRaysAtTheSameError) {
   EXPECT_LT(found.rays.total(), 0.7 * uniform.rays.total());
 }
 
-// Pixels in which a grid of rays meets several objects, or an object and the background.
+// Pixels whose grid of rays meets several objects, or an object and the background.
 std::vector<bool> find_borders(const Scene& scene, const Params& params, int grid) {
   Params fine = params;
   fine.sampling = {};

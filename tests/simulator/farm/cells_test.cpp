@@ -45,7 +45,7 @@ std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::m
   return all;
 }
 
-// The picture in which each pixel shows the sample of its smallest cell with one.
+// The expected picture: each pixel shows the sample of the smallest cell that has one.
 std::vector<std::uint8_t> constant_picture(const renderer::Samples& samples,
                                            const std::set<std::uint32_t>& there,
                                            const Cells& cells) {

@@ -64,7 +64,7 @@ struct Oracle {
   int rank(const renderer::Ray& r) const {
     return r.kind == renderer::RayKind::shadow ? 0 : is_within(r, limits) ? 1 : 2;
   }
-  // Whether `taken` may come first; removes an equal ray.
+  // True if `taken` may come first; removes an equal ray.
   bool take(const renderer::Ray& taken) {
     const auto same = std::ranges::find_if(rays, [&](const renderer::Ray& r) {
       return r.sample == taken.sample && r.kind == taken.kind && r.through == taken.through &&

@@ -31,7 +31,7 @@ std::string to_text(const SoakOutcome& outcome) {
   return text;
 }
 
-// Whether the network stays connected without the failing links.
+// True if the network stays connected without the failing links.
 bool stays_joined(topologies::Topology topology,
                   const std::vector<programs::PlannedFault>& faults) {
   std::erase_if(topology.links, [&](const auto& link) {

@@ -8,7 +8,7 @@ namespace topologies {
 namespace {
 
 // A lower bound for any network. A processor with d links has at most d others at one link, 3 d at
-// two links, 9 d at three ...; the bound is the mean over the processors, with the links they have.
+// two links, 9 d at three ... The bound is the mean over the processors, with the links they have.
 double least_mean_distance(const Topology& t) {
   double sum = 0;
   for (const auto& around : neighbours(t)) {

@@ -76,7 +76,7 @@ void expect_valid_up_down(const Topology& t) {
   EXPECT_FALSE(closes_cycle(t, routes, make_tree_links(t)));
 }
 
-// A random_topology, in which any processor may be the root, and up to eight processors more.
+// A random_topology with any processor as its root, plus up to eight more processors.
 Topology random_machine(unsigned seed) {
   auto t = random_topology(seed);
   std::mt19937 random(seed + 1);

@@ -178,7 +178,7 @@ TEST(Discontinuities, HalvesMakeTheCreasesOfTheWhole) {
   EXPECT_LT(missing, points / 500) << "of " << points;
 }
 
-// Whether a face is between two points.
+// True if a face is between two points.
 bool blocks(const Face& face, const Vec& from, const Vec& to) {
   const Vec normal = eval_area_normal(face.corners);
   const double here = dot(normal, from - face.corners[0]),

@@ -100,7 +100,7 @@ Room make_floor() {
   return room;
 }
 
-// Whether a whole segment is a crease.
+// True if a whole segment is a crease.
 bool is_crease(const Vec& a, const Vec& b, std::span<const Crease> creases) {
   for (int i = 0; i <= 20; ++i)
     if (distance_to(a + i / 20.0 * (b - a), creases) > 1e-3) return false;

@@ -92,8 +92,8 @@ TEST(Mirrors, DoNotChangeAFurnace) {
 }
 
 // A parabolic trough of flat mirrors. At its focal line, z = 1, a point looking down sees far more
-// of a distant lamp than over a flat mirror, but its total is not larger. (Delta areas wider than a
-// facet's view would count whole or not at all: mirror_share.)
+// of a distant lamp than over a flat mirror, but its total is not larger.
+// Delta areas wider than a facet's view would count whole or not at all: mirror_share.
 TEST(Mirrors, BentOnesFocusLight) {
   constexpr int FACETS = 16;
   Room room;

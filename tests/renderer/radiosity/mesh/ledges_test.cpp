@@ -73,9 +73,9 @@ TEST(Ledges, MayNarrowToAPoint) {
   }
 }
 
-// The light of a ledge is evaluated where it makes the mean of the patch right; at the foot if the
-// ledge is wider than four times the patch. (There the test's ledge, a single patch, is too near
-// for its factor.)
+// The light of a ledge is evaluated where it makes the mean of the patch right. For a ledge wider
+// than four times the patch that is at its foot. (There the test's ledge, a single patch, is too
+// near for its factor.)
 TEST(Ledges, GiveAPatchItsMeanLight) {
   for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 1.1, 3.0, 5.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);

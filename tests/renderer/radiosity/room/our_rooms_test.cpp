@@ -82,7 +82,7 @@ TEST_P(OurRooms, ShowTheirFrontsToTheView) {
   EXPECT_GT(seen.size(), 3u);
 }
 
-// Whether the polygon lies between a point of the right wall and a point of the window.
+// True if the polygon lies between a point of the right wall and a point of the window.
 bool is_covered(const Face& polygon, const Vec& from, const Vec& to) {
   const std::vector<Vec>& c = polygon.corners;
   const Vec at = from + (c[0].x - from.x) / (to.x - from.x) * (to - from);

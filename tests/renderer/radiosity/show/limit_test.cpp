@@ -35,7 +35,7 @@ Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& pa
   return range;
 }
 
-// Whether limit_change() keeps a change: its three rules, within a tolerance.
+// True if limit_change() keeps a change: its three rules, within a tolerance.
 bool is_kept(double change, double value, double whole, double there) {
   constexpr double TINY = 1e-9;
   const double bend = whole - change, other_bend = there - whole;

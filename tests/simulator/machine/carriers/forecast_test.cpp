@@ -100,8 +100,8 @@ TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   }
 }
 
-// Changes SimGrid's factor for all bandwidths behind the machine's back. Of a message of 100 bytes
-// at 2^20 bytes/s SimGrid moves half as much, or a tenth more.
+// Changes SimGrid's factor for all bandwidths behind the machine's back. SimGrid then moves
+// a message of 100 bytes at half of 2^20 bytes/s, or at a tenth more.
 TEST(Forecast, SimGridMustKeepIt) {
   if (occam::engine_under_test().links == Links::direct) GTEST_SKIP() << "there is no SimGrid";
   for (const double factor : {0.5, 1.1}) {

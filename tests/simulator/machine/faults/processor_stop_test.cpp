@@ -89,7 +89,7 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Neighbours that wait or communicate fail at that instant, those that try later immediately.
+// Neighbours fail at that instant if they wait or communicate, and at once if they try later.
 // Processes of the stopped processor receive no failure.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
