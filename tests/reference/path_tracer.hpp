@@ -25,8 +25,8 @@ struct Reference {
   Picture picture;            ///< radiosity at the pixels' centres, linear, like trace_picture()'s
   std::vector<double> error;  ///< standard error of the mean of a pixel's components
   std::vector<bool> emits;    ///< whether the pixel shows an emitter
-  std::vector<std::uint32_t> faces;  ///< number of what the pixel shows: equal for the same face
-                                     ///< by way of the same mirrors; 0 for nothing
+  std::vector<std::uint32_t> faces;  ///< number of the visible face: equal for the same face
+                                     ///< seen over the same mirrors; 0: nothing
 };
 
 /// The rays from the eye, for renderer::make_primary(): one through each pixel's centre.

@@ -1,4 +1,4 @@
-// Whole cycles.
+// Rounding to whole cycles.
 #include "simulator/machine/units.hpp"
 
 #include <gtest/gtest.h>

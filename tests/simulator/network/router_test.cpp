@@ -232,7 +232,7 @@ TEST(Router, CopiesCostMemoryCyclesAByte) {
                                       model.cpu.clock.value;
   const double more_copied = latency(false, 4000) - latency(false, 0),
                more_pointed = latency(true, 4000) - latency(true, 0);
-  // Client to main, main to the client's sender, sender to client; the link in between.
+  // Copies: client to main, main to the client's sender, sender to client; plus the link.
   EXPECT_NEAR(more_copied - more_pointed, 3 * copy_s, 0.01 * copy_s);
   EXPECT_NEAR(more_pointed, 4000 / model.link.one_way_rate, 0.02 * more_pointed);
 }

@@ -123,7 +123,7 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
   });
 }
 
-// A function that makes a Proc would make one and drop it.
+// start() refuses a function that returns a Proc: it would create one and drop it.
 template <class Body>
 concept CanStart = requires(Processor& cpu, Body body) {
   cpu.start("", Priority::low, body);

@@ -9,7 +9,7 @@
 
 namespace radiosity::test {
 
-/// A face, and whether its front is meant.
+/// A side of a face: the face, and true for its front.
 using Side = std::pair<std::uint32_t, bool>;
 
 /// The share of n x n directions, a random one in each stratum, that first hit a side of a face.

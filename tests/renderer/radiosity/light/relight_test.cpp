@@ -1,4 +1,4 @@
-// Patches send, elements receive.
+// Relighting: patches send light, the elements of a finer mesh receive it.
 #include "renderer/radiosity/light/solve.hpp"
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ TEST(ProcessorStop, EndsWhatItComputes) {
         EXPECT_EQ(pair.lab.machine.run(), machine::End::done);
         EXPECT_TRUE(pair.b.stopped());
         EXPECT_FALSE(pair.a.stopped());
-        observe::collect(pair.lab.machine);  // checks
+        observe::collect(pair.lab.machine);  // checks invariants
         return Numbers{end, never, pair.lab.busy_cycles(pair.b), pair.lab.cycles()};
       });
       EXPECT_EQ(found, (Numbers{-1, -1, STOP, elsewhere > 0 ? 20'000 : STOP}));

@@ -122,7 +122,7 @@ std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, 
       wrong += chaos.check(record);
       lost += static_cast<int>(std::ranges::count(record.sent, 0));
     }
-    const auto use = observe::collect(chaos.lab.machine);  // checks
+    const auto use = observe::collect(chaos.lab.machine);  // checks invariants
     for (const auto& cpu : use.cpus) log += fmt::format("{:a} ", cpu.busy_s);
     for (const auto& link : use.links) log += fmt::format("{:a} {} ", link.busy_s, link.bytes);
     return fmt::format("{}|{}|{} {:a}", wrong, lost, log, use.time_s);
