@@ -93,7 +93,7 @@ TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   EXPECT_EQ(records(), 2u);
 }
 
-// The same holds for a single worker, run additionally or found in the sweep.
+// A run of a single worker that was cut short is no base, whether in the sweep or additional.
 TEST(ExperimentsSpeedups, ASingleWorkerThatIsCutShortIsNoBase) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"
