@@ -12,7 +12,7 @@ using renderer::Scene;
 
 namespace {
 
-constexpr float EPSILON = 1e-4F;  // in scene units; a ray does not meet what it starts on
+constexpr float EPSILON = 1e-4F;  // in scene units; keeps a ray from meeting its own origin
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
@@ -22,7 +22,7 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree: bad scene");
 }
 
-// Spheres, and polygons of four corners.
+// Spheres, and quadrilaterals.
 void add_primitives(RTCDevice device, RTCScene target, const Scene& scene) {
   const RTCGeometry spheres = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* ball = static_cast<float*>(rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0,
