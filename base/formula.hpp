@@ -12,10 +12,9 @@ class Formula {
  public:
   static constexpr std::size_t MAX_BYTES = 20'000;
 
-  /// `place` begins the error messages: "e.toml:12: check \"x\": formula". Names consist of
-  /// letters, digits, _ and dots. Throws BadInput, which quotes the text, unless it is one
-  /// expression of at most MAX_BYTES. For an unknown function the message suggests the nearest
-  /// name.
+  /// `place` begins messages: "e.toml:12: check \"x\": formula". Names consist of letters, digits,
+  /// _ and dots. Throws BadInput with the text unless it is one expression of at most MAX_BYTES.
+  /// For an unknown function the message suggests the nearest name.
   Formula(const std::string& text, std::string place);
   ~Formula();
   Formula(Formula&&) noexcept;

@@ -159,7 +159,7 @@ AllPairs eval_tree(const Topology& topology) {
   return all;
 }
 
-// Whether ports are those of a mesh: 0 north, 1 west, 2 east, 3 south.
+// True if ports are those of a mesh: 0 north, 1 west, 2 east, 3 south.
 bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   if (grid.down.closed || grid.along.closed) return false;
   return std::ranges::all_of(topology.links, [&](const Link& link) {

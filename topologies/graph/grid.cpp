@@ -29,7 +29,7 @@ std::pair<int, int> find_sizes(const Topology& topology) {
   return fits ? std::pair{rows, columns} : std::pair{1, topology.processors};
 }
 
-// Whether `shift`, a permutation of the processors, leaves the wiring as it is.
+// True if `shift`, a permutation of the processors, leaves the wiring as it is.
 template <typename Shift>
 bool keeps(const Peers& peers, Shift shift) {
   for (int p = 0; p < static_cast<int>(peers.size()); ++p)

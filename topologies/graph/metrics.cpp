@@ -39,7 +39,7 @@ Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   return result;
 }
 
-// Whether a single link parts a tree into halves.
+// True if a single link parts a tree into halves.
 bool is_halved_by_a_link(const Search& search) {
   const int n = static_cast<int>(search.order.size());
   std::vector<int> below(n, 1);

@@ -17,7 +17,7 @@ struct Search {
 /// Searches a topology with links that end at valid processors; it need not be connected.
 Search make_search(const Topology& topology, int start);
 
-/// Whether each processor can be reached from each.
+/// True if each processor can be reached from each.
 bool is_connected(const Topology& topology);
 
 /// Calls `visit` with a search for each connected piece: first from the root, then from the lowest

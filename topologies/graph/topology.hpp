@@ -47,7 +47,7 @@ struct Topology {
   bool has_arrows = false;  ///< its file is of a directed graph; links go both ways all the same
 };
 
-/// Whether the wiring has no cycles; it must be connected.
+/// True if the wiring has no cycles; it must be connected.
 inline bool is_tree(const Topology& topology) {
   return static_cast<int>(topology.links.size()) == topology.processors - 1;
 }

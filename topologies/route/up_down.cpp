@@ -80,7 +80,7 @@ class UpDown : public Rule {
   mutable std::vector<std::once_flag> finds_;  // the same
 };
 
-// Whether a walk along turns can come back to where it began. Vertices are the directions of
+// True if a walk along turns can come back to where it began. Vertices are the directions of
 // links: PORTS * processor + the port that it leaves by. What no other leads to is taken away, and
 // so on; what is left is a cycle, or behind one.
 bool has_cycle(const Turns& turns, const Peers& peers) {

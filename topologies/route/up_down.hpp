@@ -13,7 +13,7 @@ namespace topologies {
 /// are first asked for, in O(processors) time, and kept in two bits a pair.
 RoutingTable make_up_down_routes(const Topology& topology);
 
-/// Whether messages that hold a link while they wait for the next on their route can wait for each
+/// True if messages that hold a link while they wait for the next on their route can wait for each
 /// other in a cycle: W. Dally and C. Seitz, IEEE Trans. Computers 36(5), 1987. Messages to all take
 /// `tree` from any of its processors.
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree);
