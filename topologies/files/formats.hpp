@@ -13,8 +13,8 @@ namespace topologies {
 /// - Processors are numbered in the order of first mention, or by name if the names are exactly
 ///   0 .. n-1. A GraphML node's name is its attribute `name`, else its id.
 /// - Edge attributes `port_a` and `port_b` (or numeric `tailport` and `headport`) are the ports,
-///   0 to 3, at the edge's first and second vertex. Other ends then get the lowest free port, in
-///   the file's order of edges.
+///   0 to 3, at the edge's first and second vertex. Other ends get the lowest free port, in the
+///   file's order.
 /// - The root is the vertex with attribute `root` true, or the vertex named by the graph's
 ///   attribute `root`; else processor 0.
 /// The result has passed `check`. Throws BadInput with the path if the file cannot be read, is
