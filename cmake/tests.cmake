@@ -1,16 +1,16 @@
-# Tests and benchmarks, and what they alone need.
+# Tests and benchmarks, and the packages that only they need.
 find_package(GTest REQUIRED)
 find_package(embree REQUIRED)  # 3 or 4
 
 enable_testing()
 include(GoogleTest)
 add_library(tests_support STATIC tests/support/isolated.cpp tests/support/places.cpp)
-# Only this file knows where the project is, so that a compiler cache serves every checkout.
+# Only this file contains the project's path, so that a compiler cache serves every checkout.
 set_property(SOURCE tests/support/places.cpp PROPERTY COMPILE_DEFINITIONS
              TLAB_SOURCE_DIR="${PROJECT_SOURCE_DIR}" TLAB_BINARY_DIR="${PROJECT_BINARY_DIR}")
 target_link_libraries(tests_support PUBLIC tlab_options GTest::gtest_main)
 add_custom_target(tests)
-# The tests of a room at the top, tests/NAME and others, linked with what LINKS names alone.
+# The tests in tests/NAME and in ALSO, linked only with the libraries in LINKS.
 function(add_tests name)
   cmake_parse_arguments(TESTS "" "" "ALSO;LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS tests/${name}/*.cpp)
@@ -22,7 +22,7 @@ function(add_tests name)
   add_dependencies(tests tests_${name})
 endfunction()
 
-# The path tracer that radiosity's pictures are compared with, and the command: tests/reference/run.
+# The reference path tracer for radiosity's pictures, and its command: tests/reference/run.
 file(GLOB reference_sources CONFIGURE_DEPENDS tests/reference/*.cpp)
 list(FILTER reference_sources EXCLUDE REGEX "/main.cpp$")
 add_library(tests_reference STATIC ${reference_sources})
@@ -32,7 +32,7 @@ target_link_libraries(reference PRIVATE tests_reference experiments_laboratory_c
 target_compile_options(reference PRIVATE ${sooner})
 add_dependencies(tests reference)
 
-# The readers of files under texts that are nearly right, and the command: tests/fuzz/run.
+# Fuzz tests of the file readers with almost valid texts, and their command: tests/fuzz/run.
 file(GLOB fuzz_sources CONFIGURE_DEPENDS tests/fuzz/*.cpp)
 list(FILTER fuzz_sources EXCLUDE REGEX "/main.cpp$|_test.cpp$")
 add_library(tests_fuzz STATIC ${fuzz_sources})
@@ -43,14 +43,14 @@ set_property(SOURCE tests/fuzz/readers.cpp PROPERTY COMPILE_DEFINITIONS
 add_executable(fuzz tests/fuzz/main.cpp)
 target_link_libraries(fuzz PRIVATE tests_fuzz)
 target_compile_options(fuzz PRIVATE ${sooner})
-target_link_options(fuzz PRIVATE -Wl,-z,now)  # binds symbols once, and not in each child
+target_link_options(fuzz PRIVATE -Wl,-z,now)  # binds symbols once instead of in each child
 add_dependencies(fuzz tlab)
 add_dependencies(tests fuzz)
 foreach(reader nff path room nff-room obj obj-room mtl picture state dot graphml routes csv formula expression
         toml experiment override)
   add_test(NAME Fuzz.${reader} COMMAND fuzz --reader ${reader} --cases 1000)
 endforeach()
-foreach(reader model record run simulation reference)  # which take longer for a case
+foreach(reader model record run simulation reference)  # slower cases
   add_test(NAME Fuzz.${reader} COMMAND fuzz --reader ${reader} --cases 200)
 endforeach()
 
@@ -60,8 +60,8 @@ add_tests(base ALSO tests/include_graph_test.cpp tests/support/isolated_test.cpp
 add_tests(topologies LINKS topologies)
 add_tests(renderer LINKS renderer renderer_meshes tests_reference OpenEXR::OpenEXR tlab::webpdemux)
 add_tests(simulator LINKS simulator)
-# Those of the machine and of occam again, with links of our own; and with processes on SimGrid's
-# actors, whose stacks the address sanitizer does not know.
+# The tests of the machine and of occam again: with our own links, and with processes on SimGrid's
+# actors. The address sanitizer does not know the actors' stacks.
 string(JOIN ":" tests_of_machine Alt* CaseOf* Deadlock* Dma* Each* Engine.* FailureDeadlock* Forecast*
        HardRendezvous* Link* Machine* Observer* Par.* Proc* Random* Run.* Scheduler*
        SoftRendezvous* TimeSlices* Timeout* Timer* VariantProtocol*)
@@ -86,12 +86,12 @@ add_test(NAME Live.HandsDoWhatTheyShould
 set_tests_properties(Report.HandsDoWhatTheyShould Live.HandsDoWhatTheyShould
                      PROPERTIES SKIP_RETURN_CODE 77)
 
-# Speed, as ratios against peers in the same run: tests/benchmarks/run.
+# Benchmarks: speed as ratios against peers in the same run: tests/benchmarks/run.
 if(TLAB_BENCHMARKS)
   find_package(benchmark REQUIRED)
   file(GLOB benchmark_sources CONFIGURE_DEPENDS tests/benchmarks/*.cpp)
   add_executable(benchmarks ${benchmark_sources})
-  set_target_properties(benchmarks PROPERTIES UNITY_BUILD OFF)  # private names are the same in many
+  set_target_properties(benchmarks PROPERTIES UNITY_BUILD OFF)  # sources share private names
   target_link_libraries(benchmarks PRIVATE simulator benchmark::benchmark embree ${SIMGRID_LIBRARY})
 endif()
 
@@ -104,11 +104,11 @@ add_test(NAME Termination.SpinFindsOnlyWrongWaysWrong
 set_tests_properties(Routers.SpinFindsOnlyTheNaiveRoutersDeadlock
                      Termination.SpinFindsOnlyWrongWaysWrong PROPERTIES SKIP_RETURN_CODE 77)
 
-# Fewer kills than `tests/kills/run` does by itself, and each of them resumed.
+# Fewer kills than the default of `tests/kills/run`, each followed by a resumed run.
 add_test(NAME Kills.LoseNothingAndLeaveNothing
          COMMAND ${PROJECT_SOURCE_DIR}/tests/kills/run --number 50 $<TARGET_FILE:tlab>)
 
-# The Python package, and what is written about it.
+# Tests of the Python package, its notebooks and its documentation.
 if(TARGET tlab_native)
   add_dependencies(tests tlab_native)
 endif()
@@ -121,8 +121,8 @@ foreach(file IN LISTS python_tests)
   set_tests_properties(Python.${name} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
 
-# The manual's examples, which docs/generate shows with what they print; and whether the manual's
-# generated parts are those of this build.
+# The manual's examples; docs/generate shows them with their output. The test checks that the
+# manual's generated parts are up to date with this build.
 foreach(example ladder operation barrier)
   add_executable(docs_${example} docs/examples/${example}.cpp)
   target_link_libraries(docs_${example} PRIVATE simulator)
@@ -132,7 +132,7 @@ target_sources(docs_barrier PRIVATE docs/examples/run_barrier.cpp)
 add_test(NAME Docs.GeneratedPagesAreUpToDate
          COMMAND ${PROJECT_SOURCE_DIR}/docs/generate --check $<TARGET_FILE:tlab>)
 
-# The manual's tutorials, command by command; that of a program with what is installed.
+# The manual's tutorials, command by command; tutorial-program uses the installed library.
 foreach(page lecture topology board)
   add_test(NAME Tutorials.${page}
            COMMAND ${PROJECT_SOURCE_DIR}/tests/tutorials/run
@@ -144,7 +144,7 @@ add_test(NAME Tutorials.program
 set_tests_properties(Tutorials.lecture Tutorials.topology Tutorials.board Tutorials.program
                      PROPERTIES SKIP_RETURN_CODE 77)
 
-# The longest first, so that nothing waits for one of them at the end.
+# Starts the longest tests first, so that none of them runs alone at the end.
 set_tests_properties(Live.HandsDoWhatTheyShould Report.HandsDoWhatTheyShould Python.notebooks
                      Routers.SpinFindsOnlyTheNaiveRoutersDeadlock
                      Termination.SpinFindsOnlyWrongWaysWrong Kills.LoseNothingAndLeaveNothing
