@@ -1,6 +1,6 @@
 #pragma once
-// [[best]]: the best value of some axes for each value of others, and the range in which doubling
-// an axis pays.
+// [[best]]: the best value of some axes for each value of others, and how far doubling an axis
+// pays.
 #include <string>
 #include <vector>
 
@@ -15,9 +15,9 @@ struct BestAnswer {
   /// runner-up, its value, and the lead in %. Values within 0.05 % of the best are best too: "mesh
   /// or torus".
   Table best;
-  /// A row for each combination of all axes except `pays`: these, the largest value of `pays` up to
-  /// which every step gained the share per doubling, and the gain per doubling of the next step in
-  /// %; empty if there is none.
+  /// A row for each combination of all axes except `pays`: these, the largest value of `pays`
+  /// before the first step without the share per doubling, and that step's gain per doubling in %.
+  /// The gain is empty if there is no such step.
   Table pays;
   std::vector<std::string> notes;
   std::vector<std::string> findings;  ///< a sentence each

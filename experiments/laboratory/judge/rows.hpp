@@ -12,12 +12,12 @@
 
 namespace laboratory {
 
-/// The rows of a table of results with the names that formulas may use: columns of the results
-/// ("bytes", "latency_s"; an empty cell is not a number), numbers that the file assigns to keys
-/// ("image.width"), numbers of the machine model ("link.one_way_rate"), and names of [let]. A
+/// The rows of a table of results with the names that formulas may use. These are columns of the
+/// results ("bytes", "latency_s"; an empty cell is not a number), numbers that the file assigns to
+/// keys ("image.width"), numbers of the machine model ("link.one_way_rate"), and names of [let]. A
 /// column of texts has a name for each text: "topology_is_line" is 1 if the text is "line", else 0.
-/// Characters that names cannot contain become _, as in topology_is_mesh_4x4 for "mesh:4x4". The
-/// file and the table must outlive it.
+/// Other characters become _, as in topology_is_mesh_4x4 for "mesh:4x4". The file and the table
+/// must outlive it.
 class Rows {
  public:
   Rows(const ExperimentFile& file, const Table& table);
