@@ -18,9 +18,9 @@ int find_id(const std::vector<int>& network, int processor);
 /// isolated ones form a row.
 topologies::Places place_others(const machine::Machine& machine, SomePlaces places);
 
-/// A place for every processor of the machine: the network as reports draw the topology, the others
-/// beside a processor with a link to them. `network` maps network processors to ids in the machine;
-/// empty: equal numbers.
+/// A place for every processor of the machine. The network is placed as reports draw the topology,
+/// others beside a processor with a link to them. `network` maps network processors to ids in the
+/// machine; empty: equal numbers.
 topologies::Places place_processors(const machine::Machine& machine,
                                     const topologies::Topology& topology,
                                     const std::vector<int>& network);
