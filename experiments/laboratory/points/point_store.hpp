@@ -11,9 +11,9 @@
 
 namespace laboratory {
 
-/// Makes the key of each point, a hash of the program (its version, the bytes of its executable,
-/// SimGrid's version), the settings from file and sweep, the entries of the machine model, the
-/// content of the files that the point reads, and the simulated time limit. Points with equal keys
+/// Makes the key of each point. It is a hash of the program (its version, the bytes of its
+/// executable, SimGrid's version), the settings from file and sweep, the entries of the machine
+/// model, the content of the point's files, and the simulated time limit. Points with equal keys
 /// have equal results. Throws as make_model does.
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s);
 

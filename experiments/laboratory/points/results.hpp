@@ -16,12 +16,12 @@ std::vector<std::string> axis_columns(const ExperimentFile& file);
 /// none.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
-/// Makes a row for each row of a point's result, or one for a point without: the axes; the parts of
-/// its program, which count as axes; the network and parameters, if the program shows them and they
-/// are not axes; the measurements; and how the point ended. With several programs in the sweep, the
-/// columns are those of all, empty where not applicable. Speed-up and efficiency relate to the row
-/// with one processor and otherwise equal axes, or to PointResult::single_s. Without either they
-/// stay empty, as do the serial fractions of laws.hpp.
+/// Makes a row for each row of a point's result, or one for a point without. Columns are the axes;
+/// the parts of its program, which count as axes; the network and parameters, if the program shows
+/// them; the measurements; and how the point ended. With several programs in the sweep, the columns
+/// are those of all, empty where not applicable. Speed-up and efficiency relate to the row with one
+/// processor and otherwise equal axes, or to PointResult::single_s. Without either they stay empty,
+/// as do the serial fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
 
 /// The rows of growth.csv: the axes, and the growth of each point's picture. Empty if growth was

@@ -18,10 +18,10 @@ struct TableView {
   std::vector<std::string> unknown;  ///< a sentence for each requested name that is not a column
 };
 
-/// With [report] columns: the axes and these, or all columns. Without: the axes, inputs that vary,
-/// columns that [[check]], [[plot]] and [[best]] use, directly or through [let], and the program's
-/// other results; for the farm only those that answer most questions. `ended` appears only if a
-/// point was cut short or failed.
+/// With [report] columns: the axes and these, or all columns. Otherwise: the axes, inputs that
+/// vary, and results. Columns of [[check]], [[plot]] and [[best]] come first, including those used
+/// through [let]; of the farm's other results only those that answer most questions are shown.
+/// `ended` appears only if a point was cut short or failed.
 TableView choose_view(const ExperimentFile& file, const Table& table);
 
 /// The view's constants, in lines; its table, `width` characters wide unless its first columns need
