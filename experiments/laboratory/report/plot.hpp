@@ -47,10 +47,10 @@ struct Plot {
 };
 
 /// Makes the standard plots of a sweep from the columns with values: time_s, time_per_ray_ms,
-/// speedup (with the ideal line) and efficiency (0 to 1.05). x is the axis "workers" if it takes
-/// more than one value, else the first such numeric axis; without one there are no plots. Each
-/// combination of the other axes that vary independently of x is a series ("tree, 200 objects");
-/// the title names the constant axes. Points are sorted by x.
+/// speedup (with the ideal line) and efficiency (0 to 1.05). As x it takes the axis "workers" if
+/// that varies, else the first numeric axis that does; without one there are no plots. Each
+/// combination of the other axes that vary independently of x is a series ("tree, 200 objects").
+/// The title names the constant axes. Points are sorted by x.
 std::vector<Plot> make_plots(const Table& table);
 
 /// Makes a plot of each of these columns instead. Both scales are logarithmic if the values of both

@@ -31,8 +31,8 @@ struct Simulation {
 };
 
 /// Writes `folder`/run.json: the origin (make_origin), versions, models with provenance, hashes of
-/// the experiment's files, the reason of the run's end, the host's speed if measured; for each
-/// point its result files, seed, loads of processors and links, host times and events. Reads the
+/// the experiment's files, why the run ended, and the host's speed if measured. For each point it
+/// has the result files, seed, loads of processors and links, host times and events. Reads the
 /// records of the points, in `folder`, one by one.
 void save_run_json(const std::filesystem::path& folder, const RunOptions& options,
                    const Simulation& simulation);
