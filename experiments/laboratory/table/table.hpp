@@ -67,7 +67,7 @@ bool is_numeric(const Table& table, std::size_t column);
 std::string to_text(const Table& table, const std::vector<std::string>& shown = {});
 
 /// RFC 4180 with '\n' line ends, the same bytes on any machine. `parse_csv` restores the columns
-/// and typed cells: a double always has a point or an exponent, or is inf or nan; ambiguous text is
+/// and typed cells. A double always has a point or an exponent, or is inf or nan; ambiguous text is
 /// quoted. `axes` is not written.
 std::string to_csv(const Table& table);
 
