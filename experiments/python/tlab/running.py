@@ -70,7 +70,7 @@ def _file_of(experiment, files):
     return path
 
 
-# Tells one file from another that has been written in its place.
+# Identifies a file, to detect that another one has replaced it.
 def _identity(path):
     try:
         status = path.stat()
