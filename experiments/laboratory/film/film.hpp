@@ -12,7 +12,7 @@
 
 namespace laboratory {
 
-/// Duration of a film without its last frame, and extra duration of the last frame.
+/// Duration of a film, and additional duration of its last frame.
 inline constexpr int FILM_MS = 10000, LAST_MS = 2000;
 
 /// The file of a frame, from 0: "film-0001.png" for "film.png".

@@ -12,9 +12,9 @@
 namespace laboratory {
 
 /// Makes the key of each point. It is a hash of the program (its version, the bytes of its
-/// executable, SimGrid's version), the settings from file and sweep, the entries of the machine
-/// model, the content of the point's files, and the simulated time limit. Points with equal keys
-/// have equal results. Throws as make_model does.
+/// executable, SimGrid's version), settings of file and sweep, entries of the machine model,
+/// content of the point's files, and simulated time limit. Points with equal keys have equal
+/// results. Throws as make_model does.
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s);
 
 /// Path of this program's records and their images inside a results folder; other programs have
@@ -37,9 +37,9 @@ void save_record(const std::filesystem::path& folder, const std::string& key,
 /// All of a record. Throws BadInput with the file if it is damaged.
 PointResult load_record(const std::filesystem::path& file);
 
-/// Cleans up the records in its destructor, and when the program ends early (base/early_end.hpp):
-/// removes files left half written by killed processes, and the records' folder with its other
-/// content if it has no records.
+/// Cleans up in its destructor, and when the program ends early (base/early_end.hpp). It removes
+/// files of records left half written by killed processes, then the records' folder if it is empty,
+/// and empty parents that were made with it.
 class StoreGuard {
  public:
   explicit StoreGuard(const std::filesystem::path& results);
