@@ -62,8 +62,8 @@ class ChannelBase {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// For ALT on which no output waits yet: the next one, or one that waits from a time to come on,
-  /// wakes the process, which waits since its own time.
+  /// For an ALT without a waiting output. The next output wakes the process, which waits since its
+  /// own time; so does an output that waits from a later time on.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
   /// The process has enabled the guard ahead of the clock, and its own time has moved.
