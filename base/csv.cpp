@@ -11,7 +11,7 @@ namespace base {
 
 namespace {
 
-constexpr std::string_view MARK = "\xef\xbb\xbf";  // of byte order, where a text begins
+constexpr std::string_view MARK = "\xef\xbb\xbf";  // UTF-8 byte order mark
 
 }  // namespace
 

@@ -11,24 +11,23 @@ struct CsvCell {
   bool is_quoted = false;
 };
 
-/// Reads a text, which has to outlive it. Lines that start with # are comments; blanks around bare
-/// cells are dropped; "\r\n" and a byte order mark are allowed; a quoted cell may hold line ends.
+/// Reads a text that must outlive the reader. Lines that start with # are comments; blanks around
+/// bare cells are dropped. "\r\n" and a byte order mark are allowed, line ends in quoted cells too.
 /// Every error is a BadInput "name:line: ...".
 class CsvReader {
  public:
   CsvReader(std::string_view text, std::string_view name);
 
-  /// The cells of the next record, empty where the text ends; a blank line is one empty bare cell.
+  /// The cells of the next record; none at the text's end, one empty bare cell for a blank line.
   std::vector<CsvCell> take();
-  /// Takes records up to the first that is not blank: the names of the columns, each there once and
-  /// none empty.
+  /// Skips blank records and takes the column names: unique and not empty.
   std::vector<std::string> take_header();
-  /// The line where the record taken last begins, from 1.
+  /// The first line of the last record taken, counted from 1.
   int line() const { return record_line_; }
-  /// Throws BadInput about the record taken last.
+  /// Throws BadInput about the last record taken.
   [[noreturn]] void fail(std::string_view what) const { fail_at(record_line_, what); }
 
-  /// The same about that line.
+  /// Throws BadInput about the given line.
   [[noreturn]] void fail_at(int line, std::string_view what) const;
 
  private:
@@ -44,13 +43,13 @@ class CsvReader {
   int record_line_ = 1;
 };
 
-/// Whether a record is a blank line.
+/// True if a record is a blank line.
 bool is_blank(const std::vector<CsvCell>& record);
 
-/// A text as a cell that CsvReader gives back: in quotes where it would lose something without.
+/// Spells a text as a cell that CsvReader restores, in quotes where it needs them.
 std::string quote_csv(std::string_view text);
 
-/// Cells as they stand in a line, commas between them and a line end.
+/// One line of cells, separated by commas, with a line end.
 std::string join_csv(const std::vector<std::string>& cells);
 
 }  // namespace base

@@ -15,7 +15,7 @@ std::atomic<bool> is_ending = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler sets it
 
 std::shared_mutex sections;  // shared by the threads in sections
-thread_local int depth = 0;  // of sections in this thread
+thread_local int depth = 0;  // nested sections of this thread
 
 std::mutex list_mutex;
 std::list<std::function<void()>> undos;
@@ -51,7 +51,7 @@ void undo_all() {
   sections.lock();
   for (const auto& undo : undos | std::views::reverse) try {
       undo();
-    } catch (const std::exception&) {  // the others are undone all the same
+    } catch (const std::exception&) {  // go on with the others
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The program's end at a signal: what is undone then, as files half written, folders, processes;
-// and signals that have to wait.
+// Clean-up when a signal ends the program: removes half-written files and folders, ends child
+// processes. Also blocks signals for a while.
 #include <signal.h>
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace base {
 
-/// While one lives in a thread, the program does not end early: a thing is made, and its Undo with
-/// it, in one section. Where the program is about to end, the constructor does not return. Sections
-/// are short and may be nested.
+/// A section that the program's early end waits for. It makes a resource together with its Undo.
+/// The constructor does not return if the program is about to end. Sections are short and may be
+/// nested.
 class Undivided {
  public:
   Undivided();
@@ -20,10 +20,10 @@ class Undivided {
   Undivided& operator=(const Undivided&) = delete;
 };
 
-/// What is to be done if the program ends early while this lives.
+/// An action that runs if the program ends early while this object lives.
 class Undo {
  public:
-  /// `undo` runs in another thread, while no thread is in a section; what it throws is dropped.
+  /// `undo` runs in another thread while no thread is in a section; its exceptions are dropped.
   explicit Undo(std::function<void()> undo);
   ~Undo();
   Undo(const Undo&) = delete;
@@ -33,15 +33,15 @@ class Undo {
   std::list<std::function<void()>>::iterator place_;
 };
 
-/// Lets no thread into a section from now on. A signal handler may call it.
+/// From now on, no thread can enter a section. A signal handler may call this function.
 void request_early_end() noexcept;
 
-/// Waits for the threads that are in sections, then undoes everything, the latest first. The caller
-/// ends the program.
+/// Waits for the threads in sections, then runs every Undo, newest first. The caller ends the
+/// program.
 void undo_all();
 
-/// While it lives, these signals wait, as far as the thread goes that made it. Threads and child
-/// processes that this thread begins meanwhile hold them from their start on.
+/// Blocks these signals in the thread that made the object, as long as the object lives. Threads
+/// and child processes that this thread starts meanwhile inherit the block.
 class HeldSignals {
  public:
   explicit HeldSignals(std::span<const int> signals);

@@ -1,5 +1,5 @@
 #pragma once
-// Errors that every room may throw. A simulated fault, the third kind, is in
+// Errors that any module may throw. Simulated faults, the third kind, are in
 // simulator/machine/faults.hpp.
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace base {
 
 /// Bad input, rejected where it enters and before anything runs. The text names the file, line or
-/// key, what was found and what was expected.
+/// key, the value found and the value expected.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -28,7 +28,7 @@ template <class... Args>
   throw BadInput(fmt::format("{}: {}", place, fmt::format(message, std::forward<Args>(args)...)));
 }
 
-/// Does so unless `holds`.
+/// Throws as `refuse` does unless `holds`.
 template <class... Args>
 void require(bool holds, std::string_view place, fmt::format_string<Args...> message,
              Args&&... args) {

@@ -1,8 +1,7 @@
 #pragma once
-// Parameters and measurements that are declared once. A struct with defaults holds the parameters,
-// and a list of fields beside it says what each is called, what it may hold and what it means. The
-// experiment file, the command line, the help, the manual and the table of results all read that
-// list. Columns do the same for what a run measures.
+// Parameters and measurements, each declared once. A struct with defaults holds the parameters, and
+// a list of fields gives each one a name, a domain and a help text. The experiment file, command
+// line, help, manual and table of results read that list. Columns do the same for measurements.
 #include <algorithm>
 #include <any>
 
@@ -23,24 +22,24 @@
 
 namespace base {
 
-/// A file, or a generator such as "tree:7", as the user spells it, and where the file is ("" for
-/// none).
+/// A file or a generator such as "tree:7", as the user spells it, and the path of the file ("" if
+/// there is none).
 struct Source {
   std::string text, path;
   bool operator==(const Source&) const = default;
 };
 
-/// A value as a file or a command line gives it. Empty: nothing was given.
+/// A value from a file or a command line. Empty: no value was given.
 using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string,
                             std::vector<double>, Source>;
 
-/// For people: "none" for what was not given.
+/// Text for readers; "none" if no value was given.
 std::string to_text(const Scalar& value);
 
 /// A cell of a table. Empty: there is no value.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
-/// What a field may hold.
+/// The values that a field may hold.
 struct Domain {
   enum class Kind {
     flag,    ///< true or false, or 1 or 0
@@ -50,17 +49,17 @@ struct Domain {
     text,
     list,   ///< numbers
     file,   ///< the name of a file
-    source  ///< the name of a file, which has an extension, or of something else
+    source  ///< the name of a file (with an extension) or of a generator
   };
   Kind kind = Kind::number;
   double low = 0, high = 0;
   std::vector<std::string> choices = {};
   bool is_required = false;   ///< a file must be named
-  std::string expected = {};  ///< a sentence in place of the usual one
+  std::string expected = {};  ///< replaces the text of `describe`
 
-  /// "a whole number from 0 to 16", "one of red, green".
+  /// The expected values in words: "a whole number from 0 to 16", "one of red, green".
   std::string describe() const;
-  /// Whether a value is of the kind and in range.
+  /// True if a value is of the kind and in range.
   bool allows(const Scalar& value) const;
 };
 
@@ -68,13 +67,13 @@ struct Domain {
 template <class P>
 struct Field {
   std::string name;  ///< key, option and column
-  std::string unit;  ///< "bytes"; "" where there is none
+  std::string unit;  ///< "bytes"; "" without a unit
   std::string help;
   Domain domain;
-  std::function<bool(P&, const Scalar&)> set;  ///< false: what the domain allows is refused here
+  std::function<bool(P&, const Scalar&)> set;  ///< false: refuses a value inside the domain
   std::function<Scalar(const P&)> get;
 
-  /// Sets the member, and returns "" ; or changes nothing and returns what was expected.
+  /// Sets the member and returns "", or changes nothing and returns the expected values in words.
   std::string assign(P& params, const Scalar& value) const {
     return domain.allows(value) && set(params, value) ? "" : domain.describe();
   }
@@ -82,7 +81,7 @@ struct Field {
 template <class P>
 using Fields = std::vector<Field<P>>;
 
-/// Names of the values of an enum, in the order of a help text.
+/// Names of an enum's values, in the order of the help text.
 template <class E>
 using Names = std::vector<std::pair<std::string, E>>;
 
@@ -98,7 +97,7 @@ constexpr bool is_optional = requires(T t) {
   t.has_value();
 };
 
-/// The number in a value of any numeric kind.
+/// The number in a scalar of any numeric kind.
 double number_of(const Scalar& value);
 
 template <class T>
@@ -143,16 +142,16 @@ Field<P> make_field(const std::string& name, Access access, Domain domain, const
             return true;
           },
           [access](const P& p) {
-            P copy = p;  // an access may be a function that needs more than a const P
+            P copy = p;  // `access` may be a function that takes a non-const P
             return load(std::invoke(access, copy));
           }};
 }
 
 }  // namespace detail
 
-/// A place where fields of P are declared: `Declare<Params> d; d.whole("bytes", &Params::bytes, 1,
-/// 1e9, "bytes", "length of a message")`. `access` is a member, or a function from P& to a
-/// reference; numbers may be quantities, and optional ones, which are empty unless given.
+/// Makes fields of P: `Declare<Params> d; d.whole("bytes", &Params::bytes, 1, 1e9, "bytes", "length
+/// of a message")`. `access` is a member of P, or a function from P& to a reference. Numbers may be
+/// quantities or optional values; an optional one is empty unless it is given.
 template <class P>
 struct Declare {
   template <class Access>
@@ -183,7 +182,7 @@ struct Declare {
   static Field<P> source(const std::string& name, Access access, const std::string& help) {
     return detail::make_field<P>(name, access, {Domain::Kind::source}, "", help);
   }
-  /// An enum, by the names of its values.
+  /// A field for an enum, set by the names of its values.
   template <class Access, class E>
   static Field<P> choice(const std::string& name, Access access, const Names<E>& names,
                          const std::string& help) {
@@ -207,7 +206,7 @@ struct Declare {
   }
 };
 
-/// The same fields of an Inner that `access` finds in a P.
+/// Turns a field of Inner into a field of P; `access` finds the Inner in a P.
 template <class P, class Inner, class Access>
 Field<P> lift(const Field<Inner>& field, Access access) {
   return {field.name,
@@ -220,7 +219,7 @@ Field<P> lift(const Field<Inner>& field, Access access) {
             return field.get(std::invoke(access, copy));
           }};
 }
-/// `prefix` goes before their names.
+/// Lifts all fields and puts `prefix` before their names.
 template <class P, class Inner, class Access>
 Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string& prefix = "") {
   Fields<P> all;
@@ -231,7 +230,7 @@ Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string
   return all;
 }
 
-/// The fields of these names, in this order. Throws InvariantBroken for a name without a field.
+/// The fields with these names, in this order. Throws InvariantBroken for an unknown name.
 template <class P>
 Fields<P> select(const Fields<P>& fields, std::initializer_list<std::string_view> names) {
   Fields<P> chosen;
@@ -244,26 +243,26 @@ Fields<P> select(const Fields<P>& fields, std::initializer_list<std::string_view
   return chosen;
 }
 
-/// Lists one after the other.
+/// Concatenates lists.
 template <class T>
 std::vector<T> join(std::vector<T> first, const std::vector<std::vector<T>>& others) {
   for (const auto& more : others) first.insert(first.end(), more.begin(), more.end());
   return first;
 }
 
-/// One measurement of a result R, or a family of them: "stage{}_s" is stage1_s, stage2_s, ...; a
-/// family without {} has one cell, or none where the result has no such column.
+/// One measurement of a result R, or a family of them: "stage{}_s" stands for stage1_s, stage2_s,
+/// ... A family without {} has one cell, or none if the result lacks the column.
 template <class R>
 struct Column {
   std::string name;  ///< ends with its unit: "time_s"
   std::string help;
-  std::function<std::vector<Cell>(const R&)> get;  ///< one cell; of a family any number
+  std::function<std::vector<Cell>(const R&)> get;  ///< one cell; any number for a family
   bool is_family = false;
 };
 template <class R>
 using Columns = std::vector<Column<R>>;
 
-/// A number or text as a cell; nothing for an empty optional and for what is no finite number.
+/// A number or text as a cell; empty for an empty optional and for infinite numbers and NaN.
 template <class T>
 Cell to_cell(const T& value) {
   if constexpr (detail::is_optional<T>)
@@ -280,7 +279,7 @@ Cell to_cell(const T& value) {
     return std::string(value);
 }
 
-/// `access` is a member of R, or a function from const R& to a number, a text or an optional one.
+/// `access` is a member of R, or a function from const R& to a number or text, optional or not.
 template <class R, class Access>
 Column<R> column(const std::string& name, Access access, const std::string& help) {
   return {name, help,
@@ -292,7 +291,7 @@ requires std::is_member_object_pointer_v<T R::*> Column<R> column(const std::str
                                                                   const std::string& help) {
   return column<R, T R::*>(name, member, help);
 }
-/// A column that others fill.
+/// A column that is left empty here; other code fills it.
 template <class R>
 Column<R> empty_column(const std::string& name, const std::string& help) {
   return {name, help, [](const R&) { return std::vector<Cell>(1); }};
@@ -307,7 +306,7 @@ Columns<R> lift_columns(const Columns<Inner>& columns, Access access) {
   return all;
 }
 
-/// Columns that only some results have, those that `has` is true of.
+/// Columns that are present only if `has` is true of the result.
 template <class R, class Has>
 Columns<R> only_if(Has has, Columns<R> columns) {
   for (auto& c : columns) {
@@ -319,7 +318,7 @@ Columns<R> only_if(Has has, Columns<R> columns) {
   return columns;
 }
 
-/// What a program measured, as one row: names and cells in the order of its columns.
+/// A program's measurements as one row: names and cells in the order of its columns.
 using Row = std::vector<std::pair<std::string, Cell>>;
 template <class R>
 Row make_row(const Columns<R>& columns, const R& result) {

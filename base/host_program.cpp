@@ -28,7 +28,7 @@ namespace {
 
 namespace process = boost::process;
 
-// A file without a name, gone with the object. A program reads and writes it at its own pace.
+// An unnamed temporary file, deleted with the object. A program reads or writes it at its own pace.
 class Scratch {
  public:
   Scratch() : file_(std::tmpfile(), &std::fclose) { check(file_ != nullptr); }
@@ -56,19 +56,19 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-// In the new process: it does not outlive the thread that waits for it, and it has none of our ways
-// with signals.
+// Runs in the new process: ends it with the thread that waits for it, and restores the default
+// signal handlers.
 void set_up_child(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   for (const int ours : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
 }
 
-// Programs are started one at a time: one that another thread starts meanwhile would inherit the
-// pipe by which Boost waits for the first to begin, and Boost would wait for its end.
+// Serialises the start of programs. Boost waits on a pipe until a program begins; a program started
+// meanwhile by another thread would inherit that pipe and keep Boost waiting until it ends.
 std::mutex starts;
 
-// A child process that is gone when this is, and when the program ends early.
+// A child process that ends with this object, and when the program ends early.
 class Child {
  public:
   template <class... Settings>
@@ -83,16 +83,16 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Its exit code, or the number of the signal that ended it.
+  /// Returns the exit code, or the number of the signal that ended the process.
   int wait() {
     child_.wait();
-    undo_.reset();  // its number may be another process's from now on
+    undo_.reset();  // the system may reuse the process id from now on
     return child_.exit_code();
   }
 
  private:
   std::optional<Undo> undo_;
-  process::child child_;  // it terminates a process that is still there at its end
+  process::child child_;  // its destructor terminates a process that still runs
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace base {
 
 namespace {
 
-// The number of bytes of the character that begins the text; 0 where people can read none.
+// The length in bytes of the text's first character; 0 if it is not printable UTF-8.
 std::size_t measure_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const bool is_control = byte(0) < 0x20 || byte(0) == 0x7f;
@@ -34,7 +34,7 @@ std::string escape(std::string_view text) {
   return shown;
 }
 
-// Whether this byte is a later one of a character.
+// True if the byte is a UTF-8 continuation byte.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 std::string show_line(std::string_view line) {
@@ -61,7 +61,7 @@ std::string make_readable(std::string_view message) {
 }
 
 std::size_t count_edits(std::string_view a, std::string_view b) {
-  // The edits from the beginnings of `a`, two letters and one letter shorter, to those of `b`.
+  // Rows of edit distances from a prefix of `a` to every prefix of `b`; `back`: one letter shorter.
   std::vector<std::size_t> two_back, back, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -78,7 +78,7 @@ std::size_t count_edits(std::string_view a, std::string_view b) {
 
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known) {
-  constexpr std::size_t LONGEST = 200;  // a name; comparing takes the product of lengths
+  constexpr std::size_t LONGEST = 200;  // bytes; a comparison takes O(length x length) time
   constexpr std::size_t SHORTEST_PART = 3;
   if (known.empty() || name.size() > LONGEST) return {};
   auto nearest = nearest_name(name, known);

@@ -8,7 +8,7 @@ Order sort_by_needs(const std::vector<std::vector<std::size_t>>& needs) {
   enum class State { untouched, open, sorted };
   Order order;
   std::vector<State> states(needs.size(), State::untouched);
-  std::vector<std::size_t> next(needs.size(), 0);  // of the needs of an open index
+  std::vector<std::size_t> next(needs.size(), 0);  // by index: the next of its needs to visit
   std::vector<std::size_t> way;                    // open indices, each needed by the one before
   for (std::size_t first = 0; first < needs.size(); ++first) {
     if (states[first] == State::untouched) way.push_back(first);

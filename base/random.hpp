@@ -1,14 +1,14 @@
 #pragma once
-// Random numbers that are the same for the same seed on any machine: the standard library's engines
-// are, its distributions are not.
+// Random numbers that depend on the seed alone, on any machine. The engines are the standard
+// library's; the distributions are our own, since the library's differ between implementations.
 #include <cmath>
 #include <cstdint>
 #include <random>
 
 namespace base {
 
-/// A random number that depends on nothing but the seed and the counter, so that any order of calls
-/// gives the same numbers (SplitMix64, G. Steele et al. 2014).
+/// A random number that depends only on the seed and the counter, so any order of calls gives the
+/// same numbers (SplitMix64, G. Steele et al. 2014).
 inline std::uint64_t random_at(std::uint64_t seed, std::uint64_t counter) {
   std::uint64_t z = seed + (counter + 1) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -20,17 +20,17 @@ inline std::uint64_t random_at(std::uint64_t seed, std::uint64_t counter) {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// A stream of its own for each processor.
+  /// A separate stream for each processor.
   Random(std::uint64_t seed, int processor)
       : engine_(seed * 1'000'003 + static_cast<std::uint64_t>(processor)) {}
 
-  /// Between 0 and 1, both excluded.
+  /// Uniform between 0 and 1, both excluded.
   double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
-  /// With mean 1.
+  /// Exponentially distributed with mean 1.
   double exponential() { return -std::log(uniform()); }
-  /// From 0 to n - 1.
+  /// Uniform integer from 0 to n - 1.
   int below(int n) { return static_cast<int>(uniform() * n); }
-  /// Any of `processors` processors but this one.
+  /// Any processor of `processors` except `processor`.
   int other_than(int processor, int processors) {
     return (processor + 1 + below(processors - 1)) % processors;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Work that host threads share.
+// A parallel loop on host threads.
 
 #include <algorithm>
 #include <atomic>
@@ -8,8 +8,8 @@
 
 namespace base {
 
-/// Calls work(i) for every i from 0 below `count`; the threads are handed them one by one. After an
-/// exception, which is thrown again, no more are handed out.
+/// Calls work(i) for every i from 0 to `count` - 1; the threads take indices one by one. After an
+/// exception, no thread takes another index, and the exception is rethrown.
 template <class Work>
 void share(int count, int threads, const Work& work) {
   std::atomic<int> next = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Words, numbers and quotes in texts that people read and write.
+// Helpers for text: words, numbers, quotes and UTF-8.
 #include <charconv>
 #include <optional>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace base {
 
-/// The text without the blanks, tabs and line ends at its ends.
+/// The text without leading and trailing blanks, tabs and line ends.
 std::string_view trim(std::string_view text);
 
 /// The parts between separators, each trimmed; a text without a separator is one part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// The number that a text is, whatever the locale; none for anything else, blanks included.
+/// Parses a whole text as a number, in any locale; none for any other text, also with blanks.
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number number{};
@@ -24,28 +24,27 @@ std::optional<Number> parse_number(std::string_view text) {
   return number;
 }
 
-/// The name among `known` (not empty) that takes the fewest edits from `name` (count_edits in
-/// base/message.hpp); of several the first.
+/// The name among `known` (not empty) at the smallest edit distance from `name` (count_edits in
+/// base/message.hpp); the first of several.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// A word as messages show it: in single quotes, at most 40 bytes, others than printable ASCII as
-/// "\x0a".
+/// Quotes a word for messages: in single quotes, at most 40 bytes; bytes that are not printable
+/// ASCII become escapes such as "\x0a".
 std::string quote(std::string_view word);
 
-/// The number of bytes of the UTF-8 character that begins the text (not empty); 0 where there is
-/// none.
+/// The length in bytes of the UTF-8 character at the start of the text (not empty); 0 without one.
 std::size_t measure_utf8(std::string_view text);
-/// Whether the text is UTF-8, as JSON and TOML are.
+/// True if the text is valid UTF-8, as JSON and TOML require.
 bool is_utf8(std::string_view text);
 
-/// A text on one line: control characters, which would also command a terminal, become `instead`.
+/// Puts a text on one line: replaces control characters, which could also command a terminal.
 std::string blank_controls(std::string_view text, char instead = ' ');
 
-/// A text for elements and quoted attributes of XML and HTML. Control characters that XML cannot
-/// hold, all but line ends, tabs and DEL, become U+FFFD.
+/// Escapes a text for elements and quoted attributes of XML and HTML. Control characters other than
+/// line ends, tabs and DEL become U+FFFD, since XML cannot hold them.
 std::string escape_xml(std::string_view text);
 
-/// The first sentence of the comment that a file begins with, in lines with # or //; "" without.
+/// The first sentence of a file's leading comment, in lines with # or //; "" without a comment.
 std::string first_comment(std::string_view text);
 
 }  // namespace base

@@ -1,5 +1,5 @@
 #pragma once
-// TOML files. The only door to toml++'s parser and to what it writes.
+// Reads and writes TOML. Only this module calls the parser and the formatter of toml++.
 #include <toml++/toml.h>
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace base {
 
-/// Most parts of a key such as a.b.c, in its own line or in a section's name.
+/// Limit on the parts of a key such as a.b.c, on a line or in a section's name.
 constexpr int MAX_KEY_PARTS = 16;
 
-/// Throws BadInput "origin:line: ..." for what is no TOML, for a longer key, for one with a single
-/// quote, a tab or a line end in it, and for the least of all 64-bit numbers.
+/// Throws BadInput "origin:line: ..." for malformed TOML and for a key of more than MAX_KEY_PARTS
+/// parts. Also refuses a key with a single quote, a tab or a line end, and the smallest 64-bit
+/// integer.
 toml::table parse_toml(std::string_view text, std::string_view origin);
 
-/// A value as TOML spells it, whole numbers in decimal; parse_toml reads a table's text as the same
-/// table.
+/// Writes a value as TOML, integers in decimal; parse_toml restores a table from its text.
 std::string to_toml(const toml::node& node);
 
 }  // namespace base

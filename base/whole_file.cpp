@@ -25,7 +25,7 @@ using Write = std::function<void(std::ostream&)>;
                           path.string() + ": cannot be written");
 }
 
-// A name beside `path` that no other file has, and that is short enough where `path` is.
+// A unique name beside `path`, not too long for the file system if `path` is not.
 fs::path partial_of(const fs::path& path) {
   static std::atomic<int> count = 0;
   constexpr std::size_t LONGEST = 100;
@@ -34,7 +34,7 @@ fs::path partial_of(const fs::path& path) {
   return path.parent_path() / fmt::format("{}-{}", name, ++count);
 }
 
-// Errors name `path`.
+// Writes and closes the stream; errors name `path`.
 void fill_file(std::ofstream& out, const fs::path& path, const Write& write) {
   if (out) write(out);
   out.close();
@@ -47,18 +47,18 @@ void write_in_place(const fs::path& path, const Write& write) {
   fill_file(out, path, write);
 }
 
-// Whether an error says that the file system has no such operation.
+// True if the error means that the file system does not support the operation.
 bool is_unable(int error) {
   return error == ENOSYS || error == EINVAL || error == ENOTSUP || error == EPERM;
 }
 
-// False, and errno says why, where there is a file or can be none.
+// Makes an empty file. Returns false and sets errno if the file exists or cannot be made.
 bool make_empty(const fs::path& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   return file >= 0 && close(file) == 0;
 }
 
-// A new file beside `path`, which goes with this unless it has been renamed.
+// A new file beside `path`; it is deleted with this object unless it has been renamed.
 class PartialFile {
  public:
   explicit PartialFile(const fs::path& path)
@@ -76,14 +76,14 @@ class PartialFile {
 
   const fs::path& path() const { return partial_; }
   void fill(const Write& write) { fill_file(out_, path_, write); }
-  // Gives the file its name; false where another file has it.
+  // Renames the file to `path`; returns false if `path` exists.
   bool rename_to_new() {
     const Undivided section;
     if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0)
       return is_renamed_ = true;
-    // A second name; the first one goes with this.
+    // Add a second name; the destructor removes the first one.
     if (is_unable(errno) && link(partial_.c_str(), path_.c_str()) == 0) return true;
-    // A file system without such links: an empty file holds the name until it is replaced.
+    // Without hard links: an empty file reserves the name until the rename replaces it.
     if (is_unable(errno) && make_empty(path_)) {
       rename();
       return true;
@@ -104,7 +104,7 @@ class PartialFile {
   const Undo undo_;
 };
 
-// Some file systems find out here that there was no room; some have nothing to do.
+// Flushes the file to disk. Some file systems report a full disk only here; some do not support it.
 void sync_file(const fs::path& file, const fs::path& path) {
   const int number = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const int error = number < 0 || fsync(number) != 0 ? errno : 0;
@@ -154,7 +154,7 @@ void check_can_save(const fs::path& path) {
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-  const int earlier = std::exchange(errno, 0);  // whoever writes a file meanwhile may need it
+  const int earlier = std::exchange(errno, 0);  // kept for a caller that is writing a file
   std::ifstream in(path, std::ios::binary);
   std::string text, part(1 << 16, '\0');
   while (in && text.size() <= most) {

@@ -1,5 +1,5 @@
-# Writes the commit that is built, for `tlab --version`, into FILE; nothing where the sources are no
-# clone. The file is only touched where it changes.
+# Writes the current commit, for `tlab --version`, into FILE; nothing if the sources are not a clone.
+# Touches the file only if it changes.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --show-toplevel
                 OUTPUT_VARIABLE clone OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(clone STREQUAL SOURCE)

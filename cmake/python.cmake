@@ -1,5 +1,5 @@
-# The Python package: its own modules, and tlab._native, which is made of the rooms. In the build tree
-# it is in python/, beside the command that it starts; there its modules are links to the sources.
+# The Python package: its own modules, and tlab._native, linked from the rooms. In the build tree it is
+# in python/, beside the command that it starts; its modules are links to the sources there.
 set_target_properties(experiments_python_bindings PROPERTIES CXX_VISIBILITY_PRESET hidden)
 pybind11_add_module(tlab_native MODULE NO_EXTRAS ${PROJECT_SOURCE_DIR}/experiments/python/bindings/main.cpp)
 target_link_libraries(tlab_native PRIVATE experiments_python_bindings)

@@ -1,5 +1,5 @@
 # find_package(tlab): the targets tlab::topologies, tlab::renderer, tlab::machine (the machine and the
-# vocabulary) and tlab::simulator (all systems and programs that run on it), and what they need.
+# vocabulary) and tlab::simulator (all systems and programs on it), with their dependencies.
 include(CMakeFindDependencyMacro)
 find_dependency(Boost 1.74 COMPONENTS graph context filesystem)
 find_dependency(PNG)

@@ -1,4 +1,4 @@
-# libwebp's writer and reader of animations as targets; Debian's package has no CMake configuration.
+# libwebp's animation writer and reader as targets; Debian's package has no CMake configuration.
 foreach(part webpmux webpdemux webp)
   string(TOUPPER ${part} name)
   find_library(${name}_LIBRARY ${part} REQUIRED)

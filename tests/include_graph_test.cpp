@@ -1,4 +1,4 @@
-// Who may include whom: architecture.md as a test over the #include lines of the sources.
+// Permitted includes: tests architecture.md on the #include lines of the sources.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,13 +58,13 @@ bool is_ours(const std::string& include) {
 
 using Edges = std::map<std::string, std::set<std::string>>;
 
-// Adds to `known` what the rooms in it know, and so on.
+// Adds to `known` the rooms that `room` depends on, directly or indirectly.
 void close_over(const Edges& knows, const std::string& room, std::set<std::string>& known) {
   for (const auto& other : knows.at(room))
     if (known.insert(other).second) close_over(knows, other, known);
 }
 
-// The rooms and what each may include: the add_room() lines of CMakeLists.txt, closed over.
+// The rooms and their permitted includes: the transitive closure of CMakeLists.txt's add_room().
 Edges load_rooms() {
   std::ifstream in(::test::in_sources("CMakeLists.txt"));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -109,8 +109,8 @@ TEST(IncludeGraph, RoomsIncludeOnlyWhatTheyKnow) {
   }
 }
 
-// What the tests of a folder below tests/ may include: the rooms of the same name and what those
-// know. What they share stands in tests/support and needs the vocabulary of occam at most.
+// Rooms that the tests of a folder below tests/ may include: the room of the same name and its
+// dependencies. Shared code stands in tests/support and needs at most the vocabulary of occam.
 std::set<std::string> rooms_tested_in(const std::string& folder) {
   const std::map<std::string, std::string> others{{"laboratory", "experiments/laboratory"},
                                                   {"support", "simulator/occam"},
@@ -130,7 +130,7 @@ std::set<std::string> rooms_tested_in(const std::string& folder) {
   return rooms;
 }
 
-// Adds what a file includes, and what the headers of tests among them include.
+// Adds the includes of a file, and those of the test headers among them.
 void add_includes(const std::string& path, std::set<std::string>& all) {
   const auto found = std::ranges::find(sources(), path, &Source::path);
   if (found == sources().end()) return;
@@ -176,7 +176,7 @@ TEST(IncludeGraph, IncludesAreFromTheRoot) {
       }
 }
 
-// Whether a walk along the edges from `at` leads back to a node it came by.
+// True if a walk along the edges from `at` returns to a node on its own way.
 bool has_cycle(const Edges& edges, const std::string& at, std::vector<std::string>& way,
                std::set<std::string>& done) {
   if (std::ranges::find(way, at) != way.end()) return true;
@@ -214,7 +214,7 @@ TEST(IncludeGraph, HasNoCycleOfFoldersNorOfFiles) {
   expect_no_cycle(files);
 }
 
-// A dependency, by how its headers begin, and the only files that may include them.
+// A dependency: the prefixes of its headers, and the only files that may include them.
 struct Door {
   std::vector<std::string> headers;
   std::regex files;
@@ -222,8 +222,8 @@ struct Door {
 
 TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
   const Door doors[] = {
-      // (tests/benchmarks/raw_simgrid.cpp is SimGrid without us, to be measured against;
-      // forecast_test.cpp sets SimGrid wrong.)
+      // (tests/benchmarks/raw_simgrid.cpp is plain SimGrid, for comparison; forecast_test.cpp gives
+      // SimGrid wrong forecasts.)
       {{"simgrid/", "xbt/"},
        std::regex("simulator/machine/carriers/simgrid\\.cpp|tests/simulator/machine/carriers/"
                   "forecast_test\\.cpp|"
@@ -250,8 +250,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"benchmark/"}, std::regex("tests/benchmarks/.*")},
       {{"pybind11/"}, std::regex("experiments/python/bindings/.*")},
       {{"metis.h"}, std::regex("topologies/graph/partition\\.cpp")},
-      {{"embree3/"},
-       std::regex("tests/benchmarks/embree\\.cpp|tests/reference/room_geometry\\.cpp")},
+      {{"embree3/", "embree4/"}, std::regex("tests/support/embree\\.hpp")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
       {{"webp/"}, std::regex("renderer/image/animation\\.cpp|tests/support/webp_frames\\.hpp")},
       {{"cairo/"}, std::regex("experiments/laboratory/film/canvas\\.cpp")},

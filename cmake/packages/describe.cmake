@@ -1,4 +1,4 @@
-# Run by cpack on what it has staged, before it packs: the documents of all packages.
+# Makes the documents of all packages; cpack runs it on the staged files before it packs them.
 set(staged "")
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} name)

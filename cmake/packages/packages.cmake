@@ -1,4 +1,4 @@
-# Debian packages, one for each component that is installed: docs/manual/packages.md.
+# Debian packages, one for each installed component: docs/manual/packages.md.
 get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)
 list(REMOVE_ITEM CPACK_COMPONENTS_ALL Unspecified)
 set(CPACK_GENERATOR DEB)
@@ -7,21 +7,21 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
-# The target `packages` builds what is packed. For makefiles cpack would build all else too.
+# The target `packages` builds the packed targets. With makefiles, cpack would build all others too.
 set(CPACK_CMAKE_GENERATOR Ninja)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-# Who makes the packages, as Debian's own tools ask it.
+# The packages' maintainer, from the variables that Debian's own tools use.
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The tlab authors <tlab@users.noreply.invalid>")
 if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
   set(CPACK_DEBIAN_PACKAGE_MAINTAINER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif()
 set(full_version ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 
-# The command runs without the programs that draw, and then says which plots are missing.
+# Without the recommended drawing programs, the command runs and reports the missing plots.
 set(CPACK_DEBIAN_TLAB_PACKAGE_NAME tlab)
 set(CPACK_DEBIAN_TLAB_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TLAB_PACKAGE_SHLIBDEPS ON)
@@ -36,7 +36,7 @@ A machine, a topology, a scene and a strategy are described in one file. A run
 gives the image, a speed-up curve, and how busy each processor and link was.
 The experiments of a thesis of 1995 are included.")
 
-# What the installed headers include, and what cmake/tlabConfig.cmake finds.
+# Libraries that the installed headers include and that cmake/tlabConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtlab-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(needed libboost-context-dev libboost-filesystem-dev libboost-graph-dev libfmt-dev libmetis-dev
@@ -65,14 +65,14 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION "transputer laboratory, module for Python 3
 Runs experiments of tlab from Python: results as pandas tables, topologies to
 and from networkx, images as numpy arrays.")
 
-# Adds copyright, changelogs and the list of what is linked, which need the files as they are packed.
+# Adds copyright, changelogs and the list of linked parts; these need the staged files.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/describe.cmake)
 set(CPACK_BUILD_OF_TLAB ${PROJECT_BINARY_DIR})
 include(CPack)
 
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
 add_dependencies(packages tlab completions ${rooms})
-foreach(target man tlab_native)  # where there is what they need
+foreach(target man tlab_native)  # if their dependencies are installed
   if(TARGET ${target})
     add_dependencies(packages ${target})
   endif()

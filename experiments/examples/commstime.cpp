@@ -1,5 +1,5 @@
-// Commstime: what channels, PAR and a change of process cost. The classical benchmark of occam
-// systems (P. Welch, University of Kent); 15.049 us a loop are published for a T800-20.
+// Commstime: the cost of channels, PAR and process switches. The classical benchmark of occam
+// systems (P. Welch, University of Kent); the published time is 15.049 us a loop for a T800-20.
 //
 //            +--------+    a    +-------+    d    +---------+
 //        +-->| prefix |-------->| delta |-------->| consume |
@@ -9,7 +9,7 @@
 //        +--------| succ |<---------+         all at low priority on one T800-20
 //                 +------+
 //
-// A number goes round and grows by 1; consume gets each. A loop is 303 cycles at 20 MHz:
+// A number circulates and grows by 1; consume receives each value. A loop is 303 cycles at 20 MHz:
 //   4 channels x (out, in: operands 4 + 4, one waits 20, the other copies 21, outword 2)   204
 //   PAR (two branches laid out 15, startp 12, two endp 26)                                  53
 //   three WHILEs' way back (j 3, prefix 1), SEQ's (ldlp, ldc, prefix, lend 10), adc 1       26
@@ -33,7 +33,7 @@ struct Int {
 };
 using Ints = Channel<Int>;
 
-// WHILE TRUE goes back by a jump, SEQ i = 0 FOR n by lend.
+// WHILE TRUE loops back by a jump, SEQ i = 0 FOR n by lend.
 void again() {
   for (auto instruction : {"prefix", "j"}) charge(instruction);
 }
@@ -57,12 +57,12 @@ void delta(Ints& a, Ints& c, Ints& d) {
 void succ(Ints& c, Ints& b) {
   for (Int x;; again()) {
     in(c, x);
-    charge("ldc");  // adc takes the same; that x is loaded, and b's address, is out's own
+    charge("ldc");  // adc takes the same; `out` includes the loads of x and of b's address
     out(b, Int{x.value + 1});
   }
 }
 
-// Leaves the time of a loop in the last thousand. Reading the simulator's clock costs no time.
+// Measures the time of a loop over the last thousand. Reading the simulator's clock is free.
 void consume(Ints& d, Seconds& loop) {
   for (Int x;;) {
     const Seconds start = this_process().now();
@@ -86,7 +86,7 @@ int main() {
   t800.start("delta", Priority::low, [&] { delta(a, c, d); });
   t800.start("succ", Priority::low, [&] { succ(c, b); });
   t800.start("consume", Priority::low, [&] { consume(d, loop); });
-  machine.run({0.1});  // seconds: it has no end of its own
+  machine.run({0.1});  // seconds: the program never ends by itself
 
   const double us = 1e6 * loop.value;
   fmt::print("a loop: {:.3f} us, {:.0f} cycles\n", us, loop.value * model.cpu.clock.value);

@@ -1,5 +1,5 @@
-// A farm over any topology, the skeleton for tasks of your own: they go down a spanning tree to
-// whoever is ready, and results come up. On every processor, with a sender for each way down:
+// A farm over any topology, a template for other tasks: tasks go down a spanning tree to ready
+// processors, and results come up. On every processor, with a sender for each child:
 //                +--------+ ready  +--------+                +--------+
 //   parent ----->| router |<-------| sender |---> worker --->| merger |----> parent
 //                |        |------->|        |   children --->|        |
@@ -15,12 +15,12 @@
 using namespace occam;
 using machine::Priority;
 
-// Yours: a task, which carries its result back, and what doing it yields and costs.
+// To be replaced: a task, which carries its result back, with its computation and cost.
 constexpr int TASKS = 200;
 struct Task {
   int number = -1, terms = 0, sum = 0;
   static constexpr std::uint64_t bytes() { return 12; }
-  bool stop() const { return number < 0; }  // no task: there are no more
+  bool stop() const { return number < 0; }  // marks the end of the tasks
 };
 Task make_task(int i) { return {i < TASKS ? i : -1, 100 + i * 37 % 200}; }
 Cycles work(Task& task, const machine::Model& model) {
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     cpus[i]->start("merger", Priority::high, [=, &to = up[i]] { merger(inputs, to); });
   }
   std::vector<int> returns(TASKS);
-  Cycles alone{};  // what the tasks take without a farm
+  Cycles alone{};  // time of the tasks without a farm
   cpus[topology.root]->start("feed", Priority::high, [&] {
     for (int i = 0; i <= TASKS; ++i) out(down[topology.root], make_task(i));
   });

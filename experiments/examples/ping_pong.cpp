@@ -1,13 +1,13 @@
-// Ping-pong: what a message takes from one processor to its neighbour.
+// Ping-pong: the time of a message from one processor to its neighbour.
 //
 //        +------+   there    +------+
 //        | ping |----------->| pong |
 //        |      |<-----------|      |        two T805-25, one link
 //        +------+    back    +------+
 //
-// The partner always waits already. So each way is the instructions that start an output, then the
-// wire: (operands + blocked) / clock + bytes / one-way rate; outword, a word's output, takes 3
-// cycles more. For a word: (4 + 20 + 3) / 25 MHz + 4 / 1.778 MB/s = 1.08 + 2.25 = 3.33 us.
+// The partner always waits already. So each way is the instructions that start an output, plus the
+// wire: (operands + blocked) / clock + bytes / one-way rate. The output of a word, outword, takes 3
+// more cycles. For a word: (4 + 20 + 3) / 25 MHz + 4 / 1.778 MB/s = 1.08 + 2.25 = 3.33 us.
 #include <fmt/format.h>
 
 #include "simulator/occam/channel.hpp"
@@ -29,7 +29,7 @@ struct Block {
 void ping(Channel<Block>& there, Channel<Block>& back, const Model& model) {
   for (const std::uint64_t length : LENGTHS) {
     Block block{length};
-    out(there, block);  // once before it counts, so that pong waits
+    out(there, block);  // unmeasured round, so that pong waits afterwards
     in(back, block);
     const Seconds start = this_process().now();
     out(there, block);

@@ -1,5 +1,5 @@
-// A sorting pipeline: each cell keeps the largest number that it has seen and passes the others; at
-// the end that one goes last. After as many cells as there are numbers, they come out sorted.
+// A sorting pipeline: each cell keeps the largest number so far and passes on the others; it sends
+// its own last. With as many cells as numbers, they come out sorted.
 //
 //        +--------+   +------+   +------+         +------+   +------+
 //        | source |-->| cell |-->| cell |-- ... ->| cell |-->| sink |

@@ -1,5 +1,5 @@
-// A token ring that survives the loss of its token: who has the token may use what all share. One
-// station loses it once; the monitor notices by a guard on the timer, and makes a new one.
+// A token ring that survives the loss of its token, which permits the use of a shared resource. One
+// station loses it once; a timer guard tells the monitor, which makes a new one.
 //
 //        +---------+      +-----------+      +-----------+      +-----------+
 //   +--->| monitor |----->| station 1 |----->| station 2 |----->| station 3 |---+
@@ -7,9 +7,9 @@
 //   +---------------------------------------------------------------------------+
 //                                         each on its T805-25, at high priority: ticks of 1 us
 //
-// A station has the token for 100 us + out 0.96 + 12 bytes on the wire 6.75 = 107 whole ticks, the
-// monitor, whose ALT takes longer, for 110: a round is 3 x 107 + 110 = 431 us. A shorter TIMEOUT
-// would make a second token: the monitor drops those that are not its latest.
+// A station has the token for 100 us + out 0.96 + 12 bytes on the wire 6.75 = 107 whole ticks. The
+// monitor has it for 110, since its ALT takes longer: a round is 3 x 107 + 110 = 431 us. A shorter
+// TIMEOUT would make a second token: the monitor drops all but its latest.
 #include <fmt/format.h>
 
 #include <deque>
@@ -62,7 +62,7 @@ void monitor(Tokens& from_left, Tokens& to_right) {
     out(to_right, latest);
     bool waits = true;
     auto back = [&] {
-      if (token.number != latest.number) return;  // a lost one, found again
+      if (token.number != latest.number) return;  // a lost token, found again
       report("back", token);
       ++latest.round;
       waits = false;

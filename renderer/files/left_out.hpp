@@ -1,5 +1,5 @@
 #pragma once
-// What a file format has no word for, counted by kind.
+// Counts, by kind, the things that a file format cannot express.
 
 #include <fmt/format.h>
 

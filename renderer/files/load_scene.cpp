@@ -12,7 +12,7 @@ namespace renderer {
 
 namespace {
 
-// Keep nothing but the files.
+// These targets keep only the names of further files.
 struct NffFiles : NffTarget {
   std::vector<std::string> files;
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int MAX_VERTICES = 1 << 24;
 constexpr double MAX_TIME = 1e6;
 
-// How a comment that is a statement goes on after its name. Others are prose.
+// Tests of the words after a statement's name in a comment; other comments are prose.
 bool always(const Words&) { return true; }
 bool has_file(const Words& words) {
   return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {
@@ -69,7 +69,7 @@ class Reader {
     read(*this);
   }
 
-  // A statement that other readers of NFF take for a comment.
+  // A statement that other readers of NFF treat as a comment.
   struct Comment {
     std::string_view name;
     bool is_of_rooms;
@@ -115,7 +115,7 @@ class Reader {
     tokens_.within_line([&] { known->read(*this); });
   }
 
-  // Of a statement that a file has once.
+  // Rejects a second occurrence of a statement that a file has only once.
   void require_first(std::string_view statement, int& line) {
     if (line != 0)
       tokens_.fail(target_.line, fmt::format("found a second '{}', expected one, that of line {}",
@@ -167,7 +167,7 @@ class Reader {
     tell([&] { target_.set_motion({velocity, {}}); });
   }
 
-  // The name of a file beside this one.
+  // Takes the name of a file beside this one.
   std::string take_file() {
     const auto folder = std::filesystem::path(tokens_.name()).parent_path();
     const auto file = (folder / tokens_.take_word("a file")).string();
@@ -245,7 +245,7 @@ class Reader {
     }
   }
 
-  // After '# uv'.
+  // Only the rest of a polygon may follow '# uv'.
   void require_polygon(std::string_view statement) {
     if (coordinates_.empty() || statement == "p" || statement == "pp" || statement == "uv") return;
     const auto found = statement.empty() ? "the end of the file" : base::quote(statement);
@@ -263,7 +263,7 @@ class Reader {
     const double ior = tokens_.take_number("the index of refraction", 0, MAX_IOR);
     if (ior > 0)
       s.ior = ior;
-    else if (s.t > 0)  // files give 0 to what is opaque
+    else if (s.t > 0)  // files give opaque surfaces 0
       tokens_.fail(tokens_.line(),
                    "found an index of refraction of 0, expected one > 0 where T > 0");
     has_surface_ = true;
@@ -305,8 +305,8 @@ class Reader {
   NffTarget& target_;
   int view_line_ = 0, lens_line_ = 0, shutter_line_ = 0, camera_line_ = 0;
   bool has_surface_ = false;
-  Surface surface_;                  // set last
-  std::vector<Corner> coordinates_;  // of the polygon to come
+  Surface surface_;                  // the one set last
+  std::vector<Corner> coordinates_;  // of the next polygon
 };
 
 }  // namespace

@@ -10,11 +10,10 @@
 //   pp N  N x (X Y Z NX NY NZ)                         polygon with normals
 //   c X Y Z R  X Y Z R                                 cone or cylinder, open: base and apex
 //
-// Words may be broken over lines anywhere; only a light's colour must be on the light's line. '#'
-// starts a comment. A primitive before any `f` is an error, as is anything degenerate.
+// Statements may continue on further lines; only a light's colour must be on the light's line. '#'
+// starts a comment. Primitives before any `f` and degenerate input are errors.
 //
-// What NFF has no word for is said in comments that begin a line, so that other readers pass over
-// it:
+// Extensions to NFF are comments that begin a line, so that other readers skip them:
 //
 //   # lens APERTURE FOCUS                              diameter, and the distance in focus
 //   # shutter T0 T1                                    when it opens and closes, frames
@@ -33,10 +32,10 @@
 //   # uv U V U V ...                                   a pair for each corner of the `p` or `pp`
 //                                                      that follows; further lines add to it
 //
-// A comment is a statement if its first word is a statement's name and what follows begins as
-// above: with a number, with the one name of a file that ends in .path, .csv or .txt, with that of
-// a picture, which ends in .png, or with a light's shape and a number. It ends with its line. Any
-// other comment is prose.
+// A comment is a statement if its first word is a statement's name and its next words fit, as
+// above. They begin with a number, a light's shape and a number, the name of a single file (.path,
+// .csv or .txt), or the name of a picture (.png). The statement ends with its line. Other comments
+// are prose.
 
 #include <optional>
 #include <string>
@@ -48,57 +47,57 @@
 
 namespace renderer {
 
-/// When the shutter opens and closes, in frames after the frame's own time.
+/// Times at which the shutter opens and closes, in frames after the frame's own time.
 struct Shutter {
   double open = 0, close = 0;
 };
 
-/// How objects move: their displacement at a time, in frames, is time * velocity, or as the path
-/// has it if there is one.
+/// Motion of objects: their displacement at a time, in frames, is time * velocity, or the path's
+/// value if there is a path.
 struct Motion {
   Vec velocity;  ///< scene units a frame
   Path path;
 };
 
-/// What is made of a file: it is told every statement, in the file's order. A BadInput that it
-/// throws is reported with the statement's line.
+/// Receiver of an NFF file: it gets every statement, in the file's order. A BadInput that it throws
+/// is reported with the statement's line.
 class NffTarget {
  public:
   virtual ~NffTarget() = default;
-  /// Whether it knows rooms, which have `# emit R G B`, and scenes, which have the other statements
-  /// in comments. One that knows both takes `# emit` for prose where no number follows.
+  /// The kind of file that it reads: rooms have `# emit R G B`, scenes have the other statements in
+  /// comments. A target for both takes `# emit` for prose if no number follows.
   enum class Knows : std::uint8_t { scenes, rooms, both };
   virtual Knows knows() const { return Knows::scenes; }
 
   virtual void set_view(const View& view) = 0;
   virtual void set_background(const Rgb&) {}
-  /// Without its colour.
+  /// The light has no colour yet.
   virtual void add_light(const Light& light, const std::optional<Rgb>& colour) = 0;
   virtual void set_surface(const Surface& surface) = 0;
-  /// What the surface set last is from here on.
+  /// Replaces the current surface for the objects that follow.
   virtual void change_surface(const Surface&) {}
   virtual void set_emission(const Rgb&) {}
   virtual void set_lens(const Lens&) {}
   virtual void set_shutter(const Shutter&) {}
-  /// Of the objects that follow.
+  /// Applies to the objects that follow.
   virtual void set_motion(Motion) {}
   virtual void set_camera(Path) {}
-  /// A further file that is read for the statement.
+  /// A further file that the statement reads.
   virtual void add_file(const std::string&) {}
   /// Returns the texture's index.
   virtual std::uint32_t add_texture(const std::string&, const Mapping&) { return NO_TEXTURE; }
-  /// Of the corners of the polygon that is told next; none: it has none.
+  /// For the corners of the next polygon; none if it has no coordinates.
   virtual void set_coordinates(std::vector<Corner>) {}
   virtual void add_sphere(const Vec& centre, double radius) = 0;
-  /// As many normals as corners, or none.
+  /// Either one normal for each corner or none.
   virtual void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) = 0;
   virtual void add_cone(const Vec& base, double base_radius, const Vec& apex,
                         double apex_radius) = 0;
 
-  int line = 0;  ///< of the statement that is told
+  int line = 0;  ///< of the current statement
 };
 
-/// Tells `target` a text, which has a view. BadInput "name:line: ...".
+/// Sends `target` the statements of a text, which must have a view. BadInput "name:line: ...".
 void read_nff(std::string_view text, const std::string& name, NffTarget& target);
 
 }  // namespace renderer

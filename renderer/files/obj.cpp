@@ -24,7 +24,7 @@ bool is_statement(std::string_view comment) {
          (words.name == "light" && has_light_shape(words));
 }
 
-// The rest of the line, with single blanks between its words.
+// Takes the rest of the line, with single blanks between its words.
 std::string take_line(Tokens& tokens, std::string_view what) {
   std::string text(tokens.take_word(what));
   while (tokens.continues()) text += fmt::format(" {}", tokens.take());
@@ -150,7 +150,7 @@ class ObjReader {
     tokens_.skip_line();
   }
 
-  // A weight, one number, may follow, or a colour.
+  // A weight (one number) or a colour may follow.
   void read_point() {
     points_.push_back(tokens_.take_vec("a vertex"));
     if (tokens_.continues()) tokens_.take();
@@ -169,7 +169,7 @@ class ObjReader {
     };
     const double u = take();
     coordinates_.push_back({u, tokens_.continues() ? take() : 0});
-    tokens_.skip_line();  // a third one
+    tokens_.skip_line();  // a third coordinate
   }
 
   void use_material() {
@@ -225,7 +225,7 @@ class ObjReader {
     tokens_.end_line();
   }
 
-  // Corners are v, v/vt, v//vn or v/vt/vn.
+  // Corners have the form v, v/vt, v//vn or v/vt/vn.
   void read_face() {
     std::vector<Vec> corners, normals;
     std::vector<Corner> coordinates;
@@ -254,7 +254,7 @@ class ObjReader {
     });
   }
 
-  // What a corner refers to: counted from 1, or backwards from -1.
+  // The item that a corner refers to, counted from 1, or backwards from -1.
   template <class Item>
   const Item& find(const std::vector<Item>& list, std::string_view text, const char* what) {
     const auto count = static_cast<long long>(list.size());

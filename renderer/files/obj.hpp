@@ -1,80 +1,79 @@
 #pragma once
 // Wavefront's OBJ with its MTL files, for scenes and rooms: flat faces and their materials.
 //
-// In an OBJ v, vt, vn, f, usemtl and mtllib count; p, l, g, o and s are passed over, others are
-// errors. What OBJ has no word for is said as NFF says it, in comments that begin a line, so that
-// other readers pass over it (renderer/files/nff.hpp has what follows each, and what makes it
-// prose):
+// The reader uses v, vt, vn, f, usemtl and mtllib, skips p, l, g, o and s, and rejects other
+// statements. NFF statements without an OBJ equivalent stand in comments that begin a line, so that
+// other readers skip them. renderer/files/nff.hpp describes their syntax and how it differs from
+// prose:
 //
 //   # v from X Y Z at X Y Z up X Y Z angle DEGREES [hither D] [resolution W H]
 //   # b R G B
 //   # l X Y Z [R G B]
 //   # light rect ...                # light sphere ...
 //
-// In an MTL newmtl, Kd, Ks, Ke, Ns, d, Tr, Ni, illum and map_Kd count; others are passed over. A
-// comment that begins a line, `# surface R G B KD`, has the factors of a Kd that a program
-// multiplied: it counts as long as their product is the Kd before it.
+// In an MTL file it uses newmtl, Kd, Ks, Ke, Ns, d, Tr, Ni, illum and map_Kd and skips the rest. A
+// comment `# surface R G B KD` at the start of a line factors a Kd that a program multiplied. It is
+// valid if R G B times KD equals the Kd before it.
 //
-// A reader of our own: tinyobjloader 2.0.0 reads "nan" as 0 and passes over what it does not know,
-// without a word and without a line.
+// This is a reader of our own because tinyobjloader 2.0.0 reads "nan" as 0. It also skips unknown
+// statements without a message or a line number.
 
 #include "renderer/files/statements.hpp"
 
 namespace renderer {
 
-/// A material of an MTL file: black and opaque where the file says nothing.
+/// A material of an MTL file; defaults are black and opaque.
 struct MtlMaterial {
   std::string name{};
   Rgb diffuse{}, specular{}, emission{};  ///< Kd, Ks, Ke
   double shine = 0;                       ///< Ns, Phong's exponent
-  double transparency = 0;                ///< 1 - d; or Tr, where that agrees or is alone
+  double transparency = 0;                ///< 1 - d; or Tr, if d is absent or agrees
   double ior = 1;                         ///< Ni
-  int illum = 2;                          ///< 3 and above ask for rays that are reflected
-  std::string picture{};                  ///< map_Kd, a path beside the MTL file; or none
+  int illum = 2;                          ///< 3 and above have reflected rays
+  std::string picture{};                  ///< map_Kd, a path beside the MTL file; may be empty
   Rgb colour{1, 1, 1};                    ///< diffuse = kd * colour
   double kd = 0;
   bool operator==(const MtlMaterial&) const = default;
 
-  /// Sets diffuse and its factors.
+  /// Sets `diffuse` and its factors.
   void set_diffuse(const Rgb& of, double factor) {
     colour = of, kd = factor, diffuse = factor * of;
   }
-  /// Black is kept as white of which nothing is reflected.
+  /// Stores black as white with a factor of 0.
   void set_diffuse(const Rgb& rgb) {
     rgb == Rgb{} ? set_diffuse({1, 1, 1}, 0) : set_diffuse(rgb, 1);
   }
 };
 inline constexpr int ILLUM_REFLECTS = 3;
 
-/// What is made of an OBJ: it is told the file's statements, in the file's order, with paths as
-/// they are found from here. A BadInput that it throws is reported with the statement's line.
+/// Receiver of an OBJ file: it gets the statements in the file's order, with paths relative to the
+/// working directory. A BadInput that it throws is reported with the statement's line.
 class ObjTarget {
  public:
   virtual ~ObjTarget() = default;
   virtual void add_library(const std::string&) {}
-  /// One that has another name than all before.
+  /// Its name differs from all earlier ones.
   virtual void add_material(const MtlMaterial& material) = 0;
-  /// Of the faces to come: its number, in the order that they were added.
+  /// Material of the next faces: its index in the order of add_material().
   virtual void use_material(std::size_t material) = 0;
-  /// As many normals and coordinates as corners, or none of them.
+  /// One normal and one coordinate for each corner, or none.
   virtual void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                         std::vector<Corner> coordinates) = 0;
   virtual void set_view(const View&) {}
   virtual void set_background(const Rgb&) {}
-  /// Without its colour.
+  /// The light has no colour yet.
   virtual void add_light(const Light&, const std::optional<Rgb>&) {}
-  /// Something of this kind, a plural, is passed over: "points", "lines", "colours of corners".
+  /// Reports a skipped kind, in the plural: "points", "lines", "colours of corners".
   virtual void leave_out(const std::string&) {}
 
-  int line = 0;  ///< of the statement that is told
+  int line = 0;  ///< of the current statement
 };
 
-/// Tells `target` a text; further files are looked for beside `name`. BadInput "name:line: ...".
+/// Sends `target` a text's statements; further files are beside `name`. BadInput "name:line: ...".
 void read_obj(std::string_view text, const std::string& name, ObjTarget& target);
 
-/// The view of an OBJ that says none: from outside, along the diagonal of the bounds from their
-/// greatest corner, which just fit into the picture; up is y, or z where the bounds are a line in
-/// y.
+/// Default view of an OBJ, from outside along the diagonal from the bounds' greatest corner. The
+/// bounds just fit into the picture. Up is y, or z if the bounds are a line in y.
 View look_from_outside(const Bounds& bounds);
 
 }  // namespace renderer

@@ -111,7 +111,7 @@ std::uint32_t NffAsObj::add_texture(const std::string& file, const Mapping& mapp
   return static_cast<std::uint32_t>(pictures_.size() - 1);
 }
 
-// Begins to use the material of the faces to come, which is a new one or has been there.
+// Switches to the material of the next faces, and adds it if it is new.
 void NffAsObj::use_next() {
   const auto is_next = [&](const MtlMaterial& known) {
     next_.name = known.name;

@@ -1,13 +1,12 @@
 #pragma once
-// OBJ as NFF, and NFF as OBJ: what each says in the other's statements. A surface is a material
-// whose rays are reflected and refracted, `illum` 3, 5 or 6:
+// Translates OBJ to NFF statements and NFF to OBJ statements. A surface becomes a material with
+// reflected and refracted rays, `illum` 3, 5 or 6:
 //
 //   f R G B KD KS SHINE T IOR  =  Kd KD*R KD*G KD*B   Ks KS KS KS   Ns SHINE   Tr T   Ni IOR
 //
-// A Ks in colour reflects as its greatest component. A material whose illum is below 3 reflects
-// nothing: NFF has no highlights without mirror images. A surface that reflects all is `illum` 3, a
-// mirror of a room; one that also is diffuse has 5. A picture (map_Kd) is a texture by
-// coordinates.
+// A coloured Ks reflects as its greatest component. A material with illum < 3 reflects nothing,
+// because NFF has no highlights without mirror images. A perfect mirror gets `illum` 3, the mirror
+// of a room; one that is also diffuse gets 5. Pictures (map_Kd) become textures by coordinates.
 
 #include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
@@ -15,14 +14,14 @@
 
 namespace renderer {
 
-/// Tells an NffTarget what it is told of an OBJ. Faces before any material are light grey.
+/// Forwards an OBJ to an NffTarget. Faces before any material are light grey.
 class ObjAsNff : public ObjTarget {
  public:
-  /// Counts what NFF has no word for, such as colours of mirrors, if that is asked for.
+  /// Counts in `left_out`, if given, what NFF cannot express, such as coloured mirrors.
   explicit ObjAsNff(NffTarget& target, LeftOut* left_out = nullptr)
       : target_(target), left_out_(left_out) {}
-  /// After the last statement: where there was no view, tells one, from outside, and a light in the
-  /// view point if there was none. A file that says its view says its lights.
+  /// Call after the last statement. If the file has no view, adds one from outside, and a light at
+  /// its eye if there is no light. Files with a view get no extra light.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }
@@ -50,8 +49,8 @@ class ObjAsNff : public ObjTarget {
   bool has_view_ = false, has_light_ = false, has_surface_ = false;
 };
 
-/// Tells an ObjTarget what it is told of an NFF, and counts what OBJ has no word for: spheres,
-/// cones, gloss and the like.
+/// Forwards an NFF to an ObjTarget and counts what OBJ cannot express: spheres, cones, gloss and
+/// the like.
 class NffAsObj : public NffTarget {
  public:
   NffAsObj(ObjTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
@@ -85,12 +84,12 @@ class NffAsObj : public NffTarget {
 
   ObjTarget& target_;
   LeftOut& left_out_;
-  Surface surface_;     // told last
-  MtlMaterial next_;    // of the faces to come
-  bool is_new_ = true;  // whether it is not yet in use
+  Surface surface_;     // the one set last
+  MtlMaterial next_;    // of the next faces
+  bool is_new_ = true;  // not yet in use
   std::vector<MtlMaterial> materials_;
   std::vector<std::string> pictures_;  // by texture
-  std::vector<Corner> coordinates_;    // of the polygon to come
+  std::vector<Corner> coordinates_;    // of the next polygon
 };
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
 #pragma once
-// Places over time, from a file: a row is a time in frames and where something is then.
+// Positions over time, from a file: each row has a time in frames and a position.
 
 #include <string>
 #include <string_view>
@@ -14,19 +14,17 @@ struct PathRow {
   Vec place, target;
 };
 
-/// One row or more, their times increasing.
+/// One or more rows with increasing times.
 using Path = std::vector<PathRow>;
 
-/// Rows of `T X Y Z`, or with `has_target` of `T FROMX FROMY FROMZ ATX ATY ATZ`, one a line,
-/// numbers separated by blanks or commas; '#' starts a comment, and the first line may be a header
-/// that begins with `T`. BadInput "path:line: found ..., expected ..."; "path: ..." if it cannot be
-/// read.
+/// Loads rows of `T X Y Z`, or with `has_target` of `T FROMX FROMY FROMZ ATX ATY ATZ`, one a line.
+/// Blanks or commas separate numbers, and '#' starts a comment. The first line may be a header that
+/// begins with `T`. BadInput "path:line: found ..., expected ..."; "path: ..." if unreadable.
 Path load_path(const std::string& path, bool has_target);
-/// The same of a text.
+/// Parses the same from a text.
 Path parse_path(std::string text, const std::string& name, bool has_target);
 
-/// Where the path leads at a time: linear between two rows, and as the first or the last row has it
-/// before and after.
+/// The path's row at a time: linear between rows, constant before the first and after the last row.
 PathRow eval_path(const Path& path, double time);
 
 }  // namespace renderer

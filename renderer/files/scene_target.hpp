@@ -1,5 +1,5 @@
 #pragma once
-// Makes a scene of what an NFF file says.
+// Builds a scene from the statements of an NFF file.
 
 #include <map>
 
@@ -12,9 +12,9 @@ class SceneTarget : public NffTarget {
   /// `name` is the file's, for errors.
   explicit SceneTarget(std::string name) : name_(std::move(name)) {}
 
-  /// The scene, finished, as it is in a frame; once, when everything has been told.
+  /// The finished scene in a frame; call once, after the last statement.
   Scene make_scene(int frame);
-  /// Further files that it was read from.
+  /// Further files that the scene was read from.
   const std::vector<std::string>& files() const { return files_; }
 
   void set_view(const View& view) override;
@@ -36,7 +36,7 @@ class SceneTarget : public NffTarget {
   void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override;
 
  private:
-  // A motion, from its first object to the first of the next one.
+  // A motion, from its first object to the first one of the next motion.
   struct Moving {
     Motion motion;
     std::size_t first;
@@ -51,14 +51,14 @@ class SceneTarget : public NffTarget {
   std::vector<std::string> files_;
   Scene scene_;
   std::vector<bool> has_colour_;                   // by light
-  std::vector<Corner> coordinates_;                // of the polygon to come
+  std::vector<Corner> coordinates_;                // of the next polygon
   std::map<std::string, std::uint32_t> pyramids_;  // by their files
   Lens lens_;
   Shutter shutter_;
   std::vector<Moving> motions_;
   Path camera_;
-  int view_line_ = 0;               // of what the view comes from
-  std::size_t objects_before_ = 0;  // that were there when the surface was added last
+  int view_line_ = 0;               // of the view's statement
+  std::size_t objects_before_ = 0;  // present when the surface was added last
 };
 
 }  // namespace renderer

@@ -1,12 +1,12 @@
 #pragma once
-// Statements of NFF that other formats say in comments: the view and lights.
+// Statements of NFF that other formats write in comments: the view and lights.
 
 #include "renderer/files/tokens.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {
 
-// Greatest numbers of a surface; the least are 0.
+// Upper limits of a surface's numbers; the lower ones are 0.
 inline constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000;
 inline constexpr double MAX_COORDINATE = 1e6;  // of a texture, either way
 
@@ -16,20 +16,20 @@ struct Words {
 };
 Words first_words(std::string_view comment);
 
-// Whether a comment goes on after its name as a statement does; others are prose.
+// True if the words after a comment's name fit its statement; other comments are prose.
 bool has_number(const Words& words);
 bool has_light_shape(const Words& words);
 
-/// What follows 'v': from, at, up and angle, in any order, with hither and resolution or not.
+/// Takes the words after 'v' in any order: from, at, up and angle, optionally hither, resolution.
 View take_view(Tokens& tokens);
 
 struct StatedLight {
   Light light;  ///< without its colour
   std::optional<Rgb> colour;
 };
-/// What follows 'l'.
+/// Takes the words after 'l'.
 StatedLight take_light(Tokens& tokens);
-/// What follows '# light'.
+/// Takes the words after '# light'.
 StatedLight take_area_light(Tokens& tokens);
 
 /// Components from 0 to MAX_COLOUR.

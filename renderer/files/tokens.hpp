@@ -1,5 +1,5 @@
 #pragma once
-// Words of a text file, with the line each was found on.
+// Words of a text file, each with its line.
 
 #include <optional>
 #include <string>
@@ -11,28 +11,27 @@
 
 namespace renderer {
 
-/// Largest magnitude of a number in a scene: products of several must stay finite.
+/// Largest magnitude of a number in a scene, so that products of several remain finite.
 inline constexpr double MAX_NUMBER = 1e15;
 
-/// A finite decimal number and nothing else, whatever the locale.
+/// Parses a finite decimal number and nothing else, whatever the locale.
 std::optional<double> parse_number(std::string_view word);
 
-/// Reads words separated by blanks from a text, which has to outlive it; '#' starts a comment that
-/// ends with the line. Where a comment begins its line and `is_statement` is true of it, '#' is a
-/// word, and those of the comment follow. Every error is a BadInput "name:line: found ...,
-/// expected ...".
+/// Reads words separated by blanks from a text, which must outlive it; '#' starts a comment that
+/// ends with the line. If a comment begins its line and `is_statement` accepts it, its '#' and
+/// words are returned like others. Every error is a BadInput "name:line: found ..., expected ...".
 class Tokens {
  public:
   using IsStatement = bool (*)(std::string_view comment);
   Tokens(std::string_view text, std::string name, IsStatement is_statement = nullptr)
       : text_(text), name_(std::move(name)), is_statement_(is_statement) {}
 
-  /// Begins a statement that ends with its line: until the next call no function takes words of
+  /// Begins a statement that ends with its line. Until the next call no function takes words from
   /// another line. False at the end of the file. Files that never call it may break lines anywhere.
   bool begin_line();
 
-  /// Runs `read`, in which no function takes words of another line than that of the word taken
-  /// last; the line must end there.
+  /// Runs `read` on the line of the word taken last: no function in it takes words from another
+  /// line. The line must end after it.
   template <class Read>
   void within_line(const Read& read) {
     by_line_ = true;
@@ -47,14 +46,14 @@ class Tokens {
   std::string_view take();
   /// Takes the next word if it is this one.
   bool take_if(std::string_view word);
-  /// Takes the rest of the statement's line, whatever it is.
+  /// Skips the rest of the statement's line.
   void skip_line();
-  /// The statement must end here.
+  /// Fails unless the statement ends here.
   void end_line();
-  /// Whether the next word is on the same line as the one taken last.
+  /// True if the next word is on the same line as the one taken last.
   bool continues();
 
-  // In these, `what` names the value in errors.
+  // `what` names the value in error messages.
   std::string_view take_word(std::string_view what);
   /// A finite number up to MAX_NUMBER in magnitude.
   double take_number(std::string_view what);
@@ -62,11 +61,11 @@ class Tokens {
   double take_number(std::string_view what, double lo, double hi);
   int take_count(std::string_view what, int lo, int hi);
   Vec take_vec(std::string_view what);
-  /// Components up to MAX_NUMBER in magnitude; whether they are a colour is not checked.
+  /// Components up to MAX_NUMBER in magnitude; the range of a colour is not checked.
   Rgb take_rgb(std::string_view what);
 
-  /// Takes the next word, which must be the name of one of the `actions`, pairs of a name and
-  /// anything; returns what stands beside it. `expected` lists the names.
+  /// Takes the next word, which must be the name of one of the `actions`, and returns its action.
+  /// `expected` lists the names.
   template <class Action, std::size_t N>
   const Action& take_choice(const std::pair<std::string_view, Action> (&actions)[N],
                             std::string_view expected) {
@@ -83,7 +82,7 @@ class Tokens {
   [[noreturn]] void fail(int line, std::string_view message) const;
   /// "found ..., expected ..." about the next word.
   [[noreturn]] void fail_next(std::string_view expected);
-  /// Runs `action`; what it rejects as BadInput is reported with `line`.
+  /// Runs `action` and reports a BadInput from it with `line`.
   template <class Action>
   void at_line(int line, const Action& action) const {
     at_place(fmt::format("{}:{}", name_, line), action);

@@ -1,5 +1,5 @@
 #pragma once
-// Writes NFF: what is told becomes text that read_nff() tells again, every number to the bit.
+// Writes NFF that `read_nff` restores bit for bit.
 
 #include <string>
 
@@ -9,11 +9,11 @@ namespace renderer {
 
 class NffText : public NffTarget {
  public:
-  /// Pictures are named as they are found from `folder`. BadInput from then on for polygons that
-  /// are none, and for paths that NFF cannot have: with blanks or #, or without a full stop.
+  /// Picture paths are relative to `folder`. The other functions throw BadInput for invalid
+  /// polygons and for paths that NFF cannot have: with blanks or #, or without a full stop.
   explicit NffText(std::string folder) : folder_(std::move(folder)) {}
 
-  /// View, background and lights, then the rest in the order that it was told.
+  /// View, background and lights first, then the other statements in their order.
   std::string text() const { return head_ + body_; }
 
   Knows knows() const override { return Knows::both; }
@@ -33,15 +33,15 @@ class NffText : public NffTarget {
   std::vector<std::string> pictures_;  // by texture
 };
 
-// What OBJ says in comments in the same words, without the '#'.
+// The same words in OBJ comments, without the '#'.
 std::string describe_view(const View& view);
 std::string describe_light(const Light& light, const std::optional<Rgb>& colour);
-/// "X Y Z" and "R G B", which are read again to the bit.
+/// "X Y Z" and "R G B", which can be read back bit for bit.
 std::string describe(const Vec& v);
 std::string describe(const Rgb& colour);
-/// BadInput if it has blanks or #, which would end it.
+/// BadInput if it has blanks or #, which would end the word.
 void check_word(const std::string& name);
-/// How `file` is found from `folder`, by check_word().
+/// Path of `file` relative to `folder`; errors as check_word().
 std::string find_from(const std::string& folder, const std::string& file);
 
 }  // namespace renderer

@@ -1,6 +1,5 @@
 #pragma once
-// Writes OBJ with an MTL file: what is told becomes texts that read_obj() tells again, every number
-// to the bit.
+// Writes OBJ with an MTL file that `read_obj` restores bit for bit.
 
 #include <map>
 #include <string>
@@ -11,8 +10,8 @@ namespace renderer {
 
 class ObjText : public ObjTarget {
  public:
-  /// `library` names the MTL file, which is beside the OBJ in `folder`; pictures are named as they
-  /// are found from there. BadInput for names with blanks or #, and for faces that are none.
+  /// `library` names the MTL file beside the OBJ in `folder`; picture paths are relative to
+  /// `folder`. The other functions throw BadInput for names with blanks or # and for invalid faces.
   ObjText(std::string folder, std::string library);
 
   std::string text() const;
@@ -27,7 +26,7 @@ class ObjText : public ObjTarget {
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;
 
  private:
-  // The number of a point, normal or coordinate, which is written where it is new.
+  // The number of a point, normal or coordinate; writes its statement if it is new.
   std::size_t number_of(const std::string& statement, std::map<std::string, std::size_t>& known);
 
   std::string folder_, library_name_, head_, body_, library_;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* WHO = "animation";
 
-// Checks the frames one by one, as they come.
+// Checks the frames one after the other.
 class FrameCheck {
  public:
   void check(const Frame& frame) {
@@ -46,12 +46,12 @@ class FrameCheck {
   std::int64_t time_ms_ = 0;
 };
 
-// A call of libwebp, which fails for want of memory only: what it may refuse has been checked.
+// Checks a call of libwebp: as its input has been checked, it fails only for lack of memory.
 void expect(bool done, const char* call) {
   if (!done) throw std::runtime_error(fmt::format("{}: libwebp: {} failed", WHO, call));
 }
 
-// libwebp's structures, which end with their scope.
+// RAII wrappers for libwebp's structures.
 struct Picture : WebPPicture {
   explicit Picture(const Bitmap& bitmap) {
     expect(WebPPictureInit(this), "WebPPictureInit");
@@ -91,7 +91,7 @@ std::string make_webp(std::size_t count, const MakeFrame& make) {
   WebPConfig config;
   expect(WebPConfigInit(&config), "WebPConfigInit");
   config.lossless = 1;
-  config.quality = 25;  // effort, of a lossless file
+  config.quality = 25;  // effort, for lossless files
   config.thread_level = 0;
 
   FrameCheck check;

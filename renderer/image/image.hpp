@@ -1,6 +1,6 @@
 #pragma once
-// Samples in fixed point: integer addition is associative, so contributions may arrive in any
-// order and from anywhere, and the image is the same to the last bit.
+// Samples in fixed point. Integer addition is associative, so contributions may arrive in any order
+// and the image is the same to the last bit.
 
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace renderer {
 
 /// Three sums for each pixel, in units of 2^-32 of full intensity. A single contribution is rounded
-/// to the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION (NaN counts as 0);
-/// sums are exact below 2^21 contributions of that size, and wrap beyond.
+/// to the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION (NaN counts as 0); sums
+/// are exact below 2^21 contributions of that size, and wrap beyond.
 struct Samples {
   static constexpr double ONE = 4294967296.0;  ///< 2^32
   static constexpr double MAX_CONTRIBUTION = 1024;
@@ -40,35 +40,35 @@ struct Samples {
   Rgb get(std::uint32_t sample) const;
 };
 
-/// Adds a contribution to the sums of one sample, as Samples::add.
+/// Adds a contribution to the sums of one sample, like Samples::add.
 void add(Samples::Sums& sums, const Rgb& contribution);
-/// Adds other contributions to the same sample; wraps as unsigned integers do.
+/// Adds other contributions to the same sample; wraps like unsigned integers.
 void add(Samples::Sums& sums, const Samples::Sums& others);
-/// The colour that sums stand for.
+/// The colour that the sums represent.
 Rgb to_rgb(const Samples::Sums& sums);
 
-/// A picture as PNGs have it and displays show it.
+/// A picture in the 8-bit format of PNGs and displays.
 struct Bitmap {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes a pixel
   bool operator==(const Bitmap&) const = default;
 };
 
-/// BadInput, beginning with `who`, for no pixels or another number of bytes than they need.
+/// BadInput, beginning with `who`, for no pixels or a number of bytes that does not fit them.
 void check(const Bitmap& bitmap, std::string_view who);
 
 Bitmap make_bitmap(const Samples& samples);
 
-/// Most pixels of a picture that is read.
+/// Maximum number of pixels in a picture file.
 inline constexpr std::int64_t MAX_PICTURE = std::int64_t{1} << 24;
-/// Reads a PNG of any kind (grey, palette, 16 bits, alpha) as a display shows it, on white where it
-/// is transparent: the bytes of one that save_png() wrote. BadInput naming the file if it cannot be
-/// read, is no whole PNG or has more than MAX_PICTURE pixels.
+/// Reads a PNG of any kind (grey, palette, 16 bits, alpha) as a display shows it, on a white
+/// background. Restores the bytes that save_png() wrote. BadInput with the file's name if it cannot
+/// be read, is not a complete PNG or has more than MAX_PICTURE pixels.
 Bitmap load_png(const std::string& path);
 
-/// Rows from the top, 3 bytes a pixel: 0..1 becomes 0..255, rounded; what is outside is clamped.
+/// Rows from the top, 3 bytes a pixel: maps 0..1 to 0..255, rounded and clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
-/// One of its pixels, and a colour, in the same way.
+/// The same conversion for one of its pixels, and for a colour.
 std::array<std::uint8_t, 3> make_rgb8(const Samples& samples, std::uint32_t sample);
 std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour);
 

@@ -4,7 +4,6 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <filesystem>
@@ -18,9 +17,6 @@
 namespace renderer {
 
 namespace {
-
-constexpr std::array<std::string_view, 7> ENDINGS = {".stl", ".ply",  ".off", ".dae",
-                                                     ".3ds", ".gltf", ".glb"};
 
 Vec to_vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -40,7 +36,7 @@ class Teller {
   }
 
  private:
-  // One word, and no other material's.
+  // Makes a name of one word that differs from the other materials'.
   std::string make_name(const aiMaterial& material) {
     std::string name = material.GetName().C_Str();
     for (char& c : name)
@@ -81,7 +77,7 @@ class Teller {
     target_.add_material(m);
   }
 
-  // A file of its own; others travel in the mesh's.
+  // Only pictures in files of their own are used; embedded ones are left out.
   void tell_picture(const std::string& name, MtlMaterial& material) {
     if (scene_.GetEmbeddedTexture(name.c_str()))
       left_out_.add("pictures in the file");
@@ -150,8 +146,6 @@ class Teller {
 };
 
 }  // namespace
-
-std::span<const std::string_view> mesh_endings() { return ENDINGS; }
 
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
   Assimp::Importer importer;

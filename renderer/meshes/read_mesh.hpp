@@ -1,5 +1,5 @@
 #pragma once
-// Meshes in formats of others, read by the Open Asset Import Library (Assimp).
+// Meshes in other formats, read by the Open Asset Import Library (Assimp).
 
 #include <span>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace renderer {
 
-/// Endings of the files that are read: ".stl" and others.
+/// Endings of the files that can be read: ".stl" and others.
 std::span<const std::string_view> mesh_endings();
 
-/// Tells `target` the triangles of a file, where its nodes put them, and their materials. Left out:
-/// animations, lights, cameras, points, lines, colours of corners, pictures of other things than
-/// colours, and triangles without an area. Numbers are of single precision. BadInput if the file
-/// cannot be read, has no triangle, or has corners that no scene may have. The library can abort
-/// the process for a file that is damaged, or not end: call it where that does no harm.
+/// Sends `target` the triangles of a file, transformed by its nodes, and their materials. Left out:
+/// animations, lights, cameras, points, lines, vertex colours, pictures other than colour maps, and
+/// triangles without an area. Numbers have single precision. BadInput if the file cannot be read,
+/// has no triangle, or has corners that are invalid in a scene. Damaged files can make the library
+/// abort the process or hang: call it in a process of its own.
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out);
 
 }  // namespace renderer

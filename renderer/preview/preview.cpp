@@ -15,26 +15,26 @@ Vec to_vec(const Triple& t) { return {t[0], t[1], t[2]}; }
 Triple to_triple(const Rgb& c) { return {c.r, c.g, c.b}; }
 Triple to_triple(const Vec& v) { return {v.x, v.y, v.z}; }
 
-// What is nearest at a pixel so far.
+// The nearest object at a pixel so far.
 struct Fragment {
-  double nearness = 0;  // 1 over the distance ahead; 0 where there is nothing
+  double nearness = 0;  // 1 over the distance ahead; 0 if the pixel is empty
   Place place;
   std::uint32_t object = NO_OBJECT;
   Triple values{};
 };
 
-// An object while it is drawn.
+// The object that is being drawn.
 struct Object {
   Place place;
   Tag tag;
   Facets facets;
-  std::array<std::vector<std::optional<Rgb>>, 2> colours;  // of corners, seen from out- and inside
+  std::array<std::vector<std::optional<Rgb>>, 2> colours;  // of corners, from outside and inside
 };
 
 struct Facet {
   std::span<const std::uint32_t> corners;
   Vec middle;
-  Vec normal;         // unit, on the side that is seen
+  Vec normal;         // unit, towards the eye
   bool back = false;  // the eye sees its inside
 };
 
@@ -50,7 +50,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
     outwards += corners[i].normal;
     last = i;
   }
-  // A cone's facet that ends in its apex has an edge of no length, but an area.
+  // A cone's facet at its apex has an edge of zero length, but an area.
   const double area = length(newell);
   facet.normal = area > 0 ? (1 / area) * newell : normalize(outwards);
   if (dot(facet.normal, outwards) < 0) facet.normal = -facet.normal;
@@ -59,7 +59,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
   return facet;
 }
 
-// Whether the eye sees no facet's inside.
+// True if the eye sees no facet from inside.
 bool is_closed_to(const Scene& scene, Place place, const Vec& eye) {
   if (place.kind() != Kind::sphere) return false;
   const Sphere& sphere = scene.spheres[place.index()];
@@ -75,7 +75,7 @@ class Previewer {
         raster_(make_raster(scene.view, params)),
         scanner_(raster_, area_),
         pixels_(static_cast<std::size_t>(params.width) * static_cast<std::size_t>(params.height)) {
-    params_.limits.depth = 1;  // no rays but feelers leave a hit
+    params_.limits.depth = 1;  // hits spawn shadow feelers only
     preview_.samples = Samples(params.width, params.height);
   }
 
@@ -125,7 +125,7 @@ class Previewer {
   }
   Fragment& at(int x, int y) { return pixels_[index(x, y)]; }
 
-  // Draws what is nearer than all before; of what is equally near, but for rounding, the first.
+  // Keeps the nearer fragment; the first one if they are equally near, up to rounding.
   void put(int x, int y, const Fragment& fragment) {
     constexpr double EQUAL = 1 + 1e-12;
     ++preview_.counts.pixels_tested;
@@ -135,7 +135,7 @@ class Previewer {
     pixel = fragment;
   }
 
-  // Calls draw(object) for each, in the file's order.
+  // Calls draw(object) for every object, in the file's order.
   template <class Draw>
   void for_each_object(Fineness fineness, const Draw& draw) {
     Object object;
@@ -149,7 +149,7 @@ class Previewer {
     }
   }
 
-  // Calls draw(facet) for each that may be seen.
+  // Calls draw(facet) for every facet that may be visible.
   template <class Draw>
   void for_each_facet(const Object& object, const Draw& draw) {
     const bool closed = is_closed_to(scene_, object.place, scene_.view.from);
@@ -168,7 +168,7 @@ class Previewer {
     return {to_eye(scene_.view, object.facets.corners[i].at), values};
   }
 
-  // Fills the z-buffer; values(object, facet) gives the function from a corner to its values.
+  // Fills the z-buffer; values(object, facet) returns a function from corners to values.
   template <class Values>
   void draw_facets(Fineness fineness, const Values& values) {
     std::vector<Scanner<3>::Corner> corners;
@@ -203,7 +203,7 @@ class Previewer {
             to_triple(scene_.surfaces[object.tag.surface].colour)};
   }
 
-  // The edges that are not behind a facet of the z-buffer.
+  // Draws the edges that no facet in the z-buffer hides.
   void draw_edges() {
     draw_facets(Fineness::outline,
                 [](const Object&, const Facet&) { return [](std::uint32_t) { return Triple{}; }; });
@@ -227,11 +227,11 @@ class Previewer {
     cue_depth();
   }
 
-  // Most nearness, as a share, by which an edge may be behind what hides it.
+  // An edge shows through a facet up to this relative difference in nearness.
   static constexpr double MOST_SLACK = 0.02;
 
-  // How much nearness grows on a facet from one pixel to the next ones: by so much an edge's may be
-  // less than that of its own facet, where they are sampled.
+  // Growth of nearness from one pixel to its neighbours on a facet. An edge's samples may be less
+  // near than those of its own facet by this amount.
   double eval_slack(const Facet& facet) const {
     const View& view = scene_.view;
     const double offset = std::abs(dot(facet.normal, facet.middle - view.from));
@@ -240,8 +240,8 @@ class Previewer {
            std::max(offset, 1e-300);
   }
 
-  // Mixes what is drawn with the background: the nearest has all of its colour, the farthest a
-  // quarter.
+  // Mixes the drawing with the background: the nearest pixel keeps all of its colour, the farthest
+  // a quarter.
   void cue_depth() {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
     for (const Fragment& pixel : pixels_)
@@ -258,8 +258,8 @@ class Previewer {
     }
   }
 
-  // Calls add(share) for each share of the light that a pixel gets where `ray` hits: the kernels of
-  // the ray tracer, so that the law is the same.
+  // Calls add(share) for each contribution to the light where `ray` hits. It uses the ray tracer's
+  // kernels, so that both follow the same illumination model.
   template <class Add>
   void shine(const Ray& ray, const Hit& hit, bool shadows, const Add& add) {
     Work& work = preview_.work;
@@ -273,7 +273,7 @@ class Previewer {
           work));
   }
 
-  // The colour at a point of a facet with a normal on the seen side.
+  // The colour at a point of a facet, for a normal on the visible side.
   Rgb shade(const Object& object, const Facet& facet, const Vec& point, const Vec& normal) {
     Ray ray;
     ray.origin = scene_.view.from;
@@ -287,13 +287,13 @@ class Previewer {
     return colour;
   }
 
-  // The same at a corner of it, with the object's own normal there; once for each side.
+  // The same at a corner, with the object's own normal; computed once for each side.
   Rgb shade(Object& object, const Facet& facet, std::uint32_t i) {
     auto& colour = object.colours[facet.back][i];
     if (!colour) {
       const auto& corner = object.facets.corners[i];
       const Vec normal = facet.back ? -corner.normal : corner.normal;
-      // As the ray tracer does where a patch's normal is on the other side than its plane's.
+      // The ray tracer does the same if a patch's normal points to the other side of its plane.
       const bool turned =
           object.place.kind() == Kind::patch && dot(normal, corner.at - scene_.view.from) > 0;
       colour = shade(object, facet, corner.at, turned ? facet.normal : normal);
@@ -301,12 +301,12 @@ class Previewer {
     return *colour;
   }
 
-  // The light at the point of the object that is seen there.
+  // Adds the light at the point of the object that the pixel shows.
   void light_pixel(int x, int y, bool shadows) {
     const Fragment& pixel = at(x, y);
     const Ray ray = make_primary(scene_.view, params_, x, y);
     auto hit = intersect_object(scene_, ray, pixel.place, preview_.work);
-    if (!hit) {  // rounding at a rim: the facet is taken for the object
+    if (!hit) {  // rounding at a rim: use the facet instead of the object
       const Tag tag = visit(scene_, pixel.place, [](const auto& p) { return p.tag; });
       const double distance = 1 / (pixel.nearness * dot(ray.direction, scene_.view.ahead));
       Vec normal = normalize(to_vec(pixel.values));

@@ -1,7 +1,7 @@
 #pragma once
-// Pictures that are there before the first ray: a scene by z-buffer, in steps each better and
-// dearer than the one before (L. Bergman et al., Image Rendering by Adaptive Refinement, SIGGRAPH
-// 1986; thesis, 4.1).
+// Preview pictures of a scene by z-buffer, available before the first ray. Each step is better and
+// costs more than the one before (L. Bergman et al., Image Rendering by Adaptive Refinement,
+// SIGGRAPH 1986; thesis, 4.1).
 
 #include "renderer/image/image.hpp"
 #include "renderer/trace/params.hpp"
@@ -9,24 +9,24 @@
 namespace renderer {
 
 enum class PreviewStep : std::uint8_t {
-  points,   ///< corners of polygons, and of what spheres and cones are divided into
-  edges,    ///< edges that nothing hides
-  flat,     ///< facets of one colour, that of their middle
-  gouraud,  ///< colours interpolated between those of the facets' corners
-  phong,    ///< light on the object itself at every pixel, as if nothing hid the lights
-  shadows   ///< the same with a shadow feeler to every light
+  points,   ///< corners of polygons and of the facets of spheres and cones
+  edges,    ///< visible edges
+  flat,     ///< facets of one colour, sampled at their middle
+  gouraud,  ///< colours interpolated between the facets' corners
+  phong,    ///< illumination of the object itself at every pixel, without shadows
+  shadows   ///< `phong` with a shadow feeler to every light
 };
 
 /// By their names above.
 const base::Names<PreviewStep>& preview_steps();
 
-/// What a preview did beside its light, which Work counts, since the ray tracer's kernels make it.
-/// `edges` draws facets twice: to hide, and their edges.
+/// Work of a preview except shading, which Work counts because the ray tracer's kernels do it.
+/// `edges` draws facets twice: for hiding, and for their edges.
 struct PreviewCounts {
-  std::uint64_t vertices = 0;       ///< corners of facets, taken to the image
+  std::uint64_t vertices = 0;       ///< corners of facets, projected onto the image
   std::uint64_t facets = 0;         ///< drawn; not those on the far side of a sphere
   std::uint64_t pixels_tested = 0;  ///< compared with the z-buffer
-  std::uint64_t pixels_drawn = 0;   ///< written, nearer than what was there
+  std::uint64_t pixels_drawn = 0;   ///< written, nearer than the previous content
   bool operator==(const PreviewCounts&) const = default;
 };
 
@@ -38,13 +38,12 @@ struct Preview {
   Work work;
 };
 
-/// The preview of `params.area`. Samples lie where render() has them, and light is as it has it,
-/// but for reflected and transmitted light, which is left out. Polygons and patches are drawn as
-/// they are; spheres and cones as facets so small that their outlines are wrong by half a pixel at
-/// most. `phong` and `shadows` find the point of a pixel on the object that the z-buffer holds for
-/// it: a pixel of `shadows` is that of render() with limits.depth 1 wherever both show the same
-/// object. Points and edges have their surface's colour, less of it the farther away they are, on
-/// the background. The limits have no effect. BadInput as check().
+/// Makes the preview of `params.area`, with the samples of render() and its direct light; reflected
+/// and transmitted light is left out. Polygons and patches are exact. The facets of spheres and
+/// cones change their outlines by at most half a pixel. `phong` and `shadows` compute the point on
+/// the object that the z-buffer holds at a pixel. A pixel of `shadows` equals that of render() with
+/// limits.depth 1 if both show the same object. Points and edges have the colour of their surface
+/// and fade into the background with distance. The limits have no effect. BadInput as check().
 Preview make_preview(const Scene& scene, const Params& params, PreviewStep step);
 
 }  // namespace renderer

@@ -14,13 +14,13 @@ Rgb max(const Rgb& a, const Rgb& b) {
 }
 Rgb mix(const Rgb& a, const Rgb& b, double share) { return (1 - share) * a + share * b; }
 
-// Starts of the parts into which a side is cut at its middle, and its end.
+// Cuts a side at its middle; returns the starts of the parts and the end.
 std::vector<int> cut(int from, int to, int half) {
   if (from + half < to) return {from, from + half, to};
   return {from, to};
 }
 
-// Starts of cells along a side of the image, and its end.
+// Starts of the cells along a side of the image, and the end.
 std::vector<int> cut_image(int pixels, int side) {
   std::vector<int> cuts;
   for (long long at = 0; at < pixels - 1; at += side) cuts.push_back(static_cast<int>(at));
@@ -35,8 +35,7 @@ void append_cells(const std::vector<int>& x, const std::vector<int>& y, std::vec
       cells.push_back({x[column], y[row], x[column + 1], y[row + 1]});
 }
 
-// Colours along a side of a cell, of `count` pixels, whose ends are samples: linear between
-// samples.
+// Colours of the `count` pixels along a cell's side, linear between samples. Both ends are samples.
 template <class At>
 std::vector<Rgb> make_side(int count, const Sampled& sampled, const At& pixel) {
   std::vector<Rgb> side(static_cast<std::size_t>(count));

@@ -1,6 +1,6 @@
 #pragma once
-// Cells of the image (thesis, 4.2.2): rectangles between samples, some of which are at their four
-// corners, and more on their borders where a neighbour is smaller.
+// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners, and with more
+// on borders to smaller neighbours.
 
 #include <vector>
 
@@ -15,21 +15,21 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-/// The larger of a cell's sides, rounded up to a power of two, in steps from pixel to pixel; a cell
-/// of size 1 has no pixel between its corners.
+/// The larger of a cell's sides in pixel steps, rounded up to a power of two. A cell of size 1 has
+/// no pixel between its corners.
 int get_size(const Cell& cell);
 
-/// Cells of `side` steps a side over the image, row by row; the last ones are smaller.
+/// Cells with sides of `side` steps over the image, row by row; the last ones are smaller.
 std::vector<Cell> make_cells(int width, int height, int side);
-/// The cells into which a cell is divided, of half its size: 4, or 2 of a narrow one.
+/// The cells of half the size that a cell is divided into: 4, or 2 of a narrow one.
 std::vector<Cell> divide(const Cell& cell);
-/// Whether a cell has a pixel in an area.
+/// True if a cell has a pixel in an area.
 bool meets(const Cell& cell, const Area& area);
 
 /// The pixels that have been sampled.
 struct Sampled {
   Samples samples;
-  std::vector<std::uint16_t> levels;  ///< of each pixel's shading tree; 0: it is no sample
+  std::vector<std::uint16_t> levels;  ///< of each pixel's shading tree; 0: not a sample
 
   Sampled() = default;
   Sampled(int width, int height) : samples(width, height), levels(samples.sums.size()) {}
@@ -41,22 +41,22 @@ struct Sampled {
   Rgb get(int x, int y) const { return samples.get(static_cast<std::uint32_t>(index(x, y))); }
 };
 
-/// The least and greatest of each colour component.
+/// The minimum and maximum of each colour component.
 struct Range {
   Rgb least, greatest;
 };
-/// The range with one more colour.
+/// The range extended by a colour.
 Range widen(const Range& range, const Rgb& colour);
-/// Over all samples on the border of a cell.
+/// The range of all samples on the border of a cell.
 Range find_range(const Cell& cell, const Sampled& sampled);
 
-/// (max - min) / (max + min), Eq 4.7; 0 for two that are black.
+/// (max - min) / (max + min), Eq 4.7; 0 if both are black.
 double eval_contrast(double least, double greatest);
-/// The greatest of the three components'.
+/// The greatest contrast of the three components.
 double eval_contrast(const Range& range);
 
-/// Gives the pixels of a cell that are no samples a colour in `picture`: along the border linearly
-/// from sample to sample, within bilinearly from the four sides (a Coons patch), and never outside
+/// Interpolates the pixels of a cell that are not samples into `picture`: linearly between samples
+/// on the border, inside by a bilinear Coons patch over the four sides. The result is clamped to
 /// the samples' range. Neighbours agree on their border.
 void interpolate(const Cell& cell, const Sampled& sampled, Samples& picture);
 

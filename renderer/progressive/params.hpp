@@ -1,5 +1,5 @@
 #pragma once
-// What one step of a progressive rendering is asked for (thesis, 4.2.3).
+// Parameters of one step of a progressive rendering (thesis, 4.2.3).
 
 #include <vector>
 
@@ -7,23 +7,22 @@
 
 namespace renderer::progressive {
 
-/// How far a step goes.
+/// Target of one step.
 struct Step {
-  double contrast =
-      0;             ///< contrast (Eq 4.7), 0..1, above which a cell is divided; 0: every cell is
-  int min_cell = 1;  ///< smallest cell, pixels a side: a power of two
-  bool pyramid = true;  ///< whether a cell is divided too that may hide an object (figure 4.4)
+  double contrast = 0;  ///< cells above this contrast (Eq 4.7), 0..1, are divided; 0: all cells
+  int min_cell = 1;     ///< smallest cell, pixels a side: a power of two
+  bool pyramid = true;  ///< also divides cells that may hide an object (figure 4.4)
   int depth = 15;       ///< levels of the shading trees, 1..1000
-  Area area;            ///< of interest: cells that have no pixel in it stay as they are
+  Area area;            ///< of interest: cells without a pixel in it stay unchanged
 };
 
-/// In what an image grows from step to step.
+/// The quantity that grows from step to step.
 enum class Growth : std::uint8_t {
-  cells,  ///< their size is halved, from the first cells' to the last step's; trees are deep (4.6)
+  cells,  ///< cells are halved from the first size to the last; trees are deep (4.6)
   depth   ///< trees grow by a level, from 1 to the last step's; cells are small (figure 4.5)
 };
 
-/// The steps that lead to the last one.
+/// The steps up to and including `last`.
 std::vector<Step> make_steps(Growth growth, int max_cell, const Step& last);
 /// The field "steps" of P.
 template <class P, class Access>
@@ -34,7 +33,7 @@ base::Field<P> growth_field(Access access) {
 }
 
 inline constexpr const char* EXPECTED_SIDE = "a power of two from 1 to 65536";
-/// Whether a cell may have that side.
+/// True if a cell may have that side.
 bool is_side(int side);
 
 /// The fields contrast, min_cell and pyramid.
@@ -55,7 +54,7 @@ base::Field<P> max_cell_field(Access access) {
   return side_field<P>("max_cell", access, "side of the first cells, a power of two");
 }
 
-/// BadInput naming the field, what was found and what was expected.
+/// BadInput with the field, the value found and the values expected.
 void check(const Step& step, const Params& params, int max_cell);
 
 }  // namespace renderer::progressive

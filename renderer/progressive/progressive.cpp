@@ -57,8 +57,8 @@ void Progressive::deepen_border(const Cell& c, int depth) {
       if (sampled_.has(x, y)) want(x, y, depth);
 }
 
-// Threads take samples one by one; what each changes is its own, and sums have no order. Returns
-// false where it was stopped.
+// Threads take samples one by one. Each writes to its own data, and sums do not depend on the
+// order. Returns false if it was stopped.
 bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& counts) {
   for (const Wanted& wanted : wanted_) ++(wanted.from > 0 ? counts.deepened : counts.samples);
   std::vector<std::uint32_t> hits(wanted_.size());
@@ -90,8 +90,8 @@ bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& co
   return true;
 }
 
-// All cells are judged before any is divided, so that their order does not matter. Returns whether
-// any was divided.
+// Judges all cells before it divides any, so that their order does not matter. Returns true if it
+// divided one.
 bool Progressive::divide_cells(const Step& step, StepCounts& counts) {
   std::vector<Verdict> verdicts;
   for (const Cell& cell : cells_) verdicts.push_back(judge(cell, step, counts));

@@ -1,6 +1,6 @@
 #pragma once
-// The sequential ray tracer with increasing realism (thesis, 4.2): an image that its user makes
-// better step by step, by deeper shading trees and by smaller cells, where it is of interest.
+// The sequential ray tracer with increasing realism (thesis, 4.2). Its user improves an image step
+// by step, with deeper shading trees and smaller cells in areas of interest.
 
 #include <functional>
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace renderer::progressive {
 
-/// What one step did.
+/// Counts of one step.
 struct StepCounts {
-  std::uint64_t samples = 0;      ///< new ones
-  std::uint64_t deepened = 0;     ///< samples whose trees were made deeper
+  std::uint64_t samples = 0;      ///< new samples
+  std::uint64_t deepened = 0;     ///< samples with a deepened tree
   std::uint64_t by_contrast = 0;  ///< cells divided because of their contrast
   std::uint64_t by_pyramid = 0;   ///< cells divided because they might hide an object
-  std::uint64_t boxes = 0;        ///< bounds that the pyramid test looked at
+  std::uint64_t boxes = 0;        ///< bounds examined by the pyramid test
   std::uint64_t cells = 0;        ///< of the image after the step
   TreeRays rays;
 };
@@ -25,39 +25,38 @@ struct StepCounts {
 /// 100 N_A / N_T, the penalty of Eq 4.1 to 4.6; 0 for a step without a new ray.
 double get_repeated_percent(const TreeRays& rays);
 
-/// Is asked before every sample, by any thread.
+/// Called before every sample, by any thread; true stops the step.
 using Stop = std::function<bool()>;
 
 class Progressive {
  public:
   /// `scene` must outlive it; `threads` are host threads, at least 1. `params.limits.depth` and
-  /// `params.area` have no effect: a step has its own. BadInput as check().
+  /// `params.area` have no effect: each step has its own. BadInput as check().
   Progressive(const Scene& scene, const Params& params, int max_cell, int threads = 1);
 
-  /// The first step takes a sample at every corner of cells of max_cell steps a side, whatever its
-  /// area. Every step makes the trees of the samples of the cells in its area as deep as it says,
-  /// unless they are already, and divides those cells until none is left that it would divide: of
-  /// those larger than min_cell, one above the contrast, or one that may hold an object that no
-  /// sample has hit. (So after a step over the whole image with min_cell 1 and the pyramid test,
-  /// every object that owns a pixel of the full image has a sample.) What a step does depends on
-  /// the steps before, but not on the number of threads. Returns none where `is_stopped` has ended
-  /// the step: then there is no picture any more. BadInput as check().
+  /// The first step samples every corner of cells of max_cell steps a side, whatever its area.
+  /// Every step deepens the trees of the samples in its area's cells to its depth, and divides
+  /// these cells until none qualifies. A cell larger than min_cell qualifies if it exceeds the
+  /// contrast or may hold an object that no sample has hit. After a step over the whole image with
+  /// min_cell 1 and the pyramid test, every object that owns a pixel of the full image has a
+  /// sample. The result depends on earlier steps, but not on the number of threads. Returns none if
+  /// `is_stopped` ended the step; the picture is then invalid. BadInput as check().
   std::optional<StepCounts> advance(const Step& step, const Stop& is_stopped);
   StepCounts advance(const Step& step) {
     return *advance(step, [] { return false; });
   }
 
-  /// What is displayed: samples as they are, other pixels interpolated.
+  /// The displayed picture: samples as they are, other pixels interpolated.
   Samples make_picture() const;
   const Sampled& sampled() const { return sampled_; }
-  /// Whether a primary ray has hit an object.
+  /// True if a primary ray has hit the object.
   bool is_seen(std::uint32_t object) const { return seen_[object]; }
   const std::vector<Cell>& cells() const { return cells_; }
 
  private:
   struct Wanted {
     int x, y;
-    int from;  // levels that the tree has
+    int from;  // levels that the tree already has
   };
   enum class Verdict { keep, contrast, pyramid };
 

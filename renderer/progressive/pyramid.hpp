@@ -1,6 +1,6 @@
 #pragma once
-// The pyramid test (thesis, 4.2.2, figure 4.4): which objects may be seen through a cell of the
-// image, though its samples, which lie on its border, miss them.
+// The pyramid test (thesis, 4.2.2, figure 4.4) finds objects that may be visible within a cell of
+// the image although the samples on the cell's border miss them.
 
 #include <vector>
 
@@ -8,23 +8,23 @@
 
 namespace renderer::progressive {
 
-/// What is seen between two points of the image plane: a pyramid without an end, from the eye.
+/// An infinite pyramid from the eye through a rectangle of the image plane between two points.
 class Pyramid {
  public:
   Pyramid(const Scene& scene, const PlanePoint& upper_left, const PlanePoint& lower_right);
-  /// Whether a box may reach into the pyramid. It does if a ray within the pyramid, or in its
-  /// sides, meets the box; near its edges a box is taken for inside that is not.
+  /// Conservative test: true if a ray in the pyramid or in its sides meets the box. It can also be
+  /// true for a box outside, near the pyramid's edges.
   bool may_meet(const Bounds& box) const;
 
  private:
   Vec eye_;
-  Vec inward_[5];  // across its sides, and ahead
-  Bounds reach_;   // of the pyramid: on each axis it ends at the eye, or nowhere
+  Vec inward_[5];  // inward normals of its sides, and ahead
+  Bounds reach_;   // bounds of the pyramid: each axis ends at the eye or is infinite
   double tolerance_;
 };
 
-/// Whether the bounds of an object that is not in `seen`, a flag for each object, may reach into
-/// the pyramid. Adds to `boxes` the bounds that it looks at.
+/// True if the bounds of an object outside `seen`, a flag for each object, may reach into the
+/// pyramid. Adds the number of examined bounds to `boxes`.
 bool holds_unseen(const Scene& scene, const Pyramid& pyramid, const std::vector<bool>& seen,
                   std::uint64_t& boxes);
 

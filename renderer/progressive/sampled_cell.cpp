@@ -12,7 +12,7 @@ Point at(const SampledCell& cell, int quarters_right, int quarters_down) {
   return {cell.x + cell.side * quarters_right / 4, cell.y + cell.side * quarters_down / 4};
 }
 
-// The colours at the corners and in the middle of a square, and at the middles of its sides.
+// The colours at a square's corners (a to d), in its middle (m) and at the middles of its sides.
 struct Square {
   Rgb a, b, c, d, m;
   Rgb n, w, e, s;
@@ -23,7 +23,7 @@ Rgb mix(const Rgb& p, double weight_p, const Rgb& q, double weight_q, const Rgb&
   return weight_p * p + weight_q * q + weight_r * r;
 }
 
-// At (u, v) of the unit square, in four triangles: each side and the middle.
+// The colour at (u, v) of the unit square, over four triangles: each side with the middle.
 Rgb eval_four(const Square& s, double u, double v) {
   if (v <= u && v <= 1 - u) return mix(s.a, 1 - u - v, s.b, u - v, s.m, 2 * v);
   if (v >= u && v >= 1 - u) return mix(s.c, v - u, s.d, u + v - 1, s.m, 2 * (1 - v));
@@ -31,8 +31,8 @@ Rgb eval_four(const Square& s, double u, double v) {
   return mix(s.b, u - v, s.d, u + v - 1, s.m, 2 * (1 - u));
 }
 
-// In eight: each half of a side and the middle. `near` is the corner of the half that (u, v) is
-// nearest to, `half` the middle of its side; they are `along` and `across` it from the corner.
+// The same over eight triangles: each half of a side with the middle. `corner` and `half`, a side's
+// middle, are nearest to (u, v). `along` and `across` are distances from the corner.
 Rgb eval_eight(const Square& s, double u, double v) {
   const bool right = u > 0.5, down = v > 0.5;
   const double du = right ? 1 - u : u, dv = down ? 1 - v : v;  // from the corner
@@ -82,7 +82,7 @@ std::array<SampledCell, 4> divide(const SampledCell& cell) {
 
 std::vector<Triangle> triangles_of(const SampledCell& cell) {
   std::vector<Triangle> all;
-  // The points around a middle, and back to the first.
+  // Adds triangles between the middle and consecutive points around it; the last equals the first.
   const auto add_fan = [&](const Point& middle, std::initializer_list<Point> around) {
     for (const Point* p = around.begin(); p + 1 != around.end(); ++p)
       all.push_back({p[0], p[1], middle});
@@ -105,7 +105,7 @@ std::vector<Triangle> triangles_of(const SampledCell& cell) {
 
 namespace {
 
-// Interpolates within a cell that is not sampled at each of its pixels.
+// Interpolates within a cell that has pixels without samples.
 class Interpolation {
  public:
   Interpolation(const SampledCell& cell, std::span<const Rgb> colours)
@@ -119,7 +119,7 @@ class Interpolation {
     whole_.s = colours[8];
   }
 
-  // At (u, v), from 0 to 1.
+  // The colour at (u, v), from 0 to 1.
   Rgb eval(double u, double v) const {
     if (level_ == 1) return eval_four(whole_, u, v);
     if (level_ == 2) return eval_eight(whole_, u, v);

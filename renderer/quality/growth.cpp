@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* WHO = "growth";
 
-// From when on the quality is never less than `least` again; the last point's is not less.
+// The time after which quality stays at or above `least`, which the last point reaches.
 double find_time(std::span<const GrowthPoint> points, double GrowthPoint::*axis, double least) {
   std::size_t first = points.size() - 1;
   while (first > 0 && points[first - 1].quality >= least) --first;

@@ -1,28 +1,28 @@
 #pragma once
-// How fast a picture becomes what it will be.
+// Speed at which a picture approaches its final quality.
 
 #include <span>
 
 namespace renderer {
 
-/// The picture on display from now on.
+/// The picture displayed from this time on.
 struct GrowthPoint {
   double time_s = 0;
-  double rays = 0;     ///< traced until now
-  double work = 0;     ///< done until now, in any unit
+  double rays = 0;     ///< traced so far
+  double work = 0;     ///< done so far, in any unit
   double quality = 0;  ///< such as ssim() with the last picture
 };
 
-/// Figures of a curve of quality over one of time_s, rays and work; in that one's unit.
+/// Figures of the curve of quality over time_s, rays or work; times are in the unit of that axis.
 struct Growth {
   double area = 0;   ///< mean quality from 0 to the last point
-  double to_50 = 0;  ///< from when on quality never is less than 50 % of the last point's
+  double to_50 = 0;  ///< from here on quality is at least 50 % of the last point's
   double to_90 = 0, to_99 = 0;
 };
 
-/// Quality is a step: a point's holds until the next one, and is 0 before the first. Where the last
-/// point lies at 0, the area is its quality. BadInput naming the point, for none, values that
-/// are no numbers, a negative or falling `axis`, or no quality above 0 at the end.
+/// Quality is a step function: each point's value holds until the next point; 0 before the first.
+/// If the last point lies at 0, the area is its quality. BadInput, with the point, for no points,
+/// for values that are not finite, for a negative or falling `axis`, or a final quality <= 0.
 Growth eval_growth(std::span<const GrowthPoint> points,
                    double GrowthPoint::*axis = &GrowthPoint::time_s);
 

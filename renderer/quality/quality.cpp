@@ -6,12 +6,12 @@ namespace renderer {
 
 namespace {
 
-// Sums of whole numbers are exact, so that equal windows have equal moments.
+// Sums of integers are exact, so that equal windows have equal moments.
 using Numbers = std::vector<std::int64_t>;
 
 constexpr std::int64_t LEVEL = 1000;  // luminance of one level
 
-// By pixel, 0..255 * LEVEL.
+// Luminance of each pixel, 0..255 * LEVEL.
 Numbers make_luminance(const Bitmap& picture) {
   Numbers all;
   all.reserve(picture.rgb8.size() / 3);
@@ -29,7 +29,7 @@ void check_pair(const Bitmap& a, const Bitmap& b, const char* who) {
       "equal sizes");
 }
 
-// A window of the size of all that lie in a picture, and how many rows of them there are.
+// The size of a picture's windows, and the number of their rows.
 struct Windows {
   static constexpr int SIDE = 8;
   std::size_t width, columns, rows, down;  // picture's width, window's size, rows of windows
@@ -42,7 +42,7 @@ struct Windows {
 
   // The sum of x[i] * y[i] over each window.
   Numbers sum(const Numbers& x, const Numbers& y) const {
-    Numbers strips(width), sums;  // a strip: the window's rows of one column
+    Numbers strips(width), sums;  // a strip: one column of the windows' rows
     const auto product = [&](std::size_t row, std::size_t column) {
       return x[row * width + column] * y[row * width + column];
     };
@@ -101,7 +101,7 @@ double ssim(const Bitmap& a, const Bitmap& b) {
                 syy = windows.sum(y, y), sxy = windows.sum(x, y);
   const auto n = static_cast<std::int64_t>(windows.columns * windows.rows);
   const double unit = static_cast<double>(n) * LEVEL, square = unit * unit;
-  // The mean of p * q less the product of means, n squared times.
+  // Covariance: the mean of p * q minus the product of the means.
   const auto covariance = [&](std::int64_t pq, std::int64_t p, std::int64_t q) {
     return static_cast<double>(n * pq - p * q) / square;
   };
@@ -117,7 +117,7 @@ double ssim(const Bitmap& a, const Bitmap& b) {
 
 double border_energy(const Bitmap& picture, int side) {
   constexpr const char* WHO = "border_energy";
-  // Each of three values in 1 -2 1 is rounded with a variance of 1/12.
+  // Each of the three values in 1 -2 1 is rounded with a variance of 1/12.
   constexpr double ROUNDING = (1 + 4 + 1) / 12.0;
   check(picture, WHO);
   require(side >= MIN_BORDERED_CELL, WHO, fmt::format("cells of {} pixels", side),
@@ -127,7 +127,7 @@ double border_energy(const Bitmap& picture, int side) {
     double sum = 0, count = 0;
     double eval() const { return count > 0 ? sum / count : 0; }
   } border, inside;
-  // `at` counts along a line of `length` pixels, which are `step` apart.
+  // `at` counts along a line of `length` pixels with indices `step` apart.
   const auto add = [&](std::size_t pixel, int at, int length, std::size_t step) {
     if (at == 0 || at == length - 1) return;
     const double second =

@@ -1,5 +1,5 @@
 #pragma once
-// Polygons to pixels, line by line: what a z-buffer is filled with (thesis, 1.1.4).
+// Scan conversion of polygons for a z-buffer (thesis, 1.1.4).
 
 #include <array>
 #include <vector>
@@ -8,29 +8,29 @@
 
 namespace renderer {
 
-/// The view's axes as coordinates: right, above and ahead of the eye.
+/// Coordinates along the view's axes: right, above and ahead of the eye.
 inline Vec to_eye(const View& view, const Vec& at) {
   const Vec way = at - view.from;
   return {dot(way, view.right), dot(way, view.above), dot(way, view.ahead)};
 }
 
-/// Finds the samples of an image that polygons cover, with N values that are linear in space.
+/// Finds the samples of an image that polygons cover, and interpolates N linear values.
 template <std::size_t N>
 class Scanner {
  public:
   using Values = std::array<double, N>;
   struct Corner {
-    Vec at;  ///< as to_eye() gives it
+    Vec at;  ///< as returned by to_eye()
     Values values{};
   };
 
-  /// Only samples within `area` are found.
+  /// Finds only samples within `area`.
   Scanner(const Raster& raster, const Area& area) : raster_(raster), area_(area) {}
 
-  /// Calls put(x, y, nearness, values) for each sample within a polygon, by the even-odd rule; what
-  /// lies behind the eye is cut off. Values are interpolated along the edges and then along the
-  /// line (H. Gouraud, 1971), which is linear in triangles. Polygons that share an edge ahead of
-  /// the eye never share a sample, and leave none out between them.
+  /// Calls put(x, y, nearness, values) for each sample within a polygon, by the even-odd rule;
+  /// clips the part behind the eye. Values are interpolated along the edges and then along the line
+  /// (H. Gouraud, 1971), which is linear in triangles. Polygons that share an edge ahead of the eye
+  /// neither share samples nor leave a gap.
   template <class Put>
   void scan(const std::vector<Corner>& corners, const Put& put) {
     project(corners, find_near(corners));
@@ -42,8 +42,8 @@ class Scanner {
     for (int y = first; y < end; ++y) scan_line(y, put);
   }
 
-  /// Calls put(x, y, nearness, values) along the line from `a` to `b`, a sample for each column or
-  /// each row, whichever are more; what lies behind the eye is cut off.
+  /// Calls put(x, y, nearness, values) along the line from `a` to `b`, once for each column or row,
+  /// whichever are more. Clips the part behind the eye.
   template <class Put>
   void draw_line(const Corner& a, const Corner& b, const Put& put) {
     project({a, b}, 1e-9 * std::max(max_abs(a.at), max_abs(b.at)));
@@ -71,14 +71,14 @@ class Scanner {
   }
 
  private:
-  // A point of the image; values are times nearness, which makes them linear in the image.
+  // A point of the image; values are multiplied by nearness, which makes them linear in the image.
   struct Spot {
     double x, y;      // in pixels, (0, 0) is the first sample
     double nearness;  // 1 over the distance ahead
     Values values;
   };
 
-  // The least whole number that is not less than `at`, between `start` and `start + length`.
+  // The least integer not less than `at`, clamped to `start`..`start + length`.
   static int clip_up(double at, int start, int length) {
     return static_cast<int>(
         std::ceil(std::clamp(at, static_cast<double>(start), static_cast<double>(start + length))));
@@ -99,16 +99,16 @@ class Scanner {
     spots_.push_back(spot);
   }
 
-  // Half the least distance ahead at which a sample may meet the polygon's plane, so that what is
-  // cut off before is not seen and what is left is not so near that rounding would show; 0 if the
-  // plane is seen from its edge.
+  // The near plane: half the least distance ahead at which a sample can meet the polygon's plane.
+  // It clips nothing visible, and the rest is far enough for rounding to be harmless. 0 if the
+  // plane is seen edge-on.
   double find_near(const std::vector<Corner>& corners) const {
     Vec normal, middle;
     for (const Corner& c : corners) middle += (1.0 / static_cast<double>(corners.size())) * c.at;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
       normal += cross(corners[j].at - middle, corners[i].at - middle);
-    // Along the way (x, y, 1) the plane is dot(normal, middle) / dot(normal, way) ahead; the
-    // greatest divisor is that of a corner of the area.
+    // Along the direction (x, y, 1) the plane is dot(normal, middle) / dot(normal, way) ahead. The
+    // divisor is greatest at a corner of the area.
     double most = 0;
     for (const int x : {area_.x, area_.x + area_.width})
       for (const int y : {area_.y, area_.y + area_.height})
@@ -117,7 +117,7 @@ class Scanner {
     return most > 0 ? 0.5 * std::abs(dot(normal, middle)) / most : 0;
   }
 
-  // Fills spots_ with the corners at least `near` ahead, and with the ends of what is cut off.
+  // Fills spots_ with the corners at least `near` ahead, and with the points on the near plane.
   void project(const std::vector<Corner>& corners, double near) {
     spots_.clear();
     if (!(near > 0)) return;
@@ -142,7 +142,7 @@ class Scanner {
     const Spot* last = &spots_.back();
     for (const Spot& spot : spots_) {
       if ((spot.y < y) != (last->y < y)) {
-        // From above to below: polygons that share the edge agree to the last bit.
+        // Ordered from above to below, so that polygons agree on a shared edge to the last bit.
         const Spot &a = spot.y < y ? spot : *last, &b = spot.y < y ? *last : spot;
         crossings_.push_back(mix(a, b, (y - a.y) / (b.y - a.y)));
       }

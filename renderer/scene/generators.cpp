@@ -11,7 +11,7 @@ namespace renderer {
 
 namespace {
 
-// Directions to the nine children of a sphere that was carried towards +z itself: six around its
+// Directions to a sphere's nine children, if the sphere itself lies towards +z: six around its
 // equator, 15 degrees off the axes, and three above.
 std::array<Vec, 9> make_directions() {
   const double s = (std::sqrt(6.0) - std::sqrt(2.0)) / 4, c = (std::sqrt(6.0) + std::sqrt(2.0)) / 4;
@@ -27,8 +27,8 @@ std::array<Vec, 9> make_directions() {
            {h, -h, 0}}};
 }
 
-// `v` turned as +z turns to the unit vector `to`, about the axis across both; no sines, so that
-// every machine gets the same bits.
+// Applies to `v` the rotation from +z to the unit vector `to`, about the axis across both. Without
+// sines, so that every machine gets the same bits.
 Vec turn(const Vec& v, const Vec& to) {
   const double d = 1 + to.z;
   if (d < 1e-12) return {-v.x, v.y, -v.z};  // half a turn about y
@@ -59,8 +59,8 @@ std::vector<Flake> make_sphereflake(std::size_t n) {
   return flakes;
 }
 
-// Rounds to six significant digits, as the SPD's own program writes its numbers. Where spheres
-// touch, the paths of rays depend on it: only so are ray counts those of the SPD's files.
+// Rounds to six significant digits, like the SPD's own program. The paths of rays between touching
+// spheres depend on it: only this rounding yields the ray counts of the SPD's files.
 double round_to_six_digits(double value) {
   char text[32];
   const char* end = fmt::format_to(text, "{:.6g}", value);
@@ -74,7 +74,7 @@ void add_rectangle(Scene& scene, const Vec& corner, const Vec& u, const Vec& v) 
   add_polygon(scene, corners);
 }
 
-// A block between two opposite corners; its six faces look outwards.
+// A block between two opposite corners; its six faces point outwards.
 void add_block(Scene& scene, const Vec& lo, const Vec& hi) {
   const Vec x{hi.x - lo.x, 0, 0}, y{0, hi.y - lo.y, 0}, z{0, 0, hi.z - lo.z};
   add_rectangle(scene, lo, y, x);
@@ -87,7 +87,7 @@ void add_block(Scene& scene, const Vec& lo, const Vec& hi) {
 
 constexpr double ROOM_X = 5, ROOM_Y = 5, ROOM_Z = 2.7;
 
-// Columns and rows of a grid below the ceiling, filled from the first.
+// A grid of lights below the ceiling, filled row by row.
 void add_room_lights(Scene& scene, int lights) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(lights)));
   const int rows = (lights + columns - 1) / columns;
@@ -98,7 +98,7 @@ void add_room_lights(Scene& scene, int lights) {
                             {intensity, intensity, intensity}});
 }
 
-// The back wall is around the window.
+// Walls of the room; the back wall surrounds the window.
 void add_room_walls(Scene& scene, const Vec& window_lo, const Vec& window_hi) {
   const Vec x{ROOM_X, 0, 0}, y{0, ROOM_Y, 0}, z{0, 0, ROOM_Z}, back = y;
   add_rectangle(scene, {0, 0, 0}, z, x);
@@ -113,7 +113,7 @@ void add_room_walls(Scene& scene, const Vec& window_lo, const Vec& window_hi) {
                 {0, 0, height});
 }
 
-// Legs, and a rail from each to the next below the top.
+// Legs, and rails between neighbouring legs below the top.
 void add_table_frame(Scene& scene, const Vec& lo, const Vec& hi) {
   constexpr double RADIUS = 0.03;
   const Vec feet[] = {{lo.x, lo.y, 0}, {hi.x, lo.y, 0}, {hi.x, hi.y, 0}, {lo.x, hi.y, 0}};

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes made by a formula.
+// Procedural scenes.
 
 #include <string_view>
 
@@ -14,10 +14,10 @@ inline constexpr int MAX_ROOM_LIGHTS = 10'000;
 /// a floor, which is object 0; three lights. BadInput unless 1 <= n <= MAX_SPHERES.
 Scene make_spheres(int n);
 
-/// "room:L": a room in the manner of the thesis's test image (4.2.1) with `lights` point lights
-/// below its ceiling: a table with a glass top on a metal frame and a glazed window, the two in the
-/// foreground; a polished floor, and walls so hardly specular that what they mirror is less than a
-/// step of an 8-bit image. BadInput unless 1 <= lights <= MAX_ROOM_LIGHTS.
+/// "room:L": a room like the thesis's test image (4.2.1) with `lights` point lights below its
+/// ceiling. In the foreground stand a table, with a glass top on a metal frame, and a glazed
+/// window. The floor is polished; the walls are so hardly specular that their reflections are less
+/// than a step of an 8-bit image. BadInput unless 1 <= lights <= MAX_ROOM_LIGHTS.
 Scene make_room(int lights);
 
 /// A generator of scenes, named "name:N".

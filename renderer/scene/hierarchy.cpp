@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t NONE = Box::INNER;
 
-// Nodes that insertion may look at, of any scene and for each of its objects.
+// Limits of the nodes visited by insertion: a constant plus a number for each object.
 constexpr std::size_t MOST_LOOKS = 10'000'000, MOST_LOOKS_PER_OBJECT = 2000;
 
 struct Node {
@@ -23,7 +23,7 @@ struct Node {
 struct Tree {
   std::vector<Node> nodes;
   std::uint32_t root = NONE;
-  std::size_t looks = 0;  // at nodes, by insertion
+  std::size_t looks = 0;  // nodes visited by insertion
 };
 
 std::uint32_t add_node(Tree& tree, const Bounds& bounds, std::uint32_t item) {
@@ -36,7 +36,7 @@ void append_child(Tree& tree, std::uint32_t parent, std::uint32_t child) {
   tree.nodes[child].parent = parent;
 }
 
-// Puts an inner node in the place of `leaf` and `leaf` under it.
+// Replaces `leaf` by an inner node with `leaf` as its child.
 std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
   const std::uint32_t inner = add_node(tree, tree.nodes[leaf].bounds, NONE);
   const std::uint32_t parent = tree.nodes[leaf].parent;
@@ -59,14 +59,14 @@ struct Choice {
   }
 };
 
-// A way down the tree; `inherited` is what the nodes above `node` cost more.
+// A path down the tree; `inherited` is the added cost of the nodes above `node`.
 struct Way {
   std::uint32_t node;
   double inherited;
 };
 
-// Weighs `object` as one more child of `way.node` and in a pair with each of the leaves under it;
-// adds the ways on to `ways`.
+// Computes the cost of `object` as another child of `way.node` and in a pair with each leaf under
+// it. Appends the further paths to `ways`.
 void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
            std::vector<Way>& ways) {
   const Node& n = tree.nodes[way.node];
@@ -88,12 +88,12 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
   std::reverse(ways.begin() + static_cast<std::ptrdiff_t>(before), ways.end());
 }
 
-// The node that `object` should join: an inner one as one more child, a leaf to form a pair.
-// A node costs its area times its children; a choice at any level also pays for the growth of
-// every node above it. The way down leads to the child, box or leaf, that grows least; it ends at
-// a leaf, and where nothing below can be better, as every place costs the object's own area.
-// If children grow equally (several boxes contain the object), every one is tried: where
-// Goldsmith and Salmon take the one of the nearest centre, or any, the least cost decides here.
+// The node that `object` should join: an inner node as another child, or a leaf to form a pair. The
+// cost of a node is its area times its number of children; a choice also pays for the growth of all
+// nodes above. The search descends to the child, box or leaf, that grows least. It ends at a leaf,
+// or when no node below can be better, as every place costs at least the object's own area. If
+// children grow equally (several boxes contain the object), it tries all and takes the least cost.
+// Goldsmith and Salmon take the child with the nearest centre, or any.
 std::uint32_t find_place(Tree& tree, const Bounds& object) {
   Choice best{tree.root};
   if (tree.nodes[tree.root].item != NONE) return best.node;
@@ -122,8 +122,8 @@ void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
     tree.nodes[up].bounds = join(tree.nodes[up].bounds, object);
 }
 
-// Adds a tree of these items, halved again and again along the axis on which their middles spread
-// most; returns its root.
+// Adds a tree of these items and returns its root. Splits recursively at the median of the centres,
+// along the axis of their largest spread.
 std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
                          std::span<std::uint32_t> items) {
   if (items.size() == 1) return add_node(tree, objects[items[0]], items[0]);
@@ -144,7 +144,7 @@ std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
   return inner;
 }
 
-// Adds the objects from `first` on without looking for the best place of each.
+// Adds the objects from `first` on without searching the best place of each.
 void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   std::vector<std::uint32_t> items(objects.size() - first);
   std::iota(items.begin(), items.end(), static_cast<std::uint32_t>(first));
@@ -156,7 +156,7 @@ void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   tree.root = both;
 }
 
-// The bounds of all boxes when those of the objects are these.
+// The bounds of all boxes for these bounds of the objects.
 std::vector<Bounds> eval_bounds(const std::vector<Box>& boxes, std::span<const Bounds> objects) {
   std::vector<Bounds> all(boxes.size());
   for (std::size_t i = boxes.size(); i-- > 0;) {
@@ -174,7 +174,7 @@ Bounds mix(const Bounds& a, const Bounds& b, double share) {
   return {(1 - share) * a.lo + share * b.lo, (1 - share) * a.hi + share * b.hi};
 }
 
-// Boxes that are where their objects are when the shutter opens, and move as they do.
+// Sets the boxes' bounds when the shutter opens, and their motion with the objects.
 void set_motion(Hierarchy& hierarchy, std::span<const Bounds> at_open,
                 std::span<const Bounds> at_close) {
   auto& boxes = hierarchy.boxes;
@@ -185,7 +185,7 @@ void set_motion(Hierarchy& hierarchy, std::span<const Bounds> at_open,
   }
 }
 
-// What a ray is expected to cost, as find_place() has it, on average over three moments.
+// Expected cost of a ray, as in find_place(), averaged over three times.
 double eval_cost(const Hierarchy& hierarchy) {
   const auto& boxes = hierarchy.boxes;
   double cost = 0;
@@ -205,15 +205,15 @@ double eval_cost(const Hierarchy& hierarchy) {
 Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   Tree tree;
   tree.nodes.reserve(2 * objects.size());
-  // Insertion takes a time that grows with the square where many objects lie in one place: each is
-  // one more child of one box.
+  // Insertion takes quadratic time if many objects lie in one place: all become children of the
+  // same box.
   const std::size_t most = MOST_LOOKS + MOST_LOOKS_PER_OBJECT * objects.size();
   std::size_t inserted = 0;
   for (; inserted < objects.size() && tree.looks <= most; ++inserted)
     insert(tree, objects[inserted], static_cast<std::uint32_t>(inserted));
   if (inserted < objects.size()) add_rest(tree, objects, inserted);
 
-  // Depth first; a box's skip is known when all that is in it has been stored.
+  // Depth first; a box's skip is known after all of its content has been stored.
   struct Step {
     std::uint32_t index;
     bool ends_box;  // the index is a box's, not a node's
@@ -239,7 +239,7 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   return flat;
 }
 
-// Insertion is greedy: which moment's order of places is best cannot be foreseen.
+// Insertion is greedy: the best of the three times to build at is not known in advance.
 Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close) {
   Hierarchy best;
   double least = Bounds::INF;

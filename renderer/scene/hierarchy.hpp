@@ -1,7 +1,7 @@
 #pragma once
 // Automatic bounding-volume hierarchy: J. Goldsmith and J. Salmon, "Automatic Creation of Object
-// Hierarchies for Ray Tracing", IEEE CG&A 7(5), 1987. Objects are inserted one by one, in the
-// order given, each where the expected number of tests per ray grows least.
+// Hierarchies for Ray Tracing", IEEE CG&A 7(5), 1987. Inserts objects one by one, in the given
+// order, each where the expected number of tests per ray grows least.
 
 #include <cstdint>
 #include <limits>
@@ -16,27 +16,27 @@ namespace renderer {
 struct alignas(64) Box {
   static constexpr std::uint32_t INNER = std::numeric_limits<std::uint32_t>::max();
   Bounds bounds;
-  std::uint32_t skip = 0;      ///< index of the next box when this one is missed
-  std::uint32_t item = INNER;  ///< what a leaf holds; INNER for a box of boxes
+  std::uint32_t skip = 0;      ///< index of the next box if this one is missed
+  std::uint32_t item = INNER;  ///< a leaf's object; INNER for a box of boxes
 };
 
-/// Depth first, children in the order they were inserted: a walk needs no stack. After a box that
-/// is met comes the one stored next, after one that is missed the one at its `skip`.
+/// Boxes depth first, children in the order of insertion, so that traversal needs no stack. The
+/// next box is the following one after a hit, and the one at `skip` after a miss.
 struct Hierarchy {
   std::vector<Box> boxes;
-  /// In a scene where objects move: how far the corners of each box do while the shutter is open.
-  /// They move evenly, as the objects do, so that a box holds what is in it all the time (A.
-  /// Glassner, "Spacetime Ray Tracing for Animation", 1988). The boxes are where they are when it
-  /// opens. Empty: nothing moves.
+  /// Displacement of each box's corners while the shutter is open, in a scene with motion. Corners
+  /// move linearly like the objects, so that a box always contains its objects (A. Glassner,
+  /// "Spacetime Ray Tracing for Animation", 1988). `boxes` holds the bounds when the shutter opens.
+  /// Empty: no motion.
   std::vector<Bounds> moves;
 };
 
-/// A leaf's `item` is the object's index in `objects`. No objects, no boxes. Where insertion would
-/// take a time that grows with the square of their number, as for many objects in one place, the
-/// last ones are not inserted but halved by place again and again.
+/// A leaf's `item` is the object's index in `objects`. No objects, no boxes. If insertion would
+/// take quadratic time, as for many objects in one place, the last ones are split recursively at
+/// medians instead.
 Hierarchy make_hierarchy(std::span<const Bounds> objects);
-/// The same of objects that move, from where they are when the shutter opens to where they are when
-/// it closes: of those made of where they are then and halfway, the one of least expected cost.
+/// The same for objects that move between their bounds when the shutter opens and when it closes.
+/// Builds hierarchies for both times and halfway, and returns the one of least expected cost.
 Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close);
 
 }  // namespace renderer

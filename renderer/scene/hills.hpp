@@ -1,5 +1,5 @@
 #pragma once
-// A landscape of triangles, for scenes of many objects that all differ.
+// A landscape of triangles, for scenes with many objects that all differ.
 
 #include "renderer/scene/scene.hpp"
 
@@ -7,12 +7,12 @@ namespace renderer {
 
 inline constexpr int MAX_HILLS = 1'000'000;
 
-/// "hills:N": exactly `n` triangles, a lake between hills before mountains with snow. All `n` show
-/// the same fractal ground, the finer the more there are. The triangles hang together without
-/// cracks, and grow with their distance from the view point, so that they look alike in size. Water
-/// is flat and mirrors; on land, normals are interpolated, but on a few splinters. Two lights. z is
-/// up. The coordinates are made of sums, products and roots of a fixed seed's numbers: every
-/// machine gets the same bits. BadInput unless 2 <= n <= MAX_HILLS.
+/// "hills:N": exactly `n` triangles, with a lake between hills in front of snowy mountains. Every
+/// `n` shows the same fractal ground, finer with more triangles. The mesh has no cracks, and
+/// triangles grow with distance from the view point, so that they look alike in size. Water is flat
+/// and mirrors; on land, normals are interpolated except on a few splinters. Two lights. z is up.
+/// Coordinates are sums, products and roots of seeded random numbers: every machine gets the same
+/// bits. BadInput unless 2 <= n <= MAX_HILLS.
 Scene make_hills(int n);
 
 }  // namespace renderer

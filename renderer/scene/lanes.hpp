@@ -1,6 +1,6 @@
 #pragma once
-// Four numbers, points or colours at once: what is done to each lane is what would be done to a
-// number alone, bit for bit, only faster where the processor has wide registers.
+// SIMD arithmetic on four numbers, points or colours. Each lane gets the same bits as a scalar,
+// only faster on processors with wide registers.
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include "renderer/scene/vec.hpp"
 
-// GCC makes such a function once for processors with wide registers and once for all others; which
-// one is called is found when the program starts, but not before a sanitizer is ready for it.
-// (No fused multiply-add: results are the same.)
+// GCC compiles such a function twice, for wide registers and for all other processors. The program
+// selects one when it starts, which is too early for sanitizers. (Without fused multiply-add,
+// results are the same.)
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TLAB_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
@@ -19,8 +19,7 @@
 #define TLAB_WIDE_REGISTERS
 #endif
 
-// Lanes are passed to inlined functions only: that others would pass them otherwise does not
-// matter.
+// Lanes are passed to inlined functions only, so that calling conventions do not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace renderer {
@@ -28,13 +27,13 @@ namespace renderer {
 inline constexpr std::size_t LANES = 4;
 
 using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
-/// Whole numbers; of a comparison -1 in lanes where it holds and 0 elsewhere.
+/// Integers; a comparison yields -1 in lanes where it holds and 0 elsewhere.
 using Mask = std::int64_t __attribute__((vector_size(LANES * sizeof(std::int64_t))));
 
 [[gnu::always_inline]] inline bool holds_any(const Mask& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
-/// Number of lanes in which it holds; of a sum of masks, the total over them.
+/// Number of lanes that the mask selects; for a sum of masks, the total over them.
 [[gnu::always_inline]] inline std::uint64_t count(const Mask& mask) {
   return static_cast<std::uint64_t>(-(mask[0] + mask[1] + mask[2] + mask[3]));
 }
@@ -85,7 +84,7 @@ struct Rgbs {
 [[gnu::always_inline]] inline Lanes sqrt(const Lanes& a) {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
-/// As std::clamp() of each.
+/// std::clamp() of each lane.
 [[gnu::always_inline]] inline Lanes clamp(const Lanes& a, double lo, double hi) {
   const Lanes least = a < lo ? lo - Lanes{} : a;
   return hi < least ? hi - Lanes{} : least;

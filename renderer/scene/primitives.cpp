@@ -6,10 +6,10 @@ namespace renderer {
 
 namespace {
 
-// Shares of a polygon's size, and of its square.
+// Relative to a polygon's size and to its square.
 constexpr double MAX_BEND = 0.05, MIN_AREA = 1e-12;
 
-// By Newell's method: right for any simple polygon, concave ones and nearly flat ones included.
+// Newell's method: correct for any simple polygon, also if it is concave or only nearly flat.
 Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   Vec sum;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
@@ -120,7 +120,7 @@ Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool) {
 }
 
 Bounds make_bounds(const Cone& cone) {
-  // A disc of radius r across unit axis a reaches r * sqrt(1 - a_i^2) along coordinate i.
+  // A disc of radius r across unit axis a extends r * sqrt(1 - a_i^2) along coordinate i.
   const Vec& a = cone.axis;
   const auto reach = [](double c) { return std::sqrt(std::max(0.0, 1 - c * c)); };
   const Vec across{reach(a.x), reach(a.y), reach(a.z)};
@@ -155,7 +155,7 @@ Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::spa
     const double below = a_size * b_size + a.u * b.u + a.v * b.v;
     // On the edge itself: linear between its ends.
     if (!(below > 0)) return {b_size * value_a + a_size * value_b, Blend::On::edge};
-    const double half_tan = (a.u * b.v - a.v * b.u) / below;  // of the angle the edge is seen under
+    const double half_tan = (a.u * b.v - a.v * b.u) / below;  // of the angle subtended by the edge
     sum += (half_tan / a_size) * value_a + (half_tan / b_size) * value_b;
   }
   return {sum};

@@ -5,7 +5,7 @@
 
 namespace renderer {
 
-/// Throws unless `holds`; the caller that knows the place adds it.
+/// Throws unless `holds`; the caller adds the place.
 template <class Found>
 void require(bool holds, const Found& found, std::string_view expected) {
   if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
@@ -17,7 +17,7 @@ void require(bool holds, std::string_view field, const Found& found, std::string
   base::require(holds, field, "found {}, expected {}", found, expected);
 }
 
-/// Throws, naming the field, unless each has a value that its declaration allows.
+/// Throws, with the field's name, unless the declarations allow all values.
 template <class P>
 void require_allowed(const base::Fields<P>& fields, const P& params) {
   for (const auto& field : fields) {
@@ -26,7 +26,7 @@ void require_allowed(const base::Fields<P>& fields, const P& params) {
   }
 }
 
-/// Runs `action`; a BadInput that it throws is thrown again with `place` before it.
+/// Runs `action`; prefixes a BadInput from it with `place`.
 template <class Action>
 void at_place(std::string_view place, const Action& action) {
   try {

@@ -16,7 +16,7 @@ bool has_mesh_texture(const Scene& scene) {
   return texture != NO_TEXTURE && scene.textures[texture].mapping.kind == Mapping::Kind::mesh;
 }
 
-// `shape` is what is to be added, `corners` how many it has with texture coordinates.
+// `shape` is the new object; `corners` is its number of corners with texture coordinates.
 Tag make_tag(const Scene& scene, std::string_view shape, std::size_t corners = 0) {
   require(!scene.surfaces.empty(), "a primitive", "a surface ('f') before the first primitive");
   require(scene.objects.size() < MAX_OBJECTS, "more objects",
@@ -39,14 +39,14 @@ void check_coordinates(std::span<const Vec> corners, std::span<const Corner> coo
           "one pair each");
 }
 
-// Of the polygon whose corners are the last.
+// Stores coordinates for the last polygon's corners.
 void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
   if (coordinates.empty() || !has_mesh_texture(scene)) return;
   scene.coordinates.resize(scene.corners.size() - coordinates.size());
   for (const auto& [u, v] : coordinates) scene.coordinates.push_back({u, v, 1});
 }
 
-// How coordinates grow over a polygon: the plane that fits them best, which in a triangle is exact.
+// Sets the gradients of a polygon's coordinates, by a least-squares plane; exact in a triangle.
 void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const Corner> corners,
                    std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
@@ -106,14 +106,14 @@ std::vector<Bounds> move_all(const std::vector<Bounds>& bounds, const std::vecto
   return moved;
 }
 
-// The least length of a vector on its way from `open`, when it goes as far as `move`.
+// The least length of a vector while it moves from `open` by `move`.
 double eval_least_length(const Vec& open, const Vec& move) {
   const double square = dot(move, move);
   const double time = square > 0 ? std::clamp(-dot(open, move) / square, 0.0, 1.0) : 0.0;
   return length(open + time * move);
 }
 
-// Throws unless the view, which is possible when the shutter opens, is so until it closes.
+// Throws unless the view, valid when the shutter opens, remains valid until it closes.
 void check_motion(const View& view) {
   const Vec open = view.at - view.from, move = view.at_move - view.from_move;
   const double longest = std::max(length(open), length(open + move));
@@ -174,7 +174,7 @@ void point(View& view) {
   view.above = cross(view.right, view.ahead);
 }
 
-// tan() in extended precision and rounded: the same double whichever library computes it.
+// tan() is rounded from extended precision, so that every library yields the same double.
 View make_image_plane(View view) {
   require(view.angle > 0 && view.angle < 180, fmt::format("a view angle of {}", view.angle),
           "degrees between 0 and 180");
@@ -197,7 +197,7 @@ TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std:
     if constexpr (requires { primitive.count; })
       return find_mesh_point(scene, primitive, point);
     else
-      return TexturePoint{};  // no other has a mesh's texture
+      return TexturePoint{};  // others have no texture by coordinates
   });
 }
 

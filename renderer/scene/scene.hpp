@@ -17,36 +17,36 @@ struct Surface {
   double ks = 0;     ///< specular, 0..1
   double shine = 0;  ///< Phong's exponent, >= 0
   double t = 0;      ///< transmitted, 0..1
-  double ior = 1;    ///< index of refraction relative to outside; > 0 where t > 0
-  /// Radius of the disc, across the mirrored ray at distance 1, over which reflected rays are
-  /// spread, 0..1; 0: a mirror. (R. Cook et al., 1984.)
+  double ior = 1;    ///< index of refraction relative to outside; > 0 if t > 0
+  /// Radius of the disc over which reflected rays spread, across the mirrored ray at distance 1,
+  /// 0..1; 0: a mirror. (R. Cook et al., 1984.)
   double gloss = 0;
-  double translucency = 0;             ///< the same of transmitted rays
+  double translucency = 0;             ///< the same for transmitted rays
   std::uint32_t texture = NO_TEXTURE;  ///< index in Scene::textures; its colour times `colour`
 };
 
 enum class LightShape : std::uint8_t { point, rectangle, sphere };
 
-/// A light is not seen itself, and does not grow weaker with distance. All points of a rectangle or
-/// a sphere shine alike in all directions.
+/// Lights are invisible, and do not weaken with distance. All points of a rectangle or a sphere
+/// emit equally in all directions.
 struct Light {
   Vec at;  ///< its middle
   Rgb intensity{1, 1, 1};
   LightShape shape = LightShape::point;
-  Vec u{}, v{};       ///< a rectangle's: from its middle to the middles of two of its edges
-  double radius = 0;  ///< a sphere's
+  Vec u{}, v{};       ///< of a rectangle: from its middle to two edges' middles
+  double radius = 0;  ///< of a sphere
 };
 
-/// A thin lens, whose middle is the view point (M. Potmesil and I. Chakravarty, 1981).
+/// A thin lens centred on the view point (M. Potmesil and I. Chakravarty, 1981).
 struct Lens {
   double aperture = 0;  ///< diameter, scene units, >= 0; 0: a pinhole, all is in focus
   double focus = 1;  ///< distance along the view to the plane in focus, scene units, from MIN_FOCUS
 };
 inline constexpr double MIN_FOCUS = 1e-9;
-/// Most that a rendering may multiply an aperture with.
+/// Maximum factor for the aperture in a rendering.
 inline constexpr double MAX_LENS = 10;
 
-/// Most pixels that an image may have along a side.
+/// Maximum number of pixels along an image's side.
 inline constexpr int MAX_SIDE = 65536;
 
 /// NFF's `v`. The angle spans the height of the image; pixels are square.
@@ -54,19 +54,19 @@ struct View {
   Vec from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
   double angle = 45;              ///< degrees, 0..180 exclusive
   double hither = 0;              ///< has no effect: rays start at `from`
-  int width = 512, height = 512;  ///< resolution that the file asks for, pixels
+  int width = 512, height = 512;  ///< resolution from the file, pixels
   Lens lens{};
   Vec from_move{}, at_move{};  ///< of `from` and `at` while the shutter is open, scene units
   // Derived by make_image_plane():
   Vec right{}, above{}, ahead{};  ///< unit, of the image plane
   double half_height = 0;         ///< of the image plane at distance 1
   bool has_motion =
-      false;  ///< derived by finish(): it or an object moves while the shutter is open
+      false;  ///< derived by finish(): the view or an object moves while the shutter is open
 };
 
 enum class Kind : std::uint8_t { sphere, polygon, patch, cone };
 
-/// Where an object is stored: a kind and an index, in 32 bits.
+/// Storage location of an object: a kind and an index, in 32 bits.
 struct Place {
   std::uint32_t bits = 0;
   static Place of(Kind kind, std::size_t index) {
@@ -76,7 +76,7 @@ struct Place {
   std::uint32_t index() const { return bits >> 2; }
 };
 
-/// Fill the lists with the add_ functions, then call finish(); once more after translate().
+/// Fill the lists with the add_ functions, then call finish(), again after each translate().
 struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Light> lights;
@@ -92,20 +92,19 @@ struct Scene {
   std::vector<Vec> normals;     ///< of patches' corners
   std::vector<Texture> textures;
   std::vector<Pyramid> pyramids;  ///< their pictures
-  /// (u, v, 1) of corners, by their index in `corners`, for polygons and patches that have a
-  /// texture by coordinates; of others there is anything or none.
+  /// (u, v, 1) of corners, by their index in `corners`, for polygons and patches with a texture by
+  /// coordinates; entries of others are undefined or missing.
   std::vector<Vec> coordinates;
-  /// How far each object moves while the shutter is open, by its index; empty: nothing moves. The
-  /// primitives are where they are when it opens.
+  /// Displacement of each object while the shutter is open, by its index; empty: no motion. The
+  /// primitives are stored as they are when it opens.
   std::vector<Vec> moves;
-  /// How far translate() has moved each object, and its texture with it, by its index; empty: none.
+  /// Displacement by translate() of each object and its texture, by its index; empty: none.
   std::vector<Vec> displacements;
   Hierarchy hierarchy;  ///< a leaf's item is a Place's bits
   double epsilon = 0;   ///< least distance of a hit: 1e-10 of the largest coordinate
 };
 
-/// Calls `f` with the Sphere, Polygon, Patch or Cone that is stored at a place. Inlined as
-/// the kernels are.
+/// Calls `f` with the Sphere, Polygon, Patch or Cone at a place. Inlined like the kernels.
 template <class F>
 [[gnu::always_inline]] inline auto visit(const Scene& scene, Place place, const F& f) {
   switch (place.kind()) {
@@ -120,9 +119,9 @@ template <class F>
   }
 }
 
-// Each adds one object, which has the surface added last. BadInput for a degenerate shape, for a
-// scene without surfaces, beyond 2^30 objects, and where the surface's texture needs coordinates,
-// one of each corner, and the object has none.
+// Each adds an object with the surface added last. BadInput for a degenerate shape, for a scene
+// without surfaces, beyond 2^30 objects, and for a missing texture coordinate at any corner if the
+// surface's texture needs them.
 void add_sphere(Scene& scene, const Vec& centre, double radius);
 void add_polygon(Scene& scene, std::span<const Vec> corners,
                  std::span<const Corner> coordinates = {});
@@ -131,32 +130,31 @@ void add_patch(Scene& scene, std::span<const Vec> corners, std::span<const Vec> 
 void add_cone(Scene& scene, const Vec& base, double base_radius, const Vec& apex,
               double apex_radius);
 
-/// Moves an object. finish() is to be called after it.
+/// Moves an object; call finish() afterwards.
 void translate(Scene& scene, std::uint32_t object, const Vec& by);
 
-/// Derives right, above and ahead anew from `from`, `at` and `up`, which must be possible.
+/// Derives right, above and ahead from `from`, `at` and `up`, which must be valid.
 void point(View& view);
-/// The view with what is derived; BadInput for an impossible one.
+/// The view with its derived fields; BadInput for an impossible one.
 View make_image_plane(View view);
 
-/// Derives the view's image plane, the hierarchy (boxes grown by 1e-12 of the largest coordinate,
-/// so that rounding never makes a ray miss the box of what it hits) and epsilon. BadInput for a
-/// view that is impossible at any time while the shutter is open.
+/// Derives the view's image plane, the hierarchy and epsilon. Boxes grow by 1e-12 of the largest
+/// coordinate, so that rounding never makes a ray miss the box of an object that it hits. BadInput
+/// for a view that is impossible at any time while the shutter is open.
 void finish(Scene& scene);
 
-/// The point of its texture that a point of an object has, which is where it was when the shutter
-/// opened.
+/// The texture coordinates of a point of an object, given where it was when the shutter opened.
 TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std::uint32_t object,
                                 const Vec& point);
 
-/// How far an object of a scene with `moves` is from where it was when the shutter opened, when
-/// this share of the shutter's time has passed.
+/// Displacement of an object since the shutter opened, in a scene with `moves`, after a fraction
+/// `time` of the shutter's time.
 inline Vec eval_shift(const Scene& scene, std::uint32_t object, double time) {
   return time * scene.moves[object];
 }
 
 inline std::size_t object_count(const Scene& scene) { return scene.objects.size(); }
-/// Boxes that rays are tested against; an object has none of its own.
+/// Number of boxes tested against rays; an object has no box of its own.
 inline std::size_t box_count(const Scene& scene) {
   return scene.hierarchy.boxes.size() - scene.objects.size();
 }

@@ -15,8 +15,8 @@ std::size_t area_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-// Which texels one of the next level covers along one side, and how much of each: in units of a
-// texel of the one before, times `next`. (Sides that are odd have three under one, in part.)
+// Calls add() for the texels under one texel of the next level along one side, with their overlap
+// in units of a texel times `next`. (Odd sides have three under one, in part.)
 template <class Add>
 void for_each_covered(int index, int length, int next, const Add& add) {
   const std::int64_t from = std::int64_t{index} * length, to = from + length;
@@ -58,7 +58,7 @@ struct Neighbours {
 Neighbours find_neighbours(double coordinate, int length, Beyond beyond) {
   double part = beyond == Beyond::stays ? std::clamp(coordinate, 0.0, 1.0)
                                         : coordinate - std::floor(coordinate);
-  if (!(part >= 0)) part = 0;  // of no finite number
+  if (!(part >= 0)) part = 0;  // not a finite number
   const double at = part * length - 0.5, floor = std::floor(at);
   const int first = static_cast<int>(floor);
   if (beyond == Beyond::stays)
@@ -66,7 +66,7 @@ Neighbours find_neighbours(double coordinate, int length, Beyond beyond) {
   return {(first + length) % length, (first + 1) % length, at - floor};
 }
 
-// Of 0 <= x <= 1: the angle is halved twice, then its series.
+// Arc tangent for 0 <= x <= 1: halves the angle twice, then sums the series.
 double eval_arc_tangent(double x) {
   for (int i = 0; i < 2; ++i) x /= 1 + std::sqrt(1 + x * x);
   const double square = x * x;
@@ -82,7 +82,7 @@ TexturePoint eval_spherical(const Mapping& m, const Vec& point) {
   TexturePoint found;
   found.beyond = Beyond::stays;
   found.u = eval_turn(y, x);
-  // From a quarter turn below the equator to one above it is half a turn.
+  // Half a turn, from a quarter turn below the equator to one above it, becomes 0..1.
   const double latitude = eval_turn(z, across);
   found.v = 0.5 + 2 * (latitude > 0.5 ? latitude - 1 : latitude);
   if (!(square > 0)) return found;
@@ -145,7 +145,7 @@ Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size, 
 }
 
 Mapping make_planar(const Vec& origin, const Vec& along_u, const Vec& along_v) {
-  // The dual vectors: u grows by 1 along `along_u` and stays along `along_v` and across both.
+  // Dual vectors: u grows by 1 along `along_u` and is constant along `along_v` and across both.
   const Vec normal = cross(along_u, along_v);
   const double square = dot(normal, normal);
   const double u_square = dot(along_u, along_u), v_square = dot(along_v, along_v);
@@ -178,7 +178,7 @@ double eval_turn(double y, double x) {
   const double wide = std::abs(x), high = std::abs(y);
   if (wide == 0 && high == 0) return 0;
   constexpr double TURN = 2 * std::numbers::pi;
-  // Within the first quarter, then by its mirror images.
+  // Computed within the first quarter, then mirrored.
   double turn = high <= wide ? eval_arc_tangent(high / wide) / TURN
                              : 0.25 - eval_arc_tangent(wide / high) / TURN;
   if (x < 0) turn = 0.5 - turn;

@@ -61,11 +61,11 @@ inline Bounds grow(const Bounds& b, double margin) {
   const Vec by{margin, margin, margin};
   return {b.lo - by, b.hi + by};
 }
-/// Whether `inner` lies in `outer`, faces included.
+/// True if `inner` lies in `outer`, faces included.
 inline bool contains(const Bounds& outer, const Bounds& inner) {
   return join(outer, inner) == outer;
 }
-/// Half the surface of a box, proportional to its chance of being met by a random ray.
+/// Half the surface area, proportional to the probability that a random ray meets the box.
 inline double half_area(const Bounds& b) {
   const Vec e = b.hi - b.lo;
   return e.x * e.y + e.y * e.z + e.z * e.x;

@@ -1,5 +1,5 @@
 #pragma once
-// What a kernel did, in operations: the machine model turns these counts into cycles.
+// Operation counts of kernels, which the machine model turns into cycles.
 
 #include <array>
 #include <cstddef>
@@ -12,30 +12,30 @@ namespace renderer {
 enum class Op : std::uint8_t {
   box_test,            ///< a ray against one bounding box
   sphere_test,         ///< a ray against one sphere
-  sphere_root,         ///< a sphere test that took a root: the ray's line meets the sphere
+  sphere_root,         ///< a sphere test with a root: the ray's line meets the sphere
   polygon_test,        ///< a ray against the plane of one polygon
   patch_test,          ///< a ray against the plane of one polygon with normals
   polygon_edges,       ///< a test of a polygon whose plane is ahead
   cone_test,           ///< a ray against one cone or cylinder
   ray_intersected,     ///< one call of intersect()
-  hit_made,            ///< a hit that had to have a point and a normal: not a feeler's
+  hit_made,            ///< a hit with a point and a normal: not a feeler's
   surface_shaded,      ///< one intersection turned into rays by make_children()
   feeler_made,         ///< a shadow feeler made, with its influence factor (Eq 4.17)
   ray_reflected,       ///< a reflected ray made
   ray_refracted,       ///< a transmitted ray made
-  texture_mapped,      ///< a point of a texture found, and how large the pixel is there
-  texel_mixed,         ///< a texel of it read and mixed with its neighbours
-  sample_updated,      ///< a contribution to be added to a sample (Eq 4.26)
+  texture_mapped,      ///< a point of a texture found, with the pixel's size there
+  texel_mixed,         ///< a texel read and mixed with its neighbours
+  sample_updated,      ///< a contribution added to a sample (Eq 4.26)
   pixel_drawn,         ///< a pixel of a cell written into the display's memory
-  pixel_interpolated,  ///< its colour found between four samples
-  factor_begun,        ///< radiosity: whether a vertex and a patch face each other
+  pixel_interpolated,  ///< its colour interpolated between four samples
+  factor_begun,        ///< radiosity: test if a vertex and a patch face each other
   delta_area,          ///< a delta area of such a patch: distance, cosines, quotient (Eq 3.8)
-  light_mirrored,      ///< a point mirrored, or where a path meets a mirror (Eq 3.17)
+  light_mirrored,      ///< a point mirrored, or a path's point on a mirror found (Eq 3.17)
   vertex_lit,          ///< a vertex's radiosity updated (Eq 3.9)
-  patch_lit,           ///< a patch's unsent light updated, by the mean of what it received
+  patch_lit,           ///< a patch's unsent light updated, by the mean that it received
   patch_compared,      ///< a patch compared with the brightest so far
-  glow_found,          ///< how bright a patch that does not glow evenly is in a delta area
-  corner_lit,          ///< a patch's corner's unsent light updated
+  glow_found,          ///< radiosity in a delta area of an unevenly bright patch
+  corner_lit,          ///< unsent light at a patch's corner updated
   COUNT
 };
 
@@ -53,7 +53,7 @@ struct Work {
   bool operator==(const Work&) const = default;
 };
 
-/// Names as model files and reports spell them; the index is the Op's value.
+/// Names as in model files and reports; the index is the Op's value.
 inline std::span<const std::string_view> op_names() {
   static constexpr std::array<std::string_view, OP_COUNT> NAMES = {
       "box_test",       "sphere_test",   "sphere_root",        "polygon_test",   "patch_test",

@@ -6,15 +6,15 @@ namespace renderer {
 
 namespace {
 
-// How often samples were in a square of the pixel, and what they were.
+// Number, sum and sum of squares of the samples in a square of the pixel.
 struct Square {
   int count = 0;
   Rgb sum, squares;
 };
 
-// The square of the standard error of the pixel's mean, the largest of its components, if the group
-// `own` varies as the others do, whose samples are looked at. The pixel is divided into squares
-// that have two or four samples each: how they differ there is all that is not known of it.
+// The squared standard error of the pixel's mean, maximum over the components, estimated from all
+// groups but `own`. The pixel is divided into squares of two or four samples each. The variance
+// within the squares is the only unknown part.
 double eval_error_square(std::span<const TracedSample> samples, int own) {
   int levels = 0;
   while (std::size_t{4} << (2 * levels) < samples.size()) ++levels;
@@ -46,7 +46,7 @@ bool has_border(std::span<const TracedSample> samples, int own, const Corners& c
   return !std::ranges::all_of(corners, [&](auto object) { return object == corners[0]; });
 }
 
-// Whether these samples of the pixel are enough, as far as the other groups than `own` tell.
+// True if these samples of the pixel suffice, as judged by all groups but `own`.
 bool is_enough(const Sampling& s, std::span<const TracedSample> samples, int own,
                const Corners& corners) {
   if (samples.size() == FIRST_ROUND && has_border(samples, own, corners)) return false;
@@ -122,7 +122,7 @@ std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts) 
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * counts.size());
   for (const std::uint16_t count : counts) {
-    // Rounded, so that it is the same whichever library computes the logarithms.
+    // Rounded to float, so that the result does not depend on the maths library.
     const auto share = count > 1 ? static_cast<float>(std::log(count) / std::log(most)) : 0.0F;
     bytes.insert(bytes.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
   }

@@ -11,9 +11,9 @@ struct Nearest {
   Place place;
 };
 
-// The state of a walk, and what it counts.
+// State and counts of a traversal.
 struct Walk {
-  // (A constructor, since GCC fills what an initialiser list leaves out with a slow instruction.)
+  // (A constructor: in initialiser lists, GCC fills missing fields with a slow instruction.)
   Walk(const Scene& scene, const Ray& ray)
       : scene(scene), ray(ray), probe{ray.origin,    ray.direction, ray.from,
                                       scene.epsilon, ray.reach,     scene.corners.data()} {}
@@ -21,7 +21,7 @@ struct Walk {
   const Scene& scene;
   const Ray& ray;
   Nearest best;
-  Probe probe;  // it reaches to the nearest hit so far
+  Probe probe;  // its reach is the nearest hit so far
   std::uint32_t boxes = 0;
   std::uint32_t tests[4] = {};  // by Kind
 };
@@ -34,12 +34,12 @@ struct Walk {
   work[Op::polygon_edges] += std::exchange(walk.probe.edges, 0);
 }
 
-// The listener of a walk that tells nothing.
+// The listener of a traversal that reports nothing.
 struct Nobody {
   static constexpr bool LISTENS = false;
 };
 
-// Passes on what a walk reads, with counts that are up to date.
+// Reports each access of a traversal, with up-to-date counts.
 struct Somebody {
   static constexpr bool LISTENS = true;
   Access& access;
@@ -55,7 +55,7 @@ struct Somebody {
   }
 };
 
-// One primitive where it is at the ray's time: as if the ray, not the primitive, had moved.
+// Tests a primitive at the ray's time: moves the ray instead of the primitive.
 template <class Primitive>
 [[gnu::always_inline]] inline double intersect_moved(const Primitive& primitive, Walk& walk) {
   const Vec origin = walk.ray.origin - eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
@@ -95,7 +95,7 @@ void walk_linear(Walk& walk, const Told& told) {
   for (const Place place : walk.scene.objects) consider<MOVES>(walk, place, told);
 }
 
-// Walks depth first in stored order. CLIP: boxes end at the nearest hit so far; ANY: stop at a hit.
+// Depth first in stored order. CLIP: clip boxes by the nearest hit so far; ANY: stop at any hit.
 template <bool CLIP, bool ANY, bool MOVES, class Told>
 void walk_boxes(Walk& walk, const Told& told) {
   const Box* boxes = walk.scene.hierarchy.boxes.data();
@@ -104,7 +104,7 @@ void walk_boxes(Walk& walk, const Told& told) {
   const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
   const Vec o = walk.ray.origin;
   const Vec inverse{1 / walk.ray.direction.x, 1 / walk.ray.direction.y, 1 / walk.ray.direction.z};
-  // The ray enters every box through the planes of one corner and leaves it through the other's.
+  // The ray enters every box through the planes of one corner and leaves through the opposite ones.
   using Face = const Vec Bounds::*;
   const Face in_x = inverse.x < 0 ? &Bounds::hi : &Bounds::lo;
   const Face in_y = inverse.y < 0 ? &Bounds::hi : &Bounds::lo;
@@ -113,7 +113,7 @@ void walk_boxes(Walk& walk, const Told& told) {
   const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
   double begin = 0;
-  asm("" : "+m"(begin));  // seen as a constant, GCC makes a branch of the first maximum
+  asm("" : "+m"(begin));  // if it were a constant, GCC would branch for the first maximum
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
@@ -127,7 +127,7 @@ void walk_boxes(Walk& walk, const Told& told) {
     if constexpr (Told::LISTENS) told.box(walk, i);
     ++tested;
     // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
-    // compares false and leaves the interval as it is.
+    // compares false and leaves the interval unchanged.
     double enter = begin, leave = CLIP ? walk.probe.reach : NO_HIT;
     const auto clip = [&](Face in_face, Face out_face, double Vec::*axis) {
       double in_plane = (box.bounds.*in_face).*axis, out_plane = (box.bounds.*out_face).*axis;
@@ -148,8 +148,8 @@ void walk_boxes(Walk& walk, const Told& told) {
   walk.boxes = tested;
 }
 
-// The hit on the nearest object; a feeler's has neither point nor normal. Inlined, since a call
-// that takes the walk would keep its counts in memory.
+// The hit on the nearest object; a feeler's has neither point nor normal. Inlined, because a call
+// with the walk as argument would keep its counts in memory.
 template <bool MOVES>
 [[gnu::always_inline]] inline void fill_hit(const Walk& walk, Hit& hit) {
   const Scene& scene = walk.scene;
@@ -159,7 +159,7 @@ template <bool MOVES>
   hit.object = walk.best.object;
   if (ray.kind == RayKind::shadow) return;
   hit.point = ray.origin + hit.distance * ray.direction;
-  Vec still = hit.point;  // where the point is as long as the object has not moved
+  Vec still = hit.point;  // the point before the object moved
   if constexpr (MOVES) still = hit.point - eval_shift(scene, hit.object, ray.time);
   const Vec geometric = visit(scene, place, [&](const auto& primitive) {
     hit.surface = primitive.tag.surface;
@@ -169,8 +169,8 @@ template <bool MOVES>
   if (place.kind() == Kind::patch) {
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
-    // At a silhouette the interpolated normal may face the other way than the plane's: it is turned
-    // until it just does not.
+    // At a silhouette the interpolated normal may face away from the ray unlike the plane's. It is
+    // turned until it just faces the same way.
     const double along = dot(smooth, ray.direction);
     if (along * dot(geometric, ray.direction) > 0)
       hit.normal = smooth;
@@ -181,7 +181,7 @@ template <bool MOVES>
   if (hit.inside) hit.normal = -hit.normal;
 }
 
-// What the walk found.
+// The result of the traversal.
 template <bool MOVES>
 [[gnu::always_inline]] inline std::optional<Hit> conclude(Walk& walk, Work& work) {
   count(walk, work);

@@ -1,5 +1,5 @@
 #pragma once
-// What a rendering is asked for.
+// Parameters of a rendering.
 
 #include <cstdint>
 
@@ -8,40 +8,39 @@
 
 namespace renderer {
 
-/// Which lights get a feeler from an intersection.
+/// The lights that get a feeler from an intersection.
 enum class Feelers : std::uint8_t {
   all,   ///< every light, as in the thesis
   front  ///< lights on the side of the surface that the ray came from, as in the SPD
 };
 
-/// Where in its pixel a sample is taken.
+/// Position of a sample within its pixel.
 enum class SamplePosition : std::uint8_t {
   corner,  ///< the upper left corner
   center,
   lattice  ///< width x height samples span the view from edge to edge
 };
 
-/// When a shading tree ends.
+/// Limits of a shading tree.
 struct Limits {
-  int depth = 15;  ///< levels, 1..1000: the primary ray's is 1; a reflected or transmitted
-                   ///< ray is made up to this level, a feeler at every intersection
-  double min_influence = 0.0;  ///< least influence factor, 0..1, with which a reflected or
-                               ///< transmitted ray is made
+  int depth = 15;  ///< levels, 1..1000: the primary ray's is 1; limits reflected and transmitted
+                   ///< rays, while every intersection has feelers
+  double min_influence = 0.0;  ///< least influence factor, 0..1, of reflected and transmitted rays
 };
 
-/// How many samples a pixel has, and what they are distributed over (R. Cook et al., 1984).
+/// Number of samples in a pixel, and their distribution (R. Cook et al., 1984).
 struct Sampling {
-  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; with `adaptive`, the most
-  /// Standard error of a pixel's colour, 0..1, that 64 samples may leave, n of them sqrt(n / 64)
-  /// times as much: above it, and at objects' borders, more are taken; 0: all get `pixel_samples`.
+  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; the maximum with `adaptive`
+  /// Allowed standard error of a pixel's colour, 0..1, after 64 samples; times sqrt(n / 64) after
+  /// n. More samples are taken above it and at objects' borders; 0: all get `pixel_samples`.
   double adaptive = 0;
-  double lens = 1;         ///< times the scene's aperture, 0..MAX_LENS; 0: a pinhole
-  double shutter = 1;      ///< part of the scene's time that the shutter is open, 0..1
+  double lens = 1;         ///< factor of the scene's aperture, 0..MAX_LENS; 0: a pinhole
+  double shutter = 1;      ///< open fraction of the scene's shutter time, 0..1
   std::uint64_t seed = 1;  ///< of all random numbers
 };
 inline constexpr int MAX_PIXEL_SAMPLES = 4096;
 
-/// A rectangle of pixels; the origin is the upper left.
+/// A rectangle of pixels from its upper left one.
 struct Area {
   int x = 0, y = 0;
   int width = 0, height = 0;  ///< 0 x 0: the whole image
@@ -54,7 +53,7 @@ struct Params {
   Sampling sampling;
   Feelers feelers = Feelers::all;
   SamplePosition sample = SamplePosition::corner;
-  Area area;  ///< part of the image that render() computes
+  Area area;  ///< part of the image for render()
   Traversal traversal = Traversal::exhaustive;
   double ambient = 0.1;  ///< intensity of ambient light Ia, 0..1000 (assumed: NFF has none)
 };
@@ -67,7 +66,7 @@ base::Fields<Params> sampling_fields();
 /// The field "area", [x, y, width, height] in pixels.
 base::Field<Area> area_field();
 
-/// BadInput naming the field, what was found and what was expected.
+/// BadInput with the field, the value found and the values expected.
 void check(const Params& params);
 /// `params.area`, or the whole image.
 Area get_area(const Params& params);

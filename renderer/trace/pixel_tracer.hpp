@@ -1,20 +1,20 @@
 #pragma once
-// All samples of one pixel after the other, in any order of pixels.
+// Traces all samples of a pixel in sequence, for pixels in any order.
 
 #include "renderer/trace/render.hpp"
 
 namespace renderer {
 
-/// The objects at the corners of an area's pixels, which adaptive sampling asks for.
+/// The objects at the corners of an area's pixels, for adaptive sampling.
 class CornerObjects {
  public:
   CornerObjects() = default;
   CornerObjects(const Params& params, const Area& area);
 
-  /// Rows of corners: one more than of pixels, or none if nobody asks.
+  /// Rows of corners: one more than rows of pixels, or none without adaptive sampling.
   int rows() const { return objects.empty() ? 0 : area_.height + 1; }
   void find_row(int row, SampleTracer& tracer);
-  /// All rows must have been found.
+  /// Requires all rows to have been found.
   Corners of_pixel(int column, int row) const {
     return {objects[at(column, row)], objects[at(column + 1, row)], objects[at(column, row + 1)],
             objects[at(column + 1, row + 1)]};
@@ -30,10 +30,10 @@ class CornerObjects {
   Area area_;
 };
 
-/// What is known of a pixel.
+/// Result of a pixel.
 struct TracedPixel {
-  Samples::Sums sums;  ///< as the image has them
-  int count = 0;       ///< of its samples
+  Samples::Sums sums;  ///< as in the image
+  int count = 0;       ///< number of its samples
 };
 
 /// Traces pixels of an area; column and row begin at its upper left.
@@ -47,9 +47,9 @@ class PixelTracer {
   TracedSample start(int column, int row) {
     return tracer_.trace(area_.x + column, area_.y + row, 0);
   }
-  /// The others, and all of them together.
+  /// Traces the other samples; returns the result of all.
   TracedPixel finish(int column, int row, const TracedSample& first);
-  /// Both.
+  /// Traces all samples.
   TracedPixel trace(int column, int row) { return finish(column, row, start(column, row)); }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The sequential renderer: what every parallel one must equal, bit for bit.
+// The sequential renderer: parallel ones must match it bit for bit.
 
 #include <functional>
 
@@ -22,26 +22,26 @@ struct RayCounts {
 
 struct Rendering {
   Samples samples;  ///< of the whole image; 0 outside the area of interest
-  /// With adaptive sampling, how many samples each pixel has had; else empty.
+  /// The number of samples of each pixel, with adaptive sampling; else empty.
   std::vector<std::uint16_t> counts;
   RayCounts rays;
   Work work;
 };
 
-/// Traces one sample after the other, in any order.
+/// Traces samples one by one, in any order.
 class SampleTracer {
  public:
   SampleTracer(const Scene& scene, const Params& params, Access* access = nullptr)
       : scene_(scene), params_(params), access_(access) {}
 
-  /// A sample's whole shading tree, depth first.
+  /// Traces a sample's whole shading tree, depth first.
   TracedSample trace(int x, int y, int pass);
   /// The object at the upper left corner of a pixel.
   std::uint32_t probe(int x, int y);
 
   RayCounts rays;
   Work work;
-  Children stack;  ///< memory for rays; empty between samples
+  Children stack;  ///< buffer for rays; empty between samples
 
  private:
   const Scene& scene_;
@@ -53,37 +53,37 @@ class SampleTracer {
 struct Block {
   Area area;
   Samples samples;                    ///< of the area's pixels only
-  std::vector<std::uint16_t> counts;  ///< as Rendering's, of the area's pixels only
+  std::vector<std::uint16_t> counts;  ///< as in Rendering, of the area's pixels only
   RayCounts rays;
   Work work;
 };
 
-/// Traces every ray of `area`, which lies within the image of `params`. The sums are those that
-/// render() finds there. `access`, unless null, is told of every part of the scene that is read.
+/// Traces every ray of `area`, which lies within the image of `params`. Sums are those of render().
+/// Calls `access`, unless null, for every part of the scene that is read.
 Block render_block(const Scene& scene, const Params& params, const Area& area,
                    Access* access = nullptr);
 
-/// A block, and the memory that rendering needs, for one block after the other.
+/// A block with reusable memory, for rendering several blocks in turn.
 struct BlockBuffer {
   Block block;
-  Children pending;  ///< memory for rays
+  Children pending;  ///< buffer for rays
 };
-/// The same into a buffer, whose block before is overwritten.
+/// The same into a buffer, which overwrites its previous block.
 void render_block(const Scene& scene, const Params& params, const Area& area, BlockBuffer& buffer,
                   Access* access = nullptr);
 
-/// Adds the sums of `block` to those of the image, and counts one Op::sample_updated a sum.
+/// Adds the sums of `block` to those of the image; counts one Op::sample_updated for each sum.
 void add_block(Samples& image, const Block& block, Work& work);
 
-/// Is called after every row, by one thread at a time; false ends the rendering.
+/// Called after every row, by one thread at a time; false ends the rendering.
 using Progress = std::function<bool(int done, int rows)>;
 
 /// BadInput unless there are 1 to 1024 host threads.
 void check_threads(int threads);
 
-/// Traces every ray of `params.area`, or of the rows before `progress` ended it: the others have no
-/// sample. Result, counts and work of a whole image do not depend on `threads`.
-/// BadInput as check() and check_threads(); what `progress` throws ends the rendering.
+/// Traces every ray of `params.area`. If `progress` ends it, the remaining rows have no samples.
+/// Result, counts and work of a whole image do not depend on `threads`. BadInput as check() and
+/// check_threads(); exceptions from `progress` end the rendering.
 Rendering render(const Scene& scene, const Params& params, int threads = 1,
                  const Progress& progress = {});
 

@@ -18,7 +18,7 @@ std::uint64_t make_stream(const Sampling& s, const SampleKey& key, Dimension dim
   return mix(mix(s.seed, key.pixel), std::uint64_t{key.path} << 8 | std::uint64_t(dimension));
 }
 
-// Which of the round's regions the sample lies in.
+// The sample's region in its round.
 int find_region(std::uint64_t stream, const Round& round, int pass) {
   const auto key =
       static_cast<std::uint32_t>(mix(stream, ~static_cast<std::uint64_t>(round.first)));
@@ -33,8 +33,8 @@ std::uint32_t reverse(std::uint32_t x) {
   return x << 16 | x >> 16;
 }
 
-// Changes each bit at random, in a way that depends on the bits above it alone (A. Owen, 1995):
-// what shares a half, a quarter ... of the line still does.
+// Flips each bit at random, depending only on the bits above it (A. Owen, 1995): points in a common
+// half, quarter ... of the line stay together.
 std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   x = reverse(x) + seed;
   for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
@@ -42,8 +42,8 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse(x);
 }
 
-// The index of an adaptive pixel's sample in its group's sequence: in the pixel by pass; other
-// dimensions are paired with that at random within each round.
+// Index of an adaptive pixel's sample in its group's sequence. In the pixel it follows the pass; in
+// other dimensions it is paired with it at random within each round.
 int find_index(const Sampling& s, const SampleKey& key, Dimension dimension, std::uint64_t stream) {
   const int place = key.pass / GROUPS;
   if (dimension == Dimension::pixel) return place;
@@ -67,7 +67,7 @@ SquarePoint sample_group(const Sampling& s, const SampleKey& key, Dimension dime
           (static_cast<double>(quarter >> 1) + at.v) / 2};
 }
 
-// sin() and cos() for angles of at most pi / 4, by their series.
+// Series for sin() and cos(), for angles of at most pi / 4.
 double eval_sine(double x) {
   const double square = x * x;
   double sum = 0;

@@ -6,19 +6,19 @@ namespace renderer {
 
 namespace {
 
-// The power is rounded to float: the same value whichever library computes it.
+// The power is rounded to float, so that the result does not depend on the maths library.
 double eval_highlight(double cosine, double shine) {
   return cosine > 0 ? static_cast<double>(static_cast<float>(std::pow(cosine, shine))) : 0.0;
 }
 
-// Of a light that is a sphere, a point on the side that is seen, alike in all directions in which
-// it is seen; its middle from within.
+// A point on the visible side of a spherical light, uniform in solid angle; its middle if `from` is
+// inside.
 Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   const Vec to_middle = light.at - from;
   const double square = dot(to_middle, to_middle), radius_square = light.radius * light.radius;
   if (square <= radius_square) return light.at;
   // Equal areas of the disc are equal solid angles: 1 - cos grows with the square of the radius.
-  const double most = radius_square / square;  // sine of the largest angle, squared
+  const double most = radius_square / square;  // squared sine of the largest angle
   const double rise = most / (1 + std::sqrt(1 - most));
   const auto [u, v] = map_to_disc(at);
   const double share = std::min(1.0, u * u + v * v), cosine = 1 - rise * share;
@@ -32,7 +32,7 @@ Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   return from + (middle - std::sqrt(std::max(0.0, half_square))) * way;
 }
 
-// A ray that leaves the hit of `ray`, without its direction and influence.
+// A ray from the hit of `ray`, without its direction and influence.
 Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   Ray child;
   child.origin = hit.point;
@@ -52,8 +52,8 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
 
 SampleKey key_of(const Ray& ray, std::uint32_t path) { return {ray.sample, ray.pass, path}; }
 
-// The sample's point of a light, seen from `from`. (A feeler's path is that of the ray it belongs
-// to, and its light's.)
+// The sample's point of a light, seen from `from`. (A feeler's path combines its ray's path with
+// its light.)
 Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std::size_t number,
                const Vec& from) {
   if (light.shape == LightShape::point) return light.at;
@@ -64,7 +64,7 @@ Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std
   return find_on_sphere(light, p, from);
 }
 
-// Around the direction `axis`: a disc of this radius at distance 1.
+// Spreads the direction `axis` over a disc of this radius at distance 1.
 Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint& at) {
   const auto [u, v] = map_to_disc(at);
   const Across across = make_across(axis);
@@ -73,8 +73,8 @@ Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint&
   return side * dot(axis, normal) < 0 ? way - 2 * side * normal : way;
 }
 
-// Half of a pixel where it has several samples: what they should find must not depend on their
-// number, which adaptive sampling finds out as it goes, and 2 x 2 of them cover all of the pixel.
+// Half a pixel if it has several samples, as 2 x 2 of them cover the whole pixel. The width must
+// not depend on their number, because adaptive sampling does not know it in advance.
 double eval_pixel_width(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit) {
   const double share = params.sampling.pixel_samples > 1 ? 0.5 : 1;
   return share * make_raster(scene.view, params).step * (ray.travelled + hit.distance);
@@ -87,7 +87,7 @@ Rgb eval_texture(const Scene& scene, const Params& params, const Ray& ray, const
   const Vec point =
       scene.moves.empty() ? hit.point : hit.point - eval_shift(scene, hit.object, ray.time);
   const TexturePoint at = find_texture_point(scene, texture, hit.object, point);
-  // Along the surface; gradients of spheres and planes need not lie in it.
+  // Along the surface, as gradients of spheres and planes need not lie in it.
   const auto along = [&](const Vec& way) {
     return length(way - dot(way, hit.normal) * hit.normal);
   };
@@ -173,7 +173,7 @@ PlanePoint make_plane_point(const View& view, const Params& p, int x, int y) {
 
 namespace {
 
-// The view when `share` of the shutter's time has passed.
+// The view after this share of the shutter's time.
 View move(View view, double share) {
   view.from += share * view.from_move;
   view.at += share * view.at_move;
@@ -187,7 +187,7 @@ SampleKey make_key(const Params& p, int x, int y, int pass) {
           pass};
 }
 
-// A ray from the middle of the lens, as long as to where it leaves the plane at distance 1.
+// A ray from the middle of the lens to the plane at distance 1, not normalised.
 Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePoint& in_pixel) {
   const Raster raster = make_raster(view, p);
   const double right = (x + in_pixel.u - raster.left) * raster.step;
@@ -200,10 +200,10 @@ Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePo
   return ray;
 }
 
-// From a pixel's upper left corner to where `p.sample` has it.
+// Offset from a pixel's upper left corner to the position `p.sample`.
 double shift_of(const Params& p) { return p.sample == SamplePosition::corner ? 0 : 0.5; }
 
-// `view` is as it is when the ray starts.
+// `view` is the view when the ray starts.
 Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   const SampleKey key = make_key(p, x, y, pass);
   SquarePoint in_pixel;
@@ -216,7 +216,7 @@ Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   ray.pass = static_cast<std::uint16_t>(pass);
   const double radius = p.sampling.lens * view.lens.aperture / 2;
   if (radius > 0) {
-    // Rays of one point of the image meet in the plane in focus.
+    // Rays of one image point meet in the plane in focus.
     const auto [u, v] = map_to_disc(sample_square(p.sampling, key, Dimension::lens));
     const Vec in_focus = ray.origin + view.lens.focus * ray.direction;
     ray.origin += radius * (u * view.right + v * view.above);

@@ -9,12 +9,12 @@ namespace renderer {
 
 namespace {
 
-// What has been done, summed over masks.
+// Work counts, summed over masks.
 struct Counts {
   Mask boxes{}, tests{}, edges{};
 };
 
-// As is_inside().
+// is_inside() for each lane.
 [[gnu::always_inline]] inline Mask find_inside(std::span<const Corner> corners, const Lanes& u,
                                                const Lanes& v) {
   Mask inside{};
@@ -29,7 +29,7 @@ struct Counts {
   return inside;
 }
 
-// Which of the rays `here` the polygon blocks: as intersect() of each.
+// The rays among `here` that the polygon blocks: intersect() for each lane.
 [[gnu::always_inline]] inline Mask meet(const Scene& scene, const Polygon& p,
                                         const ShadowRays& rays, const Mask& here, Counts& counts) {
   counts.tests += here;
@@ -44,7 +44,7 @@ struct Counts {
   return near & find_inside({scene.corners.data() + p.first, p.count}, u, v);
 }
 
-// The slabs of a box, each lane's entered by the plane that its direction meets first.
+// The slabs of a box; each lane enters by the plane that its direction meets first.
 struct Slabs {
   explicit Slabs(const ShadowRays& rays) : rays(rays) {
     const Vecs& d = rays.direction;
@@ -71,8 +71,8 @@ struct Slabs {
 
 }  // namespace
 
-// Each lane knows the next box that it wants; at a box that others want it waits. A feeler that is
-// blocked wants none.
+// Each lane knows its next box and waits at boxes that only other lanes need. A blocked feeler
+// needs no further boxes.
 TLAB_WIDE_REGISTERS
 void find_blocked(const Scene& scene, ShadowRays& rays, Work& work) {
   constexpr std::int64_t NEVER = std::numeric_limits<std::int64_t>::max();

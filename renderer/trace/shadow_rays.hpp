@@ -1,5 +1,5 @@
 #pragma once
-// Shadow rays that are searched for together, one in each lane.
+// Shadow rays that are traced together, one in each lane.
 
 #include "renderer/scene/lanes.hpp"
 #include "renderer/scene/scene.hpp"
@@ -7,18 +7,18 @@
 
 namespace renderer {
 
-/// Each lane's feeler, as a Ray has it. Lanes that have none may hold anything.
+/// The feeler of each lane, with the fields of a Ray. Lanes without one may hold anything.
 struct ShadowRays {
   Vecs origin, direction;  ///< unit length
   Lanes reach;
   Mask from;     ///< Ray::from
   Mask cast;     ///< -1: the lane has a feeler; 0: it has none
-  Mask blocked;  ///< what find_blocked() found: -1 or 0
+  Mask blocked;  ///< result of find_blocked(): -1 or 0
 };
 
-/// Sets `blocked` where intersect() under Traversal::nearest would find a hit, and adds the same
-/// work; 0 where none is cast. The scene must be of polygons at rest, which is not checked.
-/// Thread-safe.
+/// Sets `blocked` to -1 if intersect() under Traversal::nearest would find a hit, else to 0, also
+/// in lanes without a feeler. Adds the same work. The scene must consist of polygons at rest, which
+/// is not checked. Thread-safe.
 void find_blocked(const Scene& scene, ShadowRays& rays, Work& work);
 
 }  // namespace renderer

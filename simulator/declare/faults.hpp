@@ -1,12 +1,12 @@
 #pragma once
-// Links and processors that break while a program runs.
+// Planned failures of links and processors during a program's run.
 #include <vector>
 
 #include "simulator/machine/machine.hpp"
 
 namespace programs {
 
-/// A link or a processor that breaks.
+/// Planned failure of a link or a processor.
 struct PlannedFault {
   double at_s = 0;
   int a = 0;
@@ -15,7 +15,7 @@ struct PlannedFault {
   bool operator==(const PlannedFault&) const = default;
 };
 
-/// Plans each at its date. `find` gives a processor by its number in the faults.
+/// Plans each fault at its date. `find` returns a processor by its number in the faults.
 void plan_faults(machine::Machine& machine, const std::vector<PlannedFault>& faults, auto find) {
   for (const PlannedFault& fault : faults)
     if (fault.b < 0)

@@ -1,5 +1,5 @@
 #pragma once
-// Processors of one machine that are of different models.
+// Processors of different models in one machine.
 #include <map>
 #include <memory>
 
@@ -7,10 +7,10 @@
 
 namespace programs {
 
-/// The models of processors that are not of the machine's model, by their number in the topology.
+/// Models of the processors that differ from the machine's model, by number in the topology.
 using OtherModels = std::map<int, std::shared_ptr<const machine::Model>>;
 
-/// Null for a processor of the machine's model, as Machine::add_processor takes it.
+/// Model for Machine::add_processor: null for a processor of the machine's model.
 inline std::shared_ptr<const machine::Model> find_model(const OtherModels& others, int id) {
   const auto found = others.find(id);
   return found == others.end() ? nullptr : found->second;

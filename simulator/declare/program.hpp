@@ -1,6 +1,6 @@
 #pragma once
-// How a program declares itself: its parameters, what it needs, what it measures and how it runs.
-// The laboratory knows programs only by these declarations.
+// Declaration of a program: parameters, needs, measured results and run function. The laboratory
+// knows programs only by these declarations.
 #include <any>
 #include <functional>
 #include <memory>
@@ -21,55 +21,55 @@ namespace programs {
 using base::column;
 using base::Row;
 
-/// What a program runs on, beside its parameters.
+/// Environment of a program's run, beside its parameters.
 struct Setup {
   const machine::Model& model;
-  topologies::Topology topology;         ///< one processor where the program uses no network
-  observe::Watch* watch = nullptr;       ///< its limit and trace, if there is one
-  topologies::RoutingTable routes = {};  ///< where the program uses routes
+  topologies::Topology topology;         ///< one processor if the program uses no network
+  observe::Watch* watch = nullptr;       ///< limit and trace of the run; may be null
+  topologies::RoutingTable routes = {};  ///< only with Uses::routes
   std::optional<topologies::TreeLinks> tree =
-      {};                                 ///< way of messages to all; none: each sender has one
-  std::vector<PlannedFault> faults = {};  ///< where the program uses faults
-  std::optional<double> cycles_per_host_s = {};  ///< where costs are timed: charge host time
+      {};                                        ///< tree for messages to all; none: one per sender
+  std::vector<PlannedFault> faults = {};         ///< only with Uses::faults
+  std::optional<double> cycles_per_host_s = {};  ///< for timed costs: charge host time
   bool profile = false;                          ///< measure the host time of kernels
   machine::EngineParams engine = {};
-  OtherModels others = {};  ///< where the program uses them
+  OtherModels others = {};  ///< only with Uses::others
 
   const machine::Model& model_of(int id) const { return programs::model_of(others, id, model); }
 };
 
-/// A picture of what was computed: equal runs give equal bytes.
+/// A computed picture: equal runs give equal bytes.
 struct Image {
-  std::string name;  ///< "picture"; no other image of the run has it; letters, digits and "-"
-  std::optional<double> at_s;  ///< when it was complete, for one on the way to the last
-  std::function<void(const std::string& path)> save;                ///< as `extension` says
-  std::function<void(const std::string& path)> save_exr = nullptr;  ///< the same, all its range
-  bool is_named = false;  ///< the name says already what it shows; else points are told apart
-  const char* extension = ".png";  ///< of what `save` writes; ".webp" for a moving picture
+  std::string name;            ///< "picture"; unique in the run; letters, digits and "-"
+  std::optional<double> at_s;  ///< date of completion, for an intermediate picture
+  std::function<void(const std::string& path)> save;  ///< in the format of `extension`
+  std::function<void(const std::string& path)> save_exr = nullptr;  ///< the same in full range
+  bool is_named = false;           ///< add the sweep's point only if another image has this name
+  const char* extension = ".png";  ///< of the file that `save` writes; ".webp" for an animation
 };
 
-/// How busy a resource was, and what with.
+/// Load of a resource, with its cause.
 struct Load {
   std::string resource;
   double busy = 0;    ///< share of the time
   std::string doing;  ///< a sentence
 };
 
-/// What a run gives beside its rows.
+/// Results of a run beside its rows.
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
-  std::vector<Row> growth = {};           ///< rows of growth.csv: how the picture became what it is
-  machine::End end = machine::End::done;  ///< else the row is what was measured until then
+  std::vector<Row> growth = {};           ///< rows of growth.csv: progress of the picture
+  machine::End end = machine::End::done;  ///< if not done: rows are measured up to this end
   bool is_saturated = false;              ///< queues grow without bound
-  std::optional<observe::Use> use = {};   ///< what was busy, for run.json
+  std::optional<observe::Use> use = {};   ///< use of the resources, for run.json
   std::vector<Load> loads = {};
-  std::uint64_t events = 0;                      ///< simulated, where they are counted
-  std::optional<double> kernel_host_s = {};      ///< with Setup::profile
-  std::vector<observe::KernelUse> kernels = {};  ///< where costs are timed
+  std::uint64_t events = 0;                      ///< simulated events, if counted
+  std::optional<double> kernel_host_s = {};      ///< only with Setup::profile
+  std::vector<observe::KernelUse> kernels = {};  ///< only for timed costs
 };
 
-/// What a run gives: a row, or several that differ in the columns of Program::parts.
+/// Results of a run: a row, or several that differ in the columns of Program::parts.
 template <class R>
 struct Outcome : Extras {
   std::vector<R> rows;
@@ -82,13 +82,13 @@ struct Outcome : Extras {
 
 using Parameter = base::Field<std::any>;
 
-/// A list of tables of the experiment file, [[stage]]: each is a record of its own.
+/// A list of tables in the experiment file, such as [[stage]]; each table is a record.
 struct RecordList {
   std::string key, help;
   std::vector<Parameter> fields;  ///< a record's fields
   std::function<std::any()> make_record;
   std::function<void(std::any& params)> clear;
-  /// Throws BadInput for a record that says too much or too little.
+  /// Throws BadInput for a record with superfluous or missing entries.
   std::function<void(std::any& params, const std::any& record)> append;
 };
 
@@ -97,39 +97,39 @@ struct ColumnHelp {
   std::string name, help;
 };
 
-/// What a program needs beside its parameters. The experiment may speak only of what it uses.
+/// Optional parts of an experiment that a program uses. The experiment may not contain others.
 struct Uses {
   bool network = false;  ///< [network]
-  bool routes = false;   ///< its routes and trees
+  bool routes = false;   ///< routes and trees of [network]
   bool faults = false;   ///< [[fault]]
   bool timed = false;    ///< run.cost = "timed"
   bool others = false;   ///< [[processor]]
-  bool threads = false;  ///< --threads: what its processors share on the host does not change
+  bool threads = false;  ///< --threads: data shared by its processors on the host is constant
 };
 
-/// A program, its parameters in a std::any.
+/// A program with its parameters in a std::any.
 struct Program {
   std::string name, help;
   Uses uses;
-  std::vector<std::string> parts;  ///< columns that tell the rows of a run apart
+  std::vector<std::string> parts;  ///< columns that distinguish the rows of a run
   std::vector<Parameter> parameters;
   std::vector<RecordList> lists = {};
   std::vector<ColumnHelp> columns;
   std::any defaults;
   std::function<Outcome<Row>(const Setup&, const std::any&)> run;
-  /// Throws BadInput for what the parameters' ranges do not tell, before anything runs.
+  /// Checks beyond the parameters' ranges, before anything runs. Throws BadInput.
   std::function<void(const Setup&, const std::any&)> check;
-  /// Columns that are known before a run, and belong to the axes.
+  /// Columns known before a run; they belong to the axes.
   std::function<Row(const std::any&)> describe = {};
-  /// Points of equal keys must have equal images; none: nothing is known.
+  /// Points with equal keys must have equal images; none: no such check.
   std::function<std::string(const std::any&)> picture_key = {};
-  bool shows_picture = false;  ///< while it runs: observe::View::picture
-  /// The key that makes another one void at these parameters, which then can be no axis; "": none.
+  bool shows_picture = false;  ///< during the run: observe::View::picture
+  /// The parameter that makes `key` void here, so that `key` cannot be an axis; "": none.
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
-  std::string processors = "processors";  ///< column of the number of processors that work
-  int services = 0;  ///< processors of the network that serve the others and are not counted there
-  bool shows_parameters = true;  ///< each is a column of the results
-  /// Columns that come first whether they are axes of the sweep or not.
+  std::string processors = "processors";  ///< column with the number of working processors
+  int services = 0;              ///< processors of the network that serve others, not counted there
+  bool shows_parameters = true;  ///< each parameter is a column of the results
+  /// Columns that always come first, even if they are no axes of the sweep.
   std::vector<std::string> leading = {};
 
   const Parameter* find(std::string_view name) const;
@@ -138,8 +138,8 @@ struct Program {
 /// The key of a parameter in the experiment file: "program.bytes", unless its name has a section.
 std::string key_of(const Parameter& parameter);
 
-/// A program of parameters P and results R, before their types are hidden. Only name, help and run
-/// are needed.
+/// A program with parameters P and results R, before type erasure. Only name, help and run are
+/// required.
 template <class P, class R>
 struct Declaration {
   std::string name, help;
@@ -181,15 +181,15 @@ Program make_program(const Declaration<P, R>& d) {
   return program;
 }
 
-/// A run was cut short: nothing was measured.
+/// A run was interrupted without a measurement.
 struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-/// Runs a program's machine to its end. Throws Unfinished, and what the simulation throws. A
-/// live page shows `view`.
+/// Runs a program's machine to its end. Throws Unfinished, and exceptions of the simulation. A live
+/// page shows `view`.
 void run_machine(const Setup& setup, machine::Machine& machine, const observe::View& view = {});
-/// The same for a program without an end, up to a date.
+/// The same for an endless program, up to a date.
 void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,
                        const observe::View& view = {});
 

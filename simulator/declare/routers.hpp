@@ -1,5 +1,5 @@
 #pragma once
-// What the programs over routers share: their parameters, their network, an application's costs.
+// Common part of the programs over routers: parameters, network, and costs of an application.
 #include <optional>
 
 #include "simulator/declare/support.hpp"
@@ -7,16 +7,16 @@
 
 namespace programs {
 
-/// How routers avoid deadlock, by name. The farm's [data] takes all but naive.
+/// Methods of deadlock avoidance, by name. The farm's [data] accepts all but naive.
 inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
                                                      {"chalmers", network::Method::chalmers},
                                                      {"acyclic", network::Method::acyclic},
                                                      {"naive", network::Method::naive}};
 
-/// Parameters of every program over routers, its member `routers`.
+/// Parameters of every program over routers, in its member `routers`.
 struct RouterParams {
   network::Method method = network::Method::green;
-  bool pointers = true;  ///< a message is passed within a processor by pointer; else it is copied
+  bool pointers = true;  ///< pass messages within a processor by pointer; else copy them
   std::uint64_t buffers = 64;
 };
 
@@ -32,7 +32,7 @@ inline base::Fields<RouterParams> router_fields() {
                    "messages that a router has room for")};
 }
 
-/// The fields of the routers, and then `others`.
+/// The fields of the routers, followed by `others`.
 template <class P>
 base::Fields<P> with_routers(const base::Fields<P>& others) {
   return base::join(base::lift_all<P>(router_fields(), &P::routers), {others});
@@ -51,8 +51,8 @@ base::Column<R> most_held_column(std::size_t R::*most_held) {
   return base::column("most_held", most_held, "most messages that one router held at once");
 }
 
-/// Adds to the view what routers hold and have done. Processors of the network have the ids
-/// `first`, `first` + 1, ... in the machine.
+/// Adds the routers' queues and counts to the view. The network's processors have the ids `first`,
+/// `first` + 1, ... in the machine.
 inline void show(observe::View& view, const network::Network& network, int first = 0) {
   const int count = network.routing().processors();
   view.gauges.push_back({"messages in queues", "of all routers", [&network, count] {
@@ -99,7 +99,7 @@ struct CompiledMachine : Machine {
   CompiledMachine(const Setup& setup, int count) : Machine(setup, count, machine::Code::compiled) {}
 };
 
-/// One of the topology's processors, with its faults.
+/// A compiled machine with the topology's processors, a network of routers, and the setup's faults.
 struct RouterMachine : CompiledMachine {
   RouterMachine(const Setup& setup, const network::Params& params)
       : CompiledMachine(setup, setup.topology.processors) {
@@ -127,7 +127,7 @@ struct RouterMachine : CompiledMachine {
   std::optional<network::Network> network;
 };
 
-/// Spends what an operation of a compiled application does.
+/// Spends the cycles of an operation of a compiled application.
 inline void compute(const char* operation) {
   compute(get_compiled(this_process().processor().model(), operation));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the small programs share.
+// Common part of the small programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,15 +23,15 @@ struct Message {
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes of a processor of bare code: it stores nothing
-constexpr Seconds START{1024e-6};          ///< by then every process waits for its input
+constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes; programs of bare code allocate nothing
+constexpr Seconds START{1024e-6};          ///< by this date every process waits for its input
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-/// A machine of the processors p0, p1, ..., not yet joined; they have the topology's labels if it
-/// has some, and as many processors.
+/// A machine with processors p0, p1, ..., not yet joined. They take the topology's labels if it has
+/// labels and the same number of processors.
 struct Machine : machine::Machine {
   Machine(const Setup& setup, int count, machine::Code code = machine::Code::bare)
       : machine::Machine(setup.model, code, setup.engine) {
@@ -65,7 +65,7 @@ base::Field<P> bytes_field(Access access, double low = 1) {
   return base::Declare<P>::whole("bytes", access, low, 1e9, "bytes", "length of a message");
 }
 
-/// The field "seed" of a random stream; `help` says of what.
+/// The field "seed" of a random stream; `help` names its purpose.
 template <class P, class Access>
 base::Field<P> seed_field(Access access, const std::string& help) {
   return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
@@ -80,7 +80,7 @@ base::Field<P> whole_seed_field(Access access, const std::string& help) {
   return field;
 }
 
-/// A processor in a column: its label, where the topology has labels, else its number.
+/// Cell for a processor: its label if the topology has labels, else its number.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
   if (topology.labels.empty()) return static_cast<std::int64_t>(id);
   return topology.labels.at(id);

@@ -33,7 +33,7 @@ base::Columns<Figures> figure_columns() {
 
 Growth make_growth(const std::vector<Shown>& pictures, int width, int max_cell) {
   if (pictures.empty()) return {};
-  // Borders of larger cells are among those of cells of 4 pixels.
+  // Borders of larger cells coincide with borders of 4-pixel cells.
   const int side = std::min(max_cell, 4);
   const auto last = make_bitmap(pictures.back(), width);
   Growth growth;

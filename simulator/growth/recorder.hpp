@@ -1,5 +1,5 @@
 #pragma once
-// What the display shows while a picture grows, looked at from outside the machine: it costs no
+// Recorder of the displayed picture while it grows. It works outside the machine and takes no
 // simulated time.
 #include <cstdint>
 #include <functional>
@@ -10,35 +10,35 @@
 
 namespace growth {
 
-/// The picture as it was shown at a time.
+/// The displayed picture at a given time.
 struct Shown {
-  double at_s = 0;                           ///< from the first task
-  std::optional<std::uint64_t> rays = {};    ///< that it shows
-  std::optional<std::uint64_t> cycles = {};  ///< that kernels had been charged
+  double at_s = 0;                           ///< time since the first task
+  std::optional<std::uint64_t> rays = {};    ///< number of rays shown
+  std::optional<std::uint64_t> cycles = {};  ///< cycles charged to kernels so far
   std::vector<std::uint8_t> rgb8;
 };
 
-/// When the picture is to be looked at.
+/// Times for recording the picture.
 struct Looks {
-  std::vector<double> at_s;  ///< from the first task, ascending
-  double every_s = 0;        ///< and at each multiple of this, up to 1000; 0: at none
-  int growth = 0;            ///< and at least so many times at equal intervals; 0: never
+  std::vector<double> at_s;  ///< times since the first task, ascending
+  double every_s = 0;        ///< also at multiples of this, at most 1000 of them; 0: at none
+  int growth = 0;            ///< also at least so often, at equal intervals; 0: never
 };
 
-/// Takes pictures at the times of `looks`. A picture changes only when the display paints: it is
-/// told before each time what it shows until then.
+/// Records pictures at the times of `looks`. The picture changes only when the display paints; each
+/// change is preceded by a call of note().
 class Recorder {
  public:
-  /// `watch`: who is told, too, before the picture changes; null: nobody.
+  /// `watch`: its onlooker is also notified before each change; may be null.
   explicit Recorder(Looks looks, const observe::Watch* watch = nullptr);
 
-  /// From the last call until `now_s` the picture was this. `look` makes it; its time is set here.
-  /// The process that paints calls it.
+  /// Notes the picture valid from the last call until `now_s`. `look` returns it; the recorder sets
+  /// its time. Called by the painting process.
   void note(double now_s, const std::function<Shown()>& look);
-  /// The same, of the last picture at the end; its growth ends with it.
+  /// The same for the last picture at the end, which also ends the growth.
   void end(double now_s, const std::function<Shown()>& look);
 
-  /// At the times that were asked for, and those of the growth.
+  /// Pictures at the requested times, and those of the growth.
   const std::vector<Shown>& pictures() const { return pictures_; }
   const std::vector<Shown>& growth() const { return growth_; }
 
@@ -51,7 +51,7 @@ class Recorder {
   std::size_t next_at_ = 0;
   std::int64_t next_multiple_ = 1;
   double growth_interval_s_ = 1e-3;
-  std::int64_t next_growth_ = 0;  // intervals
+  std::int64_t next_growth_ = 0;  // in intervals
   std::vector<Shown> pictures_, growth_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Costs on a machine whose processors may be of different models.
+// Costs on a machine with processors of different models.
 #include <deque>
 #include <functional>
 #include <utility>
@@ -8,12 +8,12 @@
 
 namespace kernels {
 
-/// A cost, or several, that each model of processor has its own of: made once for each.
+/// A cost, or a set of costs, for each model of processor; made once for each.
 template <class T>
 class ByModel {
  public:
   using Make = std::function<T(const machine::Model&)>;
-  /// Tries `make` on a model at once: it throws BadInput for what that lacks.
+  /// Tries `make` on `model` at once: it throws BadInput for missing entries.
   ByModel(const machine::Model& model, Make make) : make_(std::move(make)) { make_(model); }
 
   /// The cost on the processor of this_process(). The reference stays valid.

@@ -1,13 +1,13 @@
 #pragma once
-// A binary heap whose exchanges are counted, since the simulated program pays for each of them.
+// A binary heap with a count of its exchanges; the simulated program pays for each of them.
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace kernels {
 
-/// Moves element i up, or down, until the heap is one again; `before` compares two elements, and
-/// the first of the heap goes before all others. Returns the number of exchanges.
+/// Moves element i up, or down, until the heap order is restored. `before` compares two elements;
+/// the heap's first element goes before all others. Returns the number of exchanges.
 template <class T, class Before>
 std::uint64_t sift_up(std::vector<T>& heap, std::size_t i, Before before) {
   std::uint64_t steps = 0;
@@ -28,7 +28,7 @@ std::uint64_t sift_down(std::vector<T>& heap, std::size_t i, Before before) {
   }
 }
 
-/// Makes a heap of elements in any order.
+/// Makes a heap from elements in any order. Returns the number of exchanges.
 template <class T, class Before>
 std::uint64_t make_heap(std::vector<T>& heap, Before before) {
   std::uint64_t steps = 0;

@@ -18,7 +18,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// The median time of `run`, with the clock's own.
+// Median time of `run`, including the clock's own interval.
 template <class Run>
 double time_often(int times, Run run) {
   std::vector<double> all;
@@ -30,7 +30,7 @@ double time_often(int times, Run run) {
   return median(std::move(all));
 }
 
-// 1000 rays through 800 spheres.
+// Yardstick: 1000 rays through 800 spheres.
 std::function<void()> make_yardstick() {
   const auto scene = std::make_shared<const renderer::Scene>(renderer::make_spheres(800));
   renderer::Params params;
@@ -43,7 +43,7 @@ std::function<void()> make_yardstick() {
   };
 }
 
-// Replays that only read what they hold, as much as a ray and what it hits.
+// Time of a call of a replay that only reads its data, as large as a ray and its hit.
 double measure_call(double interval_s) {
   Replays batch;
   double sum = 0;
@@ -92,7 +92,7 @@ void KernelTimer::measure() {
 
 double KernelTimer::charge(double about_s) {
   if (batch_.size() == 0)
-    owed_s_ -= about_s;  // it has ended its batch
+    owed_s_ -= about_s;  // this call has ended its batch
   else
     batch_about_s_ += about_s;
   const double part_s = std::clamp(owed_s_, -0.2 * about_s, 0.2 * about_s);
@@ -100,7 +100,7 @@ double KernelTimer::charge(double about_s) {
   return about_s + part_s;
 }
 
-// The time of the batch, which took about `once_s` before.
+// Time of the batch; `once_s` is a first estimate.
 double KernelTimer::eval_batch_s(double once_s) const {
   const int passes = static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6));
   std::vector<double> in_yardsticks;
@@ -130,8 +130,8 @@ double KernelTimer::time_batch(int passes) const {
   return time([&] { run_batch(passes); });
 }
 
-// The second of two runs is timed, of a batch as well: caches and branch predictors are then as
-// that kernel leaves them, not as the last one has.
+// Times the second of two runs, as for a batch. Caches and branch predictors are then in the state
+// left by this kernel, not by the previous one.
 double KernelTimer::time_yardstick() const {
   host_.yardstick();
   return time(host_.yardstick);

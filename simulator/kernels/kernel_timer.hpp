@@ -1,11 +1,11 @@
 #pragma once
-// How long a kernel takes on the host. Three things are in the way. A call is often shorter than a
-// reading of the clock; after the events of a simulation it finds caches that others have filled;
-// and what else runs on the host makes it slower, now more and now less. So
-// - calls are kept, as functions that do the same again, and measured in batches: as many as last
-//   2 ms, or 8192; a call that lasts as long by itself is a batch;
-// - a batch is run several times, each time between two runs of a yardstick, a kernel that does
-//   always the same: the median of their ratios is what the batch takes in yardsticks.
+// Measurement of a kernel's time on the host. There are three difficulties: a call is often shorter
+// than a reading of the clock, other events of the simulation have filled the caches, and other
+// programs slow the host by varying amounts. The solutions: - Calls are stored as functions that
+// repeat them, and measured in batches of 2 ms or 8192 calls.
+//   A call of 2 ms or more is a batch by itself.
+// - A batch runs several times, each time between two runs of a yardstick, a kernel with constant
+//   work. The median of the ratios is the batch's time in yardsticks.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,24 +16,24 @@
 
 namespace kernels {
 
-/// What kernels are timed with.
+/// Clock and reference times for the timing of kernels.
 struct Host {
   std::function<double()> now_s;    ///< clock
-  std::function<void()> yardstick;  ///< a kernel that does always the same
-  double interval_s = 0;            ///< between two readings with nothing between
-  double call_s = 0;                ///< a call of a replay that does nothing, in a batch
-  double yardstick_s = 0;           ///< a run of the yardstick, when it was measured
+  std::function<void()> yardstick;  ///< a kernel with constant work
+  double interval_s = 0;            ///< time between two consecutive readings of the clock
+  double call_s = 0;                ///< time of an empty replay's call in a batch
+  double yardstick_s = 0;           ///< time of a yardstick run, measured at the start
 };
-/// CPU time of this thread, s, which stands still while other programs run.
+/// CPU time of this thread, s; it stands still while other programs run.
 double host_cpu_s();
-/// Between two readings of it with nothing between.
+/// Time between two consecutive readings of host_cpu_s(), s.
 double clock_interval_s();
-/// This host: host_cpu_s(), and rays through a scene of spheres. Its speed is measured at the first
-/// call, and the same for processes that are forked after it: their times compare.
+/// This host: clock host_cpu_s(); yardstick: rays through a scene of spheres. The first call
+/// measures its speed. Processes forked afterwards inherit it, so that their times are comparable.
 const Host& this_host();
 
-/// Functions that do a call's work again, one behind the other in memory: spread over it, as what a
-/// simulation allocates is, short ones would be measured with the way to them.
+/// Functions that repeat calls, stored contiguously in memory. If scattered like a simulation's
+/// other allocations, short calls would include the cache misses to reach them.
 class Replays {
  public:
   Replays() = default;
@@ -68,22 +68,22 @@ class Replays {
   std::vector<Call> calls_;
 };
 
-/// Times the calls of one kernel. A call takes its weight times what a unit of weight took in the
-/// last batch, and up to a fifth more or less until all that batches took is charged: the sum over
-/// many calls is what they take.
+/// Times the calls of one kernel. A call is charged its weight times the last batch's time per unit
+/// of weight. Corrections of up to a fifth make the sum over many calls equal to their measured
+/// time.
 class KernelTimer {
  public:
   explicit KernelTimer(const Host& host) : host_(host) {}
 
-  static constexpr double BATCH_S = 2e-3;          ///< a batch lasts so long, unless
-  static constexpr std::size_t MOST_CALLS = 8192;  ///< it has so many calls
+  static constexpr double BATCH_S = 2e-3;          ///< target duration of a batch
+  static constexpr std::size_t MOST_CALLS = 8192;  ///< maximum calls of a batch
   static constexpr int REPEATS = 5;
-  /// An interval that is measured lasts at least so many of the clock's own.
+  /// Minimum measured interval, in clock intervals.
   static constexpr double LEAST_INTERVALS = 50;
 
-  /// The time of a call, s of a host as fast as it was when Host::yardstick_s was measured.
-  /// `replay` does the same work again as often as it is called; `weight` > 0 says how much that is
-  /// beside other calls: counted cycles, or 1.
+  /// Time of a call, in s on a host with the speed at which Host::yardstick_s was measured. Each
+  /// call of `replay` repeats the same work. `weight` > 0 is the work relative to other calls:
+  /// counted cycles, or 1.
   template <class Replay>
   double eval(Replay replay, double weight) {
     batch_.add(std::move(replay));
@@ -92,10 +92,10 @@ class KernelTimer {
     return charge(weight * s_per_weight_);
   }
 
-  /// The longest batch took so long, s.
+  /// Duration of the longest batch, s.
   double longest_batch_s() const { return longest_batch_s_; }
-  /// No batch had MOST_CALLS, or was as long as the clock needs: calls were repeated on the inputs
-  /// of a few, which caches and branch predictors knew then.
+  /// True if no batch had MOST_CALLS or lasted long enough for the clock. Calls were then repeated
+  /// on the same few inputs, already known to caches and branch predictors.
   bool is_short() const { return most_calls_ < MOST_CALLS && longest_batch_s_ < least_s(); }
 
  private:
@@ -110,11 +110,11 @@ class KernelTimer {
 
   const Host& host_;
   Replays batch_;
-  double weight_ = 0;         // of the batch
-  std::size_t full_ = 1;      // calls of a full batch: the first is measured at once
+  double weight_ = 0;         // sum of the batch
+  std::size_t full_ = 1;      // calls of a full batch: the first call is measured at once
   double s_per_weight_ = 0;   // in the last batch
-  double batch_about_s_ = 0;  // what the batch is thought to take
-  double owed_s_ = 0;         // what batches took beyond what was charged
+  double batch_about_s_ = 0;  // estimated time of the batch
+  double owed_s_ = 0;         // measured time of batches minus charged time
   double longest_batch_s_ = 0;
   std::size_t most_calls_ = 0;
 };

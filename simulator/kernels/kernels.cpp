@@ -73,9 +73,8 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
   return charged;
 }
 
-// The call stands for those since the last that was measured. Where calls have been short beside
-// the clock's own time, one of 17 is measured: a prime number, or it might be the same kind of ray
-// each time.
+// The call represents all calls since the last sample. If calls are short compared with the clock's
+// interval, one in 17 is sampled; a prime avoids sampling the same kind of ray each time.
 void KernelCost::note_profile(double start_s) {
   constexpr std::uint64_t SAMPLED = 17;
   const double interval_s = clock_interval_s();

@@ -1,7 +1,7 @@
 #pragma once
-// What the programs that compute with the renderer's kernels share: the program's place on a
-// processor, the sizes of the records that are stored and sent, and the cost of a kernel's call:
-// its counted operations times their cycles, or the host time it takes, scaled.
+// Common part of the programs that use the renderer's kernels: the program's memory on a processor,
+// the sizes of records, and the cost of a kernel's call. The cost is either the counted operations
+// times their cycles, or the scaled host time.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -17,14 +17,14 @@ namespace kernels {
 
 using observe::KernelUse;
 
-/// Takes the program's part of a processor's memory.
+/// Allocates the program's part of a processor's memory.
 void load_program(machine::Processor& processor);
 
 /// Starts a process called "processor.name".
 void start(machine::Processor& on, const char* name, machine::Priority priority,
            machine::Process::Body body);
 
-/// Calls `body` with so many bytes of this process's processor's memory taken.
+/// Calls `body` with `bytes` of the current processor's memory allocated.
 template <class Body>
 auto with_memory(std::uint64_t bytes, const char* what, Body body) {
   auto& self = machine::this_process();
@@ -34,13 +34,13 @@ auto with_memory(std::uint64_t bytes, const char* what, Body body) {
   return result;
 }
 
-/// Sizes of a ray, of what it hits and of a pixel, in bytes.
+/// Sizes of the records of a ray, of its hit and of a pixel, in bytes.
 struct RecordBytes {
   std::uint32_t ray = 0, hit = 0, pixel = 0;
 };
 RecordBytes record_bytes(const machine::Model& model);
 
-/// What a process does around a message: it writes what the message is, or looks at what it is.
+/// Costs of a process for making a message and for reading one.
 struct MessageCosts {
   machine::Cycles made, read;
 };
@@ -48,19 +48,19 @@ MessageCosts message_costs(const machine::Model& model);
 
 /// Bytes of a copy of the scene: its objects and their hierarchy.
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
-/// Bytes of a copy of its textures' pictures in all their sizes, which who shades needs.
+/// Bytes of a copy of its texture pyramids, needed by every processor that shades.
 std::uint64_t texture_bytes(const machine::Model& model, const renderer::Scene& scene);
 
 /// A sentence for each kernel that was too short for the host's clock.
 std::vector<std::string> note_short(const std::vector<KernelUse>& uses);
 
-/// What the calls of one kernel cost: their counted operations times their cycles, or the host time
-/// they take, scaled. The processes that call it may share it.
+/// Cost of the calls of one kernel: counted operations times their cycles, or scaled host time.
+/// Several processes may share it.
 class KernelCost {
  public:
-  /// With `cycles_per_host_s` host time is charged instead of counts; with `profile` it is measured
-  /// in any case, roughly: call by call, but of short calls only some, since to read the clock may
-  /// take longer than a call.
+  /// With `cycles_per_host_s`, charges host time instead of counts. With `profile`, also measures
+  /// the host time roughly, call by call; only a sample of short calls, because reading the clock
+  /// may take longer than a call.
   KernelCost(std::string name, ByModel<machine::OperationCosts> counted,
              std::optional<double> cycles_per_host_s, bool profile = false)
       : counted_(std::move(counted)), cycles_per_host_s_(cycles_per_host_s), profile_(profile) {
@@ -68,9 +68,9 @@ class KernelCost {
     use_.name = std::move(name);
   }
 
-  /// Calls `kernel`, which counts into a renderer::Work what it does, and charges this_process().
-  /// Where costs are timed, copies of it are called again later: it changes nothing that matters,
-  /// and holds its inputs, or references to what stays.
+  /// Calls `kernel`, which counts its operations in a renderer::Work, and charges this_process().
+  /// With timed costs, copies of `kernel` are called again later. It must therefore have no side
+  /// effects, and hold its inputs or references to lasting data.
   template <class Kernel>
   auto operator()(Kernel kernel) {
     renderer::Work work;
@@ -80,8 +80,8 @@ class KernelCost {
     charge(work, [&] { return make_replay(std::move(kernel)); });
     return result;
   }
-  /// The same with a kernel that changes a state: calls it with `state`, later with `scratch`, on
-  /// which it does as much. (Both stay where they are.) Returns what it counted.
+  /// The same for a kernel that changes a state: called first with `state`, later with `scratch`,
+  /// with the same amount of work. (Neither may move.) Returns its counts.
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;
@@ -92,9 +92,9 @@ class KernelCost {
     return work;
   }
 
-  /// For a kernel that waits for data now and then, and is charged its counts before: what they are
-  /// to be multiplied by. Where costs are timed `kernel` is called as above to find it: it has all
-  /// data here, and waits for none. Else 1, and it is not called.
+  /// Factor for the counts of a kernel that sometimes waits for data and is charged its counts
+  /// before each wait. With timed costs, calls `kernel` as above; here it has all data and never
+  /// waits. Else returns 1 without a call.
   template <class State, class Kernel>
   double eval_scale(State& scratch, Kernel kernel) {
     if (!timed_) return 1;
@@ -105,15 +105,15 @@ class KernelCost {
     return static_cast<double>(charged.value) / static_cast<double>(counted.value);
   }
 
-  /// On the processor of this_process().
+  /// Costs on the processor of this_process().
   const machine::OperationCosts& counted() const { return counted_.here(); }
   machine::Cycles charged() const { return use_.charged; }   ///< for all calls
   machine::Seconds charged_s() const { return charged_s_; }  ///< the same as time
-  double profile_s() const { return profile_s_; }            ///< host time of all calls, about
+  double profile_s() const { return profile_s_; }            ///< estimated host time of all calls
   KernelUse use() const;
 
  private:
-  // Where replays count; it stays when this moves.
+  // On the heap, so that the counter of the replays does not move with this object.
   struct Timed {
     KernelTimer timer{this_host()};
     renderer::Work counts_of_replays;
@@ -123,7 +123,7 @@ class KernelCost {
   auto make_replay(Kernel kernel) {
     return [kernel = std::move(kernel), &work = timed_->counts_of_replays] {
       const auto result = kernel(work);
-      asm volatile("" : : "r"(&result) : "memory");  // or the compiler might leave it out
+      asm volatile("" : : "r"(&result) : "memory");  // else the compiler may drop the call
     };
   }
   template <class State, class Kernel>
@@ -132,7 +132,7 @@ class KernelCost {
       kernel(scratch, work);
     };
   }
-  // `make` makes the replay, where costs are timed.
+  // `make` makes the replay, for timed costs.
   template <class Make>
   machine::Cycles eval(machine::Cycles counted, Make make) {
     if (!timed_) return note(counted, counted, 0);
@@ -145,7 +145,7 @@ class KernelCost {
   void charge(const renderer::Work& work, Make make) {
     machine::this_process().charge(eval(counted_.here()(work.counts), std::move(make)));
   }
-  // The clock, if this call is to be measured.
+  // Time of the clock if this call is in the sample.
   std::optional<double> begin_profile() const {
     const bool is_profiled = profile_ && use_.calls >= next_profiled_;
     return is_profiled ? std::optional(host_cpu_s()) : std::nullopt;
@@ -156,15 +156,15 @@ class KernelCost {
   std::optional<double> cycles_per_host_s_;
   bool profile_;
   double profile_s_ = 0;
-  std::uint64_t profiled_ = 0;       // calls that this is the time of
-  std::uint64_t each_of_ = 1;        // one of so many calls is measured
-  std::uint64_t next_profiled_ = 0;  // the number of the one that is measured next
-  std::unique_ptr<Timed> timed_;     // where costs are timed
+  std::uint64_t profiled_ = 0;       // calls covered by profile_s_
+  std::uint64_t each_of_ = 1;        // sampling period in calls
+  std::uint64_t next_profiled_ = 0;  // number of the next sampled call
+  std::unique_ptr<Timed> timed_;     // only for timed costs
   KernelUse use_;
   machine::Seconds charged_s_{};
 };
 
-/// The use of those that were called.
+/// Use of the kernels that were called.
 std::vector<KernelUse> uses_of(std::initializer_list<const KernelCost*> kernels);
 
 /// Renders a block of pixels, as a kernel for KernelCost.
@@ -176,11 +176,11 @@ inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& p
   };
 }
 
-/// Costs of finding intersections, and of a whole shading tree: its shading has the scale of the
-/// centre, which shades where tasks are rays.
+/// Costs of intersections, and of a whole shading tree. Shading in a tree has the scale of the
+/// central process, which shades if tasks are rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
-/// Costs of what the centre computes, and displays.
+/// Costs of the central process's computations and display.
 machine::OperationCosts central_costs(const machine::Model& model);
 
 }  // namespace kernels

@@ -157,7 +157,7 @@ void Cpu::at(Seconds date, const Process& process, auto then) {
     engine_.at(date, then);
 }
 
-// The high-priority process that runs has computed until then.
+// The end of what the running high-priority process computes.
 void Cpu::end_high_at(Seconds date) {
   at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();
@@ -170,7 +170,7 @@ void Cpu::end_high_at(Seconds date) {
 }
 
 void Cpu::release(Process& process, Seconds free_at) {
-  if (interrupted_ == &process) {  // by its last instruction: it gave way, nothing is to be saved
+  if (interrupted_ == &process) {  // its last instruction: there is no state to save
     interrupted_ = nullptr;
     high_.preempting = false;
     --use_.preemptions;
@@ -321,7 +321,8 @@ void Cpu::stretch(const Stretch& stretch) {
       for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
-      if (stretch.ratio < 1) end_high_at(until);  // else it finds when it comes that it is early
+      if (stretch.ratio < 1)
+        end_high_at(until);  // a later end: the old event finds that it is early
       return;
     }
   }
@@ -364,16 +365,16 @@ CpuUse Cpu::use_by(Seconds date) const {
   return use;
 }
 
-// How much of the high-priority time that use_ counts is after a date.
+// The part of use_'s high-priority time that lies after a date.
 Seconds Cpu::high_after(Seconds date) const { return std::max(Seconds{}, high_.until - date); }
 
-// How long the switch back to the low process has taken by a date, which use_ does not count yet.
+// The part of the switch back to the low process before a date. use_ does not count it yet.
 Seconds Cpu::switched_back(Seconds date) const {
   if (!is_coming_back()) return {};
   return std::max(Seconds{}, std::min(date, low_.since) - low_.way_back_from);
 }
 
-// How long the low process has computed by a date, beyond what use_ counts.
+// Computation of the low process up to a date that use_ does not count yet.
 Seconds Cpu::low_before(Seconds date) const {
   const bool computes = low_.computing && !interrupted_ && date > low_.since;
   return computes ? date - low_.since : Seconds{};
@@ -383,7 +384,7 @@ Seconds Cpu::busy_by(Seconds date) const {
   return use_.busy() - high_after(date) + switched_back(date) + low_before(date);
 }
 
-// What DMA has taken of the idle CPU since the speed changed.
+// Cycles taken from the idle CPU since the speed changed.
 Seconds Cpu::stolen_idle(Seconds date) const {
   if (speed_ == 1) return {};
   const Seconds idle = date - speed_since_ - (busy_by(date) - busy_then_);
@@ -407,7 +408,7 @@ void Cpu::stop() {
   high_queue_.clear();
   low_queue_.clear();
   high_.computing = low_.computing = false;
-  ++high_.id;  // what they wait for is of no use any more
+  ++high_.id;  // makes pending events stale
   ++low_timer_.id;
 }
 

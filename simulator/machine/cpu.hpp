@@ -1,9 +1,9 @@
 #pragma once
 // A transputer's CPU: the microcoded two-priority scheduler.
 //
-// High-priority processes run until they block. Low-priority ones run when no high one can, are
-// pre-empted by them, and share the CPU in time slices: a low process gives way after one to two
-// slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
+// High-priority processes run until they block. Low-priority processes run when no high one can,
+// and high ones pre-empt them. They share the CPU in time slices: a low process gives way after one
+// to two slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
 #include <algorithm>
 #include <array>
 #include <boost/intrusive/list.hpp>
@@ -20,7 +20,7 @@ namespace machine {
 
 class LinkDirection;
 
-/// An observer of a machine that runs: it is told what processors and links did, once that is over.
+/// Receives what processors and links of a running machine did, after each span has ended.
 struct Observer {
   enum class Doing : std::uint8_t { high, low, switching };
 
@@ -35,7 +35,7 @@ struct Observer {
 
 struct CpuUse {
   Seconds busy_high{}, busy_low{};  ///< executing, by priority; switches count as high
-  /// What DMA, and a companion, took of the CPU while it was idle. A busy CPU is busy for longer.
+  /// Cycles that DMA and a companion took from the idle CPU. A busy CPU stays busy longer instead.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
@@ -43,13 +43,13 @@ struct CpuUse {
   Seconds taken() const { return busy() + stolen_idle; }
 };
 
-/// What a CPU tells its observer. Spans that are ahead of the clock may still change: each is told
-/// when it is over, or by flush().
+/// A CPU's spans for its observer. DMA may still change a span ahead of the clock, so each is
+/// passed on when it has ended, or by flush().
 class CpuDiary {
  public:
   explicit CpuDiary(const Processor& processor) : processor_(processor) {}
 
-  /// What is not told yet is not told any more.
+  /// Drops the spans that were not passed on.
   void set_observer(Observer* observer) {
     observer_ = observer;
     spans_.clear();
@@ -58,7 +58,7 @@ class CpuDiary {
   /// The number of a process's name, see Observer; 0 without an observer.
   std::uint32_t number_of(const std::string& name);
   void note(const Process& process, Observer::Doing doing, Seconds from, Seconds to);
-  void tell_past(Seconds now);  ///< tells the observer of the spans that are over
+  void tell_past(Seconds now);  ///< passes on the spans that have ended
   void stretch(const Stretch& stretch);
   void flush(Seconds now);
 
@@ -67,13 +67,13 @@ class CpuDiary {
     Observer::Doing doing;
     Seconds from, to;
   };
-  /// What has begun, and is not told yet.
+  /// The begun spans that were not passed on.
   std::vector<Span> untold(Seconds now) const;
 
  private:
   Observer* observer_ = nullptr;
   const Processor& processor_;
-  std::vector<Span> spans_;  // not told yet
+  std::vector<Span> spans_;  // not passed on yet
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
 
@@ -90,10 +90,10 @@ class Cpu {
   void stop();
   bool stopped() const { return stopped_at_ < NEVER; }
   Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
-  /// Whether the CPU is taken up to a date to come: a process's own time may be ahead.
+  /// Returns true if the CPU is already taken beyond the clock, by a process's own time.
   bool is_ahead() const { return high_.until > now() || (is_coming_back() && low_.since > now()); }
-  /// Whether a high-priority process has become ready while this low one executes, and has not
-  /// paid yet.
+  /// Returns true if a high-priority process has become ready while this low one executes and owes
+  /// cycles.
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
 
   /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
@@ -101,9 +101,9 @@ class Cpu {
     const Seconds alone = cycles / model_.cpu.clock;
     return speed_ == 1 ? alone : Seconds{alone.value / speed_};
   }
-  /// From now on `thief`, which is the DMA of a link by its port (0 to 3), BY_COMPANION or the DMA
-  /// of a companion's link behind it, takes this share of the CPU's cycles: whatever is being
-  /// computed ends later, and so does what a high-priority process charged before it blocked.
+  /// From now on `thief` takes this share of the CPU's cycles. It is a link's DMA by its port (0 to
+  /// 3), BY_COMPANION, or the DMA of a companion's link after it. Work under way ends later, and so
+  /// does work that a high-priority process charged before it blocked.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
   CpuUse use() const { return use_by(now()); }  ///< up to now
@@ -117,7 +117,7 @@ class Cpu {
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
   void name_for_observer(Process& process);
   void flush_observer();
-  /// What the observer will be told of the time up to now.
+  /// The spans up to now that the observer has not received.
   std::vector<CpuDiary::Span> untold() const;
 
  private:
@@ -179,7 +179,7 @@ class Cpu {
   Seconds busy_by(Seconds date) const;
   Seconds stolen_idle(Seconds date) const;
 
-  // What every process that comes and goes touches is first: the host fetches it together.
+  // Members used at every dispatch come first, so that they share cache lines.
   Engine& engine_;
   const Model& model_;
   Processor& processor_;

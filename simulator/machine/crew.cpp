@@ -6,10 +6,10 @@ namespace machine {
 
 namespace {
 
-// Some tens of microseconds: a thread that sleeps takes longer than that to wake up.
+// Spins for some tens of microseconds: waking a sleeping thread takes longer.
 constexpr int TRIES = 2000;
 
-// A thread sleeps only if that takes long, or if there are more than the host has processors.
+// Spins, then sleeps; sleeps at once without `may_spin` (more threads than host processors).
 template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
@@ -30,7 +30,7 @@ Crew::Crew(std::size_t size, Share share)
   try {
     for (std::size_t number = 1; number < size; ++number)
       members_[number].thread = std::jthread([this, number] { live(number); });
-  } catch (...) {  // the host has no more threads
+  } catch (...) {  // the host has run out of threads
     end();
     throw;
   }

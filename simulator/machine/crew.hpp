@@ -1,5 +1,5 @@
 #pragma once
-// Threads that do their shares of a work again and again, and wait for each other in between.
+// Pool of threads that repeat their shares of a task, with a barrier after each repetition.
 #include <atomic>
 #include <cstdint>
 #include <deque>
@@ -14,17 +14,17 @@ namespace machine {
 class Crew {
  public:
   using Share = std::function<void(std::size_t number)>;
-  /// `share` is called for members 0 to `size` - 1, each in a thread of its own: the first in that
-  /// which calls work().
+  /// Calls `share` for members 0 to `size` - 1. Member 0 runs in the thread that calls work(), each
+  /// other member in its own thread.
   Crew(std::size_t size, Share share);
   ~Crew() { end(); }
 
-  /// The members given do their shares, all at the same time. Throws what one of them has thrown.
+  /// Runs the shares of the given members in parallel. Rethrows the first exception of a member.
   void work(const std::vector<std::size_t>& members);
 
  private:
   struct alignas(64) Member {
-    std::atomic<std::uint64_t> called{0};  // times
+    std::atomic<std::uint64_t> called{0};  // number of calls
     std::jthread thread;
   };
   void end();
@@ -33,11 +33,11 @@ class Crew {
 
   const Share share_;
   const bool may_spin_;
-  std::atomic<std::size_t> at_work_{0};  // others than the first
+  std::atomic<std::size_t> at_work_{0};  // members still running, without member 0
   std::atomic<bool> is_over_{false};
   std::mutex lock_;
   std::exception_ptr failure_;
-  std::deque<Member> members_;  // the last: their threads end first
+  std::deque<Member> members_;  // declared last, so that their threads end first
 };
 
 }  // namespace machine

@@ -1,25 +1,25 @@
 #pragma once
-// The simulated clock, its events, and the wires.
+// The simulated clock, its events, and the links.
 //
-// Processor time is arbitrated by our own scheduler (SimGrid has no two-priority processor), which
-// needs only a clock and events at a date.
+// Our own scheduler arbitrates processor time, because SimGrid has no two-priority processor. It
+// needs only a clock and timed events.
 #include "simulator/machine/carriers/carrier.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
 
-/// What moves the messages over the links. Results differ by no more than dates are rounded.
+/// Implementation of message transfer over links. Results differ only by the rounding of dates.
 enum class Links : std::uint8_t {
-  simgrid,  ///< one machine in the life of a host process
-  direct,   ///< several times faster, on large machines many times; processes are fibers
+  simgrid,  ///< only one machine in the life of a host process
+  direct,   ///< several times faster, many times on large machines; processes are fibers
 };
 
 struct EngineParams {
   Links links = Links::simgrid;
   Processes processes = Processes::fibers;
-  /// The part of each processor, in the order they are added, where they are run by several threads
-  /// of the host: numbers from 0 without gaps, see Parts. Others are in part 0. Results do not
-  /// depend on it. Empty: one part. Only with Links::direct.
+  /// Part of each processor, in the order of their addition; one host thread runs each part, see
+  /// Parts. Numbers from 0 without gaps; further processors are in part 0. Empty: one part. Results
+  /// do not depend on it. Only with Links::direct.
   std::vector<int> parts = {};
 };
 
@@ -39,27 +39,27 @@ class Engine {
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
     return carrier_->add_link(a, b, rates, rank);
   }
-  /// Whether every process needs a stack, a Proc too: SimGrid's actors have one.
+  /// True if every process needs a stack, even a Proc: with SimGrid's actors.
   bool needs_stacks() const { return needs_stacks_; }
-  /// A process's body, to be resumed by callbacks and, once it is to end, after run().
+  /// Body of a process. Callbacks resume it; after run() it is resumed only to unwind it.
   std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
                                             Coroutine::Body body) {
     return carrier_->make_coroutine(processor, name, std::move(body));
   }
 
   Seconds now() const { return {events_.now()}; }
-  Seconds until() const { return {events_.until()}; }  ///< the limit given to run(); at first none
+  Seconds until() const { return {events_.until()}; }  ///< limit given to run(); none before it
   /// Calls back at simulated time `date` (not before now). Callbacks never nest.
   void at(Seconds date, auto then) { events_.at(date.value, then); }
-  /// The same, before all that at() has asked for at that instant.
+  /// The same, before all callbacks of at() at that instant.
   void first_at(Seconds date, auto then) { events_.first_at(date.value, then); }
-  /// The same after them, but before others, in the order of ranks.
+  /// The same, after those of first_at() and before those of at(), in the order of ranks.
   void ranked_at(Seconds date, std::uint64_t rank, auto then) {
     events_.ranked_at(date.value, rank, then);
   }
-  /// The same, after all others.
+  /// The same, after all others at that instant.
   void last_at(Seconds date, auto then) { events_.last_at(date.value, then); }
-  /// Calls back when the event being handled is over, at the same simulated instant.
+  /// Calls back after the current event, at the same simulated instant.
   void soon(auto then) { events_.soon(then); }
   /// Moves `bytes` (> 0) in a direction of a link, then calls back. One message at a time.
   void transfer(std::size_t direction, std::uint64_t bytes, Callback arrived) {
@@ -69,33 +69,31 @@ class Engine {
   double left_of(std::size_t direction, Seconds date) const {
     return carrier_->left_of(direction, date.value);
   }
-  /// What moves over the direction's link, in both directions, never arrives. Nothing may move
-  /// there any more.
+  /// Cuts both directions of a link. Messages under way never arrive, and no new ones may start.
   void cut(std::size_t direction) {
     carrier_->cut(direction);
     carrier_->cut(direction ^ 1);
   }
 
-  /// Asks before the clock goes on, see Pace. Throws InvariantBroken for SimGrid's engine, whose
-  /// clock does not wait.
+  /// Calls `pace` before the clock advances, see Pace. Throws InvariantBroken for SimGrid's engine,
+  /// which cannot delay its clock.
   void set_pace(Pace& pace);
 
   /// Runs until no event is left, until the clock would pass `until`, or until stop() or
   /// request_stop(). The clock stays at the last event, or at `until`.
   End run(Seconds until);
-  /// Called by an event that turns out to be of no use any more: the clock does not stay at it when
-  /// the run ends.
+  /// Called by an event that has no effect: it does not extend the run.
   void ignore_event() { events_.ignore(); }
-  /// After a run: the clock goes back to the last event that was of use.
+  /// After a run: sets the clock back to the last event that was not ignored.
   void rewind() { events_.rewind_to(events_.last_useful()); }
-  /// Drops all events still to come.
+  /// Drops all pending events.
   void stop() { events_.stop(End::stopped); }
-  std::uint64_t handled() const { return events_.handled(); }  ///< events
-  /// Grows with every event that is asked for, while one is handled.
+  std::uint64_t handled() const { return events_.handled(); }  ///< number of events
+  /// Counter that grows with each event scheduled during the current event.
   std::uint64_t asked() const { return events_.asked(); }
 
   // --- for Parts, and links between two of them -----------------------------------------------
-  /// Processes that compute before they come to such a link.
+  /// Processes that compute before they reach such a link.
   std::vector<const Process*>& coming() { return coming_; }
   Events& events() { return events_; }
   Moment next() { return carrier_->next(); }

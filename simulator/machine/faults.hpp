@@ -1,6 +1,6 @@
 #pragma once
-// Faults of the simulated program, with their place and time. The other two kinds of error, bad
-// input and broken invariants, are in base/errors.hpp.
+// Faults of the simulated program, with their place and time. base/errors.hpp has the other two
+// kinds of error: bad input and broken invariants.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -27,7 +27,7 @@ struct OutOfMemory : Fault {
   using Fault::Fault;
 };
 
-/// The program asks the machine for what no transputer does, such as a second writer on a channel.
+/// The program asks for something that no transputer can do, such as two writers on a channel.
 struct Misuse : Fault {
   using Fault::Fault;
 };

@@ -1,8 +1,8 @@
 #pragma once
-// A transputer model: every number of the machine and of the programs' costs, with its unit, its
-// provenance and its source. The numbers live in model files, never in the code. An entry may be a
-// formula over others, so that memory of one more wait state, or a workspace off chip, changes
-// everything that it must.
+// A transputer model: every number of the machine and of the programs' costs, with its unit,
+// provenance and source. The numbers live in model files, never in the code. An entry may be a
+// formula over other entries: a changed number of wait states, or a workspace moved off chip,
+// changes every entry that depends on it.
 #include <map>
 #include <optional>
 #include <span>
@@ -15,67 +15,67 @@
 
 namespace machine {
 
-/// What a number rests on. Calibrated entries name the published cells they were fitted to.
+/// Evidence for a number. Calibrated entries name the published table cells they were fitted to.
 enum class Provenance { datasheet, thesis, calibrated, assumed };
 
-/// What a number that is not known better may be.
+/// Plausible range of an uncertain number.
 struct Range {
   double low, high;
-  bool is_share;    ///< both are shares of the entry's value, whatever that is; else in its unit
-  std::string why;  ///< no narrower and no wider
+  bool is_share;    ///< low and high are shares of the entry's value; else they are in its unit
+  std::string why;  ///< reason for these bounds
 };
 
 struct Entry {
   std::string key;      ///< "link.one_way_rate"
-  double value = 0;     ///< computed, if there is a formula
+  double value = 0;     ///< result of the formula, if there is one
   std::string formula;  ///< over other entries' keys; empty for a plain number
   std::string unit;     ///< "cycles", "bytes/s", ...
   Provenance provenance = Provenance::assumed;
   std::string source;
   std::string where;  ///< "my.toml:4: link.one_way_rate"
   std::optional<Range> range = {};
-  /// What the published cells of a calibrated entry fix: a formula over entries whose value is in
-  /// proportion to this one. Empty where they fix the entry itself.
+  /// The quantity that a calibrated entry's published cells fix: a formula over entries, linear in
+  /// this one. Empty if the cells fix the entry itself.
   std::string holds = {};
 };
 
 using NamedNumbers = std::map<std::string, double, std::less<>>;
 
 struct Model {
-  std::string name;  ///< with what override_model has set
-  std::string base;  ///< without
+  std::string name;  ///< including the entries set by override_model
+  std::string base;  ///< the name without them
   std::vector<Entry> entries;
 
   struct Cpu {
     Hertz clock;
   } cpu;
   struct Memory {
-    double steal_word;       // cycles that a link's DMA takes from the CPU, for each 4-byte word
-    double least_share;      // share of the memory's cycles that the CPU keeps however much moves
-    double companion_share;  // share of its cycles that a CPU loses to one on the same memory
+    double steal_word;       // CPU cycles that a link's DMA takes for each 4-byte word
+    double least_share;      // minimum share of the memory's cycles left to the CPU by the links
+    double companion_share;  // share of its cycles that a CPU loses to a CPU on the same memory
   } memory;
   struct Link {
     double bit_rate;                      // bits/s
     double one_way_rate, both_ways_rate;  // bytes/s, see LinkRates
-    double switch_bits;       // delay of a C004 link switch, in bit times, each time it is passed
-    double switch_byte_bits;  // what each switch adds to the period of a byte, in bit times
+    double switch_bits;                   // delay per pass through a C004 link switch, in bit times
+    double switch_byte_bits;  // increase of a byte's period by each switch, in bit times
   } link;
   struct Scheduler {
-    Cycles slice;          // a time slice period
-    Cycles preemption;     // from a low-priority process to a high one that became ready
-    Cycles return_to_low;  // and back
-    Cycles start_process, end_process;  // startp, endp: PAR's branches of one priority
+    Cycles slice;          // time slice period
+    Cycles preemption;     // switch from a low-priority process to a high one that became ready
+    Cycles return_to_low;  // switch back
+    Cycles start_process, end_process;  // startp, endp: branches of a PAR of one priority
     Cycles run_process;                 // runp: a branch of another priority
-    Cycles par_setup, par_branch;       // around a PAR, and around each branch it starts
+    Cycles par_setup, par_branch;       // overhead of a PAR and of each branch it starts
   } scheduler;
   struct Channel {
-    Cycles operands;        // loaded before in or out
+    Cycles operands;        // loading the operands of in or out
     Cycles blocked;         // in/out that has to wait, or that starts a link
-    Cycles soft_setup;      // in/out that finds its partner on this processor
-    Cycles copy_word;       // and moves one 4-byte word
-    Cycles out_word;        // what outword takes beyond out, for a message of one word
-    Cycles wake_companion;  // to make a process of the other CPU on the memory ready
-    /// The least that in or out on a link takes up to the rendezvous.
+    Cycles soft_setup;      // in/out whose partner already waits on this processor
+    Cycles copy_word;       // copy of one 4-byte word between the two
+    Cycles out_word;        // extra cycles of outword over out, for a message of one word
+    Cycles wake_companion;  // waking a process of the other CPU on the same memory
+    /// Minimum time of in or out on a link before the rendezvous.
     Cycles least_to_link() const { return operands + blocked; }
   } channel;
   struct Alternative {
@@ -85,8 +85,8 @@ struct Model {
     Cycles wait_ready, wait_not;                  // altwt
     Cycles timer_wait_ready, timer_wait_not;      // taltwt
     Cycles disable, disable_skip, disable_timer;  // disc, diss, dist
-    // Replicated guards: the replicator's turn for each, at either; an index taken modulo their
-    // number, each time; the chosen channel's address; and the next favourite.
+    // Replicated guards: replicator step per guard, for enabling and for disabling; index modulo
+    // the number of guards, each time; address of the chosen channel; update of the favourite.
     Cycles replicated, modulo, taken, favourite;
   } alternative;
   struct Timer {
@@ -94,17 +94,17 @@ struct Model {
     double high_tick, low_tick;           // s
   } timer;
   struct Software {
-    double occam_factor;  // multiplies instructions of occam's words where Code is compiled
-    Cycles turn;          // of a WHILE
-    double idle_period;   // s; an application without work looks for messages so often; 0: at once
+    double occam_factor;  // multiplies the instructions of occam constructs for Code::compiled
+    Cycles turn;          // one iteration of a WHILE
+    double idle_period;   // s; polling period of an application without work; 0: no delay
   } software;
   struct Disk {
-    double seek;  // s, for each record that is asked for
+    double seek;  // s per requested record
     double rate;  // bytes/s
   } disk;
 
   NamedNumbers instruction;  ///< cycles of an instruction, "instruction.lend"
-  /// Cycles of a kernel's operation, "operation.box_test", times the scale of its kernel.
+  /// Cycles of a kernel's operation, "operation.box_test", and the scale of each kernel.
   NamedNumbers operation, scale;
   /// Sizes of messages, records and memories, "bytes.ray".
   NamedNumbers bytes;
@@ -113,24 +113,24 @@ struct Model {
 // All throw BadInput for a name that the model does not have.
 std::uint64_t get_bytes(const Model& model, std::string_view name);
 Cycles get_instruction(const Model& model, std::string_view name);
-Cycles get_operation(const Model& model, std::string_view name);  ///< the same; without its scale
-/// An operation of routers, or of an application around its messages: times scale.router.
+Cycles get_operation(const Model& model, std::string_view name);  ///< without its kernel's scale
+/// Operation of a router or of an application's message handling, times scale.router.
 Cycles get_compiled(const Model& model, std::string_view name);
 
-/// The value of a formula over the model's entries. Throws BadInput, beginning with `where`.
+/// Value of a formula over the model's entries. Throws BadInput; the text begins with `where`.
 double eval(const Model& model, const std::string& formula, const std::string& where);
 
 /// `name` is a built-in model ("t805-25") or a path ending in .toml. A file with a line
-/// base = "NAME" holds only what differs from that model. Throws BadInput.
+/// base = "NAME" holds only the differences from that model. Throws BadInput.
 Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
-/// The model with some entries set: "link.bit_rate" to a number, or to a formula in quotes, as TOML
-/// spells it. They keep their unit, and are assumed by `origin`.
+/// The model with some entries set: pairs of a key ("link.bit_rate") and a TOML number or quoted
+/// formula. The entries keep their unit; they become "assumed", with `origin` as source.
 Model override_model(std::string_view name,
                      const std::vector<std::pair<std::string, std::string>>& entries,
                      std::string_view origin);
 std::vector<std::string> builtin_models();
-/// The sentence that its file begins with. Throws BadInput for an unknown name.
+/// First sentence of the model's file. Throws BadInput for an unknown name.
 std::string describe_builtin(std::string_view name);
 
 std::string to_text(double value);         ///< whole numbers in full
@@ -139,15 +139,15 @@ std::string describe(const Model& model);  ///< a table of every entry
 std::string describe_difference(const Model& a, const Model& b);
 std::string_view to_string(Provenance provenance);
 
-/// Turns a kernel's counts of operations into cycles.
+/// Converts a kernel's operation counts into cycles.
 class OperationCosts {
  public:
-  /// `names[i]` is what `counts[i]` counts. Every name must have an entry in the model's
-  /// [operation]; `kernel` names the entry of [scale] that multiplies them.
+  /// `names[i]` names the operation counted in `counts[i]`; it must have an entry in the model's
+  /// [operation]. `kernel` names the entry of [scale] that multiplies the cycles.
   OperationCosts(const Model& model, std::string_view kernel,
                  std::span<const std::string_view> names);
   Cycles operator()(std::span<const std::uint64_t> counts) const;
-  /// From the operation `first` on, takes the costs of `other`, which has the same operations.
+  /// Takes the costs of `other`, which has the same operations, from index `first` on.
   void replace_from(std::size_t first, const OperationCosts& other);
 
  private:

@@ -1,4 +1,4 @@
-// Model files: where their entries go, and how they are read: TOML, inheritance, formulas.
+// Reader of model files: TOML, inheritance, formulas, and the model field of each entry.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -20,7 +20,7 @@ namespace {
 constexpr double LARGEST = 1e12;  // no entry is larger, in any unit
 constexpr std::size_t MOST_ENTRIES = 10'000;
 
-// What is known of an entry: its unit, its range, and where its value goes.
+// Unit, valid range and destination of an entry.
 struct Field {
   const char* key;
   const char* unit;
@@ -40,7 +40,7 @@ Field field(const char* key, const char* unit, Section Model::*section, Value Se
           }};
 }
 
-// Entries that only other entries' formulas use.
+// An entry used only by the formulas of other entries.
 Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
   return {key, unit, low, high, [](Model&, double) {}};
 }
@@ -145,7 +145,7 @@ void check_value(const Entry& entry, double low, double high) {
                 "found {}, expected a number from {} to {}", entry.value, low, high);
 }
 
-// A pin of the chip chooses one of three.
+// A pin of the chip selects one of three rates.
 void check_bit_rate(const Model& model, std::string_view origin) {
   const double rate = model.link.bit_rate;
   base::require(rate == 5e6 || rate == 10e6 || rate == 20e6, origin,
@@ -154,8 +154,8 @@ void check_bit_rate(const Model& model, std::string_view origin) {
                 rate);
 }
 
-// The unit that an entry must carry; empty for a key that no model has. Programs bring names of
-// their own: any key is valid in the sections instruction, operation, scale and bytes.
+// Required unit of an entry; empty for an unknown key. Any key is valid in the sections
+// instruction, operation, scale and bytes, because programs add names of their own.
 std::string unit_of(std::string_view key) {
   if (const auto* open = find_open(key)) return open->unit;
   const auto known = std::ranges::find(fields(), key, &Field::key);
@@ -208,7 +208,7 @@ std::optional<double> read_share(const toml::node& node) {
   return number ? std::optional(*number / 100) : std::nullopt;
 }
 
-// low, high and why: all three, or none.
+// Reads low, high and why: either all three or none must be present.
 std::optional<Range> read_range(const Entry& entry, const toml::table& table) {
   const auto *low = table.get("low"), *high = table.get("high"), *why = table.get("why");
   if (!low && !high && !why) return {};
@@ -259,7 +259,7 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
   return entry;
 }
 
-// A model built on another may change the names that programs bring, not add any.
+// A model with a base may change names of the open sections but not add any.
 void check_key(const Model& model, const Entry& entry, bool has_base) {
   const bool known =
       std::ranges::find(model.entries, entry.key, &Entry::key) != model.entries.end();
@@ -283,7 +283,7 @@ void add(Model& model, Entry entry) {
     *same = std::move(entry);
 }
 
-// Finds the index of the entry of each name in a formula.
+// Returns the entry index of each name in a formula.
 std::vector<std::size_t> find_needs(const Model& model, const base::Formula& formula,
                                     const std::map<std::string, std::size_t>& index_of) {
   std::vector<std::size_t> needs;
@@ -299,7 +299,7 @@ std::vector<std::size_t> find_needs(const Model& model, const base::Formula& for
   return needs;
 }
 
-// Computes the entries that are formulas, each after those it uses.
+// Evaluates the entries that are formulas, in order of their dependencies.
 void eval_formulas(Model& model) {
   std::map<std::string, std::size_t> index_of;
   for (const Entry& entry : model.entries) index_of.emplace(entry.key, index_of.size());
@@ -338,12 +338,12 @@ std::optional<std::string> read_text(const toml::table& file, const char* key,
   return node->value<std::string>();
 }
 
-// `inside`: how many files of this chain of bases are being read. `where`: begins errors of a name
-// that is none and of a file that cannot be read.
+// `inside`: depth in the chain of bases. `where`: prefix of the errors for an unknown name and for
+// an unreadable file.
 Model load(std::string_view name, const std::filesystem::path& folder, int inside,
            const std::string& where);
 
-// The entries, not yet computed.
+// Reads the entries without evaluating formulas.
 Model parse(std::string_view text, std::string_view origin, const std::filesystem::path& folder,
             int inside) {
   const toml::table file = base::parse_toml(text, origin);
@@ -393,7 +393,7 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
   return parse(text, path.string(), path.parent_path(), inside);
 }
 
-// A range that is not in shares must hold the value; what is held must be something.
+// A range in the entry's unit must contain the value; a `holds` formula must be above 0.
 void check_ranges(const Model& model) {
   for (const Entry& entry : model.entries) {
     if (const auto& range = entry.range; range && !range->is_share)

@@ -10,8 +10,8 @@ namespace machine {
 
 namespace {
 
-// Not after `date + duration`, whose parts have been rounded on the way a few times: by far less
-// than these shares.
+// Lower bound of `date + duration`. Both may carry several rounding errors, all far smaller than
+// these shares.
 double at_the_earliest(double date, double duration) {
   return date + (1 - 1e-9) * duration - 1e-14 * date;
 }
@@ -61,10 +61,10 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
     throw base::InvariantBroken("a machine whose operations on links cost nothing has one part");
   for (const auto& engine : engines_) engine->events().set_until(until.value);
   between_->events().set_until(until.value);
-  engines_.front()->at({}, [] {});  // as Engine::run
+  engines_.front()->at({}, [] {});  // as in Engine::run
   Crew crew(engines_.size(), [&](std::size_t part) { engines_[part]->run_before(bound_); });
-  std::vector<Moment> next(engines_.size());  // what happens in each part
-  std::vector<std::size_t> busy;              // parts in which something happens in the window
+  std::vector<Moment> next(engines_.size());  // next event of each part
+  std::vector<std::size_t> busy;              // parts with events in the window
   for (;;) {
     if (const Events* events = stopped()) {
       be_at(latest());
@@ -85,7 +85,7 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
     busy.clear();
     for (std::size_t part = 0; part < next.size(); ++part)
       if (next[part] < bound_) busy.push_back(part);
-    if (busy.empty()) {  // a process may come to a link at once: the other parts stand still
+    if (busy.empty()) {  // a process may reach a link at once: run only its part, one event
       bound_ = just_after(first);
       busy.push_back(std::ranges::find(next, first) - next.begin());
     }
@@ -108,7 +108,7 @@ void Parts::be_at(double date) {
   between_->events().advance(date);
 }
 
-// From `date` on no process comes to a link between parts before it, unless that is known already.
+// End of the window from `date`: until then no process reaches a link between parts unannounced.
 Moment Parts::end_of_window(double date, double lookahead) const {
   double end = at_the_earliest(date, lookahead);
   for (const auto& engine : engines_)

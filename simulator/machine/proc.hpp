@@ -1,12 +1,12 @@
 #pragma once
-// PROC: the body of a process that needs no stack, a C++ coroutine.
+// PROC: the body of a process without a stack, a C++ coroutine.
 //
 //   Proc forward(Channel<Packet>& from, Channel<Packet>& to) {
 //     for (;;) co_await to.output(co_await from.input());
 //   }
 //
-// Such a process takes a few hundred bytes of the host's memory, where a stack takes a page at
-// least, and more machines fit into the host's caches.
+// Such a process takes a few hundred bytes of host memory, a stack at least one page. Larger
+// machines therefore fit into the host's caches.
 #include <coroutine>
 #include <exception>
 #include <utility>
@@ -16,30 +16,29 @@ namespace machine {
 class Process;
 Process& this_process();
 
-/// What a process does that may have to wait: for others, or until its own time has come.
+/// An action of a process that may wait: for other processes, or for its own time.
 class Operation {
  public:
-  /// Begins, or goes on from where it was. Returns whether it is over; if not, the process gives
-  /// the CPU up, and calls again when it has it back.
+  /// Begins or continues the operation. Returns whether it is over; if not, the process gives the
+  /// CPU up and calls again when it has it back.
   virtual bool go_on(Process& self) = 0;
-  /// What `co_await operation` gives; called when it is over.
+  /// Result of `co_await operation`; called when the operation is over.
   void await_resume() const {}
 
  protected:
   ~Operation() = default;
 };
 
-/// A body that has not begun, is under way or has ended; another Proc may co_await it. It waits by
-/// co_await alone, in operations on channels, in ALTs and in Sync: what needs a stack
-/// (Channel::out, pri_alt, read_timer, PAR) throws InvariantBroken. It must co_await Sync() before
-/// it takes an end of a channel over from another process, and at least once in 2^30 cycles of
-/// computation.
+/// A body before, during or after its execution; another Proc may co_await it. It waits only by
+/// co_await: in channel operations, ALTs and Sync. Calls that need a stack (Channel::out, pri_alt,
+/// read_timer, PAR) throw InvariantBroken. It must co_await Sync() at least once in 2^30 cycles of
+/// computation, and before it takes over a channel end from another process.
 class [[nodiscard]] Proc final : public Operation {
  public:
   struct promise_type;
   using Frame = std::coroutine_handle<promise_type>;
 
-  Proc() = default;  ///< none
+  Proc() = default;  ///< no body
   Proc(Proc&& other) noexcept : frame_(std::exchange(other.frame_, {})) {}
   Proc& operator=(Proc&& other) noexcept {
     std::swap(frame_, other.frame_);
@@ -59,7 +58,7 @@ class [[nodiscard]] Proc final : public Operation {
 
 struct Proc::promise_type {
   Operation* waits_in = nullptr;
-  std::exception_ptr failure;  // of that operation, to be thrown in the body
+  std::exception_ptr failure;  // exception of that operation, rethrown in the body
 
   // co_await operation
   template <class SomeOperation>

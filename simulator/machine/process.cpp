@@ -6,7 +6,7 @@ namespace machine {
 
 namespace {
 
-// Unwinds the body of a process that is destroyed before it has ended.
+// Exception that unwinds the body of a process destroyed before its end.
 struct Cancelled {};
 
 }  // namespace
@@ -33,7 +33,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // what the proc destroys may ask
+  Process* const other = std::exchange(executing, this);  // destructors may call this_process()
   proc_ = {};
   executing = other;
 }
@@ -70,7 +70,7 @@ void Process::resume() {
   executing = nullptr;
 }
 
-// The body is entered again when its operation is over: what happens in between needs no stack.
+// Leaves the body until its operation is over; meanwhile the operation runs without the stack.
 void Process::suspend_in(Operation& operation) {
   operation_ = &operation;
   leave_body();
@@ -118,10 +118,10 @@ void Process::start_wait(Wait& wait) {
 
 void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
-  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // the run ends before
+  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // to end at the limit
 }
 
-// It has given the CPU up, or has been made ready, ahead of the clock.
+// Moves the dates of a process that gave the CPU up, or became ready, ahead of the clock.
 void Process::stretch(const Stretch& stretch) {
   if (state_ == State::ready) {
     const Seconds waited = ready_at_ - blocked_since_;
@@ -150,8 +150,8 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-// A process that only computes would not let the run end at its limit; nor, if there is none, at a
-// failure, or when the user wants. (A Proc cannot sync here: it is refused when it is far ahead.)
+// Syncs if the debt is too large. Else a process that only computes would keep the run from ending
+// at its limit, at a failure, or on request. (A Proc cannot sync here: far ahead, it throws.)
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

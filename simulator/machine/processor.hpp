@@ -1,6 +1,6 @@
 #pragma once
-// A processor: a CPU, its memory, and the processes that have been started on it. Two processors
-// may have one memory: companions.
+// A processor: a CPU, its memory, and the processes started on it. Two processors may share one
+// memory; they are companions.
 #include <concepts>
 #include <exception>
 #include <memory>
@@ -11,13 +11,13 @@
 
 namespace machine {
 
-/// What the instructions of programs take.
+/// Cost of a program's instructions.
 enum class Code : std::uint8_t {
-  bare,      ///< what the data sheet says, with nothing between them
-  compiled,  ///< model.software.occam_factor times that; copies, divisions, durations as they are
+  bare,      ///< data sheet times only
+  compiled,  ///< times model.software.occam_factor, except copies, divisions and durations
 };
 
-/// The memory of one simulated processor: what its program has allocated, and its limit.
+/// The memory of a simulated processor: its size and the program's allocations.
 class Memory {
  public:
   /// `size` in bytes; `owner` is the processor's name, for the fault.
@@ -48,28 +48,28 @@ class Memory {
 
 class Processor {
  public:
-  /// `role` says what the processor is for in its program, or nothing.
+  /// `role`: purpose of the processor in its program; may be empty.
   Processor(Engine& engine, std::shared_ptr<const Model> model, int id, std::string name,
             std::shared_ptr<Memory> memory, std::string role, Code code);
 
-  /// A new process, ready at once. The reference stays valid as long as the processor.
+  /// Starts a process, ready at once. The reference is valid for the life of the processor.
   Process& start(std::string name, Priority priority, Process::Body body);
   Process& start(std::string name, Priority priority, Proc proc);
-  /// A function that makes a Proc is not its body: give what it returns.
+  /// Rejects a function that returns a Proc: pass its result instead.
   template <class Maker>
   requires std::same_as<std::invoke_result_t<Maker&>, Proc> Process& start(std::string name,
                                                                            Priority priority,
                                                                            Maker maker) = delete;
-  /// Forgets a process that has ended.
+  /// Removes a process that has ended.
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.
   void make_ready(Process& process, Seconds at) { cpu_.make_ready(process, at); }
-  /// The same at a date to come, if the process is in its wait number `wait` then.
+  /// The same at a future date, if the process is then still in wait number `wait`.
   void wake_at(Seconds date, Process& process, std::uint64_t wait);
-  /// The same before all else that happens at that date.
+  /// The same, before all other events of that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
-  /// For its next process: never given twice in a machine.
+  /// Id of the next process; unique in a machine.
   ProcessId make_id() { return (static_cast<ProcessId>(id_) + 1) << 32 | ++made_; }
 
   int id() const { return id_; }
@@ -85,24 +85,24 @@ class Processor {
   Engine& engine() { return engine_; }
   Cpu& cpu() { return cpu_; }
   const Cpu& cpu() const { return cpu_; }
-  CpuUse use() const { return cpu_.use(); }  ///< up to now
+  CpuUse use() const { return cpu_.use(); }  ///< use up to now
   bool stopped() const { return cpu_.stopped(); }
   Memory& memory() { return *memory_; }
   const Memory& memory() const { return *memory_; }
   std::shared_ptr<Memory> share_memory() const { return memory_; }
-  /// The other processor on its memory; null if there is none.
+  /// The other processor on the same memory; null if there is none.
   Processor* companion() const { return companion_; }
   const std::vector<std::unique_ptr<Process>>& processes() const { return processes_; }
 
-  /// The two have one memory from now on: see Machine::add_companion.
+  /// Makes the two share one memory from now on, see Machine::add_companion.
   void join(Processor& companion);
-  /// From now on the DMA of link `port` (0 to 3) takes this share of the memory's cycles, from the
-  /// companion's CPU too.
+  /// Sets the share of the memory's cycles that the DMA of link `port` (0 to 3) takes from now on,
+  /// also from the companion's CPU.
   void set_stolen(std::size_t port, double share);
 
-  /// From now on the observer is told what the processes do.
+  /// Reports the actions of the processes to the observer from now on.
   void set_observer(Observer* observer);
-  /// Ends the simulation with this exception (thrown again by Machine::run).
+  /// Ends the simulation with this exception (rethrown by Machine::run).
   void fail(std::exception_ptr failure);
   const std::exception_ptr& failure() const { return failure_; }
   Seconds failed_at() const { return failed_at_; }
@@ -115,7 +115,7 @@ class Processor {
   std::shared_ptr<const Model> model_;
   double software_factor_;
   int id_;
-  std::uint32_t made_ = 0;  // processes
+  std::uint32_t made_ = 0;  // number of processes
   Processor* companion_ = nullptr;
   std::exception_ptr failure_;
   Seconds failed_at_{};
@@ -123,8 +123,8 @@ class Processor {
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
-  std::vector<std::unique_ptr<Process>> removed_;  // a wake_at still refers to them
-  std::size_t sweep_at_ = 16;                      // how many of them there may be
+  std::vector<std::unique_ptr<Process>> removed_;  // kept, since a wake_at may refer to them
+  std::size_t sweep_at_ = 16;                      // size of removed_ for the next clean-up
 };
 
 inline bool Process::must_sync() const {

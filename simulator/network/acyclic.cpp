@@ -1,7 +1,7 @@
-// Our own method: no FIFOs on the way, so nothing to overflow there. A receiver for each way in
-// and a sender for each link out; a process that cannot go on waits, and the link behind it too.
-// Routes are such that links never wait for each other in a cycle (see make_acyclic_routing), and
-// every route ends at an inbox, the one place that can overflow.
+// Our own method: no FIFOs on the way, so nothing overflows there. Each way in has a receiver, each
+// link out a sender; a blocked process also blocks the link behind it (back-pressure). The routes
+// allow no cycle of waiting links (see make_acyclic_routing). Every route ends at an inbox, the
+// only place that can overflow.
 //
 //   link in ----> receiver ---.   .---> sender ----> link out
 //   link in ----> receiver ----\ /----> sender ----> link out
@@ -13,10 +13,10 @@ namespace network {
 
 namespace {
 
-// Messages that turn back here, or whose link has been cut, use channels of their own.
+// Extra way in, with its own channels, for messages that turn back here or lost their link.
 constexpr int AGAIN = WAYS;
 
-// What leads to one way out: a channel from each receiver, and before a client its inbox.
+// Inputs of one way out: a channel from each receiver, and for a client its inbox.
 struct WayOut {
   std::array<std::unique_ptr<Channel<Handed>>, WAYS + 1> from;  // by way in, or AGAIN
   std::vector<Channel<Handed>*> inputs;
@@ -65,7 +65,7 @@ class AcyclicRouter {
     }
   }
 
-  // Gives the message to the senders of its ways, over the channels that `as` has into them.
+  // Gives the message to the senders of its ways out, over the channels of way in `as`.
   void hand_on(Message message, int came_by, int as) {
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);
@@ -78,7 +78,7 @@ class AcyclicRouter {
     }
   }
 
-  // The inputs in turns: inputs[i] ? message
+  // Guards for the inputs in rotation: inputs[i] ? message
   template <class Then>
   static auto each_of(WayOut& way, Then then) {
     return each(way.inputs, way.favourite, [&way, then](std::size_t, Handed handed) {
@@ -122,9 +122,9 @@ class AcyclicRouter {
     }
   }
 
-  // The message is sent by a process of its own, which runs as long as there are any and for which
-  // nothing waits: no sender may wait for another, nor a link in for a link out that no route takes
-  // after it.
+  // Sends the message by an extra process that runs while there are such messages; nothing waits
+  // for it. Otherwise a sender might wait for another, or a link in for a link out that follows it
+  // on no route.
   void send_later(Message message) {
     node_.hold(message);
     again_.push_back(std::move(message));

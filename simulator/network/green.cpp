@@ -1,7 +1,7 @@
-// Green's method (S. Green, 1991) for any topology, as the thesis has it (figures 5.12 to 5.14): a
-// link to a processor of a lower number, and a client, has a sender, which waits in the router's
-// place; messages for a busy sender wait in its FIFO. On a link to a higher number the router waits
-// itself: such waiting climbs the numbers, and ends.
+// Green's method (S. Green, 1991) for any topology, as in the thesis (figures 5.12 to 5.14). Links
+// to processors of lower numbers, and clients, have senders, which wait in the router's place;
+// messages for a busy sender wait in its FIFO. On a link to a higher number the router itself
+// waits. A chain of such waits has ascending numbers and therefore ends.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -23,7 +23,7 @@ class GreenRouter {
     }
   }
 
-  // Figure 5.14: the senders' protocol goes first, then the inputs in turns.
+  // Figure 5.14: the senders' signals have precedence, then the inputs in rotation.
   void run() {
     for (std::size_t favourite = 0; occam::turn(true);)
       pri_alt(each(from_senders_, 0, [&](std::size_t k, Signal) { serve(senders_[k]); }),
@@ -42,7 +42,7 @@ class GreenRouter {
     Channel<Handed> into;
     std::deque<Message> fifo;
     bool ready = false;
-    std::vector<Message> failed;  // it could not send them: its link is cut
+    std::vector<Message> failed;  // unsent messages after a cut of the link
   };
 
   // Figure 5.13.
@@ -54,7 +54,7 @@ class GreenRouter {
     }
   }
 
-  // The sender is ready for the next message of its FIFO, if there is one.
+  // Gives a ready sender the next message of its FIFO, if there is one.
   void serve(Sender& sender) {
     for (auto& message : std::exchange(sender.failed, {}))
       for (auto& again : node_.send_around(std::move(message), sender.way)) route(again, NO_WAY);

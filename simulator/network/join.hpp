@@ -1,5 +1,5 @@
 #pragma once
-// The links of a machine as a topology says.
+// Links of a machine, built from a topology.
 #include <array>
 #include <vector>
 
@@ -11,12 +11,12 @@ namespace network {
 /// The directions of a link: from its end a to its end b, and back.
 using Directions = std::array<machine::LinkDirection*, 2>;
 
-/// Joins processors that no link joins yet; `at` gives each by its number in the topology. Returns
-/// the directions by index into Topology::links.
+/// Joins processors that have no links yet; `at(i)` returns the processor with number i in the
+/// topology. Returns the directions by index into Topology::links.
 std::vector<Directions> join(machine::Machine& machine, const topologies::Topology& topology,
                              auto at) {
   std::vector<Directions> all;
-  std::size_t number = 0;  // of links before that join the same two
+  std::size_t number = 0;  // number of earlier links between the same two
   for (std::size_t i = 0; i < topology.links.size(); ++i) {
     const auto& [a, b] = topology.links[i];
     const bool again = i > 0 && topology.links[i - 1].a.processor == a.processor &&

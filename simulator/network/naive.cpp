@@ -1,5 +1,5 @@
-// The router without a method: takes a message, passes it on, takes the next. Processors that wait
-// for each other in a cycle never end.
+// Router without deadlock avoidance: takes a message, passes it on, takes the next. Processors that
+// wait for each other in a cycle wait for ever.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 

@@ -69,7 +69,7 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
       nodes_[to.processor].link_in[to.port] = &channel;
     }
   }
-  // A service outside of the machine knows of failures at once, and tells all routers.
+  // An ideal service outside the machine updates all routers at the instant of a failure.
   machine.on_failure([this, &machine, first](const machine::Failure& failure) {
     const auto number = [first](const machine::Processor* p) { return p->id() - first; };
     if (failure.b) return routing_.cut(number(failure.a), number(failure.b));

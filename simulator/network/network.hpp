@@ -1,6 +1,6 @@
 #pragma once
-// Any process to any other, over any topology: a router on every processor, and its clients, which
-// know only addresses (5.1.1). How routers avoid deadlock is a method: see docs/manual/deadlock.md.
+// Messages between any processes, over any topology. Each processor has a router and clients;
+// clients know only addresses (5.1.1). Methods against deadlock: see docs/manual/deadlock.md.
 #include <deque>
 #include <memory>
 
@@ -9,33 +9,32 @@
 namespace network {
 
 enum class Method : std::uint8_t {
-  naive,     ///< takes a message, passes it on, takes the next: for the deadlock
-  chalmers,  ///< passes one message at a time, and memorises all that come meanwhile (figure 5.11)
+  naive,     ///< takes a message, passes it on, takes the next: shows the deadlock
+  chalmers,  ///< passes one message at a time and memorises arrivals meanwhile (figure 5.11)
   green,     ///< has senders to processors of lower numbers, and to clients (figures 5.12 to 5.14)
-  acyclic,   ///< every link waits for the next, and no chain of those closes (see Routing)
+  acyclic,   ///< links wait for each other, but never in a cycle (see Routing)
 };
 
 struct Params {
   Method method = Method::green;
-  bool pointers = true;  ///< within a processor a pointer is passed, not the message
-  /// Messages that a router has room for in its queues, at least 1. Each of its processes that
-  /// passes messages has room for one more, beside these.
+  bool pointers = true;  ///< within a processor, pass a pointer instead of the message
+  /// Capacity of a router's queues in messages, at least 1. Each router process that passes
+  /// messages has room for one more.
   std::size_t buffers = 64;
-  std::uint64_t longest = 512;  ///< bytes of the longest message's contents: what a buffer takes
-  /// For each processor and each of its clients, at most MAX_CLIENTS, the processes that the client
-  /// is, one bit each. Empty: one client on each processor, which is every process.
+  std::uint64_t longest = 512;  ///< bytes of the longest message's contents: size of a buffer
+  /// Processes of each client of each processor (at most MAX_CLIENTS), one bit each. Empty: one
+  /// client per processor, for every process.
   std::vector<std::vector<std::uint32_t>> processes;
-  /// For each processor its companion, if its clients from number 1 on are processes there, or
-  /// null. Empty: all are on the processor itself.
+  /// Each processor's companion if its clients from number 1 on run there, else null. Empty: all
+  /// clients are on the processor itself.
   std::vector<const machine::Processor*> companions = {};
 };
 
-/// The channels that a process of the machine has into its router and from it. One process uses a
-/// client.
+/// The channels of a process to and from its router. Only one process uses a client.
 class Client {
  public:
-  /// `longest`: bytes of contents that there are buffers for. `own` is where the client's process
-  /// is: the router's processor or its companion.
+  /// `longest`: size of a buffer, in bytes of contents. `own`: processor of the client's process,
+  /// either `router` or its companion.
   Client(int processor, const std::string& name, bool pointers, std::uint64_t longest,
          const machine::Processor& own, const machine::Processor& router)
       : processor_(processor),
@@ -45,14 +44,14 @@ class Client {
         from_(name + ".from", router, own, occam::Protocol::counted) {}
 
   int processor() const { return processor_; }
-  /// `into.router ! message`. `from.processor` is filled in. Throws base::InvariantBroken for a
-  /// message longer than Params::longest.
+  /// `into.router ! message`. Fills in `from.processor`. Throws base::InvariantBroken for a message
+  /// longer than Params::longest.
   void send(Message message);
-  /// Gives back to the router, unchanged, what it has offered (InPathTo).
+  /// Returns an offered message (InPathTo) to the router unchanged.
   void give_back(Message message);
   /// `from.router ? message`
   Message receive() { return from_.in().message; }
-  /// For ALT.
+  /// Input channel, for an ALT.
   Channel<Handed>& from_router() { return from_; }
 
  private:
@@ -65,16 +64,16 @@ class Client {
 
 class Network {
  public:
-  /// Joins the machine's processors `first`, `first` + 1, ... as the routing's topology says, and
-  /// starts a router on each. The method `acyclic` needs routes that close no cycle: see
-  /// make_routing. Throws base::BadInput if buffers and messages do not fit the processors' memory.
+  /// Joins the machine's processors `first`, `first` + 1, ... by the routing's topology and starts
+  /// a router on each. The method `acyclic` needs routes without a cycle: see make_routing. Throws
+  /// base::BadInput if buffers and messages do not fit the processors' memory.
   Network(machine::Machine& machine, Routing routing, const Params& params, int first = 0);
 
   Client& client(int processor, int number = 0) { return *clients_.at(processor).at(number); }
   const Routing& routing() const { return routing_; }
   const RouterUse& use(int processor) const { return nodes_.at(processor).use; }
-  RouterUse use() const;  ///< the sum of all
-  /// Messages that the processor's router holds now.
+  RouterUse use() const;  ///< sum over all routers
+  /// Messages in the queues of the processor's router now.
   std::size_t held(int processor) const { return nodes_.at(processor).held; }
 
  private:
@@ -86,7 +85,7 @@ class Network {
   std::vector<std::vector<std::unique_ptr<Client>>> clients_;
 };
 
-/// The routing that a method needs.
+/// Makes the routing for a method.
 Routing make_routing(Method method, const topologies::Topology& topology,
                      const topologies::RoutingTable& routes,
                      const std::optional<TreeLinks>& tree = std::nullopt);

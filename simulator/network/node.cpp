@@ -109,7 +109,7 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
   for (;;) {
     const int to = message.to.processor, client = client_of(message.to.process);
-    // Where a link has been cut the way may lead back over the sender, which is not asked itself.
+    // After a cut the way may lead back over the sender, which gets no offer of its own message.
     const bool is_offered =
         message.to.mode == Mode::in_path_to && from_link && message.from.processor != id;
     if (client != NO_WAY && (to == id || is_offered)) {
@@ -132,8 +132,8 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
 }
 
-// Of several links to a neighbour one is that of all messages between two processes: they stay in
-// order. `port` is the lowest.
+// Chooses one of several links to a neighbour, always the same for two given processes: this keeps
+// their messages in order. `port` is the lowest.
 int Node::choose_link(const Message& message, int port) const {
   const int links = routing->links_beside(id, port);
   if (links == 1) return port;

@@ -1,6 +1,6 @@
 #pragma once
-// Messages between processes of any two processors (figure 5.5), and what a router has on its
-// processor: ways in and out, the tables, and room for messages.
+// Messages between processes of any two processors (figure 5.5). Node: a router's data on its
+// processor, that is its ways in and out, its tables, and room for messages.
 //
 //   links 0 to 3 ---> |        | ---> links 0 to 3
 //                     | router |
@@ -16,11 +16,11 @@ namespace network {
 using occam::Channel;
 using occam::Signal;
 
-/// How the first level of an address is meant (5.1.1.1 to 5.1.1.3).
+/// Meaning of the first level of an address (5.1.1.1 to 5.1.1.3).
 enum class Mode : std::uint8_t {
-  unicast,     ///< the one processor
-  global,      ///< every processor but the sender's that has the process; `processor` is not used
-  in_path_to,  ///< offered to the addressed process on every processor on the way to this one
+  unicast,     ///< one processor
+  global,      ///< all other processors with this process; `processor` is not used
+  in_path_to,  ///< offered to the addressed process on every processor on the way to `processor`
 };
 
 constexpr int MAX_PROCESSES = 32;
@@ -35,11 +35,11 @@ struct Address {
 };
 constexpr Address make_global(int process) { return {0, process, Mode::global}; }
 
-/// Why a message has come back to its sender.
+/// Reason for the return of a message to its sender.
 enum class Returned : std::uint8_t { no, no_processor, no_process, no_route };
 std::string_view to_string(Returned reason);
 
-/// What a message says; routers do not look.
+/// Contents of a message; routers do not read them.
 struct Contents {
   virtual ~Contents() = default;
 };
@@ -50,15 +50,15 @@ struct Message {
   std::uint64_t number = 0;  ///< free for the sender's use
   std::shared_ptr<const Contents> contents = {};
   Returned returned = Returned::no;
-  int links = 0;         ///< passed so far
-  std::size_t tree = 0;  ///< Routing::epoch() when a GLOBAL message was sent
+  int links = 0;         ///< number of links passed so far
+  std::size_t tree = 0;  ///< for GLOBAL: Routing::epoch() at the time of sending
 
   /// The identification: address, sender and length, five words (the speed column of table 5.3).
   static constexpr std::uint64_t IDENTIFICATION = 20;
   std::uint64_t bytes() const { return IDENTIFICATION + length; }
 };
 
-/// A message on its way within a processor: copied, or known by a pointer, which is a word.
+/// A message passed within a processor: copied, or by a pointer (one word).
 struct Handed {
   Message message;
   bool by_pointer = false;
@@ -67,30 +67,30 @@ struct Handed {
 
 struct Node;
 
-/// A way is the port of a link, or CLIENT + n for the processor's client number n.
+/// Ways: a way is the port of a link, or CLIENT + n for the processor's client number n.
 constexpr int CLIENT = topologies::PORTS;
 constexpr int MAX_CLIENTS = 4;
 constexpr int WAYS = CLIENT + MAX_CLIENTS;
-constexpr int NO_WAY = -1;  ///< the way in of a message that this router sends again
+constexpr int NO_WAY = -1;  ///< way in of a message that this router itself sends again
 
-/// A router had no room for a message.
+/// A router has no room for a message.
 struct Overflow : machine::Fault {
   using Fault::Fault;
 };
 
-/// Messages that a router has handled.
+/// Messages handled by a router.
 struct RouterUse {
   std::uint64_t taken = 0;      ///< from clients
-  std::uint64_t passed = 0;     ///< from one link to another ("EE" in table 5.1), when they come
-  std::uint64_t delivered = 0;  ///< to clients, without those that have come back to their sender
-  std::uint64_t returned = 0;   ///< to their sender, as they could not be delivered
-  std::uint64_t lost = 0;       ///< could not be returned either
-  std::size_t most_held = 0;    ///< at once
+  std::uint64_t passed = 0;     ///< from one link to another ("EE" in table 5.1), upon arrival
+  std::uint64_t delivered = 0;  ///< to clients, without returned ones
+  std::uint64_t returned = 0;   ///< to their sender, being undeliverable
+  std::uint64_t lost = 0;       ///< not returnable either
+  std::size_t most_held = 0;    ///< maximum held at once
 
-  RouterUse& operator+=(const RouterUse& other);  ///< sums; the larger most_held
+  RouterUse& operator+=(const RouterUse& other);  ///< sums; maximum of most_held
 };
 
-/// Cycles of what a router's code executes, as compiled: the model's [operation].
+/// Cycles of a router's operations in compiled code: the model's [operation].
 struct RouterCosts {
   RouterCosts() = default;
   explicit RouterCosts(const machine::Model& model);
@@ -99,7 +99,7 @@ struct RouterCosts {
   occam::Cycles copy_setup, copy_word;
 };
 
-/// The ways that a message takes from a processor.
+/// The ways of a message out of a processor.
 struct WaysOut {
   std::array<std::int8_t, WAYS> way{};
   std::size_t count = 0;
@@ -108,7 +108,7 @@ struct WaysOut {
   const std::int8_t* end() const { return way.data() + count; }
 };
 
-/// A way in, as an input of occam::each: `way ? message`. No message comes if its link is cut.
+/// A way in, as an input of occam::each: `way ? message`. Gives no message if its link is cut.
 struct WayIn {
   Node* node;
   int way;
@@ -120,36 +120,36 @@ struct Node {
   int id = 0;
   machine::Processor* processor = nullptr;
   const Routing* routing = nullptr;
-  std::size_t buffers = 0;  ///< messages that there is room for in queues
+  std::size_t buffers = 0;  ///< capacity of the queues, in messages
   bool pointers = true;     ///< see Params
   RouterCosts costs;
   std::array<Channel<Message>*, topologies::PORTS> link_in{}, link_out{};
   std::vector<Channel<Handed>*> client_in, client_out;
   std::vector<std::uint32_t> processes;  ///< by client, a bit for each process
   RouterUse use;
-  std::size_t held = 0;  ///< messages
+  std::size_t held = 0;  ///< messages in the queues
 
-  std::vector<int> ways() const;  ///< in and out: the same
+  std::vector<int> ways() const;  ///< ways in, which are also the ways out
   std::vector<WayIn> inputs();    ///< all ways in
 
   /// `channel ? message`; nothing if the link is cut.
   std::optional<Message> take(int way);
   /// `channel ! message`; false if the link is cut.
   bool pass(int way, const Message& message);
-  /// determ.ways.out of figure 5.14: where the message that came by this way goes from here. A
-  /// message that cannot be delivered turns back to its sender; if that has no way, none is left.
-  /// With pointers, a buffer is claimed for each way and given back: that is charged here too.
+  /// determ.ways.out of figure 5.14: the ways out for a message that came by this way. An
+  /// undeliverable message turns back to its sender; without a way there, the result is empty. With
+  /// pointers, also charges the claim and release of a buffer for each way.
   WaysOut find_ways_out(Message& message, int came_by);
-  /// Messages to be sent from here next (they will turn back): one for each processor that a GLOBAL
-  /// message of this processor does not reach by any tree.
+  /// Messages to send next from here; they will be returned. One for each processor not reached by
+  /// the tree of a GLOBAL message of this processor.
   std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
-  /// The messages to be sent from here in place of one whose link `way` has been cut.
+  /// Replacements to send from here for a message after a cut of its link `way`.
   std::vector<Message> send_around(Message message, int way);
 
-  /// Takes room for one more message, which is copied unless pointers are used. Throws Overflow.
+  /// Takes room for one more message; copies it unless pointers are used. Throws Overflow.
   void hold(const Message& message);
   void release(const Message& message);
-  /// For a queue in which nothing waits.
+  /// Charges the look at an empty queue.
   void charge_empty_fifo() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The routers: each method in a file of its name. The node outlives the processes.
+// The routers; each method is in a file of its name. The node must outlive the processes.
 #include "simulator/network/node.hpp"
 
 namespace network {
@@ -7,7 +7,7 @@ namespace network {
 using occam::each;
 using occam::pri_alt;
 
-/// Each starts the processes of one processor's router. All are servers, at high priority but for
+/// Start the processes of one processor's router. All are servers; all have high priority, except
 /// Chalmers's.
 void start_naive(Node& node);
 void start_chalmers(Node& node);

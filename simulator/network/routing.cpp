@@ -10,7 +10,7 @@ namespace network {
 
 namespace {
 
-// For each set of ports, a bit each, the ports.
+// Lists of ports, by their set as a bit mask.
 auto make_port_lists() {
   std::array<std::vector<int>, 1U << topologies::PORTS> lists;
   for (unsigned set = 0; set < lists.size(); ++set)

@@ -1,15 +1,15 @@
 #pragma once
-// Packets from any processor to any, itself too, stored and forwarded along shortest routes.
+// Store-and-forward routing of packets between any processors, also to itself, by shortest routes.
 //
 //               links             the processor                        links
 //             ---------> receiver ---.            .--> sender ------------>
 //             ---------> receiver ----+-> queue --'    (of each link
 //   client -- into ----> entry -------'                 and of the client) --> delivered -- client
 //
-// Each incoming link has a receiver, so that no link waits for another; each way out has a queue
-// without bound, so that no receiver waits for a link, and a sender, which tells its queue when it
-// is free. All are at high priority, and pass pointers. The network is free of deadlock, as every
-// receiver always comes back to its link; longest_queue() tells what a bounded memory would refuse.
+// Each incoming link has a receiver, so that no link waits for another. Each way out has an
+// unbounded queue, so that no receiver waits for a link. Its sender tells the queue when it is
+// free. All have high priority and pass pointers. There is no deadlock, since every receiver always
+// returns to its link. longest_queue() shows the memory needed.
 #include <deque>
 #include <vector>
 
@@ -29,7 +29,7 @@ struct Packet {
   std::uint64_t bytes() const { return length; }
 };
 
-/// What is passed within a processor.
+/// Message within a processor: a pointer to a packet.
 struct Pointer {
   Packet to;
   static constexpr std::uint64_t bytes() { return 4; }
@@ -37,32 +37,32 @@ struct Pointer {
 
 class StoreAndForward {
  public:
-  /// Joins the machine's processors `first`, `first` + 1, ... as the topology says, which passes
+  /// Joins the machine's processors `first`, `first` + 1, ... by the topology, which must pass
   /// topologies::check, and starts the routers.
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0);
 
   Channel<Pointer>& into(int processor) { return into_.at(processor); }
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
   const topologies::RoutingTable& routes() const { return routes_; }
-  std::size_t longest_queue() const;  ///< packets, up to now
-  /// Number of guards in the queues that a packet passes from one processor to another: what an ALT
-  /// costs grows with it.
+  std::size_t longest_queue() const;  ///< packets, maximum up to now
+  /// Number of guards in the queues on the way between two processors; the cost of an ALT grows
+  /// with its guards.
   int guards_on_the_way(int from, int to);
 
  private:
-  static constexpr int CLIENT = topologies::PORTS;  // the way out to the processor's own client
+  static constexpr int CLIENT = topologies::PORTS;  // way out to the processor's own client
   static constexpr int WAYS = CLIENT + 1;
   template <class Item>
   using ByWay = std::array<Item, WAYS>;
 
   struct Node {
     machine::Processor* processor;
-    // Into each way out's queue, from each receiver (by port) and the entry (CLIENT); null where
-    // there is none. No packet goes back where it came from, except to its own client.
+    // Channels into the queue of each way out, by receiver's port (the entry: CLIENT); null if
+    // there is none. No packet returns to where it came from, except to its own client.
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};
-    // By the lowest port to a neighbour, the port to it whose turn it is.
+    // Next port to use for a neighbour, by the lowest port to it.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
     std::uint32_t longest_queue = 0;
   };

@@ -6,7 +6,7 @@ namespace observe {
 
 namespace {
 
-// The window in columns.
+// Conversion of times in the window to columns.
 struct Scale {
   double begin_s, per_second, columns;
   double operator()(double time_s) const {
@@ -22,7 +22,7 @@ void add(TimelineRow& row, double from, double to, std::size_t kind, const Scale
   }
 }
 
-// The stretch that a process is in.
+// Current stretch of a process, in columns.
 struct Open {
   double from = 0, to = -2, own = 0;
 };

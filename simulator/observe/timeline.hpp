@@ -1,5 +1,5 @@
 #pragma once
-// A trace in pixel columns, before it is drawn: what a chart needs however long the trace was.
+// A trace reduced to pixel columns for a chart; its size does not depend on the trace's length.
 #include <array>
 #include <vector>
 
@@ -7,16 +7,16 @@
 
 namespace observe {
 
-/// One CPU or link direction. A column holds shares of its time: a CPU's by Trace::Doing, a link's
-/// share of messages as the first. The rest is idle.
+/// One CPU or link direction. A column has shares of its time: by Trace::Doing for a CPU, the share
+/// of messages (as first) for a link. The rest is idle.
 struct TimelineRow {
   using Shares = std::array<double, 3>;
   std::vector<Shares> columns;
   double busy_s = 0;
 };
 
-/// A stretch of a CPU's time, in columns, that belongs to one process: interrupted for less than a
-/// column each time, and for less than two fifths altogether.
+/// A stretch of a CPU's time, in columns, that belongs to one process. Each interruption is shorter
+/// than a column, and all together are shorter than two fifths.
 struct TimelineStretch {
   double from, to;
   std::uint32_t process;
@@ -25,11 +25,11 @@ struct TimelineStretch {
 struct Timeline {
   std::vector<TimelineRow> cpus;
   std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU, three columns long or more
-  std::vector<TimelineRow> links;  ///< by Trace's number; without columns if it is not shown
+  std::vector<TimelineRow> links;  ///< by Trace's number; without columns if not shown
 };
 
-/// The timeline of the first `processors` of a trace and the directions that leave them and carried
-/// anything.
+/// Timeline of the first `processors` of a trace, and of their outgoing link directions with
+/// traffic.
 Timeline make_timeline(const Trace& trace, std::size_t processors, std::size_t columns);
 
 }  // namespace observe

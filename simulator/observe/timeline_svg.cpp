@@ -1,4 +1,4 @@
-// A page 1600 pixels wide: names on the left, shares of time on the right, a column a pixel.
+// SVG page 1600 pixels wide: names on the left, shares of time on the right, one column a pixel.
 
 #include <algorithm>
 #include <iterator>
@@ -126,7 +126,7 @@ class Chart {
     print("<path d=\"{}\" stroke=\"#ddd\"/>\n", grid);
   }
 
-  // Draws a row's names, and the line that it stands on.
+  // Draws a row's name, its share of time and its base line.
   void draw_frame(int y, int height, const std::string& name, double busy_s, bool is_small) {
     const int size = std::min(is_small ? 9 : 12, height + 1);
     if (size >= 9) {
@@ -142,9 +142,9 @@ class Chart {
           WIDTH);
   }
 
-  // Draws the area below the sum of the kinds of `doing`; drawn over each other, areas show each
-  // kind. A column's height is its share, unless it is the edge of a bar: between an empty and a
-  // full column the height changes within it, as far to the right as leaves the share as it is.
+  // Draws the area below the sum of the kinds of `doing`. Areas drawn over each other show each
+  // kind. A column's height is its share. At the edge of a bar, between an empty and a full column,
+  // the step is inside the column instead, at the place that keeps the share.
   void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
     const int full = 2 * height;  // levels are in half pixels
@@ -193,7 +193,7 @@ class Chart {
     print("</g>\n");
   }
 
-  // Draws the names of processes where they fit, and a thin line where one begins.
+  // Draws a thin line at the start of each stretch, and the process's name if it fits.
   void draw_stretches(const std::vector<TimelineStretch>& stretches, int height) {
     std::string begins;
     for (const auto& stretch : stretches) {
@@ -216,7 +216,7 @@ class Chart {
   }
 
   const Trace& trace_;
-  std::size_t shown_;  // processors
+  std::size_t shown_;  // number of processors
   Heights heights_;
   Timeline timeline_;
   std::vector<std::vector<std::uint32_t>> links_;  // drawn, by processor

@@ -1,5 +1,5 @@
 #pragma once
-// A trace: what every processor and link direction did, and when; and the files that show it.
+// A trace: timed actions of every processor and link direction, and its file formats.
 #include <cstdint>
 #include <iosfwd>
 #include <string>
@@ -10,7 +10,7 @@ namespace observe {
 /// Times are simulated seconds, at least 0, within the window. Numbers of processors, processes,
 /// links and channels are indices into the vectors here.
 struct Trace {
-  /// What a processor does; between that it is idle.
+  /// Activity of a processor during a span; between spans it is idle.
   enum class Doing : std::uint8_t { high, low, switching };
   struct Process {
     std::string name;
@@ -19,7 +19,7 @@ struct Trace {
   struct Link {  ///< a direction, by processors
     std::uint32_t from, to;
   };
-  /// Spans of one processor do not overlap; `process` means nothing in a switch.
+  /// Spans of one processor do not overlap; `process` is meaningless in a switch.
   struct Span {
     double from_s, to_s;
     std::uint32_t processor, process;
@@ -40,22 +40,22 @@ struct Trace {
   std::string title;
 };
 
-// Three files of the same trace; the first two keep whole nanoseconds. All throw
-// base::InvariantBroken, before they write, for a trace that is not as described above.
+// Three formats; the first two store whole nanoseconds. All throw base::InvariantBroken, before any
+// output, for a trace that violates the description above.
 
 /// Trace Event Format (JSON), for Perfetto and chrome://tracing. A processor is a process there,
-/// with a track for its CPU and one for every direction that leaves it; an arrow leads from a
-/// message on its link to what the receiving CPU does next.
+/// with one track for its CPU and one for every outgoing link direction. An arrow leads from a
+/// message on its link to the receiving CPU's next action.
 void save_chrome(const Trace& trace, std::ostream& out);
 
-/// Paje, for ViTE and pj_dump: states of CPUs and link directions, and messages as arrows from CPU
-/// to CPU. Paje has no escapes: in names, quotation marks become apostrophes, backslashes slashes
-/// and control characters spaces; an empty name becomes "-".
+/// Paje, for ViTE and pj_dump: states of CPUs and link directions, and messages as arrows between
+/// CPUs. Paje has no escapes. In names, quotation marks therefore become apostrophes, backslashes
+/// slashes, and control characters spaces; an empty name becomes "-".
 void save_paje(const Trace& trace, std::ostream& out);
 
-/// A Gantt chart, SVG: a row for every CPU, and below it thin ones for the directions that leave it
-/// and carried anything. Where a pixel's time holds more than one thing, heights are shares of it.
-/// Processors beyond 64 are not drawn, but counted.
+/// Gantt chart, SVG: a row for every CPU, and below it thin rows for its outgoing link directions
+/// with traffic. If a pixel's time has several activities, heights are their shares. Processors
+/// beyond 64 are counted but not drawn.
 void save_timeline(const Trace& trace, std::ostream& out);
 
 }  // namespace observe

@@ -1,5 +1,5 @@
-// Trace Event Format: "X" is a slice, "s" and "f" the ends of an arrow, "M" a name or a place among
-// the others; times are in microseconds.
+// Trace Event Format: "X" is a slice, "s" and "f" are the ends of an arrow, "M" is a name or a sort
+// index; times are in microseconds.
 #include <map>
 #include <utility>
 
@@ -22,7 +22,7 @@ std::string quote_json(std::string_view text) {
   return quoted + '"';
 }
 
-// The file's numbers. A CPU's track has its process's number, so that it is shown first.
+// Numbers in the file. A CPU's track has the number of its process, so that viewers show it first.
 struct Numbers {
   std::size_t processors;
   std::size_t processor(std::size_t i) const { return i + 1; }
@@ -39,7 +39,7 @@ class ChromeFile {
   void write() {
     out_.print(FMT_COMPILE("{{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n"));
     write_names();
-    // Arrows end at the next slice that is read: so messages come first.
+    // Transfers come first: an arrow ends at the next slice in the file.
     write_transfers();
     write_spans();
     out_.print(FMT_COMPILE("\n]}}\n"));
@@ -63,7 +63,7 @@ class ChromeFile {
                pid, tid, quote_json(name), pid, tid, tid);
   }
 
-  // Also writes a slice as long as the window, so that idle ends of it are shown.
+  // Writes names, and a slice as long as the window, so that viewers show its idle ends.
   void write_names() {
     for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
       name_process(numbers_.processor(i), i + 1, trace_.processors[i]);
@@ -117,7 +117,7 @@ class ChromeFile {
 
   void write_spans() {
     const std::string switching = "\"switching\",\"cat\":\"switching\",\"cname\":\"grey\"";
-    std::vector<std::string> high, low;  // ends of slices, by process
+    std::vector<std::string> high, low;  // last fields of slices, by process
     for (const auto& process : trace_.processes) {
       high.push_back(quote_json(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
       low.push_back(quote_json(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");

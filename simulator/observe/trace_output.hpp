@@ -1,5 +1,5 @@
 #pragma once
-// What the writers of traces share: a check, whole nanoseconds, and text in large pieces.
+// Common part of the trace writers: check, rounding to nanoseconds, and buffered text output.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -11,14 +11,14 @@
 
 namespace observe {
 
-/// Throws base::InvariantBroken for an index out of range, an end before a start, and items of one
-/// processor or link that overlap, or are out of order, by more than a nanosecond.
+/// Throws base::InvariantBroken for an index out of range and for an end before a start. Also for
+/// items of one processor or link that overlap or are out of order by more than a nanosecond.
 void check(const Trace& trace);
 
-/// Rounded: what touches or does not overlap in seconds does so in nanoseconds too.
+/// Rounds a time; spans that touch, or do not overlap, keep this property in nanoseconds.
 inline std::int64_t to_nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-/// Writes text to a stream, a megabyte at a time; the rest by flush().
+/// Writes text to a stream in pieces of a megabyte; flush() writes the rest.
 class TraceOutput {
  public:
   explicit TraceOutput(std::ostream& out) : out_(out) { buffer_.reserve(PIECE + PIECE / 8); }

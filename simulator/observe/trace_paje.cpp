@@ -1,4 +1,4 @@
-// Paje: definitions of events, then events, one a line, by time.
+// Paje: definitions of events, then events by time, one a line.
 #include <algorithm>
 #include <functional>
 #include <queue>
@@ -10,9 +10,8 @@ namespace observe {
 
 namespace {
 
-// Events by their numbers. The fields' names are those that ViTE and PajeNG have in common. What
-// CPUs and links do is PajeSetState with fields more (5, 6), and without where there is nothing to
-// say (4).
+// Events by number. Field names are those common to ViTE and PajeNG. States of CPUs and links are
+// PajeSetState with extra fields (5, 6), or without them (4) for idle, quiet and switching.
 struct EventDef {
   const char* name;
   std::vector<std::string_view> fields;
@@ -62,7 +61,7 @@ std::string make_header() {
 
 std::string quote_paje(std::string_view text) {
   std::string quoted = "\"";
-  for (const char c : text.empty() ? "-" : text) {  // PajeNG cannot read an empty one
+  for (const char c : text.empty() ? "-" : text) {  // PajeNG cannot read an empty name
     const auto code = static_cast<unsigned char>(c);
     quoted += c == '"' ? '\'' : c == '\\' ? '/' : code < 0x20 || code == 0x7f ? ' ' : c;
   }
@@ -93,7 +92,7 @@ class PajeFile {
   }
 
  private:
-  // What one processor or link did: its spans or transfers, and how many of their ends are past.
+  // Spans or transfers of a processor or link, and the number of starts and ends already written.
   struct Lane {
     std::vector<std::uint32_t> items;
     std::size_t past = 0;
@@ -101,7 +100,7 @@ class PajeFile {
 
   void pass_to(std::int64_t time) { now_ = std::max(now_, time); }
 
-  // Writes a line up to and with its time.
+  // Writes the start of a line, up to its time.
   void begin(int event) {
     constexpr std::int64_t giga = 1'000'000'000;
     out_.print(FMT_COMPILE("{} {}.{:09} "), event, now_ / giga, now_ % giga);
@@ -150,7 +149,7 @@ class PajeFile {
       lanes_[trace_.spans[i].processor].items.push_back(i);
     for (std::uint32_t i = 0; i < trace_.transfers.size(); ++i)
       lanes_[trace_.processors.size() + trace_.transfers[i].link].items.push_back(i);
-    using Next = std::pair<std::int64_t, std::size_t>;  // when, which lane
+    using Next = std::pair<std::int64_t, std::size_t>;  // time, lane
     std::priority_queue<Next, std::vector<Next>, std::greater<>> next;
     const auto push = [&](std::size_t lane) {
       if (lanes_[lane].past < 2 * lanes_[lane].items.size()) next.emplace(time_of(lane), lane);
@@ -167,7 +166,7 @@ class PajeFile {
 
   bool is_cpu(std::size_t lane) const { return lane < trace_.processors.size(); }
 
-  // The time of the lane's next event, the start or the end of an item.
+  // Time of the lane's next event, the start or the end of an item.
   std::int64_t time_of(std::size_t lane) const {
     const auto& [items, past] = lanes_[lane];
     const auto time = [&](const auto& item) { return past % 2 ? item.to_s : item.from_s; };

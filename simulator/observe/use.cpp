@@ -18,7 +18,7 @@ ProcessRow make_row(const machine::Process& process) {
           process.blocked(Kind::input).value, process.blocked(Kind::alternative).value};
 }
 
-// Processes come and go: those of `before` may have ended, and others have begun.
+// Subtracts by id: processes of `before` may have ended, and others may have begun.
 void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
   std::unordered_map<machine::ProcessId, const ProcessRow*> known;
   for (const auto& row : before) known[row.id] = &row;
@@ -86,7 +86,7 @@ const CpuRow* find_role(const Use& use, std::string_view role) {
   return found == use.cpus.end() ? nullptr : &*found;
 }
 
-const ProcessRow& find_process(const Use& use, const std::string& name) {
+const ProcessRow& find_process(const Use& use, std::string_view name) {
   const auto found = std::ranges::find(use.processes, name, &ProcessRow::name);
   if (found == use.processes.end())
     throw base::InvariantBroken(fmt::format("no process is called {}", name));

@@ -1,5 +1,5 @@
 #pragma once
-// How busy every processor and link direction has been, between two instants.
+// Use of every processor, link direction and process between two instants.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,25 +11,25 @@
 namespace observe {
 
 struct CpuRow {
-  std::string name, role;              ///< as machine::Processor has them
+  std::string name, role;              ///< see machine::Processor
   double busy_s = 0, busy_high_s = 0;  ///< high: processes of high priority, and switches
   std::uint64_t preemptions = 0, dispatches = 0;
   std::uint64_t memory_peak_bytes = 0;
-  std::string model;                   ///< its name
-  std::optional<std::uint64_t> tasks;  ///< that it has done; none where they are not counted
+  std::string model;                   ///< name of its model
+  std::optional<std::uint64_t> tasks;  ///< tasks done, if counted
 };
 
 struct LinkRow {
   std::string from, to;
-  std::size_t beside = 0;  ///< links before it that join the same two
+  std::size_t beside = 0;  ///< number of earlier links between the same two
   double busy_s = 0;
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// What a process waited for. The rest of the time it was executing, or ready to.
+/// Waiting times of a process. For the rest of the time it was executing or ready.
 struct ProcessRow {
   machine::ProcessId id = 0;
-  std::string name;  ///< "coordinator.coordination"; several may have one
+  std::string name;                                     ///< "coordinator.coordination"; not unique
   double output_s = 0, input_s = 0, alternative_s = 0;  ///< blocked in out, in, ALT
 };
 
@@ -40,27 +40,27 @@ struct Use {
   std::vector<ProcessRow> processes;
 };
 
-/// What the calls of a kernel took on the host and were charged, where costs are timed.
+/// Host time and charged cycles of a kernel's calls, for timed costs.
 struct KernelUse {
   std::string name;
   std::uint64_t calls = 0;
-  double host_s = 0;  ///< of all calls
+  double host_s = 0;  ///< sum over all calls
   machine::Cycles counted{}, charged{};
-  double longest_batch_s = 0;  ///< calls measured at once took so long, at most
-  bool is_short = false;       ///< and that was too short for the host's clock
+  double longest_batch_s = 0;  ///< time of the longest batch of calls
+  bool is_short = false;       ///< even this batch was too short for the host's clock
 };
 
-/// Everything up to now. Throws base::InvariantBroken if a resource was busier than time allows.
+/// Use up to now. Throws base::InvariantBroken if a resource was busy for longer than the time.
 Use collect(const machine::Machine& machine);
-/// What happened from `before` to `after`.
+/// Use from `before` to `after`.
 Use between(const Use& before, const Use& after);
 
-/// "p0>p1", of the second link between the two "p0>p1 (2)".
+/// "p0>p1"; "p0>p1 (2)" for the second link between the two.
 std::string name_of(const LinkRow& link);
 /// The first processor of a role; null if there is none.
 const CpuRow* find_role(const Use& use, std::string_view role);
-/// Throws base::InvariantBroken for a name that is not there.
-const ProcessRow& find_process(const Use& use, const std::string& name);
+/// Throws base::InvariantBroken for an unknown name.
+const ProcessRow& find_process(const Use& use, std::string_view name);
 std::uint64_t total_messages(const Use& use);
 std::uint64_t total_bytes(const Use& use);
 

@@ -47,7 +47,7 @@ class Recorder : public machine::Observer {
     trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
   }
 
-  // Drops what was charged ahead of the end: it did not happen any more.
+  // Drops spans charged beyond the end, which did not happen.
   void close(Seconds end) {
     trace_.end_s = std::max(end.value, trace_.begin_s);
     std::erase_if(trace_.spans, [&](const auto& s) { return s.from_s >= trace_.end_s; });
@@ -68,7 +68,7 @@ class Recorder : public machine::Observer {
   std::map<const std::string*, std::uint32_t> channels_;  // by the address of their names
 };
 
-// Whether a link has been cut, or a processor has stopped.
+// True if a link has been cut, or a processor has stopped.
 bool is_broken(const machine::Machine& machine) {
   return std::ranges::any_of(machine.links(), [](const auto& link) { return link->is_cut(); }) ||
          std::ranges::any_of(machine.processors(), &machine::Processor::stopped);

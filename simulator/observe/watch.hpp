@@ -1,41 +1,41 @@
 #pragma once
-// Runs of a machine with a limit, and with a trace of what it did.
+// Runs of a machine with a time limit and a trace.
 #include "simulator/machine/machine.hpp"
 #include "simulator/observe/spectator.hpp"
 #include "simulator/observe/trace.hpp"
 
 namespace observe {
 
-/// Limits and records a run.
+/// Limit, observers and end of a run.
 struct Watch {
-  machine::Seconds until{std::numeric_limits<double>::infinity()};  ///< simulated
-  machine::Seconds from{};                                          ///< simulated; of the trace
-  Trace* trace = nullptr;                                           ///< filled, if there is one
-  Spectator* spectator = nullptr;                                   ///< watches, if there is one
-  Onlooker* onlooker = nullptr;                                     ///< looks, if there is one
+  machine::Seconds until{std::numeric_limits<double>::infinity()};  ///< simulated time limit
+  machine::Seconds from{};                                          ///< start of the trace
+  Trace* trace = nullptr;                                           ///< to be filled; may be null
+  Spectator* spectator = nullptr;                                   ///< may be null
+  Onlooker* onlooker = nullptr;                                     ///< may be null
 
-  machine::End end = machine::End::done;  ///< why the run ended, and when
-  std::exception_ptr deadlock;            ///< the Deadlock, if that is why
-  machine::Seconds ended{};
-  std::uint64_t events = 0;  ///< simulated
+  machine::End end = machine::End::done;  ///< reason for the end of the run
+  std::exception_ptr deadlock;            ///< the Deadlock, for End::deadlock
+  machine::Seconds ended{};               ///< date of the end
+  std::uint64_t events = 0;               ///< number of simulated events
 };
 
-/// Whether somebody watches the run.
+/// True if the run has a spectator.
 inline bool is_watched(const Watch* watch) { return watch && watch->spectator; }
 
-/// Whether somebody may look at the picture of a run.
+/// True if a spectator or an onlooker may look at the run's picture.
 inline bool is_seen(const Watch* watch) { return watch && (watch->spectator || watch->onlooker); }
 
-/// Tells who looks, if there is one, that the picture is about to change.
+/// Notifies the onlooker, if there is one, before the picture changes.
 inline void tell_change(const Watch* watch, machine::Seconds now) {
   if (watch && watch->onlooker) watch->onlooker->before_change(now.value);
 }
 
-/// Runs the machine, all of whose processors and links are there, and notes its end in `watch`.
-/// Throws what Machine::run throws; the trace is filled all the same. A deadlock of a machine in
-/// which something is broken is no defect, but an end that what was measured has come to.
+/// Runs a complete machine and notes its end in `watch`. Throws the exceptions of Machine::run; the
+/// trace is filled all the same. A deadlock after a failure of a link or processor is not thrown:
+/// it is a valid end of the measurement, End::deadlock.
 machine::End run(machine::Machine& machine, Watch& watch, const View& view = {});
-/// The same without limit and notes if `watch` is null; then every Deadlock is thrown.
+/// The same; without limit and notes if `watch` is null, and then every Deadlock is thrown.
 machine::End run(machine::Machine& machine, Watch* watch, const View& view = {});
 
 }  // namespace observe

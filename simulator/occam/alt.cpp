@@ -9,7 +9,7 @@ namespace {
 using GuardKind = Guard::Kind;
 using Costs = machine::Model::Alternative;
 
-// `date` tells when: it is asked only where that matters.
+// `date` returns the time in question; it is called only if needed.
 template <class Date>
 bool is_ready(const Process& self, const Guard& guard, Date date) {
   if (!guard.condition) return false;
@@ -18,7 +18,7 @@ bool is_ready(const Process& self, const Guard& guard, Date date) {
          (guard.channel->has_output() && guard.channel->output_waits(date()));
 }
 
-// What a replicated guard costs beside one that is written out: its loop's turn, and its division.
+// Extra costs of a replicated guard over one written out: its replicator step, and its division.
 Cycles turn(const Costs& costs, const Guard& guard) {
   return guard.replicated ? costs.replicated : Cycles{};
 }
@@ -49,7 +49,7 @@ bool any_cut(std::span<const Guard> guards) {
 
 }  // namespace
 
-// What the guards cost, if none is ready; what a ready one adds is found when it is.
+// Computes the cost of the guards if none is ready. A ready guard's extra cost is added later.
 Select::Select(std::span<const Guard> guards) : guards_(guards) {
   const auto& costs = this_process().processor().model().alternative;
   const Guard* last = nullptr;
@@ -93,7 +93,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // A smaller debt is paid together with the enabling.
+      // Smaller debts are paid together with the enabling.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -105,7 +105,7 @@ bool Select::go_on(Process& self) {
       stage_ = Stage::enables_late;
       return false;
     case Stage::enables_late: {
-      // It has paid: enabling began so long before now.
+      // The debt has been paid: enabling began span(enabled_) before now.
       cycle_ = self.paid_cycle();
       begin_ = self.own_time() - span(enabled_);
       const bool ready = some_ready(self);
@@ -126,14 +126,14 @@ bool Select::go_on(Process& self) {
   return true;
 }
 
-// An output of another CPU can come from a time that is behind this process's own; and its own time
-// may come sooner than it seems, before a tick. So what is ready is certain only when the clock has
-// come so far.
+// True if the clock must reach the process's own time before it tests guards. An output from
+// another CPU may still arrive before that time. And the own time may come earlier than predicted,
+// before a timer guard's tick.
 bool Select::must_settle(const Process& self) const {
   return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
 }
 
-// It waits from a date ahead of the clock, which has moved, and so have the guards' turns.
+// Moves the start of a wait that begins ahead of the clock, and the dates of enabling the guards.
 void Select::on_stretch(Process& process, const machine::Stretch& stretch) {
   const Seconds enabled_at = stretch(begin_ + span(enabled_));
   begin_ = stretch(begin_);
@@ -149,8 +149,8 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// The cost of alt, and of enabling each guard at its own turn. (If no output waits at the end, none
-// did before.)
+// Cost of alt and of enabling each guard, ready or not at its own turn. (If no output waits at the
+// end, none waited before.)
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
@@ -166,15 +166,15 @@ Cycles Select::cost_to_enable_all(const Process& self) const {
   return spent;
 }
 
-// An output may come while the guards are enabled: what that adds is spent when it is known.
+// Spends the known cost of enabling. If an output arrives meanwhile, a later call adds the rest.
 void Select::spend_enabling(Process& self) {
   const Cycles known = cost_to_enable_all(self);
-  if (known < enabled_ && any_cut(guards_)) return;  // what was ready is not any more
+  if (known < enabled_ && any_cut(guards_)) return;  // a ready guard has lost its link
   self.charge(Cycles{known.value - enabled_.value});
   enabled_ = known;
 }
 
-// If no guard is ready, an output that comes while a high process pays for that wakes it.
+// Spends altwt or taltwt. A high process is woken by an output that arrives while it pays.
 bool Select::spend_wait(Process& self, bool ready) {
   const auto& costs = self.processor().model().alternative;
   if (has_timer_)
@@ -215,8 +215,8 @@ bool Select::spend_disabling(Process& self) {
   return !must_settle(self) && choose(self);
 }
 
-// The guards are disabled again in order, and the first that is ready when its turn comes is taken;
-// none is if the link of the one that was ready has been cut.
+// Disables the guards in order and takes the first that is ready at its turn. There is none if the
+// link of the ready guard has been cut.
 bool Select::choose(Process& self) {
   const auto& costs = self.processor().model().alternative;
   Cycles spent{};

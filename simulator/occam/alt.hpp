@@ -7,8 +7,8 @@
 //           after(deadline, [&] { ... }),
 //           otherwise(has_work, [&] { ... }));
 //
-// The first ready guard in the order written is taken (PRI ALT). A plain ALT leaves the choice
-// open, so every ALT here is a PRI ALT. Fair selection rotates the order of the inputs of `each`.
+// PRI ALT takes the first ready guard in the order written. A plain ALT leaves the choice open, so
+// every ALT here is a PRI ALT. Fair selection rotates the order of the inputs of `each`.
 #include <array>
 #include <boost/container/small_vector.hpp>
 #include <span>
@@ -18,8 +18,8 @@
 
 namespace occam {
 
-/// What a guard waits for if its condition holds: an output on a channel, a tick of the timer, or
-/// nothing (SKIP).
+/// A guard. If its condition holds, it waits for an output on a channel, for a tick of the timer,
+/// or for nothing (SKIP).
 struct Guard {
   enum class Kind : std::uint8_t { skip, channel, timer };
 
@@ -37,19 +37,18 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
-  bool replicated = false;  ///< it takes a turn of a replicator, to enable and again to disable it
-  bool is_fair = false;     ///< and a division: see fair_each
-  std::int64_t tick = 0;    ///< the guard is ready from then on, as wait_until() counts
+  bool replicated = false;  ///< costs a replicator step for enabling and one for disabling
+  bool is_fair = false;     ///< costs a division each time, too: see fair_each
+  std::int64_t tick = 0;    ///< the guard is ready from this tick on, counted as in wait_until()
 };
 
-/// Waits until a guard is ready; chosen() is then its index, and its input is still to be done. At
-/// least one condition must hold. It charges the transputer's instructions for an ALT: alt, altwt
-/// and altend once, enbc and disc for each guard (talt, taltwt, enbt and dist with a timer). A
-/// guard whose link is cut is never ready; the link of the chosen one can still be cut before
-/// its input is over.
+/// Waits until a guard is ready; chosen() is then its index, and the caller does its input. At
+/// least one condition must hold. Charges the transputer's instructions for an ALT: alt, altwt and
+/// altend once, enbc and disc for each guard (talt, taltwt, enbt and dist with a timer). A guard on
+/// a cut link is never ready. The link of the chosen guard can still be cut during its input.
 class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
-  /// The guards stay where they are until it is over.
+  /// `guards` must outlive the operation.
   explicit Select(std::span<const Guard> guards);
   Select(const Select&) = delete;
   Select& operator=(const Select&) = delete;
@@ -67,7 +66,7 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   bool some_ready(const Process& self) const;
   Cycles cost_to_enable_all(const Process& self) const;
   void spend_enabling(Process& self);
-  // Each goes on to the next; they return as go_on() does.
+  // Each function calls the next one; they return as go_on() does.
   bool spend_wait(Process& self, bool ready);
   bool wait(Process& self);
   bool spend_disabling(Process& self);
@@ -75,10 +74,10 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
 
   std::span<const Guard> guards_;
   std::size_t chosen_ = 0;
-  machine::Seconds begin_{}, from_{};  // of enabling, of disabling
-  machine::Seconds cycle_{};           // mean duration of one while it does that
-  Cycles enabling_{}, disabling_{};    // of all guards, if none is ready
-  Cycles enabled_{};                   // spent for enabling
+  machine::Seconds begin_{}, from_{};  // start of enabling, of disabling
+  machine::Seconds cycle_{};           // mean duration of a cycle meanwhile
+  Cycles enabling_{}, disabling_{};    // cost of all guards, if none is ready
+  Cycles enabled_{};                   // spent for enabling so far
   Stage stage_ = Stage::comes;
   bool looks_at_others_ = false, has_timer_ = false;
 };
@@ -88,12 +87,12 @@ inline std::size_t select(std::span<const Guard> guards) {
   return this_process().carry_out(Select(guards)).chosen();
 }
 
-/// The guards of an ALT; more than 16 of them cost the host an allocation.
+/// The guards of an ALT; more than 16 guards cost the host an allocation.
 using Guards = boost::container::small_vector<Guard, 16>;
 
-// What is written in an ALT has, beside its guards, two functions: begin(i, input) begins the input
-// of its guard i, if there is one, and once that is over, end(i, input) does what follows. (An
-// input is kept without what its own await_resume() adds.)
+// An argument of an ALT has guards and two functions. The first, begin(i, input), begins the input
+// of its guard i, if there is one. The second, end(i, input), then executes the guard's body. (The
+// input is stored as the base class Exchange, without its own await_resume().)
 using MaybeInput = std::optional<ChannelBase::Exchange>;
 
 inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
@@ -101,8 +100,8 @@ inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
   input.emplace(from, may_fail);
 }
 
-/// `channel ? message`, if the condition holds. Into an optional message nothing is input if the
-/// link is cut before all of it has come.
+/// `channel ? message`, if the condition holds. An optional message stays empty if the link is cut
+/// before the whole message has arrived.
 template <class Message, class Into, class Then>
 struct InputGuard : Guard {
   static constexpr bool MAY_FAIL = !std::is_same_v<Into, Message>;
@@ -119,7 +118,7 @@ struct InputGuard : Guard {
   }
 };
 
-/// SKIP and timers: nothing is input.
+/// SKIP and timers: guards without an input.
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
@@ -150,9 +149,9 @@ auto after(bool condition, std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
-/// The channel of an input of `each` that is a pointer to one. Other kinds of input have a function
-/// of this name in their own namespace, and input_from(input), which does the input and may return
-/// anything.
+/// Channel of an input of `each`, here for pointers to channels. Other kinds of input need a
+/// function of this name in their own namespace, and input_from(input): it does the input and may
+/// return any type.
 template <class Message>
 ChannelBase& channel_of(Channel<Message>* input) {
   return *input;
@@ -163,7 +162,7 @@ template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
   std::size_t favourite;
-  bool is_fair;  // the program itself takes the indices modulo their number
+  bool is_fair;  // the program pays for the indices modulo their number
   Then then;
 
   std::size_t size() const { return inputs.size(); }
@@ -179,7 +178,7 @@ struct Replicated {
   void end(std::size_t i, const MaybeInput& /*over*/) {
     then(index(i), inputs[index(i)]->received());
   }
-  /// The same for other inputs, in a process with a stack.
+  /// The same for inputs other than channels, in a process with a stack.
   void take(std::size_t i) {
     charge_turn();
     then(index(i), input_from(inputs[index(i)]));
@@ -191,17 +190,17 @@ struct Replicated {
   }
 };
 
-/// ALT i = 0 FOR SIZE inputs. `then` gets the index of the input that was ready, and its message.
-/// Which of several is taken is open in occam: here the first from `first` on, which costs nothing.
-/// Beside what a guard written out for each input does, it costs the replicator's turns. The
-/// inputs, pointers to channels as a rule, stay where they are until the ALT is over.
+/// ALT i = 0 FOR SIZE inputs. `then` gets the index of the ready input, and its message. Occam
+/// leaves the choice between ready inputs open; here the first from `first` on is taken, at no
+/// cost. Each guard costs its replicator steps, beside the cost of a guard written out. `inputs`,
+/// usually pointers to channels, must outlive the ALT.
 template <class Inputs, class Then>
 auto each(const Inputs& inputs, std::size_t first, Then then) {
   return Replicated<Inputs, Then>{inputs, first, false, std::move(then)};
 }
 
-/// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (figures 4.12 and 4.14):
-/// the program sees to it itself that all have their turn, and pays for the divisions.
+/// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (figures 4.12 and 4.14).
+/// The program rotates the favourite itself, for fairness, and pays for the divisions.
 template <class Inputs, class Then>
 auto fair_each(const Inputs& inputs, std::size_t favourite, Then then) {
   return Replicated<Inputs, Then>{inputs, favourite, true, std::move(then)};
@@ -221,7 +220,7 @@ std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guard
   return replicated.size();
 }
 
-/// Calls `use` with what the guard number `chosen` was written in, and its number there.
+/// Calls `use` with the argument that contains guard number `chosen`, and the guard's index there.
 template <class Use, class... Written>
 void use_chosen(std::size_t chosen, const std::size_t* counts, Use use, Written&... written) {
   const auto use_if_here = [&](auto& one) {
@@ -234,7 +233,7 @@ void use_chosen(std::size_t chosen, const std::size_t* counts, Use use, Written&
   static_cast<void>((use_if_here(written) || ...));
 }
 
-/// Waits until one of the guards is ready, inputs its message and does what it says.
+/// Waits until one of the guards is ready, inputs its message and executes its body.
 template <class... Written>
 void pri_alt(Written&&... written) {
   Guards guards;
@@ -254,7 +253,7 @@ void pri_alt(Written&&... written) {
       written...);
 }
 
-/// The same for a Proc: co_await alternative(...). What a guard says must not wait.
+/// The same for a Proc: co_await alternative(...). The body of a guard must not wait.
 template <class... Written>
 class [[nodiscard]] Alternative final : public machine::Operation {
  public:

@@ -60,13 +60,13 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-// A tag or a size that more follows moves nothing yet.
+// Ends a communication. The message moves with its last part, not with a tag or size before it.
 void ChannelBase::move_part() {
   rest_to_come_ = std::exchange(rest_follows_, false);
   if (!rest_to_come_) move_message();
 }
 
-// Both processes are here, and have been descheduled.
+// Starts a transfer over the link; both processes have arrived and been descheduled.
 void ChannelBase::transfer(Process& first, Process& second) {
   transfer_[0] = &first;
   transfer_[1] = &second;
@@ -90,15 +90,15 @@ void ChannelBase::enable(Process& process) {
   if (hard() && output.process) look_at(output.since, writer);
 }
 
-// An output waits from `at` on. Another guard may wake the process before.
+// Wakes the process in an ALT for an output that waits from `at` on, unless another guard has.
 void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     waiting.processor().make_ready(waiting, std::max(at, alternative_.since));
 }
 
-// A process waits at an end of the link from its own time on, which may be ahead of the clock. Only
-// what that changes for others is an event. Returns whether it changes anything, now or then.
+// Makes a process wait at an end of the link from its own time on, which may be ahead of the clock.
+// Schedules an event only if another process is affected. Returns whether that may be so.
 bool ChannelBase::come_to_link(Side side, Process& process) {
   const Seconds date = process.blocked_since();
   end_of(side).waiting = {&process, date};
@@ -111,7 +111,7 @@ bool ChannelBase::come_to_link(Side side, Process& process) {
   return wakes_alternative && look_at(date, side);
 }
 
-// Looks when the clock has come so far. Returns whether that changes anything, or may.
+// Calls look() when the clock reaches `date`. Returns whether that has an effect, or may have.
 bool ChannelBase::look_at(Seconds date, Side side) {
   if (date <= link_->now()) return look();
   link_->come_at(date, side, [this] {
@@ -120,7 +120,7 @@ bool ChannelBase::look_at(Seconds date, Side side) {
   return true;
 }
 
-// What those who have come to the link change for others. Returns whether they do.
+// Starts a transfer, wakes an ALT or reports a cut. Returns whether that had an effect.
 bool ChannelBase::look() {
   const auto has_come = [&](const Party& p) { return p.process && p.since <= link_->now(); };
   Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
@@ -145,7 +145,7 @@ bool ChannelBase::look() {
   return matters;
 }
 
-// The transfer under way, if there is one, does not end.
+// Cancels the current transfer, if there is one.
 void ChannelBase::cancel_transfer() {
   if (!std::exchange(transfer_[0], nullptr)) return;
   transfer_[1] = nullptr;
@@ -177,7 +177,7 @@ bool ChannelBase::Exchange::go_on(Process& self) {
   return false;
 }
 
-// One part of the message.
+// Moves one part of the message.
 bool ChannelBase::Exchange::communicate(Process& self) {
   Party& partner = channel_->end_of(other_side()).waiting;
   switch (stage_) {
@@ -216,14 +216,14 @@ bool ChannelBase::Exchange::stop_at(Stage next) {
   return false;
 }
 
-// The copy of an input is of as many bytes as the partner has said by then.
+// Cost of the copy. An input copies the length of the waiting output.
 Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs) const {
   const std::uint64_t bytes = side_ == writer ? bytes_ : channel_->bytes_;
   return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
 }
 
-// Spends what the operation takes up to the rendezvous. These return false if the process has to
-// give the CPU up first.
+// Spends the operation's cost before the rendezvous. The pay functions return false if the process
+// must give the CPU up first.
 bool ChannelBase::Exchange::pay_to_come(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const bool is_outword = side_ == writer && bytes_ == 4;
@@ -236,8 +236,8 @@ bool ChannelBase::Exchange::pay_to_come(Process& self) const {
              wakes && channel_->alternative_.process ? wake : Cycles{});
 }
 
-// The partner may come to a soft channel while a low-priority process spends that: then the copy is
-// spent too.
+// Spends the copy, too, if the partner has reached a soft channel while a low-priority process was
+// paying.
 bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const Cycles wake = channel_->joins_cpus() ? costs.wake_companion : Cycles{};
@@ -254,8 +254,8 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
-// Both processes are here, this one second. A high partner takes the CPU from a low process, which
-// executes what follows, unseen by others, up to where it has to pay.
+// Completes a rendezvous; this process came second. A high partner takes the CPU from a low
+// process. The low one first executes, unseen by others, up to its next payment.
 void ChannelBase::Exchange::meet(Process& self, Party partner) {
   ++channel_->use_.messages;
   channel_->use_.bytes += channel_->bytes_;
@@ -269,8 +269,8 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
   if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// The process waits from a date ahead of the clock, which has moved. What was asked for the old
-// date finds nothing to do there.
+// Moves the start of a wait that begins ahead of the clock. Events for the old date find nothing to
+// do.
 void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch& /*stretch*/) {
   Party& own = channel_->end_of(side_).waiting;
   if (own.process != &process) return;
@@ -278,11 +278,11 @@ void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch&
   if (channel_->hard()) channel_->come_to_link(side_, process);
 }
 
-// The process waits for its partner, or for the end of a transfer, in vain.
+// Ends the wait for a partner or for the end of a transfer, after a cut of the link.
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut()) return;
   if (process.blocked_since() > channel_->link_->now()) {
-    // One that is not to be told would only put off the report of a deadlock by an event.
+    // Without may_fail_ an event would only delay the report of a deadlock.
     if (may_fail_) channel_->look_at(process.blocked_since(), side_);
     return;
   }

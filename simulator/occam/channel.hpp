@@ -1,8 +1,8 @@
 #pragma once
 // Channels: unbuffered, point to point, synchronised. The transfer happens when both ends are
-// ready. A soft channel joins two processes of one processor, or of two on one memory, and is a
-// memory copy on the CPU of the one that comes second; a hard channel is a direction of a link, and
-// its DMA engine moves the bytes.
+// ready. A soft channel joins two processes on one memory, of one processor or of companions; the
+// CPU of the later process copies the message. A hard channel is one direction of a link, and the
+// link's DMA engine moves the bytes.
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -20,8 +20,8 @@ using machine::Proc;
 using machine::Process;
 using machine::this_process;
 
-/// A message without contents: one word. Every message type says in a member `bytes()` how many
-/// bytes it takes on a channel; they may depend on its contents.
+/// A message without contents: one word. Every message type has a member `bytes()`: its size on a
+/// channel, which may depend on its contents.
 struct Signal {
   static constexpr std::uint64_t bytes() { return 4; }
 };
@@ -30,15 +30,15 @@ struct ChannelUse {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// The untyped half of a channel: which processes wait, and what the rendezvous costs.
+/// The untyped half of a channel: waiting processes and cost of the rendezvous.
 class ChannelBase {
  public:
   explicit ChannelBase(std::string name);
-  /// Must live as long as the machine runs. Throws Misuse if the link's direction has a channel
-  /// already.
+  /// A hard channel; must outlive the machine's run. Throws Misuse if the link's direction has a
+  /// channel already.
   ChannelBase(std::string name, machine::LinkDirection& link);
-  /// A soft channel between a processor and itself or its companion, whose processes are woken by
-  /// an event (the model's channel.wake_companion). Throws Misuse for others.
+  /// A soft channel between a processor and itself or its companion; waking a companion's process
+  /// costs the model's channel.wake_companion. Throws Misuse for other processors.
   ChannelBase(std::string name, const machine::Processor& from, const machine::Processor& to);
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
@@ -46,11 +46,10 @@ class ChannelBase {
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
-  /// Its ends are on two CPUs: what happens at one is certain only once the clock has come so far.
+  /// True if its ends are on two CPUs: events at the other end are certain only up to the clock.
   bool joins_cpus() const { return joins_cpus_; }
-  /// Whether the link has been cut, as far as the clock has come: nothing goes over it any more. A
-  /// process that inputs or outputs blocks for ever, unless it does so `_or_fail`; a guard is never
-  /// ready.
+  /// True if the link has been cut by now. Nothing goes over it any longer: inputs and outputs
+  /// block for ever, unless called as `_or_fail`, and a guard is never ready.
   bool cut() const { return link_ && link_->is_cut(); }
 
   /// The process that would have to output for an ALT on the channel to go on; 0 if that is not
@@ -63,13 +62,13 @@ class ChannelBase {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// For ALT on which no output waits yet: the next one, or one that waits from a time to come on,
-  /// wakes the process, which waits since its own time.
+  /// For an ALT without a waiting output. The next output wakes the process, which waits since its
+  /// own time; so does an output that waits from a later time on.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
   /// The process has enabled the guard ahead of the clock, and its own time has moved.
   void move_enabling(machine::Seconds since) { alternative_.since = since; }
-  /// For ALT: from here to leave_input() nobody else inputs; see take().
+  /// For ALT: reserves the input end for the process until leave_input(); see take().
   void take_input(Process& process) { take(reader, process); }
   void leave_input() { leave(reader); }
 
@@ -78,14 +77,13 @@ class ChannelBase {
  protected:
   using Side = machine::LinkDirection::Side;
   static constexpr Side writer = Side::writer, reader = Side::reader;
-  /// What goes over the channel for one message, in bytes: a tag or a size first, where the
-  /// protocol has one, then the rest.
+  /// The two parts of a message, in bytes: the tag or size, if the protocol has one, and the rest.
   struct Parts {
     std::uint64_t first, rest;
   };
-  /// Before the operation of a process, and after. take() throws Misuse while another process is
-  /// at this end, and for a process that is on the wrong processor: with a hard channel, on
-  /// another than its end of the link; with a soft one, than those that used it before.
+  /// Called before and after an operation of a process. Throws Misuse while another process uses
+  /// this end. Also for a process on the wrong processor: not at the link's end (hard channel), or
+  /// not where this end was used before (soft channel).
   void take(Side side, Process& process) {
     End& end = end_of(side);
     if (end.place != &process.processor() || end.taken_by) check_may_take(side, process);
@@ -99,13 +97,13 @@ class ChannelBase {
  private:
   struct Party {
     Process* process = nullptr;
-    machine::Seconds since{};  // own time of its arrival; may be ahead of the clock
+    machine::Seconds since{};  // process's own time of arrival; may be ahead of the clock
   };
   struct End {
     Party waiting;  // for its partner
     const Process* taken_by = nullptr;
-    const machine::Processor* place = nullptr;  // where its processes are, once that is known
-    machine::ProcessId user = 0;  // the process that used this end last, for a deadlock report
+    const machine::Processor* place = nullptr;  // processor of its processes, once known
+    machine::ProcessId user = 0;                // last process at this end, for a deadlock report
   };
 
   End& end_of(Side side) { return ends_[static_cast<std::size_t>(side)]; }
@@ -120,22 +118,22 @@ class ChannelBase {
   void cancel_transfer();
   void wake_alternative(machine::Seconds at);
 
-  // What an ALT and most exchanges touch comes first: the host fetches it together.
+  // Members used by ALTs and most exchanges come first, in the same cache lines of the host.
   bool joins_cpus_ = false;
-  bool rest_follows_ = false;  // the part of the message that goes now is not all
-  bool rest_to_come_ = false;  // it has arrived
+  bool rest_follows_ = false;  // the part being sent is not the whole message
+  bool rest_to_come_ = false;  // the first part has arrived, the rest has not
   machine::LinkDirection* link_ = nullptr;
-  Party alternative_;                   // waits in an ALT with a guard on this channel
-  std::uint64_t alternative_wait_ = 0;  // the number of that wait among the process's waits
+  Party alternative_;                   // process in an ALT with a guard on this channel
+  std::uint64_t alternative_wait_ = 0;  // number of that wait among the process's waits
   std::uint64_t bytes_ = 0;             // length of the output that waits or is under way
   End ends_[2];                         // by side
   ChannelUse use_;
-  Process* transfer_[2] = {};  // processes of the transfer under way, first come first
+  Process* transfer_[2] = {};  // processes of the current transfer, in order of arrival
   std::string name_;
 };
 
-/// An output or an input of a whole message, from its process's arrival until the message has moved
-/// or, if that is allowed, the link has been cut. A Proc may co_await it.
+/// Output or input of a whole message. It lasts from its process's arrival until the message has
+/// moved or, if that is allowed, the link has been cut. A Proc may co_await it.
 class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::Wait {
  public:
   Exchange(ChannelBase& channel, Parts output, bool may_fail)
@@ -150,7 +148,7 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   Exchange(ChannelBase& channel, bool may_fail)
       : channel_(&channel), side_(reader), may_fail_(may_fail) {}
   bool go_on(Process& self) final;
-  /// Once it is over: the link was cut before the whole message had moved.
+  /// After the end: whether the link was cut before the whole message had moved.
   bool failed() const { return failed_; }
 
  private:
@@ -177,9 +175,9 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   bool is_second_ = false, may_fail_ = false, failed_ = false;
 };
 
-/// How a message goes over a channel: whole; as occam's PROTOCOL with CASE, `channel ! tag;
-/// contents`, two communications: its tag, a byte, and then its contents, if there are any; or as a
-/// counted array, `channel ! size::message`: first its size, a word of its bytes.
+/// Division of a message into communications. Simple: one. Variant, occam's PROTOCOL with CASE,
+/// `channel ! tag; contents`: the tag (a byte), then the contents, if any. Counted, for an array,
+/// `channel ! size::message`: the size (one word of the message's bytes), then the rest.
 enum class Protocol : std::uint8_t { simple, variant, counted };
 
 template <class Message>
@@ -193,18 +191,18 @@ class Channel : public ChannelBase {
           Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), from, to), protocol_(protocol) {}
 
-  /// `channel ! message`: blocks until the partner has it. The message's bytes are those after the
-  /// tag; those of a counted array include its size.
+  /// `channel ! message`: blocks until the partner has it. The message's bytes() exclude the tag
+  /// but include the size of a counted array.
   void out(Message message) { this_process().carry_out(output(std::move(message))); }
-  /// The same, but false if the link is cut before the partner has all of it: the partner does not
-  /// get it. (InputOrFail and OutputOrFail of occam's library.) That costs what an operation that
-  /// has to wait does.
+  /// The same, but returns false if the link is cut first: the partner gets no part of the message.
+  /// A failed operation costs as much as one that has to wait. (InputOrFail and OutputOrFail of
+  /// occam's library.)
   bool out_or_fail(Message message) {
     return this_process().carry_out(output_or_fail(std::move(message))).await_resume();
   }
   /// `channel ? message`
   Message in() { return this_process().carry_out(input()).await_resume(); }
-  /// The same; returns nothing if the link is cut before all of the message is here.
+  /// The same; returns nothing if the link is cut before the whole message has arrived.
   std::optional<Message> in_or_fail() {
     return this_process().carry_out(input_or_fail()).await_resume();
   }
@@ -243,7 +241,7 @@ class Channel : public ChannelBase {
     take(reader, this_process());
     return InputOrFail(*this);
   }
-  /// The message of an input that is over; once.
+  /// The message of a completed input; call it only once.
   Message received() { return std::move(incoming_); }
 
  private:
@@ -262,7 +260,7 @@ class Channel : public ChannelBase {
   Message outgoing_, incoming_;
 };
 
-// The words that processes are written in.
+// Free functions in the style of occam, for the bodies of processes.
 template <class Message>
 void out(Channel<Message>& channel, Message message) {
   channel.out(std::move(message));
@@ -272,7 +270,7 @@ void in(Channel<Message>& channel, Message& message) {
   message = channel.in();
 }
 inline void in(Channel<Signal>& channel) { channel.in(); }
-/// They return false, or nothing, if the link is cut before the whole message has been moved.
+/// Return false, or nothing, if the link is cut before the whole message has moved.
 template <class Message>
 [[nodiscard]] bool out_or_fail(Channel<Message>& channel, Message message) {
   return channel.out_or_fail(std::move(message));
@@ -282,16 +280,16 @@ template <class Message>
   return channel.in_or_fail();
 }
 
-/// The cycles of instructions of compiled occam: times the machine's software factor.
+/// Cycles of instructions in compiled occam: multiplied by the processor's software factor.
 inline Cycles compiled(Cycles instructions) {
   return machine::round_to_cycles(this_process().processor().software_factor() *
                                   static_cast<double>(instructions.value));
 }
-/// Spends them.
+/// Spends compiled(instructions) cycles.
 inline void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
-/// Spends a duration, whatever the software factor; see Process::charge.
+/// Spends a duration, without the software factor; see Process::charge.
 void charge(machine::Seconds duration);
-/// The same for an instruction by its name in the model file's [instruction]: charge("lend").
+/// Spends an instruction, by its name in the model file's [instruction]: charge("lend").
 void charge(std::string_view instruction);
 
 }  // namespace occam

@@ -16,12 +16,12 @@ struct TimerWait : machine::Wait {
   std::string describe() const override { return "the timer"; }
 };
 
-// Whole ticks up to a time; a hair is added lest rounding lose one.
+// Whole ticks up to a time; a small tolerance keeps rounding from losing a tick.
 std::int64_t whole_ticks(double ticks) {
   return static_cast<std::int64_t>(std::floor(ticks * (1 + 1e-12) + 1e-9));
 }
 
-// The process that started the branches of a PAR, and waits for them.
+// Wait of a PAR's parent for the end of its branches.
 struct Join : machine::Wait {
   std::size_t running = 0;
   bool parent_waits = false;

@@ -12,7 +12,7 @@ using base::Columns;
 
 namespace {
 
-// On average, of the processors of a role.
+// Mean load of the processors of a role.
 Load load_of(const observe::Use& use, const char* role, const char* name, const char* work) {
   double busy_s = 0, high_s = 0, n = 0;
   for (const auto& cpu : use.cpus)

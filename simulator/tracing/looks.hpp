@@ -1,5 +1,5 @@
 #pragma once
-// When a picture is looked at while it grows: the keys of a program's section.
+// Keys of a program's section for recording the picture while it grows.
 #include "base/fields.hpp"
 #include "renderer/trace/params.hpp"
 #include "simulator/growth/recorder.hpp"
@@ -9,8 +9,8 @@ namespace tracing {
 /// show_at_s, show_every_s and growth.
 base::Fields<growth::Looks> look_fields();
 
-/// What is looked at has to fit in the host's memory, and in a moving picture: else throws
-/// base::BadInput, naming the key in `section`, "farm".
+/// Checks that the recorded pictures fit in the host's memory and in an animation. Else throws
+/// base::BadInput that names the key in `section`, such as "farm".
 void check_looks(const std::string& section, const growth::Looks& looks,
                  const renderer::Params& image);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The user's orders in the order in which they come: those of the script and, where somebody
-// watches the run, those of hands. An order of a hand acts as if it had stood in the script.
+// The user's orders by time: those of the script and, on a watched run, manual ones ("hands"). A
+// manual order acts as if it were part of the script.
 #include <algorithm>
 #include <any>
 #include <cmath>
@@ -16,15 +16,15 @@ class Orders {
  public:
   using Order = tracing::Order<Limits>;
 
-  /// `has_hands`: more orders may come; else the user leaves after the last of the script. The last
-  /// is a Leave in any case.
+  /// `has_hands`: manual orders may follow; else the user leaves after the script's last order. The
+  /// last order is always a Leave.
   Orders(const std::vector<Order>& script, bool has_hands)
       : orders_(script.begin(), script.end()), is_open_(has_hands) {}
 
   bool has_any() const { return is_open_ || !orders_.empty(); }
 
-  /// Called by the user's process, whose orders count their time from `begun`: waits until the next
-  /// one's time and returns its number, from 0.
+  /// Called by the user's process: waits for the next order's time and returns its number, from 0.
+  /// Times count from `begun`.
   std::size_t next(machine::Seconds begun) {
     user_ = &machine::this_process();
     begun_ = begun;
@@ -37,8 +37,8 @@ class Orders {
   }
   const Order& operator[](std::size_t number) const { return orders_.at(number); }
 
-  /// From outside of the machine, between two events: see observe::View::TakeOrder. `check` throws
-  /// for orders that the program does not allow.
+  /// Called from outside the machine, between two events: see observe::View::TakeOrder. `check`
+  /// throws for orders that the program does not allow.
   double take(const OrderRecord<Limits>& record, machine::Seconds after,
               const std::function<void(const std::vector<Order>&)>& check) {
     if (!user_ || !is_open_)
@@ -46,7 +46,7 @@ class Orders {
                                  : "[[order]]: found one before the first task was at hand");
     if (has_left()) throw base::BadInput("[[order]]: found one after the user had left");
     const double tick_s = occam::date_of(*user_, 1).value;
-    // The user's process may be ahead of the clock, and know already that there was no order.
+    // The user's process may be ahead of the clock, and has then seen no order up to its own time.
     const bool is_blocked = user_->state() == machine::Process::State::blocked;
     const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
     const double from_s = std::max(after, own).value;
@@ -66,17 +66,17 @@ class Orders {
     return dated.at_s;
   }
 
-  /// Whether the user's process waits, and nothing is ordered any more unless a hand does.
+  /// True if the user's process waits for a manual order, with none left.
   bool waits_for_hand() const { return waits_for_hand_ && next_ == orders_.size(); }
   bool has_left() const {
     return !orders_.empty() && std::holds_alternative<Leave>(orders_.back().what);
   }
-  /// From now on no hand orders anything: the user leaves after the last order that is there.
+  /// Ends manual orders: the user leaves after the last pending order.
   void close() { is_open_ = false; }
 
  private:
-  // As occam::wait_until, but first among what happens then, so that it does not matter when the
-  // wait was begun; and ended earlier by a hand.
+  // Like occam::wait_until, but it ends before all other events of its date, whenever the wait
+  // began, and a manual order may end it earlier.
   void wait_for_time() {
     const auto& timer = user_->processor().model().timer;
     const bool is_past = user_->own_time() >= date_of_next();
@@ -90,7 +90,7 @@ class Orders {
     waits_for_hand_ = true;
     if (next_ == orders_.size())
       block();
-    else  // it has come meanwhile
+    else  // an order has come meanwhile
       block_until_time();
     waits_for_hand_ = false;
   }
@@ -116,8 +116,8 @@ class Orders {
     waits_for_order_ = false;
   }
 
-  // Ends a wait for a hand, or for a later order. A process that hands over the order before will
-  // look by itself.
+  // Ends a wait for a manual order, or for a later order. A process still busy with the previous
+  // order will find the new one by itself.
   void wake(machine::Seconds date) {
     if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }

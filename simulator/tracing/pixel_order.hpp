@@ -1,13 +1,13 @@
 #pragma once
-// The order in which the pixels of an image are begun, image.order.
+// Order of the pixels of an image, image.order.
 #include "base/fields.hpp"
 
 namespace tracing {
 
 enum class PixelOrder : std::uint8_t {
-  cells,     ///< as the program orders its image cells
-  scan,      ///< one after the other, row by row
-  quadrants  ///< as the queue of quadrants has them, see renderer::progressive::QuadrantQueue
+  cells,     ///< the program's own order of image cells
+  scan,      ///< row by row
+  quadrants  ///< order of the queue of quadrants, see renderer::progressive::QuadrantQueue
 };
 
 template <class P>

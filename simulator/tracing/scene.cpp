@@ -11,7 +11,7 @@ namespace tracing {
 
 namespace {
 
-// Whether the scene says its size itself, so that `objects` is void.
+// True if the source itself fixes the scene's size, so that `objects` is void.
 bool has_own_objects(const SceneChoice& scene) { return scene.source.text != "spheres"; }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// The user's session with a picture that grows: [[stage]], limits of the interactive phase one set
-// after the other, and [[order]]. What limits are is the program's: its type Limits and its fields.
+// The user's session with a growing picture: [[stage]], successive sets of limits for the
+// interactive phase, and [[order]]. Each program defines its type Limits and the fields.
 #include <fmt/format.h>
 
 #include "simulator/declare/program.hpp"
@@ -8,36 +8,36 @@
 namespace tracing {
 
 struct NonInteractive {};  ///< leave the interactive phase now
-struct Interactive {};     ///< come back to it from the non-interactive phase
-struct Abort {};           ///< no more tasks: end with the picture as it is
-struct Leave {};           ///< go away: what is under way is finished without the user
-struct Save {              ///< keep the picture as it is now
+struct Interactive {};     ///< return to it from the non-interactive phase
+struct Abort {};           ///< stop giving out tasks: end with the picture as it is
+struct Leave {};           ///< leave the run: it is finished without the user
+struct Save {              ///< save the picture as it is now
   std::string name;        ///< for a file
 };
 
-/// What the user orders, some time after the first task was at hand.
+/// An order of the user; its time counts from the first task.
 template <class Limits>
 struct Order {
   machine::Seconds at;
   std::variant<NonInteractive, Interactive, Abort, Leave, Save, Limits> what;
 };
 
-/// An [[order]] as it is given.
+/// An [[order]] as given in the experiment file.
 template <class Limits>
 struct OrderRecord {
   double at_s = 0;
   bool non_interactive = false, interactive = false, abort = false, leave = false;
   std::string save;
-  std::optional<Limits> limits;  ///< where any is given
+  std::optional<Limits> limits;  ///< set if any limit is given
 };
 
-/// Whether it is part of a file's name: up to 40 letters, digits and dashes.
+/// True if `name` can be part of a file's name: up to 40 letters, digits and dashes.
 bool is_picture_name(const std::string& name);
-/// Throws base::BadInput for names of pictures that are like each other, or like those that have a
-/// number.
+/// Throws base::BadInput for equal names of pictures, and for names that begin like those given by
+/// the program (stage, order, shown, growth, borders).
 void check_saved_names(const std::vector<std::string>& names);
 
-/// Throws base::BadInput for orders that are not in the order of their times, and for the names of
+/// Throws base::BadInput for orders not sorted by time or after a Leave, and for invalid names of
 /// pictures.
 template <class Limits>
 void check_script(const std::vector<Order<Limits>>& script) {
@@ -55,7 +55,7 @@ void check_script(const std::vector<Order<Limits>>& script) {
           fmt::format("order {}: found one after the user has left, expected none", i + 1));
 }
 
-/// at_s, non_interactive, interactive, abort, leave, save, and those of the limits.
+/// at_s, non_interactive, interactive, abort, leave, save, and the fields of the limits.
 template <class Limits>
 base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
   using Record = OrderRecord<Limits>;
@@ -89,7 +89,7 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
       {base::lift_all<Record>(limit_fields, limits)});
 }
 
-/// Throws base::BadInput for a record that does not say exactly one thing.
+/// Throws base::BadInput for a record that does not contain exactly one order.
 template <class Limits>
 Order<Limits> make_order(const OrderRecord<Limits>& record) {
   std::vector<Order<Limits>> orders;
@@ -108,8 +108,8 @@ Order<Limits> make_order(const OrderRecord<Limits>& record) {
   return orders[0];
 }
 
-/// A list of tables of the experiment file in a program's parameters P. `list` is where: a member,
-/// or a function from P& to a reference. `append` makes of a record what is put behind the others.
+/// A list of tables of the experiment file in a program's parameters P. `list`: a member of P, or a
+/// function from P& to a reference. `append`: converts a record to an element of the list.
 template <class P, class Record, class Access, class Append>
 programs::RecordList make_list(const std::string& key, const std::string& help,
                                const base::Fields<Record>& fields, Access list, Append append) {
@@ -127,8 +127,8 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
           }};
 }
 
-/// [[stage]] and [[order]]; `stages` and `script` say where in P the vectors of Limits and of
-/// Order<Limits> are.
+/// [[stage]] and [[order]]; `stages` and `script` are the members of P with the vectors of Limits
+/// and of Order<Limits>.
 template <class P, class Limits, class Stages, class Script>
 std::vector<programs::RecordList> make_lists(const base::Fields<Limits>& limit_fields,
                                              Stages stages, Script script) {

@@ -32,7 +32,7 @@ TEST(Csv, QuotedCellsComeBack) {
 TEST(Csv, QuotesOnlyWhatNeedsThem) {
   EXPECT_EQ(quote_csv("a b's-1.5"), "a b's-1.5");
   EXPECT_EQ(quote_csv("a,\"b\""), "\"a,\"\"b\"\"\"");
-  // Many readers take either for the end of a line, ours only one of them.
+  // Many readers take \r or \n for the end of a line, ours only \n.
   EXPECT_EQ(quote_csv("a\rb"), "\"a\rb\"");
   EXPECT_EQ(quote_csv("a\nb"), "\"a\nb\"");
   EXPECT_EQ(join_csv({"a", "", "b"}), "a,,b\n");

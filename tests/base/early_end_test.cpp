@@ -30,7 +30,7 @@ bool becomes_gone(pid_t process) {
 TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {
   const auto done = test::isolated([] {
     std::string text;
-    new Undo([&] { text += "first"; });  // one that went now would wait for the end
+    new Undo([&] { text += "first"; });  // leaked: its destructor would wait for the end
     {
       const Undo gone([&] { text += "gone "; });
     }
@@ -42,7 +42,7 @@ TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {
   EXPECT_EQ(done, "second first");
 }
 
-// A thread in a section ends it, nested ones too; then none gets into one any more.
+// A thread inside nested sections ends the process; no thread can enter a section after that.
 TEST(EarlyEnd, WaitsForSectionsAndLetsNoThreadIntoAnother) {
   const auto done = test::isolated([] {
     std::atomic<bool> is_inside = false, is_left = false, is_inside_again = false;
@@ -87,7 +87,7 @@ TEST(EarlyEnd, AFileThatIsBeingWrittenLeavesNothing) {
   EXPECT_EQ(read_text(folder.path / "a"), "old");
 }
 
-// The number of a program that sleeps, started by a thread that waits for it.
+// Starts a thread that waits for a sleeping program; returns the program's process id.
 pid_t start_sleeper(const fs::path& folder) {
   const auto number = folder / "number";
   std::thread([=] {
@@ -97,7 +97,7 @@ pid_t start_sleeper(const fs::path& folder) {
                                  number.string()},
                    .purpose = "sleep",
                    .remedy = "none"});
-    } catch (const std::runtime_error&) {  // it was killed
+    } catch (const std::runtime_error&) {  // the program was killed
     }
   }).detach();
   while (!fs::exists(number)) usleep(1000);
@@ -137,7 +137,7 @@ TEST(PartialName, TellsWhoMadeIt) {
   EXPECT_FALSE(is_dead(getpid()));
 }
 
-// Process 12 of "node" may have made "node-12-345", with 345 as the number that follows.
+// Process 12 of host "node" may have made "node-12-345": 345 is then the number of the file.
 TEST(PartialName, IsNotTakenForAnotherHosts) {
   const std::string hosts[] = {"node", "node-12", "node--12",    "node-",
                                "12",   "a-12",    "node-12-345", ""};

@@ -1,4 +1,4 @@
-// Formulas: what they are worth, and what is said about mistakes in them.
+// Values of formulas, and messages about mistakes in them.
 #include "base/formula.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What messages repeat of an input, and offer in the place of unknown names.
+// Messages: quoted input, and suggestions for unknown names.
 #include "base/message.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What comes first where some things need others.
+// Topological sort of a dependency graph.
 #include "base/order.hpp"
 
 #include <gtest/gtest.h>

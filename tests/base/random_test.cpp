@@ -5,7 +5,7 @@
 namespace base {
 namespace {
 
-// The numbers of published results: another stream would be other results.
+// Published results depend on these numbers: another stream would change the results.
 TEST(Random, StreamsStayTheSame) {
   EXPECT_EQ(random_at(0, 0), 16294208416658607535u);  // SplitMix64's first from the seed 0
   EXPECT_EQ(Random(5489).uniform(),

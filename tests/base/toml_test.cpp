@@ -1,4 +1,4 @@
-// TOML files: how deep their keys may be.
+// TOML files: the limit on the depth of keys.
 #include "base/toml.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Toml, PointsElsewhereAreNoPartsOfAKey) {
   }
 }
 
-// toml++ itself limits values in values to 256.
+// toml++ itself limits the nesting of values to 256.
 TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
   const auto key = repeat(MAX_KEY_PARTS - 1, "a.") + "a";
   EXPECT_EQ(refusal_of("[" + key + "]\n" + key + " = " + repeat(250, "{" + key + " = ") + "1" +

@@ -113,7 +113,7 @@ TEST(WholeFile, ANewFileReplacesNone) {
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-// What happens to system calls of this process from now on. False where it cannot be had.
+// Filters this process's system calls from now on. Returns false if the kernel refuses the filter.
 bool install(const std::vector<sock_filter>& filter) {
   auto copy = filter;
   const sock_fprog program{static_cast<unsigned short>(copy.size()), copy.data()};
@@ -121,8 +121,8 @@ bool install(const std::vector<sock_filter>& filter) {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// From now on this process is on a file system that knows no flags of renames, as NFS, and, as
-// some, no links. False as above.
+// Simulates a file system that knows no flags of renames, such as NFS, and optionally no hard
+// links, for the rest of this process. Returns false if the kernel refuses the filter.
 bool forget_renames_with_flags(bool links_too) {
   std::vector<sock_filter> filter;
   const auto load = [&](std::size_t at) {
@@ -149,7 +149,7 @@ bool forget_renames_with_flags(bool links_too) {
   return install(filter);
 }
 
-// Some file systems find out at last that there is no room; some have nothing to do there.
+// Some file systems report a full disk only in fsync(); others do not support fsync() at all.
 TEST(WholeFile, WhatIsNotStoredAtLastIsAnError) {
   const auto told = [](unsigned error) {
     return test::isolated([&]() -> std::string {

@@ -1,8 +1,8 @@
-#include <embree3/rtcore.h>
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
 #include "tests/benchmarks/renderers.hpp"
+#include "tests/support/embree.hpp"
 
 namespace benchmarks {
 
@@ -12,7 +12,7 @@ using renderer::Scene;
 
 namespace {
 
-constexpr float EPSILON = 1e-4F;  // in scene units; a ray does not meet what it starts on
+constexpr float EPSILON = 1e-4F;  // in scene units; keeps a ray from meeting its own origin
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
@@ -22,7 +22,7 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree: bad scene");
 }
 
-// Spheres, and polygons of four corners.
+// Spheres, and quadrilaterals.
 void add_primitives(RTCDevice device, RTCScene target, const Scene& scene) {
   const RTCGeometry spheres = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* ball = static_cast<float*>(rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -77,16 +77,16 @@ std::vector<Query> make_queries(const std::vector<Ray>& rays) {
 }
 
 std::uint64_t trace(RTCScene scene, const std::vector<Query>& queries) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  embree::Context context;
+  embree::init(context);
   std::uint64_t hits = 0;
   for (const Query& query : queries) {
     RTCRayHit ray = query.ray;
     if (query.shadow) {
-      rtcOccluded1(scene, &context, &ray.ray);
+      embree::find_occlusion(scene, context, ray.ray);
       hits += ray.ray.tfar < 0 ? 1 : 0;
     } else {
-      rtcIntersect1(scene, &context, &ray);
+      embree::intersect(scene, context, ray);
       hits += ray.hit.geomID != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
     }
   }

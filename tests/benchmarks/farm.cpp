@@ -25,8 +25,8 @@ farm::Result run_farm(observe::Watch* watch, bool profile, machine::EngineParams
   return farm::run_farm(model(), workers, scene, params);
 }
 
-// Every stretch of time that a process had a CPU, and every message on a link, by processor in the
-// order of their beginnings.
+// All times when a process had a CPU, and all messages on links. Each processor's activities are in
+// the order of their start.
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::Watch watch;
@@ -49,14 +49,14 @@ std::vector<Activity> record() {
   return activities;
 }
 
-// Without the intersections that the host computes meanwhile.
+// Excludes the intersections that the host computes meanwhile.
 Sample simulate(std::uint64_t activities, machine::EngineParams engine) {
   farm::Result result;
   const double cpu_s = time_of([&] { result = run_farm(nullptr, true, engine); });
   return {activities, cpu_s - result.kernel_host_s, result.time_s + result.setup_s, 0};
 }
 
-// Recorded when they are first wanted.
+// Recorded on first use.
 const std::vector<Activity>& activities() {
   static const auto recorded = list_of_child(record);
   return recorded;

@@ -1,5 +1,5 @@
-// Form-factor rays a second in a room of 14,000 patches as figure 3.8's: a window in a wall, a
-// polygon that hangs before it. At least 3 million on one core are asked of shooting.
+// Form-factor rays a second in a room of 14,000 patches like figure 3.8's: a window in a wall, with
+// a polygon in front of it. Shooting should reach at least 3 million on one core.
 #include "renderer/radiosity/light/solve.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/renderers.hpp"
@@ -42,7 +42,7 @@ Room make_room() {
   return room;
 }
 
-// The rays of the first shots, as the kernel casts them where delta areas are whole patches.
+// Rays of the first shots, as the kernel casts them if delta areas are whole patches.
 std::vector<renderer::Ray> collect_rays(const Mesh& mesh, int shots) {
   std::vector<renderer::Ray> rays;
   for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
@@ -98,7 +98,7 @@ HitSample run_queries() {
 }  // namespace
 
 void add_form_factors() {
-  // The whole kernel against nothing but its rays.
+  // The whole kernel, compared with its rays alone.
   const std::string what = "form-factor rays, 14,000 patches";
   const auto add_queries = [&](const char* who, std::function<HitSample()> run) {
     add(what, who, [run](benchmark::State& state) {

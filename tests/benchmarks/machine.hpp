@@ -1,5 +1,5 @@
 #pragma once
-// What the benchmarks of simulated machines share. Each adds its cases for run_all().
+// Shared by the benchmarks of simulated machines. Each adds its cases for run_all().
 #include "simulator/machine/machine.hpp"
 #include "tests/benchmarks/pairs.hpp"
 
@@ -17,7 +17,7 @@ inline Sample run(machine::Machine& machine, std::uint64_t count) {
   return {count, cpu_s, machine.now() / machine::Seconds{1}, 0};
 }
 
-/// A machine's engines, by the names that the benchmarks give them.
+/// The machine's engines, by the names used in the benchmarks.
 struct Engine {
   const char* by;
   machine::EngineParams params;
@@ -28,7 +28,7 @@ inline constexpr Engine ENGINES[] = {
     {"tlab actors", {.processes = machine::Processes::actors}},
 };
 
-/// Adds what `run` does on each engine.
+/// Adds `run` as a case for each engine.
 template <class Run>
 void add_on_all(const std::string& what, Run run) {
   for (const Engine& engine : ENGINES)
@@ -39,10 +39,10 @@ void add_line();          // a line of store-and-forward hops
 void add_mesh();          // routers on an 8 x 8 mesh
 void add_farm();          // the farm of chapter 4
 void add_scheduler();     // rendezvous and pre-emptions on one processor
-void add_neighbours();    // neighbours of a mesh exchange: costs of a transputer and an event
-void add_threads();       // the same by one thread of the host and by two
+void add_neighbours();    // neighbours of a mesh exchange messages: costs of transputers and events
+void add_threads();       // the same with one thread of the host and with two
 void add_renderers();     // the sequential renderer
-void add_noise();         // the same, with a lens and a light that has a size
+void add_noise();         // the same, with a lens and an area light
 void add_form_factors();  // radiosity
 
 }  // namespace benchmarks

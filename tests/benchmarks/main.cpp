@@ -1,4 +1,4 @@
-// How fast tlab simulates and renders, against other programs that do the same.
+// Speed of tlab's simulation and rendering, compared with other programs for the same work.
 //
 //   benchmarks [--benchmark_filter=REGEX] [--benchmark_repetitions=N] ...     as Google Benchmark
 #include "tests/benchmarks/machine.hpp"

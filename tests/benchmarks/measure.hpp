@@ -1,6 +1,6 @@
 #pragma once
-// What the benchmarks measure: host CPU time of one thread, and memory. Speeds are only meaningful
-// as ratios within one run.
+// Quantities that benchmarks measure: host CPU time of one thread, and memory. Speeds are
+// meaningful only as ratios within one run.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,16 +17,16 @@
 namespace benchmarks {
 
 struct Sample {
-  std::uint64_t count = 0;   // what was done: rays, hops, ...
+  std::uint64_t count = 0;   // work done: rays, hops, ...
   double cpu_s = 0;          // host CPU time it took
-  double simulated_s = 0;    // of a simulation: when it ended
-  double memory_kb = 0;      // of some: what it added to the resident memory
-  std::uint64_t events = 0;  // that the machine handled; 0: not counted
-  // Of a machine in parts: windows of its threads, and events on links between parts.
+  double simulated_s = 0;    // of a simulation: its end
+  double memory_kb = 0;      // increase of the resident memory, if measured
+  std::uint64_t events = 0;  // handled by the machine; 0: not counted
+  // For a machine in parts: windows of its threads, and events on links between parts.
   std::uint64_t windows = 0, events_between = 0;
 };
 
-// Host CPU time used by this process, in seconds: waiting for the CPU does not count.
+// Host CPU time of this process, in seconds; time spent waiting for the CPU does not count.
 inline double cpu_time_s() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -40,7 +40,7 @@ double time_of(Body&& body) {
   return cpu_time_s() - start;
 }
 
-// The same by the clock on the wall, for what several threads do.
+// The same in wall-clock time, for work by several threads.
 template <class Body>
 double wall_time_of(Body&& body) {
   const auto start = std::chrono::steady_clock::now();
@@ -48,14 +48,14 @@ double wall_time_of(Body&& body) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Resident memory of this process.
+// Resident memory of this process, KB.
 inline double memory_kb() {
   double all = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> all >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
 }
 
-// A vector that `run` returns in a process of its own: SimGrid allows one simulation a process.
+// A vector that `run` returns in a child process: SimGrid allows one simulation a process.
 template <class Run>
 auto list_of_child(Run&& run) {
   using List = std::invoke_result_t<Run>;
@@ -63,7 +63,7 @@ auto list_of_child(Run&& run) {
   static_assert(std::is_trivially_copyable_v<Item>);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe for a child process");
-  std::fflush(nullptr);  // or the child would print it again
+  std::fflush(nullptr);  // else the child would print it again
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no child process");
   if (child == 0) {

@@ -21,10 +21,10 @@ using occam::Signal;
 namespace {
 
 constexpr int ROUNDS = 20;
-constexpr int USUAL_WORK = 2000;  // cycles of a round
+constexpr int USUAL_WORK = 2000;  // cycles a round
 
-// A processor's three processes beside its router: in every round one sends to all neighbours,
-// one receives as much from them, and one computes with it.
+// Three processes of a processor beside its router. In every round one sends to all neighbours, one
+// receives as many messages from them, and one computes.
 struct Exchange {
   explicit Exchange(machine::Cycles work) : work(work) {}
   machine::Cycles work;
@@ -52,10 +52,10 @@ struct Exchange {
   }
 };
 
-// `threads` of the host run it; their time is that of the clock on the wall; 0: one, by CPU time.
-// Memory is of all there is to a machine: what is built, and what has grown when it has run.
+// Runs on `threads` threads of the host, in wall-clock time; 0: one thread, in CPU time. Memory
+// includes the whole machine: its construction, and its growth during the run.
 Sample exchange(int side, int work, machine::EngineParams engine, int threads = 0) {
-  // As in a process that has allocated nothing yet: what the parent freed would not be counted.
+  // Starts as if nothing had been allocated: memory freed by the parent would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   const double before_kb = memory_kb();

@@ -1,4 +1,4 @@
-// How long a picture with a lens and a light that has a size takes to a given error.
+// Time to render a picture with a lens and an area light to a given error.
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,7 +15,7 @@ using namespace renderer;
 namespace {
 
 constexpr int SIZE = 96;
-constexpr int OURS = 16;        // samples a pixel, whose error both are to reach
+constexpr int OURS = 16;        // samples a pixel; their error is the target for both programs
 constexpr int REFERENCE = 256;  // samples a pixel
 
 Scene make_scene() {
@@ -38,7 +38,7 @@ Params make_params(int samples, std::uint64_t seed) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = 5;
-  params.feelers = Feelers::front;  // as POV-Ray
+  params.feelers = Feelers::front;  // as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   params.sampling.pixel_samples = samples;
@@ -46,15 +46,15 @@ Params make_params(int samples, std::uint64_t seed) {
   return params;
 }
 
-// What both are to reach, and with how many samples POV-Ray does. Each is compared with what it
-// comes to itself, because POV-Ray's camera rays go through the middles of pixels.
+// The target error, and the samples that POV-Ray needs for it. Each program is compared with its
+// own limit, because POV-Ray's camera rays go through the middles of pixels.
 class Contest {
  public:
   const Scene scene = make_scene();
   double error = 0;        // of OURS
-  double apart = 0;        // of what both come to
-  PovraySamples theirs;    // the fastest that reach the error
-  double their_error = 0;  // of them
+  double apart = 0;        // between the limits of both
+  PovraySamples theirs;    // the fastest samples that reach the error
+  double their_error = 0;  // error of these samples
 
   Contest() {
     const Samples ours = render(scene, make_params(REFERENCE, 2)).samples;
@@ -84,8 +84,8 @@ class Contest {
     const PovrayRun made = run(samples);
     return {samples, rms_difference(made.image, reference_), made.sample.cpu_s};
   }
-  // With so many feelers, squared, the number of camera rays that comes nearest to the error: twice
-  // as many until it is reached, then in proportion between the last two.
+  // Finds the number of camera rays that reaches the error, with `side` x `side` feelers. Doubles
+  // it until the error is reached, then interpolates between the last two.
   std::optional<Tried> find_samples(int side) const {
     Tried before = attempt({4, side});
     while (before.samples.lens < REFERENCE / 2) {

@@ -8,7 +8,7 @@ namespace benchmarks {
 
 namespace {
 
-// Prints as Google Benchmark does, and keeps the medians.
+// Prints like Google Benchmark, and keeps the medians.
 class Reporter : public benchmark::ConsoleReporter {
  public:
   Reporter() : ConsoleReporter(isatty(STDOUT_FILENO) ? OO_ColorTabular : OO_Tabular) {}
@@ -48,11 +48,11 @@ class Reporter : public benchmark::ConsoleReporter {
   }
 
   struct Cost {
-    double memory_kb, event_ns;  // for each transputer, for each event
+    double memory_kb, event_ns;  // per transputer, per event
   };
 
-  std::map<std::string, std::map<std::string, double>> rates_;  // by what, by who
-  std::map<std::string, Cost> costs_;                           // by what and who
+  std::map<std::string, std::map<std::string, double>> rates_;  // by benchmark, then by program
+  std::map<std::string, Cost> costs_;                           // by both
 };
 
 }  // namespace
@@ -81,7 +81,7 @@ benchmark::internal::Benchmark* add_simulation(const std::string& what, const st
 }
 
 int run_all(int argc, char** argv) {
-  // What is given on the command line comes later, and wins.
+  // Options of the command line come later and take precedence.
   std::vector<std::string> words = {argv[0], "--benchmark_repetitions=5",
                                     "--benchmark_enable_random_interleaving=true",
                                     "--benchmark_report_aggregates_only=true"};

@@ -40,7 +40,7 @@ std::string area(const renderer::Light& light, int side) {
                      side, side);
 }
 
-// The axes are right-handed, POV-Ray's are not: hence `right -x`.
+// Our axes are right-handed, POV-Ray's are left-handed: hence `right -x`.
 void save_scene(const Scene& scene, const renderer::Params& params, const PovraySamples& samples,
                 const std::string& path) {
   std::ofstream out(path);
@@ -90,7 +90,7 @@ std::string read_file(const std::string& path) {
   return all.str();
 }
 
-// A PPM of 16 bits.
+// A PPM file with 16 bits a channel.
 renderer::Samples load_image(const std::string& path, const renderer::Params& params) {
   renderer::Samples image(params.width, params.height);
   const std::string file = read_file(path);

@@ -10,7 +10,7 @@ namespace s4u = simgrid::s4u;
 
 namespace {
 
-// Hosts joined as the machine layer joins them: a link has another rate for two messages.
+// Hosts joined as in the machine layer: a link has a different rate for two messages.
 class Platform {
  public:
   explicit Platform(const machine::Model& model) : model_(model), engine_(&argc_, argv_) {
@@ -77,7 +77,7 @@ Sample raw_line(const machine::Model& model) {
   return platform.run(std::uint64_t{LINE_MESSAGES} * LINE_HOPS);
 }
 
-// One receiver for each incoming link; those that leave by one link queue in its mailbox.
+// One receiver for each incoming link; messages for an outgoing link queue in its mailbox.
 Sample raw_mesh(const machine::Model& model, const Traffic& traffic) {
   Platform platform(model);
   for (int node = 0; node < NODES; ++node) platform.add_host(node);

@@ -1,4 +1,4 @@
-// Rays a second of the sequential renderer, against POV-Ray and Embree on the same scenes.
+// Rays a second of the sequential renderer, compared with POV-Ray and Embree on the same scenes.
 #include "tests/benchmarks/renderers.hpp"
 
 #include <memory>
@@ -19,13 +19,13 @@ Params make_params(int depth) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = depth;
-  params.feelers = Feelers::front;  // as POV-Ray
+  params.feelers = Feelers::front;  // as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   return params;
 }
 
-// Every ray of the picture, in the order the renderer traces them.
+// Every ray of the picture, in the renderer's order.
 std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   std::vector<Ray> rays;
   Children stack;
@@ -42,7 +42,7 @@ std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   return rays;
 }
 
-// A view, its image and its rays; made when the first benchmark wants it.
+// A view, its image and its rays; made on first use.
 struct View {
   View(int spheres, int depth) : View(make_spheres(spheres), depth) {}
   View(Scene made, int depth)
@@ -65,8 +65,8 @@ Sample run_ours(const View& view, Traversal traversal) {
   return {rays, cpu_s};
 }
 
-// Spheres that each go up to as far as they are wide while the shutter is open, every one its own
-// way; or at rest where they are halfway.
+// Spheres that move by up to their diameter while the shutter is open, each in its own direction;
+// or, with `stop`, at rest halfway.
 Scene make_moving_spheres(int spheres, bool stop) {
   Scene scene = make_spheres(spheres);
   scene.moves.resize(object_count(scene));
@@ -83,7 +83,7 @@ Scene make_moving_spheres(int spheres, bool stop) {
   return scene;
 }
 
-// The queries alone, without shading: what Embree is asked.
+// The queries alone, without shading: the same queries go to Embree.
 HitSample run_queries(const View& view) {
   HitSample result;
   Work work;

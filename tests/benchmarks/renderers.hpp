@@ -1,5 +1,5 @@
 #pragma once
-// Other ray tracers on our scenes.
+// Other ray tracers on tlab's scenes.
 #include <string>
 #include <vector>
 
@@ -15,16 +15,16 @@ struct PovrayRun {
 };
 
 struct PovraySamples {
-  int lens = 1;        // camera rays of a pixel, all over the lens
-  int light_side = 1;  // a light that has a size gets so many times as many feelers
+  int lens = 1;        // camera rays a pixel, spread over the lens
+  int light_side = 1;  // an area light gets this number, squared, of feelers
 };
 
-// POV-Ray renders the same view of the same spheres, floor and lights: one thread, camera rays
-// through each pixel's centre, no cut-off but the depth. Writes its files into `folder`.
+// POV-Ray renders the same view, spheres, floor and lights: one thread, camera rays through pixel
+// centres, no cut-off but the depth. Writes its files into `folder`.
 PovrayRun run_povray(const renderer::Scene& scene, const renderer::Params& params,
                      const PovraySamples& samples, const std::string& folder);
 
-// A folder that is removed when all is over.
+// A folder that is removed when the program ends.
 const std::string& temporary_folder();
 
 struct HitSample {
@@ -33,7 +33,7 @@ struct HitSample {
 };
 
 // Embree 3 answers the same queries one by one, on one thread and in single precision: the first
-// hit of every ray, any hit of a shadow feeler. No shading: an upper mark.
+// hit of every ray, any hit of a shadow feeler. No shading: an upper bound.
 HitSample run_embree(const renderer::Scene& scene, const std::vector<renderer::Ray>& rays);
 
 }  // namespace benchmarks

@@ -23,12 +23,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Cases of a child.
+// Cases a child runs.
 constexpr std::uint64_t BATCH = 500;
 
-// What a child tells even if it crashes: it is in memory that the parent shares.
+// Progress of a child in shared memory: it survives a crash of the child.
 struct Progress {
-  std::uint64_t next = 0;  // the case that is being read, or the first that is not run
+  std::uint64_t next = 0;  // the case being read, or the first that has not run
   std::uint64_t accepted = 0, refused = 0;
   char what[2000] = "";
 };
@@ -66,7 +66,7 @@ void set_timer(__itimer_which kind, double seconds) {
   setitimer(kind, &timer, nullptr);
 }
 
-// A signal ends the child where a case takes longer.
+// A signal ends the child if a case takes longer.
 void begin_time(const Limits& limits) {
   set_timer(ITIMER_PROF, limits.cpu_s);
   set_timer(ITIMER_REAL, limits.wall_s);
@@ -78,7 +78,7 @@ void tell(Progress& progress, std::string_view what) {
   progress.what[size] = '\0';
 }
 
-// Whether the reader stands it.
+// True if the reader accepts or properly refuses the text.
 bool run_case(const Reader& reader, const std::string& text, Progress& progress) {
   try {
     reader.read(text);
@@ -104,7 +104,7 @@ std::string describe_end(int status, const Limits& limits) {
   return strsignal(WTERMSIG(status));
 }
 
-// The cases up to the first that the reader does not stand.
+// Runs cases up to the first failure of the reader.
 [[noreturn]] void run_child(const Trial& trial, std::uint64_t end, const Campaign& campaign,
                             Progress& progress) {
   limit_memory(campaign.limits);
@@ -113,7 +113,7 @@ std::string describe_end(int status, const Limits& limits) {
     begin_time(campaign.limits);
     if (!run_case(trial.reader, text, progress)) _exit(1);
   }
-  _exit(0);  // without the parent's destructors
+  _exit(0);  // skips the parent's destructors
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// What a campaign says of readers that do not stand a text: each reader here fails at every fourth
-// text that a child reads.
+// Findings of a campaign: each reader here fails at every fourth text that a child reads.
 #include "tests/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +39,7 @@ auto fail_at_fourth(const Fail& fail) {
   };
 }
 
-// `cases`: 10, of which the numbers 3 and 7 fail, or 5.
+// `cases` is 10, of which cases 3 and 7 fail, or 5.
 template <class Fail>
 void expect_told(const Fail& fail, const std::string& sentence, std::uint64_t cases = 10,
                  const Limits& limits = {}) {

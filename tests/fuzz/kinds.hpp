@@ -1,5 +1,5 @@
 #pragma once
-// The readers by kind, and what they share.
+// The readers by kind, and their shared code.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -14,25 +14,25 @@ std::vector<Reader> text_readers();
 std::vector<Reader> result_readers();
 std::vector<Reader> picture_readers();
 
-/// Writes the records 0.json and 1.json, which the texts for the reader "simulation" name, unless
-/// they are there.
+/// Writes the records 0.json and 1.json unless they exist. Texts for the reader "simulation" name
+/// them.
 void save_two_records(const std::filesystem::path& folder);
 
-/// Where a file of the project is.
+/// The path of a file of the project.
 std::string place_of(const std::string& path);
 
-/// Throws Broken unless they are equal, with `what` should be.
+/// Throws Broken, naming `what`, unless the two are equal.
 template <class A, class B>
 void expect_same(std::string_view what, const A& found, const B& expected) {
   if (!(found == expected)) throw Broken(fmt::format("{} differs", what));
 }
 
-/// Throws Broken with what does not hold.
+/// Throws Broken, naming `what`, unless `holds`.
 inline void expect(bool holds, std::string_view what) {
   if (!holds) throw Broken(fmt::format("{}: does not hold", what));
 }
 
-/// What `read` gives for a text that was written, which it must accept.
+/// The result of `read` on a text that tlab wrote; `read` must accept it.
 template <class Read>
 auto read_again(std::string_view what, const Read& read) {
   try {

@@ -1,4 +1,4 @@
-// Tries the readers of files with texts that are nearly right: tests/fuzz/run.
+// Tests the readers of files with texts that are nearly right: tests/fuzz/run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +30,7 @@ struct Options {
   Limits limits;
 };
 
-// So many cases of which a reader accepts none, or refuses none, show nothing.
+// After this many cases, a reader that accepted none or refused none proves nothing.
 constexpr std::uint64_t MANY = 100;
 
 std::vector<Reader> find_readers(const Options& o) {
@@ -60,7 +60,7 @@ void keep_finding(const Trial& trial, const Finding& finding, const Options& o,
   std::fflush(stdout);
 }
 
-// Whether every reader stood every case, and accepted some: one that refuses all shows nothing.
+// True if no reader failed, and each accepted some cases: a reader that refuses all proves nothing.
 bool print_counts(const std::vector<Trial>& trials, const Options& o) {
   fmt::print("seed {}{}\n{:>17} {:>10} {:>10} {:>10} {:>9} {:>8}\n", o.seed,
              test::IS_SANITIZED ? ", with sanitizers" : "", "reader", "cases", "accepted",
@@ -97,7 +97,7 @@ void add_options(CLI::App& app, Options& o) {
 
 int run(const Options& o) {
   const fs::path folder = fs::absolute(o.keep);
-  // What is written waits for the disk, and memory is faster.
+  // Files would wait for the disk; memory is faster.
   if (fs::is_directory("/dev/shm")) setenv("TMPDIR", "/dev/shm", 0);
   const test::TemporaryFolder working;
   fs::current_path(working.path);

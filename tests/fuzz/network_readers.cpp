@@ -25,7 +25,7 @@ void expect_round_trips(const Topology& topology) {
   expect_same_network("DOT", read_again("DOT", from_dot), topology);
 }
 
-// Along every route, each hop is a link and one nearer to the end.
+// Every hop of every route is a link and leads one nearer to the end.
 void expect_arrive(const Topology& topology, const topologies::RoutingTable& routes) {
   const auto around = neighbours(topology);
   for (int to = 0; to < topology.processors; ++to)

@@ -1,4 +1,4 @@
-// Files that hold bytes rather than text.
+// Readers of binary files.
 #include <zlib.h>
 
 #include "base/errors.hpp"
@@ -19,7 +19,7 @@ std::uint32_t get_number(const std::string& text, std::size_t at) {
   return number;
 }
 
-// Gives every part of a PNG the checksum of its bytes, without which nothing else is looked at.
+// Gives every chunk of a PNG its correct checksum; readers refuse a wrong one first.
 std::string mend_checksums(std::string png) {
   constexpr std::size_t SIGNATURE = 8, LENGTH = 4, TYPE = 4, SUM = 4;
   std::size_t at = SIGNATURE;
@@ -45,7 +45,7 @@ void read_picture(const std::string& text) {
 
 const laboratory::Identity IDENTITY = {{"version", "fuzz"}, {"scene", "spheres:3"}};
 
-// A state without its hash, and then with it.
+// Reads a state without its hash, and then with the correct hash.
 void read_state(const std::string& text) {
   using renderer::progressive::Refinement;
   static const auto scene = renderer::load_scene("spheres:3");

@@ -1,5 +1,5 @@
 #pragma once
-// The readers of files, each with what must hold of whatever it accepts.
+// The readers of files, with the properties of all that they accept.
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -10,30 +10,30 @@
 
 namespace fuzz {
 
-/// What must hold of something that was read and does not.
+/// A violated property of something that was read.
 struct Broken : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 struct Reader {
-  std::string name;    ///< and the folder of tests/fuzz/corpus with texts of its own
+  std::string name;    ///< also the folder below tests/fuzz/corpus with its own texts
   std::string ending;  ///< of its files
-  /// Folders below experiments/ and simulator/ whose files with this ending it is tried with too.
+  /// Folders below experiments/ and simulator/ whose files with this ending are also used.
   std::vector<std::string> folders;
-  /// Reads a text. Throws base::BadInput to refuse it; anything else that it throws is a defect. It
-  /// may make files in the current folder, which is its own.
+  /// Reads a text. Throws base::BadInput to refuse it; any other exception is a defect. May write
+  /// files in the current folder, which is its own.
   std::function<void(const std::string& text)> read;
-  std::string corpus = {};  ///< name of the reader whose texts it is tried with, if another
+  std::string corpus = {};  ///< reader that provides the texts, if another
 };
 
-/// All that there are; names differ.
+/// All readers; names differ.
 std::vector<Reader> all_readers();
 
-/// The same for the program `tlab`, in a process of its own, with files that it is given. They make
-/// files in the current folder, now too.
+/// The same for the program `tlab`, in its own process, with such files as arguments. These readers
+/// write files in the current folder from the start.
 std::vector<Reader> command_readers(const std::string& tlab);
 
-/// The texts that a reader is tried with: those of its corpus and the project's own.
+/// The texts for a reader: its corpus and the project's own files.
 Corpus load_corpus(const Reader& reader);
 
 }  // namespace fuzz

@@ -48,7 +48,7 @@ void read_overrides(const std::string& text) {
   read_experiment("[image]\nwidth = 8\n[sweep]\nworkers = [1, 2]\n", overrides);
 }
 
-// A record without its seal, and then with it.
+// Reads a record without its seal, and then with it.
 void read_record(const std::string& text) {
   base::save_whole("0.json", text);
   try {
@@ -90,7 +90,7 @@ const laboratory::Results& two_results() {
   return results;
 }
 
-// A run.json whose points have such records.
+// A run.json whose points have the two records.
 void read_simulation(const std::string& text) {
   const fs::path folder = "results";
   save_two_records(folder / "points/fuzz");

@@ -11,7 +11,7 @@ namespace {
 
 const std::string SCENES = "experiments/scenes";
 
-// Further files that a text names are found among the project's scenes.
+// Files that a text names are searched among the project's scenes.
 std::string name_scene(const std::string& ending) { return place_of(SCENES + "/fuzz" + ending); }
 
 void read_nff(const std::string& text) {
@@ -20,7 +20,7 @@ void read_nff(const std::string& text) {
   renderer::parse_scene(text, name, 1);
 }
 
-// A scene, and what it says as NFF, which says the same when it is read again.
+// Reads a scene and writes it as NFF, which must read back as the same scene.
 void read_obj(const std::string& text) {
   const std::string name = name_scene(".obj");
   const auto write = [](const std::string& read, const std::string& as) {

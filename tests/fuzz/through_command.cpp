@@ -1,6 +1,6 @@
-// The command in a process of its own, with a file that is nearly right. A child of this process
-// does what the program's main() does, since a fork takes milliseconds and the start of a program
-// with sanitizers half a second; now and then the program itself is started.
+// The command in its own process, with a file that is nearly right. Most runs happen in a forked
+// child that does the work of main(): a fork takes milliseconds, the start of a program with
+// sanitizers half a second. Some runs start the program itself.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -31,30 +31,30 @@ namespace fs = std::filesystem;
 
 using Arguments = std::vector<std::string>;
 
-// What the program does with the file.
+// The kind of work the program does with the file.
 enum class Task {
-  read,     // takes as long as its input is
-  compute,  // may take long, and is interrupted then
-  judge     // the same, and may end with what a check or a simulated program has to say
+  read,     // time follows the size of the input
+  compute,  // may take long; is then interrupted
+  judge     // the same; may also end with a failed check or a simulated fault
 };
 
 struct Way {
   std::string name;
   Task task = Task::read;
-  std::string corpus;               // the reader whose texts it is tried with
-  std::string file;                 // has the text; "": the text takes the place of TEXT
-  fs::path beside;                  // a folder whose files are there too
-  std::vector<Arguments> commands;  // one of them; what stands behind -o and the like is written
+  std::string corpus;               // the reader that provides the texts
+  std::string file;                 // receives the text; "": the text takes the place of TEXT
+  fs::path beside;                  // a folder whose files are copied there too
+  std::vector<Arguments> commands;  // one is chosen; files after -o and the like are outputs
 };
 
 constexpr const char* TEXT = "TEXT";
 constexpr const char* WRITE[] = {"-o", "--stats", "--state"};
 
-constexpr double PATIENCE_S = 1.5;  // before a computation is interrupted
+constexpr double PATIENCE_S = 1.5;  // until a computation is interrupted
 constexpr double WALL_S = 180;
 constexpr rlim_t CPU_S = 20, FILE_BYTES = 1 << 26;
-constexpr long MOST_KIB = 3 << 20;  // of memory
-// Every so many texts the program itself is started; the others go to run_tlab() in a child.
+constexpr long MOST_KIB = 3 << 20;  // memory
+// One in so many texts goes to the program itself, the others to run_tlab() in a child.
 constexpr std::uint64_t PROGRAM_EVERY = 256;
 
 struct Outcome {
@@ -66,9 +66,9 @@ struct Outcome {
 };
 
 struct Start {
-  fs::path folder;           // the current one
-  fs::path err;              // has what it says on standard error
-  fs::path temporary;        // the folder for files that it needs for a while
+  fs::path folder;           // current folder
+  fs::path err;              // receives standard error
+  fs::path temporary;        // folder for temporary files
   std::string program = {};  // a file; "": a child of this process that calls run_tlab()
 };
 
@@ -81,7 +81,7 @@ void redirect(int stream, const char* file, int flags) {
   if (const int opened = open(file, flags, 0666); opened >= 0) dup2(opened, stream);
 }
 
-// Becomes the program, or does what its main() does.
+// Replaces the process by the program, or does the work of its main().
 [[noreturn]] void start(const Start& how, std::vector<char*> argv) {
   limit(RLIMIT_CPU, CPU_S);
   limit(RLIMIT_FSIZE, FILE_BYTES);
@@ -97,7 +97,7 @@ void redirect(int stream, const char* file, int flags) {
   _exit(exit_code);
 }
 
-// Whether the process ends in that time.
+// True if the process ends within `seconds`.
 bool ends(int process, double seconds) {
   pollfd waited{process, POLLIN, 0};
   return poll(&waited, 1, static_cast<int>(1000 * seconds)) > 0;
@@ -108,7 +108,7 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
   std::vector<char*> argv;
   for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // for those that it leaves
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // adopts the processes that it leaves
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("no child process");
   if (pid == 0) start(how, std::move(argv));
@@ -132,7 +132,7 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
 
 using Files = std::map<std::string, std::string>;
 
-// The bytes of every file by its path, and where links lead.
+// Contents of every file by its path, and targets of links.
 Files list_files(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -163,12 +163,12 @@ void check_error(const Way& way, const std::string& err, const Files& before) {
   expect(err.find(".partial-") == err.npos, "an error names no hidden file");
 }
 
-// What a run that fails may leave: records of points, which another one need not measure again.
+// Files that a failed run may leave: records of points, which the next run reuses.
 bool is_record(const std::string& name) {
   return (name + "/").find("/points/") != name.npos || name == "out";
 }
 
-// Throws Broken unless the program has done what it promises.
+// Throws Broken if the program breaks a promise.
 void check_outcome(const Way& way, const Arguments& arguments, const Outcome& outcome,
                    const Files& before, Files after) {
   if (WIFSIGNALED(outcome.status)) throw Broken(strsignal(WTERMSIG(outcome.status)));
@@ -193,7 +193,7 @@ void check_outcome(const Way& way, const Arguments& arguments, const Outcome& ou
       expect(after.contains(arguments[i + 1]), "what was asked for is written");
 }
 
-// A number that depends on the text.
+// A hash of the text.
 std::uint64_t number_of(const std::string& text) {
   std::uint64_t number = text.size();
   for (const char c : text) number = base::random_at(number, static_cast<unsigned char>(c));
@@ -227,7 +227,7 @@ void try_way(const std::string& tlab, const Way& way, const std::string& text) {
   if (!outcome.is_success()) throw base::BadInput(outcome.err);
 }
 
-// Scenes, and what they name.
+// Scenes, and the files that they name.
 fs::path prepare_scenes() {
   const fs::path folder = fs::absolute("scenes");
   fs::create_directory(folder);
@@ -246,7 +246,7 @@ fs::path prepare_scenes() {
   return folder;
 }
 
-// The folder r with records of one point, of which the check knows a reference.
+// The folder r with the record of one point, and a reference known to the check.
 fs::path prepare_results(const std::string& tlab) {
   const fs::path folder = fs::absolute("results");
   fs::create_directory(folder);
@@ -368,7 +368,7 @@ std::vector<Way> list_ways(const std::string& tlab) {
   };
 }
 
-// Makes once what otherwise each child would make: the hash of this program, tables of keys.
+// Computes once what each child would compute: the program's hash, tables of keys.
 void prepare_children() {
   laboratory::records_folder();
   laboratory::read_experiment("program.name = \"message\"", "e.toml", ".", {});

@@ -1,5 +1,5 @@
 #pragma once
-// The switch of a mutated build (sites.py): included before all else in every source.
+// The switch of a mutated build (sites.py): every source includes this before all else.
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -13,7 +13,7 @@ namespace mutation {
 constexpr int UNKNOWN = -1, NONE = 0, MOST = 1 << 20;
 
 inline constinit int active = UNKNOWN;
-inline constinit char* reached = nullptr;  // by mutant; a file that all processes of a test share
+inline constinit char* reached = nullptr;  // by mutant; a file shared by all processes of a test
 
 inline void load() {
   const char* number = std::getenv("TLAB_MUTANT");
@@ -29,7 +29,7 @@ inline void load() {
 
 }  // namespace mutation
 
-/// Whether the mutant of this number is the one that runs; never in constant expressions.
+/// True if the active mutant has this number; always false in constant expressions.
 constexpr bool is_mutant(int number) {
   if (std::is_constant_evaluated()) return false;
   if (mutation::active == mutation::UNKNOWN) mutation::load();

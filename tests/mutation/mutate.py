@@ -26,24 +26,24 @@ from sites import Site, find_sites
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "mutation"
-# The build lies in its sources where a user's does, so that a compiler cache serves what is not mutated.
+# The build tree's place within its sources is a user's: a compiler cache serves all unmutated files.
 SOURCE = BUILD / "source"
 TREE = SOURCE / "build" / "release"
 RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
-# Tests of the text of sources, of other programs, and of tests like this one.
+# Tests of source text, of other programs, and of tests like this one.
 NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|HaveAtMost100Lines")
 
 
 def room_of(file):
-    """The room and the room inside it."""
+    """The file's room, with the room inside it."""
     parts = Path(file).parent.parts
     return "/".join(parts[:3 if parts[0] == "experiments" else 2])
 
 
 def read_commands():
-    """How each source is compiled by itself."""
+    """The compile command of each source alone."""
     tree = BUILD / "commands"
     subprocess.run(["cmake", "--preset", "release", "-B", tree, "-DCMAKE_UNITY_BUILD=OFF"], cwd=ROOT, check=True,
                    stdout=subprocess.DEVNULL)
@@ -59,7 +59,7 @@ def read_commands():
 
 
 def read_sites(file, arguments):
-    """The places of a source, kept until it changes: to parse one takes seconds."""
+    """A source's mutation sites, cached until it changes: parsing takes seconds."""
     text = (ROOT / file).read_bytes() + Path(__file__).with_name("sites.py").read_bytes()
     kept = BUILD / "sites" / (hashlib.sha256(file.encode() + text).hexdigest() + ".json")
     if not kept.exists():
@@ -72,7 +72,7 @@ def read_sites(file, arguments):
 
 
 def draw_apart(sites, number, draw):
-    """Of a source's places so many that do not overlap."""
+    """Chooses up to `number` sites of a source that do not overlap."""
     drawn = []
     for site in draw.sample(sites, len(sites)):
         if len(drawn) < number and all(site.end <= other.start or site.start >= other.end for other in drawn):
@@ -81,7 +81,7 @@ def draw_apart(sites, number, draw):
 
 
 def choose(rooms, number, seed):
-    """As many mutants of every room inside a room as of another, and of its sources likewise."""
+    """Draws equally many mutants from each room inside a room, and from each of its sources."""
     commands = read_commands()
     by_room = {}
     for file in sorted(commands):
@@ -96,7 +96,7 @@ def choose(rooms, number, seed):
     drawn = {file: draw_apart(sites[file], share, draw) for file in files}
     chosen, some = [], True
     while some and len(chosen) < number:
-        # A round takes one place of each room, from the source that has given fewest.
+        # A round takes one place of each room, from the source with the fewest so far.
         some = False
         for room in draw.sample(sorted(by_room), len(by_room)):
             left = [file for file in files if drawn[file] and room_of(file) == room]
@@ -108,7 +108,7 @@ def choose(rooms, number, seed):
 
 
 def write_sources(mutants, left_out=()):
-    """A copy of the tree, changed; files that have not changed keep their dates."""
+    """Writes a mutated copy of the tree; unchanged files keep their dates."""
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, text=True,
                             capture_output=True).stdout.split("\n")
     by_file = {}
@@ -128,14 +128,14 @@ def write_sources(mutants, left_out=()):
     for folder in {SOURCE / Path(file).parts[0] for file in filter(None, listed) if "/" in file}:
         for path in folder.rglob("*"):
             if path.is_file() and str(path.relative_to(SOURCE)) not in listed:
-                path.unlink()  # of an earlier call
+                path.unlink()  # from an earlier call
     header = Path(__file__).with_name("mutant.hpp")
     if not (SOURCE / header.name).exists() or (SOURCE / header.name).read_bytes() != header.read_bytes():
         shutil.copy(header, SOURCE)
 
 
 def build(mutants, targets):
-    """Builds all of them, or some targets; returns the numbers of those that do not compile."""
+    """Builds all mutants, or some targets; returns the numbers of mutants that do not compile."""
     left_out = set()
     while True:
         write_sources(mutants, left_out)
@@ -145,7 +145,7 @@ def build(mutants, targets):
                               text=True, capture_output=True)
         if made.returncode == 0:
             return left_out
-        # The mutants on the lines with errors, or else all in their files.
+        # The mutants on the lines with errors, or, if none, all in their files.
         wrong, files = set(), set()
         for file, line in set(re.findall(r"([\w/.-]+\.cpp):(\d+):\d+: error", made.stdout + made.stderr)):
             path = (TREE / file).resolve()
@@ -164,12 +164,12 @@ class Test:
     command: tuple
     folder: str
     environment: tuple
-    source: str  # of a gtest's suite; empty for others
+    source: str  # of a gtest suite; empty for others
     version: str  # of the source
 
 
 def find_suites():
-    """The source of each suite of tests, and that source's hash."""
+    """The source of each test suite, with its hash."""
     suites = {}
     for file in sorted((ROOT / "tests").rglob("*_test.cpp")):
         text = file.read_text()
@@ -184,7 +184,7 @@ def list_tests(wanted):
     suites, tests = find_suites(), []
     for test in json.loads(shown)["tests"]:
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
-        # A name that shows a parameter's bytes is another one in every build.
+        # A name that shows a parameter's bytes differs in every build.
         filters = [word for word in test.get("command", []) if word.startswith("--gtest_filter=")]
         name = filters[0].partition("=")[2] if filters else test["name"]
         if "command" not in test or NOT_RUN.search(name) or not re.search(wanted, name):
@@ -198,13 +198,13 @@ def list_tests(wanted):
 
 
 def is_own(test, file):
-    """Whether a test is of the folder that mirrors a source's room."""
+    """Whether a test stands in the folder that mirrors the source's room."""
     folder = test.source.replace("tests/laboratory", "tests/experiments/laboratory").removeprefix("tests/")
     return bool(folder) and room_of(folder) == room_of(file)
 
 
 def run_test(test, environment, limit_s):
-    """Whether it passes, or nothing if it takes longer."""
+    """Whether the test passes; None if it exceeds the time."""
     with tempfile.TemporaryDirectory() as temporary:
         process = subprocess.Popen(test.command, cwd=test.folder, start_new_session=True, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.DEVNULL,
@@ -218,7 +218,7 @@ def run_test(test, environment, limit_s):
 
 
 def measure(test, longest_s):
-    """Which mutants a test comes by, its time, and whether it passes within the longest time."""
+    """The mutants that a test reaches, its time, and whether it passes within the time limit."""
     with tempfile.NamedTemporaryFile() as file:
         begin = time.monotonic()
         passed = run_test(test, {"TLAB_REACHED": file.name}, longest_s)
@@ -229,19 +229,19 @@ def measure(test, longest_s):
 
 
 def measure_all(tests, known, longest_s, pool):
-    """The same for all tests; those of unchanged sources are known from the call before."""
+    """The same for all tests; results for unchanged sources come from the call before."""
     wanted = [t for t in tests if known.get(t.name, {}).get("version") != t.version]
     known = {t.name: known[t.name] for t in tests if t not in wanted}
     return known | dict(zip([t.name for t in wanted], pool.map(lambda t: measure(t, longest_s), wanted)))
 
 
 def try_mutant(number, plan, limit_s):
-    """Runs tests with their times until one kills the mutant: that one, those that passed, and how many were left."""
+    """Runs tests until one kills the mutant; returns that test, those that passed, and the number left."""
     begin, passed = time.monotonic(), []
     for test, took in plan:
         if time.monotonic() - begin > limit_s:
             break
-        # Twice: on a busy host, tests of interrupts and of time may fail by themselves.
+        # Twice: on a busy host, tests of interrupts and of time may fail by chance.
         if not any(run_test(test, {"TLAB_MUTANT": str(number)}, 10 + 10 * took) for _ in range(2)):
             return {"killer": test.name, "passed": passed, "left": 0}
         passed.append([test.name, test.version])
@@ -249,7 +249,7 @@ def try_mutant(number, plan, limit_s):
 
 
 def plan_tests(number, site, tests, measured, done):
-    """The tests that come by a mutant, in their order, without those done."""
+    """The tests that reach a mutant, in order, without those already run."""
     plan = []
     for test in tests:
         found = measured[test.name]
@@ -259,7 +259,7 @@ def plan_tests(number, site, tests, measured, done):
 
 
 def find_again(site):
-    """A place in a source that may have changed since, or nothing."""
+    """Finds a site again in a source that may have changed since; None if it is gone."""
     if (ROOT / site.file).read_bytes()[site.start:site.end].decode(errors="replace") == site.old:
         return site
     moved = [s for s in read_sites(site.file, read_commands()[site.file])
@@ -275,7 +275,7 @@ def read_judged():
 
 
 def find_judgement(site, judged):
-    """That of a mutant in this line of a source, or nothing."""
+    """The judgement of a mutant in this line of a source, or None."""
     text = (ROOT / site.file).read_bytes()
     line = text[text.rfind(b"\n", 0, site.start) + 1:].split(b"\n")[0].decode().strip()
     return judged.get((site.file, line, site.old, site.new))

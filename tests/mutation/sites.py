@@ -1,4 +1,4 @@
-"""Where a source can be changed so that it still compiles and means something else."""
+"""Mutation sites: changes to a source that still compile but alter its meaning."""
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,14 +9,14 @@ COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">"
 LOGIC = {"&&": ["||"], "||": ["&&"]}
 ARITHMETIC = {"+": ["-"], "-": ["+"], "*": ["+"], "%": ["+"]}
 NUMBERS = set(range(TypeKind.CHAR_U.value, TypeKind.LONGDOUBLE.value + 1))
-# What is evaluated when the program is compiled cannot be switched.
+# Expressions evaluated at compile time cannot be switched.
 CONSTANT = {Kind.STATIC_ASSERT, Kind.CASE_STMT, Kind.ENUM_CONSTANT_DECL, Kind.TEMPLATE_TYPE_PARAMETER,
             Kind.TEMPLATE_NON_TYPE_PARAMETER, Kind.FIELD_DECL, Kind.PARM_DECL}
 
 
 @dataclass(frozen=True)
 class Site:
-    """A change of the bytes start..end of a file: `new` is to hold where `number` is active."""
+    """Replaces the bytes start..end of a file by `new` while mutant `number` is active."""
     file: str
     line: int
     start: int
@@ -26,7 +26,7 @@ class Site:
     new: str
 
     def write(self, number):
-        """What stands there in the mutated source."""
+        """The replacement text in the mutated source."""
         if self.kind == "statement":
             return f"if (!is_mutant({number})) {{ {self.old}; }}"
         if self.kind == "condition":
@@ -121,7 +121,7 @@ class Finder:
             self.add(cursor, "condition", [f"!({self.get(*span)})"])
 
     def statement(self, cursor):
-        """A call or a compound assignment that stands alone is left out."""
+        """Removes a call or a compound assignment that stands alone."""
         if cursor.kind in (Kind.CALL_EXPR, Kind.COMPOUND_ASSIGNMENT_OPERATOR) and cursor.spelling != "reserve":
             span = self.span(cursor)
             if span and self.text[span[1]:span[1] + 1] == b";":

@@ -1,4 +1,4 @@
-"""The install component `python` is a package that works, and starts the command of its own installation."""
+"""The install component `python`: a working package that starts its own installation's command."""
 
 import os
 import pathlib
@@ -38,7 +38,7 @@ class InstallTest(unittest.TestCase):
                              ["history.ipynb", "lecture.ipynb", "study.ipynb"])
             files = [path for path in prefix.rglob("*") if path.is_file()]
             self.assertFalse([path for path in files if path.is_symlink()])
-            for path in files:  # nothing names the build tree
+            for path in files:  # no file names the build tree
                 self.assertNotIn(str(BUILD).encode(), path.read_bytes() if path.name != "tlab" else b"", path.name)
 
 

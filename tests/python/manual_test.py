@@ -1,4 +1,4 @@
-"""The page of the manual on the package says what is so: its examples run, and print what it shows."""
+"""The manual's page on the package: its examples run and print the output shown."""
 
 import doctest
 import os
@@ -22,7 +22,7 @@ class ManualTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        (self.folder / "experiments").symlink_to(ROOT / "experiments")  # as in a clone, but nothing is written there
+        (self.folder / "experiments").symlink_to(ROOT / "experiments")  # as in a clone, but never written to
         (self.folder / "build").mkdir()
         (self.folder / "build/release").symlink_to(BUILD)
         before = os.getcwd()

@@ -1,4 +1,4 @@
-"""The notebooks run without an error, and are kept without outputs. What they show is left in the build tree."""
+"""Notebooks: they run without errors and are stored without outputs. Outputs remain in the build tree."""
 
 import base64
 import os
@@ -37,13 +37,13 @@ class NotebooksTest(unittest.TestCase):
         return self.keep(book, name)
 
     def keep(self, book, name):
-        """Writes the notebook with its outputs, and each of its pictures; gives the printed text."""
+        """Writes the notebook with its outputs, and each of its pictures; returns the printed text."""
         SHOWN.mkdir(parents=True, exist_ok=True)
         nbformat.write(book, SHOWN / f"{name}.ipynb")
         pictures, text = [], ""
         for output in (output for cell in book.cells for output in cell.get("outputs", [])):
             if output.output_type == "stream":
-                self.assertEqual(output.name, "stdout", output.text)  # a reader is shown no warnings
+                self.assertEqual(output.name, "stdout", output.text)  # readers see no warnings
                 text += output.text
             elif "image/png" in output.get("data", {}):
                 pictures.append(base64.b64decode(output.data["image/png"]))

@@ -9,13 +9,13 @@ from support import tlab_command
 
 import tlab
 
-# Programs whose defaults are a moment's work, and that need no file.
+# Programs with quick defaults that need no file.
 QUICK = ["message", "soft", "both_ways", "unicast", "pipeline", "sources", "broadcast", "request", "alternative",
          "interrupt", "commstime", "flops", "metrics", "census", "law", "task_farm", "global_", "in_path"]
 
 
 def help_on(program):
-    """Keys and their defaults, and columns, as `tlab help` tells them."""
+    """Keys with their defaults, and columns, from `tlab help`."""
     text = tlab_command("help", program).stdout
     if text.startswith("print") or "The program, in an experiment file:" in text:
         text = text.split("The program, in an experiment file:")[1]  # radiosity is a command, too
@@ -63,7 +63,7 @@ class FunctionsTest(unittest.TestCase):
 
 
 def _comparable(value, text):
-    """A default and how help spells it, as numbers, lists of numbers or texts."""
+    """A default and its spelling in help, as numbers, lists of numbers or texts."""
     if isinstance(value, (int, float)):
         return value, float(text)
     if isinstance(value, list):

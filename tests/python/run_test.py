@@ -48,7 +48,7 @@ class FolderTest(unittest.TestCase):
 
 class ResultsTest(FolderTest):
     def check_table(self, result):
-        """The table has the cells of results.csv, each as what it is."""
+        """The table has the cells of results.csv, each with its type."""
         rows = read_rows(result.folder / "results.csv")
         self.assertEqual(list(result.table.columns), list(rows[0]))
         self.assertEqual(len(result.table), len(rows))
@@ -232,7 +232,7 @@ class ErrorsTest(FolderTest):
         self.assertIn("none", str(error))
 
     def test_an_interrupt_ends_the_command_and_keeps_what_there_is(self):
-        # The child gets its interrupt while a long sweep is under way: as soon as a first point is recorded.
+        # The child is interrupted during a long sweep, as soon as a first point is recorded.
         results = self.folder / "results"
         code = ("import sys, tlab\n"
                 "try: tlab.run({'scene': {'objects': 800}, 'sweep': {'workers': list(range(1, 60))}}, "

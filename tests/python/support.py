@@ -1,4 +1,4 @@
-"""What the tests of the package share."""
+"""Shared by the tests of the package."""
 
 import csv
 import os
@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def tlab_command(*arguments, cwd=None):
-    """Starts the command as a user of a shell does."""
+    """Starts the command like a user of a shell."""
     return subprocess.run([tlab.command.find(), *map(str, arguments)], cwd=cwd, capture_output=True, text=True,
                           check=False)
 
@@ -24,7 +24,7 @@ def read_rows(path):
 
 
 def random_source():
-    """Random numbers from a seed that is printed, and can be given as TLAB_SEED."""
+    """Random numbers from a printed seed, which TLAB_SEED can set."""
     seed = int(os.environ.get("TLAB_SEED") or random.SystemRandom().randrange(10**9))
     print(f"TLAB_SEED={seed}", flush=True)
     return random.Random(seed)

@@ -1,4 +1,4 @@
-"""Topologies: networkx is the oracle of metrics and routes, and graphs go both ways unchanged."""
+"""Topologies: networkx is the oracle of metrics and routes; graphs survive conversion both ways."""
 
 import itertools
 import pathlib
@@ -45,12 +45,12 @@ def _add_edge(graph, a, b, free, source):
     if not with_ports:
         graph.add_edge(a, b)
         return
-    first = min(a, b, key=list(graph.nodes).index)  # as graph.edges has it
+    first = min(a, b, key=list(graph.nodes).index)  # in the order of graph.edges
     graph.add_edge(a, b, port_a=port[first], port_b=port[b if first == a else a])
 
 
 def make_graphs(count):
-    """Random graphs that have a topology: ends without a port may find none left for others' sake, not here."""
+    """Random graphs with a topology: every end without a port still finds a free one."""
     source = random_source()
     return [random_graph(source) for _ in range(count)]
 

@@ -1,5 +1,5 @@
 #pragma once
-// References that are kept in a folder: they take longest.
+// A cache folder for references: their computation takes longest.
 
 #include <string>
 
@@ -7,9 +7,9 @@
 
 namespace radiosity::reference {
 
-/// trace_paths() of the room that a text is; from a file of `folder`, where it is written when it
-/// is not there yet. The file's name is a hash of the text and of the parameters. Nothing is kept
-/// if the folder is "". Errors as trace_paths() and base::save_whole().
+/// trace_paths() for the room given as text, cached in a file of `folder`; the file is written if
+/// it is missing. Its name is a hash of the text and of the parameters. An empty `folder` disables
+/// the cache. Errors as trace_paths() and base::save_whole().
 Reference find_reference(const std::string& text, const Room& room, const TracerParams& params,
                          const std::string& folder);
 

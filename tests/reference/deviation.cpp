@@ -24,7 +24,7 @@ double eval_mean(const Reference& reference) {
   return count > 0 ? sum / count : 0;
 }
 
-// What errors of a pixel are relative to.
+// The radiosity to which a pixel's error is relative.
 double eval_scale(const Reference& reference, double mean, std::size_t i) {
   return std::max({grey(reference.picture.pixels[i]), DARK * mean, 1e-300});
 }
@@ -33,7 +33,7 @@ double eval_difference(const Picture& picture, const Reference& reference, std::
   return grey(picture.pixels[i]) - grey(reference.picture.pixels[i]);
 }
 
-// Calls f(x, y, index) for the neighbours of a pixel that are in the picture.
+// Calls f(x, y, index) for the neighbours of a pixel inside the picture.
 void each_neighbour(std::size_t i, int width, std::size_t count, const auto& f) {
   const auto w = static_cast<std::ptrdiff_t>(width);
   const auto at = static_cast<std::ptrdiff_t>(i), x = at % w;
@@ -47,7 +47,7 @@ void each_neighbour(std::size_t i, int width, std::size_t count, const auto& f) 
     }
 }
 
-// The smallest value that so large a share of all does not exceed; 0 if there are none.
+// The quantile of the values for a share; 0 if there are no values.
 double find_quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::ranges::sort(values);
@@ -55,7 +55,7 @@ double find_quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(rank) - 1];
 }
 
-// Whether a ray passes the segment from a to b at an angle of no more than TOO_NEAR.
+// True if a ray passes the segment from a to b at an angle of at most TOO_NEAR.
 bool grazes(const renderer::Ray& ray, const Vec& a, const Vec& b) {
   const Vec to_a = a - ray.origin, to_b = b - ray.origin, across = cross(to_a, to_b);
   const Vec way = normalize(ray.direction);

@@ -1,5 +1,5 @@
-// Compares radiosity's pictures of rooms with the path tracer's: one line for each room and way of
-// solving it, and a summary.
+// Compares radiosity's pictures of rooms with the path tracer's: one line for each room and method
+// of solution, and a summary.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ struct Options {
 
 struct NamedRoom {
   std::string name;
-  std::vector<std::string> views;  // the room's text with each of them
+  std::vector<std::string> views;  // the room's text with each view
 };
 
 RoomKind parse_kind(const std::string& name) {
@@ -73,7 +73,7 @@ std::vector<NamedRoom> make_rooms(const Options& o) {
   return rooms;
 }
 
-// How a room is solved and shown.
+// Method of solving and showing a room.
 struct Way {
   int refine = 1;
   std::string creases, reconstruction;
@@ -86,7 +86,7 @@ struct Outcome {
   std::size_t patches = 0;
   double solve_s = 0;
   Deviation deviation;
-  int beyond = 0;  // the largest group that is off where bilinear is not
+  int beyond = 0;  // largest group that is off where bilinear is not
 };
 
 template <class P>
@@ -103,7 +103,7 @@ ReconstructionParams make_reconstruction(const std::string& kind) {
   return choose(reconstruction_fields().front(), kind);
 }
 
-// A room as it is seen from one place.
+// A room seen from one place.
 struct View {
   std::string name;
   Room room;
@@ -156,7 +156,7 @@ class Comparison {
   }
 
  private:
-  // By the first reconstruction.
+  // Uses the first reconstruction.
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
     AdaptedMesh adapted =
@@ -168,7 +168,7 @@ class Comparison {
     return lit;
   }
 
-  // Solves the room once; a mesh that is adapted to a view, for each of them.
+  // Solves the room once, or once for each view if the mesh is adapted to a view.
   void try_way(const std::vector<View>& views, int refine, const std::string& creases) {
     Outcome outcome{{refine, creases, ""}, "", 0, 0, {}, 0};
     LitRoom lit;
@@ -267,7 +267,7 @@ class Comparison {
                groups([](const Outcome& o) { return o.beyond; }));
   }
 
-  // The picture, with the reference's exposure, and how far it is off.
+  // The picture, with the reference's exposure, and its deviation.
   void save(const Picture& picture, const Reference& reference, const std::string& name) const {
     if (o_.pictures.empty()) return;
     std::filesystem::create_directories(o_.pictures);

@@ -16,10 +16,10 @@ namespace radiosity::reference {
 namespace {
 
 constexpr double PI = std::numbers::pi;
-constexpr int MOST_MIRRORS = 1000;  // that light meets in a row
+constexpr int MOST_MIRRORS = 1000;  // in a row on one path
 
-// The first numbers of a path are those of a Sobol point, shifted by random ones of the pixel and
-// the round (R. Cranley and T. Patterson, 1976); further ones are random.
+// The first numbers of a path come from a Sobol point, shifted by random numbers of the pixel and
+// the round (R. Cranley and T. Patterson, 1976); further numbers are random.
 class Numbers {
  public:
   static constexpr std::size_t DIMENSIONS = 20;
@@ -60,7 +60,7 @@ struct Emitter {
   bool two_sided = false;
   Rgb emission;
   double area = 0;
-  double until = 0;  // share of the power of all emitters up to and with this one
+  double until = 0;  // cumulative share of the power, including this emitter
   double share = 0;  // of the power of all
 };
 
@@ -82,7 +82,7 @@ std::vector<Emitter> make_emitters(const Room& room, const RoomGeometry& geometr
   return emitters;
 }
 
-// A direction by the cosine to the normal.
+// A direction with a density proportional to the cosine to the normal.
 Vec sample_hemisphere(const Vec& normal, double u, double v) {
   const Vec across =
       normalize(cross(normal, std::abs(normal.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
@@ -96,7 +96,7 @@ class PathTracer {
   explicit PathTracer(const Room& room)
       : room_(room), geometry_(room), emitters_(make_emitters(room, geometry_)) {}
 
-  // What is seen along a ray: a diffuse surface, and the mirrors before it.
+  // The surface seen along a ray: a diffuse one, and the mirrors before it.
   struct Sight {
     SurfacePoint point;
     Rgb tint{1, 1, 1};  // the product of the mirrors' reflectances
@@ -118,7 +118,7 @@ class PathTracer {
     }
   }
 
-  // An estimate of the light that arrives at a point, as radiosity: what it reflects of it is the
+  // An estimate of the light arriving at a point, as radiosity: the reflected part is the
   // reflectance times this.
   Rgb sample_irradiance(SurfacePoint point, Numbers& numbers) const {
     Rgb light, weight{1, 1, 1};
@@ -137,21 +137,21 @@ class PathTracer {
     }
   }
 
-  // What is seen from a point in a random direction, by the cosine.
+  // The surface seen from a point in a random direction, weighted by the cosine.
   std::optional<Sight> look_anywhere(const SurfacePoint& point, Numbers& numbers) const {
     const double u = numbers.next(), v = numbers.next();
     return look(point.at, sample_hemisphere(point.normal, u, v), point.face, MOST_MIRRORS);
   }
 
-  // What a surface that is seen from a point in a random direction emits towards it; nothing if
-  // sample_emitters() has it.
+  // Emission of a surface seen in a random direction from a point; zero if sample_emitters()
+  // includes it.
   Rgb eval_emission(const Sight& seen, const SurfacePoint& from) const {
     const Rgb& emission = material_of(seen.point.face).emission;
     const bool counts = seen.mirrors > 0 || is_near(seen.point, from.at);
     return counts ? emission : Rgb{};
   }
 
-  // The light of emitters that arrives at a point, but of those that are near.
+  // Light arriving at a point from all emitters that are not near.
   Rgb sample_emitters(const SurfacePoint& point, Numbers& numbers) const {
     const double which = numbers.next(), v = numbers.next();
     const auto found = std::ranges::upper_bound(emitters_, which, {}, &Emitter::until);
@@ -167,7 +167,7 @@ class PathTracer {
     return (density * e.area / e.share) * e.emission;
   }
 
-  // The density, by area, at which look_anywhere() finds a point that is not hidden.
+  // The density, by area, of unoccluded points found by look_anywhere().
   static double eval_transfer(const SurfacePoint& point, const SurfacePoint& to) {
     const Vec way = to.at - point.at;
     const double square = dot(way, way);
@@ -181,8 +181,8 @@ class PathTracer {
   }
 
  private:
-  // Points of an emitter nearer than this are found by rays that go anywhere, others by rays to the
-  // emitter: neither estimate is then above the emission.
+  // Rays in any direction find points of an emitter nearer than this, rays to the emitter the
+  // others. Thus neither estimate exceeds the emission.
   bool is_near(const SurfacePoint& emitting, const Vec& from) const {
     const Vec way = emitting.at - from;
     return dot(way, way) < face_area_[emitting.face] / PI;
@@ -200,7 +200,7 @@ class PathTracer {
   const std::vector<double> face_area_ = make_face_areas();  // by face; 0 if it does not emit
 };
 
-// The standard error of the mean of the rounds.
+// The standard error of the mean over the rounds.
 double eval_error(std::span<const Rgb> rounds) {
   const auto n = static_cast<double>(rounds.size());
   double mean = 0, squares = 0;
@@ -209,7 +209,7 @@ double eval_error(std::span<const Rgb> rounds) {
   return std::sqrt(squares / (n * (n - 1)));
 }
 
-// Finds the pixels of a picture, in tiles. What a path finds where it goes from one pixel's surface
+// Computes the pixels of a picture in tiles. The light found on a path from one pixel's surface
 // counts for all pixels of the tile that show the same face, weighted by the balance heuristic (P.
 // Bekaert, M. Sbert and J. Halton, "Accelerating Path Tracing by Re-Using Paths", EGRW 2002).
 class Painter {
@@ -245,7 +245,7 @@ class Painter {
 
  private:
   static constexpr int TILE = 8;      // pixels
-  static constexpr int TO_LAMPS = 4;  // rays from a pixel's surface to emitters, for each path
+  static constexpr int TO_LAMPS = 4;  // rays from a pixel's surface to emitters, a path
 
   struct Member {
     std::size_t pixel = 0;
@@ -287,7 +287,7 @@ class Painter {
     }
   }
 
-  // The light that arrives at the members of a group, by the paths of a round.
+  // The light arriving at the members of a group, by the paths of a round.
   std::vector<Rgb> find_irradiance(const Group& group, int round) const {
     std::vector<Rgb> light(group.size());
     for (std::size_t j = 0; j < group.size(); ++j) {
@@ -319,7 +319,7 @@ class Painter {
       share(group, j, *seen, reflected, light);
   }
 
-  // Gives what member j sees to all that see it, too.
+  // Adds the surface seen from member j to all members that see it.
   void share(const Group& group, std::size_t j, const PathTracer::Sight& seen, const Rgb& reflected,
              std::vector<Rgb>& light) const {
     std::array<double, TILE * TILE> weights{};

@@ -39,7 +39,7 @@ class Builder {
   }
 
  private:
-  // What stands on the floor within `radius` of (x, y), turned by `angle` radians.
+  // A block within `radius` of (x, y), turned by `angle` radians.
   struct Block {
     double x = 0, y = 0, bottom = 0, top = 0, half_along = 0, half_across = 0, angle = 0;
     double radius() const { return std::hypot(half_along, half_across); }

@@ -1,21 +1,21 @@
 #include "tests/reference/room_geometry.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <stdexcept>
+
+#include "tests/support/embree.hpp"
 
 namespace radiosity::reference {
 
 namespace {
 
-// Lengths, in units of the geometry. Faces are grown so that no ray slips between two that touch;
-// a ray meets nothing nearer than NEAREST; faces not farther apart lie back to back.
+// Lengths in units of the geometry. Faces grow by GROWTH so that no ray slips between two touching
+// ones. A ray meets nothing nearer than NEAREST. Faces at most TOGETHER apart lie back to back.
 constexpr double GROWTH = 1e-6, TOGETHER = 1e-5;
 constexpr float NEAREST = 1e-6F, NEARLY = 1 - 1e-6F;
 
-// A ray meets none of the faces that it starts or ends on: they are flat and convex.
+// A ray meets none of the faces on which it starts or ends: they are flat and convex.
 struct Context {
-  RTCIntersectContext base;  // first: Embree hands out its address
+  embree::Context base;  // first: Embree hands out its address
   const std::uint32_t* face_of_triangle;
   std::uint32_t from, to;
 };
@@ -73,7 +73,7 @@ struct RoomGeometry::Embree {
     }
     device = rtcNewDevice("threads=1");
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | embree::FILTERED);
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     std::ranges::copy(places, static_cast<float*>(rtcSetNewGeometryBuffer(
                                   geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -90,8 +90,7 @@ struct RoomGeometry::Embree {
 
   Context make_context(std::uint32_t from, std::uint32_t to) const {
     Context context{{}, face_of_triangle.data(), from, to};
-    rtcInitIntersectContext(&context.base);
-    context.base.filter = leave_out_own_faces;
+    embree::init(context.base);
     return context;
   }
 };
@@ -119,7 +118,7 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
   query.ray = make_ray(origin, direction, INF);
   for (int attempt = 0; attempt < 2; ++attempt) {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree_->scene, &context.base, &query);
+    embree::intersect(embree_->scene, context.base, query, leave_out_own_faces);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const std::uint32_t face = embree_->face_of_triangle[query.hit.primID];
     const Plane& plane = planes_[face];
@@ -129,7 +128,7 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
       return SurfacePoint{near - eval_height(plane, near) * plane.normal,
                           in_front ? plane.normal : -plane.normal, face};
     }
-    // A back: what lies on it is looked for.
+    // A back was hit: look for a face that lies on it.
     context.to = face;
     const float found = query.ray.tfar;
     query.ray.tnear = std::max(NEAREST, found - static_cast<float>(TOGETHER));
@@ -144,7 +143,7 @@ bool RoomGeometry::is_blocked(const SurfacePoint& from, const Vec& to,
   const Vec way = to - from.at;
   const double distance = length(way);
   RTCRay ray = make_ray(from.at, (1 / distance) * way, static_cast<float>(distance) * NEARLY);
-  rtcOccluded1(embree_->scene, &context.base, &ray);
+  embree::find_occlusion(embree_->scene, context.base, ray, leave_out_own_faces);
   return ray.tfar < 0;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A room for rays: its faces in Embree, and what rays meet there.
+// A room for ray queries: its faces in Embree, and intersections of rays.
 
 #include <memory>
 #include <optional>
@@ -10,13 +10,13 @@ namespace radiosity::reference {
 
 inline constexpr std::uint32_t NO_FACE = ~0U;
 
-/// A point on a face; the normal points to the side that the ray came from.
+/// A point on a face; the normal is on the ray's side.
 struct SurfacePoint {
   Vec at, normal;
   std::uint32_t face = NO_FACE;
 };
 
-/// Places and lengths are in units of half the room's longest side, from its middle: Embree
+/// Places and lengths are in units of half the room's longest side, from its middle, because Embree
 /// calculates in single precision.
 class RoomGeometry {
  public:
@@ -28,12 +28,12 @@ class RoomGeometry {
   /// A place of the room in the units of this geometry.
   Vec scale(const Vec& place) const { return (1 / unit_) * (place - middle_); }
 
-  /// What a ray from a point on the face `from` meets that is not black: the front of a face, or
-  /// either side of one that is two-sided. The direction must be of unit length.
+  /// The first surface, other than black, on a ray from a point on face `from`: the front of a
+  /// face, or either side of a two-sided one. The direction must be of unit length.
   std::optional<SurfacePoint> intersect(const Vec& origin, const Vec& direction,
                                         std::uint32_t from) const;
 
-  /// Whether something other than their faces is between two points.
+  /// True if another face blocks the line between the two points.
   bool is_blocked(const SurfacePoint& from, const Vec& to, std::uint32_t to_face) const;
 
   /// The corners of a face in the units of this geometry.

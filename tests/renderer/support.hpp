@@ -12,7 +12,7 @@
 
 namespace renderer::test {
 
-/// The n-th number depends on the seed and on n only (splitmix64).
+/// The n-th number depends only on the seed and on n (splitmix64).
 struct Random {
   std::uint64_t seed = 0, n = 0;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes that the tests of programs share.
+// Scenes shared by the tests of programs.
 #include <random>
 
 #include "renderer/files/load_scene.hpp"
@@ -17,7 +17,7 @@ inline renderer::Scene make_glass_scene() {
       "glass");
 }
 
-/// The same with a lens, lights that have a size, and rough surfaces.
+/// The same with a lens, area lights and rough surfaces.
 inline renderer::Scene make_soft_scene() {
   renderer::Scene scene = make_glass_scene();
   scene.view.lens = {.aperture = 0.3, .focus = 4};
@@ -31,7 +31,7 @@ inline renderer::Scene make_soft_scene() {
   return scene;
 }
 
-/// Several samples of a pixel, adaptive ones in one of two cases.
+/// Several samples a pixel, adaptive in half the cases.
 inline renderer::Sampling random_sampling(std::mt19937_64& random) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 1 + static_cast<int>(random() % 7);

@@ -1,5 +1,5 @@
 #pragma once
-// A folder that goes away, and the text of an exception.
+// A temporary folder, and the text of an exception.
 #include <stdlib.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  /// Everything directly inside, hidden or not, sorted.
+  /// All entries directly inside, hidden ones included, sorted.
   std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(path))
@@ -35,7 +35,7 @@ struct TemporaryFolder {
   std::filesystem::path path;
 };
 
-/// The message of the exception that `action` throws; "" where it throws none.
+/// The message of the exception that `action` throws; "" if it throws none.
 template <typename Exception, typename Action>
 std::string message_of(Action action) {
   try {

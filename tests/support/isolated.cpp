@@ -14,8 +14,8 @@
 namespace test {
 namespace {
 
-// What a child writes, in this order: failures of assertions, then what it returns or throws. A
-// part is a letter, the lengths of its two texts and the texts.
+// A child writes the failures of assertions first, then its result or exception. Each part is a
+// letter, the lengths of two texts, and the two texts.
 constexpr char FAILURE = 'f', RETURNED = 'r', THREW = 't';
 
 void write_part(std::FILE* out, char kind, const std::string& first, const std::string& second) {
@@ -26,7 +26,7 @@ void write_part(std::FILE* out, char kind, const std::string& first, const std::
 [[noreturn]] void run_child(int fd, const std::function<std::string()>& body, unsigned limit_s) {
   alarm(limit_s);
   std::FILE* out = fdopen(fd, "w");
-  testing::TestPartResultArray failures;  // kept from the printer: the parent alone tells them
+  testing::TestPartResultArray failures;  // collected, not printed: only the parent reports them
   const testing::ScopedFakeTestPartResultReporter reporter(
       testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &failures);
   const auto write_end = [&](char kind, const std::string& first, const std::string& second) {
@@ -43,7 +43,7 @@ void write_part(std::FILE* out, char kind, const std::string& first, const std::
   } catch (const std::exception& error) {
     write_end(THREW, boost::core::demangle(typeid(error).name()), error.what());
   }
-  _exit(0);  // without the parent's destructors
+  _exit(0);  // skips the parent's destructors
 }
 
 struct Part {

@@ -7,8 +7,8 @@
 
 namespace test {
 
-/// Whether the address sanitizer watches. It does not know the stacks of SimGrid's actors, and sees
-/// errors where exceptions pass through them: such tests are left out.
+/// True if the address sanitizer is active. It does not know the stacks of SimGrid's actors and
+/// reports false errors when exceptions pass through them. Such tests are left out.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool IS_SANITIZED = true;
 #else

@@ -1,4 +1,4 @@
-// Children cannot lie: what fails in one fails the test.
+// Child processes: a failure in a child fails the test.
 #include "tests/support/isolated.hpp"
 
 #include <gtest/gtest-spi.h>

@@ -1,5 +1,5 @@
 #pragma once
-// A small machine, its models and its costs, as the tests of the machine and of occam need them.
+// A small machine, its models and its costs, for the tests of the machine and of occam.
 
 #include <fmt/format.h>
 
@@ -24,19 +24,19 @@ using test::isolated_numbers;
 
 constexpr Priority BOTH_PRIORITIES[] = {Priority::high, Priority::low};
 
-// A message of any length that carries a number.
+// A message of `length` bytes that carries a number.
 struct Words {
   std::uint64_t length = 4, content = 0;
   std::uint64_t bytes() const { return length; }
 };
 
-// t805-25 without operands' loads, fetches of code and DMA's stolen cycles, and with a clock, ticks
-// and links of powers of two, so that every time is a whole number of cycles and has no rounding.
+// t805-25 without operand loads, code fetches and cycles stolen by DMA. Clock, ticks and link rates
+// are powers of two: every time is a whole number of cycles, without rounding.
 inline Model derive_exact_model() {
   Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
   model.memory.steal_word = 0;
   for (machine::Cycles* beside : {&model.channel.operands, &model.channel.out_word})
-    *beside = {0};  // counted in tests of their own
+    *beside = {0};  // these have tests of their own
   model.cpu.clock = {0x1p24};
   model.timer.high_tick = 0x1p-20;  // 16 cycles
   model.timer.low_tick = 0x1p-14;   // 1024 cycles
@@ -46,7 +46,7 @@ inline Model derive_exact_model() {
   return model;
 }
 
-// Read once, before any test forks: the children have copies.
+// Loaded once, before any test forks: the children have copies.
 inline const Model REAL_MODEL = machine::load_model("t805-25");
 inline const Model EXACT_MODEL = derive_exact_model();
 
@@ -56,12 +56,12 @@ inline std::int64_t words_in(std::uint64_t bytes) {
   return static_cast<std::int64_t>((bytes + 3) / 4);
 }
 
-// What the end that comes second spends on a soft channel.
+// Cost of a soft channel's rendezvous for the process that arrives second.
 inline std::int64_t soft_cost(const Model& model, std::uint64_t bytes) {
   return (model.channel.soft_setup + words_in(bytes) * model.channel.copy_word).value;
 }
 
-// This process's own time.
+// The current process's time, in cycles.
 inline double own_cycles() {
   return this_process().now().value * this_process().processor().clock().value;
 }
@@ -72,8 +72,8 @@ inline void wait_until_cycle(std::int64_t cycle) {
   wait_until(ticks(Cycles{cycle} / this_process().processor().clock()));
 }
 
-// ctest runs the tests of machine and occam three times: on SimGrid with fibers; and as the
-// environment says with SimGrid's actors, and with links of our own.
+// ctest runs the tests of machine and occam three times: on SimGrid with fibers, with SimGrid's
+// actors, and with our own link engine. The environment selects the last two.
 inline machine::EngineParams engine_under_test() {
   const char* given = std::getenv("TLAB_TEST_ENGINE");
   const std::string_view name = given ? given : "";
@@ -81,13 +81,13 @@ inline machine::EngineParams engine_under_test() {
   return {.processes = name == "actors" ? machine::Processes::actors : machine::Processes::fibers};
 }
 
-// And once more with Procs, where a test can do without stacks.
+// A fourth run uses Procs, for tests that can do without stacks.
 inline bool bodies_have_stacks() {
   const char* given = std::getenv("TLAB_TEST_BODIES");
   return std::string_view(given ? given : "") != "procs";
 }
 
-// A machine and the channels of its processes. It is built and run inside of isolated().
+// A machine and the channels of its processes. Tests build and run it inside isolated().
 struct Lab {
   explicit Lab(const Model& model = make_exact_model(), machine::Code code = machine::Code::bare,
                machine::EngineParams engine = engine_under_test())
@@ -117,14 +117,14 @@ struct Lab {
 
 enum class Side { writer, reader };
 
-// t805-25 with everything on chip, and without the fetch of code, as the instruction tables count.
+// t805-25 with all data on chip and without code fetches, as the instruction tables count.
 inline Model make_on_chip_model() {
   return machine::override_model(
       "t805-25", {{"memory.data_word", "\"memory.on_chip_word\""}, {"instruction.fetch", "0"}},
       "tests");
 }
 
-// The exact model, with the operands that it leaves out.
+// The exact model, plus the operand loads that it leaves out.
 inline Model make_complete_model() {
   Model model = make_exact_model();
   model.channel.operands = REAL_MODEL.channel.operands;
@@ -132,21 +132,21 @@ inline Model make_complete_model() {
   return model;
 }
 
-// in or out up to the instruction itself; a message of one word is sent by outword.
+// Cost of in or out before the instruction itself; a message of one word uses outword.
 inline std::int64_t cost_before(const Model& model, Side side, std::uint64_t bytes) {
   const bool is_outword = side == Side::writer && bytes == 4;
   return (model.channel.operands + (is_outword ? model.channel.out_word : Cycles{0})).value;
 }
-// What the end that comes first spends, or the one that starts a link.
+// Cost for the process that arrives first at a channel, or that starts a link.
 inline std::int64_t cost_first(const Model& model, Side side, std::uint64_t bytes) {
   return cost_before(model, side, bytes) + model.channel.blocked.value;
 }
-// What the end that comes second on one processor spends: 2w+19, on chip.
+// Cost for the process that arrives second at a soft channel: 2w+19 cycles, on chip.
 inline std::int64_t cost_second(const Model& model, Side side, std::uint64_t bytes) {
   return cost_before(model, side, bytes) + soft_cost(model, bytes);
 }
 
-// Two cycles a word: a direction alone, at 16 cycles a byte, takes 2 / 64 = 1/32 of the CPU.
+// Two cycles a word: one active direction, at 16 cycles a byte, takes 2 / 64 = 1/32 of the CPU.
 inline Model make_stealing_model() {
   Model model = make_exact_model();
   model.memory.steal_word = 2;

@@ -1,4 +1,4 @@
-// Where the project is, for tests that name its files.
+// Paths of the project's files, for tests that name them.
 #pragma once
 
 #include <string>

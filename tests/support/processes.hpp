@@ -1,5 +1,5 @@
 #pragma once
-// Processes that a test has started, or whose program has.
+// Processes that a test, or the program under test, has started.
 #include <sys/types.h>
 
 #include <fstream>
@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// Whether the process has ended. One that nobody has waited for stays as a zombie.
+/// True if the process has ended. A process that was not waited for remains as a zombie.
 inline bool is_gone(pid_t process) {
   std::ifstream in("/proc/" + std::to_string(process) + "/stat");
   std::string number, name, state;

@@ -1,4 +1,4 @@
-// What is shown of a moving picture, read by libwebp's own decoder.
+// Frames of an animated WebP picture, decoded by libwebp itself.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace test {
 
-// What is shown from `from_ms` (included) to `to_ms`.
+// The picture shown from `from_ms` (included) to `to_ms` (excluded).
 struct WebpFrame {
   int from_ms, to_ms, width, height;
   std::vector<std::uint8_t> rgb8;  // rows from the top
@@ -23,7 +23,7 @@ struct WebpFrame {
   }
 };
 
-// Empty for what is no such picture.
+// Empty if `bytes` is no animated WebP picture.
 inline std::vector<WebpFrame> decode_webp(const std::string& bytes) {
   const WebPData data{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
   const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(

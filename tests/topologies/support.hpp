@@ -1,4 +1,4 @@
-// What the tests of topologies share: a list of machines, random machines, a plain search.
+// Shared by the tests of topologies: a list of machines, random machines, a plain search.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline const std::vector<std::string> SPECS{
     "amp:2",       "amp:3",       "amp:4",     "amp:5",       "amp:6",       "amp:7",
     "amp:8",       "amp:9",       "amp:23",    "amp:64",      "amp:100"};
 
-// A test per spec, named after it: "mesh:5x4" runs as mesh_5x4.
+// Names each test after its spec: "mesh:5x4" runs as mesh_5x4.
 struct SpecName {
   std::string operator()(const testing::TestParamInfo<std::string>& info) const {
     auto name = info.param;
@@ -40,7 +40,7 @@ struct SpecName {
   }
 };
 
-// Links from `start` to each processor, written without Boost and without `neighbours`.
+// Links from `start` to each processor, computed without Boost and without `neighbours`.
 inline std::vector<int> plain_distances(const Topology& t, int start) {
   std::vector<int> distance(t.processors, -1);
   distance[start] = 0;
@@ -55,7 +55,7 @@ inline std::vector<int> plain_distances(const Topology& t, int start) {
   return distance;
 }
 
-// Connected, at most four links each, on random ports: a random tree and some links more. Of odd
+// A connected random tree with some extra links, at most four a processor, on random ports. For odd
 // seeds some processors are joined by several links.
 inline Topology random_topology(unsigned seed, int largest = 31) {
   std::mt19937 random(seed);
@@ -80,7 +80,7 @@ inline Topology random_topology(unsigned seed, int largest = 31) {
   return t;
 }
 
-// Gives each processor's links other ports of its four.
+// Permutes the four ports of each processor.
 inline void shuffle_ports(Topology& t, std::mt19937& random) {
   std::vector<std::vector<int>> ports(t.processors, {0, 1, 2, 3});
   for (auto& p : ports) std::ranges::shuffle(p, random);
@@ -88,7 +88,7 @@ inline void shuffle_ports(Topology& t, std::mt19937& random) {
     for (End* end : {&link.a, &link.b}) end->port = ports[end->processor][end->port];
 }
 
-// Links another network to the last processor that has a free port, if it has one itself.
+// Links another network to the last processor with a free port, if the other has a free port too.
 inline void append(Topology& t, const Topology& other) {
   const int first = t.processors;
   int at = first - 1, there = 0;
@@ -102,7 +102,7 @@ inline void append(Topology& t, const Topology& other) {
   sort_links(t);
 }
 
-// Runs `act`; the message of the BadInput it throws, or "" if it throws none.
+// The message of the BadInput that `act` throws, or "" if it throws none.
 template <typename Act>
 std::string rejection(Act act) {
   try {
@@ -113,7 +113,7 @@ std::string rejection(Act act) {
   return "";
 }
 
-// A file of this test alone, gone at its end.
+// A temporary file of this test alone, removed at its end.
 struct TemporaryFile {
   TemporaryFile(const std::string& name, const std::string& text)
       : path(testing::TempDir() + "tlab-" + std::to_string(getpid()) + "-" + name) {

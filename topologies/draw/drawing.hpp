@@ -1,5 +1,5 @@
 #pragma once
-// A topology drawn with its ports.
+// Drawing of a topology with its ports.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace topologies {
 
-/// An SVG by Graphviz, placed by make_layout(): the root has a double rim, and each end of a link
-/// its port. Throws std::runtime_error when Graphviz is not installed or fails.
+/// An SVG by Graphviz with the places of make_layout(). The root has a double rim, and each end of
+/// a link shows its port. Throws std::runtime_error if Graphviz is not installed or fails.
 std::string to_svg(const Topology& topology);
 
 }  // namespace topologies

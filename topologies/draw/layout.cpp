@@ -15,7 +15,7 @@
 namespace topologies {
 namespace {
 
-// Adds `count` places in rows to and fro, evenly in each, `width` wide from `left` on.
+// Adds `count` places in rows of alternating direction, evenly spaced, `width` wide from `left` on.
 void add_rows(Places& places, int count, int rows, double left, double width) {
   for (int row = 0; row < rows; ++row) {
     const int first = count * row / rows, last = count * (row + 1) / rows;
@@ -44,7 +44,7 @@ Places make_circle(int n) {
   return places;
 }
 
-// A large ring takes an even number of rows to and fro, and goes back up on the left.
+// Draws a large ring as an even number of rows in alternating directions; it returns on the left.
 Places make_ring_places(int n) {
   constexpr int LARGEST_CIRCLE = 36;
   if (n <= LARGEST_CIRCLE) return make_circle(n);
@@ -62,7 +62,7 @@ Places make_grid(int n, double spacing, Column column, Row row) {
   return places;
 }
 
-// The processors of each level from the root, in the order of their parents.
+// The processors of each level below the root, in the order of their parents.
 std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   std::vector<std::vector<int>> levels{{tree.root}};
   while (!levels.back().empty()) {
@@ -75,7 +75,7 @@ std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   return levels;
 }
 
-// Finds each processor's middle between its first and last leaf; leaves stand at 0, 1, 2 ...
+// The middle between each processor's first and last leaf; leaves stand at 0, 1, 2 ...
 std::vector<double> make_middles(const SpanningTree& tree) {
   std::vector<double> from(tree.parent.size()), to(tree.parent.size());
   double leaves = 0;
@@ -90,8 +90,8 @@ std::vector<double> make_middles(const SpanningTree& tree) {
   return from;
 }
 
-// Places levels as rings around the root, from the angle on the right of the open way to that on
-// its left; a level that is too dense for one ring zigzags.
+// Places levels as rings around the root and leaves a gap above it. A level that is too dense for
+// one ring zigzags.
 Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   constexpr double PITCH = 1.15, GAP = 1.7, ZIGZAG = 1.1;
   Places places(tree.parent.size());
@@ -114,8 +114,8 @@ Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   return places;
 }
 
-// Places processors by the spanning tree from the root: downwards where all links are the tree's
-// and it is small, else around the root.
+// Places processors by the spanning tree from the root: downwards if the topology is a small tree,
+// else around the root.
 Places make_tree_places(const Topology& topology) {
   const auto tree = make_spanning_tree(topology, topology.root);
   auto middles = make_middles(tree);
@@ -131,7 +131,7 @@ Places make_tree_places(const Topology& topology) {
   return places;
 }
 
-// Turns the places about their middle until `root` is above it.
+// Rotates the places about their middle so that `root` is above it.
 void turn_upwards(Places& places, int root) {
   Place middle;
   for (const auto& [x, y] : places) middle.x += x, middle.y += y;
@@ -165,7 +165,7 @@ Places make_found_places(const Topology& topology) {
   return places;
 }
 
-// A grid's links run along its lines; those that pass over others run beside them.
+// Swerves for a grid: links run along its lines; links that skip processors run beside them.
 Places make_swerves(const Topology& topology, const Places& places, double spacing) {
   std::vector<Place> swerves(topology.links.size());
   for (size_t i = 0; i < swerves.size(); ++i) {
@@ -178,7 +178,7 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
   return swerves;
 }
 
-// Spreads links that join the same two processors to both sides of where they would run.
+// Spreads parallel links between the same two processors to both sides of their common course.
 void part_parallel_links(const Topology& topology, Layout& layout) {
   constexpr double APART = 0.3;
   const auto& links = topology.links;
@@ -198,7 +198,7 @@ void part_parallel_links(const Topology& topology, Layout& layout) {
   }
 }
 
-// The place of two bits in Gray's order: 00 01 11 10 are 0 1 2 3.
+// The index of a two-bit Gray code: 00 01 11 10 are 0 1 2 3.
 int from_gray(int bits) { return bits ^ (bits >> 1); }
 
 }  // namespace
@@ -224,7 +224,7 @@ std::string format_points(const Place& place) {
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
-  constexpr int MAX_FOUND = 1024;  // Graphviz looks for places of so many in a second or two
+  constexpr int MAX_FOUND = 1024;  // Graphviz places so many in one or two seconds
   const int n = topology.processors;
   base::require(n <= MAX_DRAWN, "topology " + topology.name,
                 "found {} processors, expected at most {} in a drawing (formats dot, graphml and "

@@ -1,5 +1,5 @@
 #pragma once
-// Where a drawing puts processors. The unit is the least distance of two; y grows upwards.
+// Places of processors in a drawing. The unit is the smallest distance of two; y grows upwards.
 
 #include <array>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace topologies {
 
-constexpr int MAX_DRAWN = 16384;  ///< processors of a drawing: it has some 15 MB then
+constexpr int MAX_DRAWN = 16384;  ///< processors of a drawing; some 15 MB at this limit
 
 struct Place {
   double x = 0, y = 0;
@@ -19,28 +19,26 @@ using Places = std::vector<Place>;
 
 struct Layout {
   Places processors;
-  /// By index into Topology::links: how far off the straight line it is half way. Links that join
-  /// the same two processors run side by side.
+  /// Offset of each link's midpoint from the straight line, by index into Topology::links. Links
+  /// that join the same two processors run side by side.
   Places swerves;
 };
 
-/// The control points of a link's Bezier curve, which is off the straight line by `swerve` half
-/// way.
+/// The control points of a link's Bezier curve; its midpoint is `swerve` off the straight line.
 std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place& swerve);
 
-/// The control points of the half of that curve that is next to `from`.
+/// The control points of that curve's first half, next to `from`.
 std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const Place& swerve);
 
-/// A place as Graphviz takes it, in points of paper: "36.00,72.00".
+/// Formats a place for Graphviz, in points on paper: "36.00,72.00".
 std::string format_points(const Place& place);
 
-/// Places processors by Topology::shape: lines and rings in rows to and fro (small rings in a
-/// circle), meshes and tori as grids with closing links between the lines, hypercubes as the
-/// tori they are, minimum-path networks in rings around the root, with the way upwards from it left
-/// open. Small trees grow from the root downwards, large ones around it. Others are placed by
-/// Graphviz's neato, from a fixed start, and turned so that the root is above the middle; throws
-/// std::runtime_error when that is not installed. More than 1024 of these are in rings too. Throws
-/// BadInput for more than MAX_DRAWN processors.
+/// Places processors by Topology::shape. Lines and rings are rows in alternating directions (small
+/// rings: a circle). Meshes and tori are grids with closing links between the lines; hypercubes are
+/// drawn as tori. Minimum-path networks are rings around the root with a gap above it. Small trees
+/// grow downwards from the root, large ones around it. Graphviz's neato places other topologies,
+/// from a fixed start, turned so that the root is on top; beyond 1024 processors they are rings
+/// too. Throws std::runtime_error if Graphviz is missing, BadInput beyond MAX_DRAWN processors.
 Layout make_layout(const Topology& topology);
 
 }  // namespace topologies

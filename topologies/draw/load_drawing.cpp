@@ -13,15 +13,14 @@
 namespace topologies {
 namespace {
 
-constexpr double UNIT_PT = 36;       // of a layout, on paper
+constexpr double UNIT_PT = 36;       // length of a layout's unit on paper
 constexpr double PROCESSOR_PT = 27;  // diameter
 
 struct Colour {
   double r, g, b;
 };
 
-// Colours in even steps of lightness (CIE L* 88, 76, 60, 41, 20), which the colour-blind can tell
-// apart.
+// Colours with decreasing lightness (CIE L* 88, 76, 60, 41, 20), safe for colour-blind readers.
 constexpr std::array<Colour, 5> SCALE{
     {{219, 222, 226}, {246, 178, 66}, {229, 110, 60}, {174, 45, 96}, {72, 15, 95}}};
 
@@ -62,7 +61,7 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
       is_root ? 3 : 0.75, quote_dot(fmt::format("{}: busy {}", node.name, percent(node.load))));
 }
 
-// The half of a link that is next to `from` shows what `from` sends.
+// Draws the half of a link next to `from`; it shows the traffic that `from` sends.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
   const auto [p0, p1, p2, p3] = make_half_curve(nodes[from].place, nodes[to].place, swerve);
@@ -73,7 +72,7 @@ std::string write_half(const Half& half, const std::vector<Node>& nodes) {
       quote_dot(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
-// The index of the first extra processor of this name; their number if there is none.
+// The index of the first extra processor with this name; the number of extras without one.
 size_t find_extra(const Loads& loads, const std::string& name) {
   return static_cast<size_t>(std::ranges::find(loads.extras, name, &Loads::Extra::name) -
                              loads.extras.begin());
@@ -109,7 +108,7 @@ void check_loads(const Topology& topology, const Loads& loads) {
   }
 }
 
-// Places the extra processors in rows above the topology, by the links between them and the root.
+// Places extra processors in rows above the topology, by their distance in links from the root.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;
@@ -125,11 +124,11 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
   return places;
 }
 
-// A bar of colours below the drawing, with its left end at `place`.
+// The colour scale below the drawing, with its left end at `place`.
 std::string write_legend(const Place& place) {
   constexpr int STEPS = 20;
   constexpr double WIDTH = 0.3, HEIGHT = 0.35;
-  constexpr double LETTER = 0.1;  // inches: the drawing is made wide enough for its words
+  constexpr double LETTER = 0.1;  // inches a letter, so that the drawing is wide enough for text
   const auto text = [&](const char* name, double x, double y, const std::string& words) {
     return fmt::format(
         "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
@@ -184,8 +183,8 @@ std::vector<Half> make_halves(const Topology& topology, const Loads& loads, cons
   return halves;
 }
 
-// Graphviz draws links in the order of the processors that they leave: those with a busy one come
-// last, over others.
+// Orders processors by their busiest outgoing link. Graphviz draws links in this order, so busy
+// links cover others.
 std::vector<int> make_order(size_t nodes, const std::vector<Half>& halves) {
   std::vector<double> busiest(nodes, 0);
   for (const auto& half : halves) busiest[half.from] = std::max(busiest[half.from], half.load);

@@ -66,7 +66,7 @@ bool is_identifier(std::string_view token) {
   return !token.empty() && (is_word(token[0]) || token[0] == '"');
 }
 
-// Whether a bare word is none of a node, in whatever letters.
+// True if a bare word is a DOT keyword, in upper or lower case.
 bool is_keyword(std::string_view word) {
   std::string lower;
   for (const unsigned char c : word) lower += static_cast<char>(std::tolower(c));
@@ -82,15 +82,15 @@ std::string unquote(std::string_view token) {
   return result;
 }
 
-// What Boost's DOT reader forgets or refuses, taken from the text beforehand.
+// Preprocessed text for Boost's DOT reader, and the order of names, which that reader loses.
 struct DotText {
-  std::string text;                  // every nested brace led by the keyword `subgraph`
-  std::map<std::string, int> place;  // of each identifier among those that the file names, from 0
+  std::string text;                  // with the keyword `subgraph` before every nested brace
+  std::map<std::string, int> place;  // of each identifier in the order of first mention, from 0
 };
 
-// Makes one pass over the tokens of `text`. Refuses node:port (the reader would drop the port),
-// braces nested deeper than the reader's recursion should go, and an edge between two groups (all
-// pairs: the reader would fill the memory with large ones).
+// Makes one pass over the tokens of `text`. Refuses node:port, since the reader would drop the
+// port. Limits nested braces, since the reader recurses. Refuses an edge between two groups: the
+// reader would link all pairs and could exhaust the memory.
 DotText make_dot_text(const std::string& text, const std::string& file) {
   DotText result;
   std::string_view before, last;  // tokens
@@ -117,7 +117,7 @@ DotText make_dot_text(const std::string& text, const std::string& file) {
     result.text += token;
     line += static_cast<int>(std::ranges::count(token, '\n'));
     if (is_gap(token)) continue;
-    const bool assigned = c == '=' || before == "=";  // an attribute: its name or its value
+    const bool assigned = c == '=' || before == "=";  // an attribute's name or value
     const bool is_node = last_braces > 0 && before != "subgraph" && !is_keyword(last);
     if (brackets == 0 && is_identifier(last) && is_node && !assigned)
       named += result.place.try_emplace(unquote(last), named).second;
@@ -132,7 +132,7 @@ struct Edge {
   std::string port_a, port_b, tailport, headport;
 };
 
-// Our attribute, or Graphviz's where it is a number and not a compass point of the drawing.
+// Our attribute, or Graphviz's if it is a number and not a compass point.
 std::string choose_port(const std::string& ours, const std::string& graphviz) {
   const bool is_number =
       !graphviz.empty() && graphviz.find_first_not_of("0123456789") == std::string::npos;
@@ -165,7 +165,7 @@ RawGraph read_raw(const std::string& text) {
   return raw;
 }
 
-// Puts the vertices, which the reader sorts by name, in the order in which the file names them.
+// Restores the file's order of vertices; the reader sorts them by name.
 void restore_order(RawGraph& raw, const std::map<std::string, int>& place) {
   std::vector<int> order(raw.vertices.size()), now(raw.vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -196,8 +196,8 @@ RawGraph read_raw(const std::string& text, const std::string& name) {
   }
 }
 
-// Whether a string in quotes can say it: the reader keeps a backslash and takes what follows for
-// no end.
+// True if a quoted string can hold the text. The reader keeps a backslash, and a quote after one
+// does not end the string.
 bool can_quote(std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\') continue;
@@ -238,7 +238,7 @@ std::string to_dot(const Topology& topology) {
                   name);
     names.push_back(quote(name));
   }
-  auto title = topology.name;  // which the reader passes over
+  auto title = topology.name;  // ignored by the reader
   if (!can_quote(title)) std::ranges::replace(title, '\\', '/');
   std::string text =
       fmt::format("graph G {{\nlabel={};\nroot={};\nnode [shape=circle];\nedge [fontsize=8];\n",

@@ -1,5 +1,5 @@
 #pragma once
-// Topologies in DOT, by Boost.Graph's reader.
+// Topologies in DOT, read with Boost.Graph.
 
 #include <string>
 
@@ -7,12 +7,12 @@
 
 namespace topologies {
 
-/// Reads a text by the rules of load_topology; `name` stands for the path. Refuses node:port, which
-/// Boost's reader would drop, and an edge from one group in braces to another.
+/// Reads a text by the rules of load_topology; `name` stands for the path. Refuses node:port, since
+/// Boost's reader would drop the port, and an edge from one group in braces to another.
 Topology read_dot(const std::string& text, const std::string& name);
 
-/// Read back, this gives the same processors, root, ports and labels. Throws BadInput for a label
-/// that DOT cannot hold: with a backslash at the end, or before a quote or a line end.
+/// Writes DOT that `read_dot` restores with the same processors, root, ports and labels. Throws
+/// BadInput for a label that DOT cannot hold: a backslash at the end, before a quote or a line end.
 std::string to_dot(const Topology& topology);
 
 }  // namespace topologies

@@ -24,7 +24,7 @@ class Attributes {
                        key.attribute("attr.name").value(), key.child("default").child_value()});
   }
 
-  // The value of the attribute of this name, or of its other name; empty where there is none.
+  // The value of the attribute with one of these names; "" without one.
   std::string find(const pugi::xml_node& element,
                    std::initializer_list<std::string_view> names) const {
     for (const auto& key : keys_) {
@@ -80,7 +80,7 @@ RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
                          attributes.find(edge, {"port_a", "tailport"}),
                          attributes.find(edge, {"port_b", "headport"})});
   }
-  // The root is given by its name or by its id.
+  // The graph's attribute gives the root by name or by id.
   raw.root = attributes.find(graph, {"root"});
   const auto by_id = vertices.find(raw.root);
   if (!names.contains(raw.root) && by_id != vertices.end())

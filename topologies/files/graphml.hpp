@@ -1,5 +1,5 @@
 #pragma once
-// Topologies in GraphML, read by pugixml.
+// Topologies in GraphML, read with pugixml.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace topologies {
 /// Reads a text by the rules of load_topology; `name` stands for the path.
 Topology read_graphml(const std::string& text, const std::string& name);
 
-/// Read back, this gives the same processors, root, ports and labels.
+/// Writes GraphML that `read_graphml` restores with the same processors, root, ports and labels.
 std::string to_graphml(const Topology& topology);
 
 }  // namespace topologies

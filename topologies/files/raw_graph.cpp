@@ -14,8 +14,8 @@
 namespace topologies {
 namespace {
 
-// The processor of each vertex: its name if names are exactly 0 .. n-1, else its place in the file.
-// Fills the labels in the latter case.
+// The processor number of each vertex: its name if the names are exactly 0 .. n-1, else its place
+// in the file. Fills the labels in the latter case.
 std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   std::vector<int> in_file(graph.vertices.size()), processor;
   std::iota(in_file.begin(), in_file.end(), 0);
@@ -31,7 +31,7 @@ std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   return processor;
 }
 
-// Whether every format can hold a vertex's name, and JSON, too.
+// True if every file format, and JSON, can hold the name.
 bool is_name(const std::string& text) {
   const auto is_control = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n'; };
   return !text.empty() && base::trim(text) == text && base::is_utf8(text) &&
@@ -42,7 +42,7 @@ bool read_flag(const RawVertex& vertex, const std::string& file) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> texts) {
     return std::ranges::find(texts, vertex.root) != texts.end();
   };
-  // (Python spells them with a capital, and so do files that networkx writes.)
+  // Python, and so networkx, writes True and False.
   if (is_one_of({"", "false", "False", "0"})) return false;
   if (is_one_of({"true", "True", "1"})) return true;
   throw base::BadInput(fmt::format("{}: vertex \"{}\": root is \"{}\", expected true or false",
@@ -75,7 +75,7 @@ int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& tex
                                    graph.vertices[edge.target].name, text, PORTS - 1));
 }
 
-// Gives ends without a port the lowest one left; -1 when none is, for `check` to complain.
+// Gives each end without a port the lowest free one, or leaves -1 for `check` to refuse.
 void assign_ports(Topology& topology) {
   std::vector<std::array<bool, PORTS>> used(topology.processors);
   const auto each_end = [&](auto visit) {

@@ -1,6 +1,6 @@
 #pragma once
-// A graph as a file tells it, before it is a topology. For the readers of this room, and for those
-// who have a graph in another form than a file.
+// An unchecked graph as read from a file, before it becomes a topology. Readers of files use it,
+// and callers with a graph in another form.
 
 #include <string>
 #include <vector>
@@ -11,26 +11,26 @@ namespace topologies {
 
 struct RawVertex {
   std::string name;
-  std::string root;  ///< text of attribute `root`, empty when absent
+  std::string root;  ///< text of attribute `root`, "" without one
 };
 
 struct RawEdge {
   int source = 0, target = 0;  ///< indices of vertices
-  std::string port_a, port_b;  ///< text of the attributes, empty when absent
+  std::string port_a, port_b;  ///< text of the attributes, "" without one
 };
 
 struct RawGraph {
-  std::vector<RawVertex> vertices;  ///< as first named in the file
-  std::vector<RawEdge> edges;       ///< as in the file
-  std::string root;                 ///< name of a vertex, empty when absent
-  bool has_arrows = false;          ///< whether the graph is a directed one
+  std::vector<RawVertex> vertices;  ///< in the order of first mention in the file
+  std::vector<RawEdge> edges;       ///< in the file's order
+  std::string root;                 ///< name of a vertex, or ""
+  bool has_arrows = false;          ///< the graph is directed
 };
 
-/// Makes a topology by the rules of formats.hpp; it has passed `check`. Throws BadInput that begins
-/// with `name`.
+/// Makes a topology by the rules of formats.hpp; it has passed `check`. Throws BadInput; messages
+/// begin with `name`.
 Topology make_topology(const RawGraph& graph, const std::string& name);
 
-/// What a file calls the processors: their labels, else their numbers.
+/// The processors' names in a file: their labels, else their numbers.
 std::vector<std::string> names_of(const Topology& topology);
 
 }  // namespace topologies

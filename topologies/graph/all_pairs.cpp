@@ -10,7 +10,7 @@
 namespace topologies {
 namespace {
 
-// A processor or a distance, in as few bytes as it needs: what a search looks at stays in a cache.
+// A processor or a distance in two bytes, so that the data of a search stays in the cache.
 using Short = std::uint16_t;
 static_assert(MAX_PROCESSORS - 1 <= std::numeric_limits<Short>::max());
 using ShortPeers = std::vector<std::array<Short, PORTS>>;
@@ -25,8 +25,8 @@ ShortPeers make_short_peers(const Topology& topology) {
   return peers;
 }
 
-// A breadth-first search that finds in one pass who is next, and which port leads back: that is
-// the routing table's rule, the lowest port to a processor that is one link nearer.
+// A breadth-first search that also finds the port towards the start in the same pass. It follows
+// the routing table's rule: the lowest port to a processor that is one link nearer.
 class Gathering {
  public:
   explicit Gathering(const ShortPeers& peers)
@@ -36,7 +36,7 @@ class Gathering {
         port_(peers.size()),
         forwarded_(peers.size()) {}
 
-  // Connected topologies that are no trees have no distance as long as UNSEEN.
+  // Distances stay below UNSEEN in a connected topology that is not a tree.
   void search(int to) {
     std::ranges::fill(distance_, UNSEEN);
     Short* const distance = distance_.data();
@@ -48,7 +48,7 @@ class Gathering {
       const int p = order[i], here = distance[p];
       const auto& peers = peers_[p];
       int back = 0;
-      for (int port = PORTS - 1; port >= 0; --port) {  // no branches: they could not be foreseen
+      for (int port = PORTS - 1; port >= 0; --port) {  // branch-free: branches are unpredictable
         const Short peer = peers[port], there = distance[peer];
         back = there < here ? port : back;
         order[found] = peer;
@@ -61,8 +61,8 @@ class Gathering {
     longest_ = std::max<int>(longest_, distance[order[found - 1]]);
   }
 
-  // Adds one message from every processor to the start of the last search, on the orbits' links.
-  // The farthest come first, so that what a processor forwards is complete.
+  // Adds one message from every processor to the start of the last search, counted per orbit. The
+  // farthest processors come first, so that each forwarded count is complete when it is used.
   void add_messages(const Orbits& orbits) {
     sent_.resize(static_cast<std::size_t>(orbits.count()) * PORTS);
     std::ranges::fill(forwarded_, 1);
@@ -93,11 +93,11 @@ class Gathering {
   Sent sent_;
 };
 
-// Searches from one processor of each orbit, on all cores of the host. Sums of whole numbers are
-// the same in any order.
+// Searches from one processor of each orbit, on all cores of the host. Integer sums do not depend
+// on the order.
 template <typename Visit>
 std::vector<Gathering> search_orbits(const ShortPeers& peers, const Orbits& orbits, Visit visit) {
-  constexpr std::int64_t LEAST = 1 << 22;  // pairs that are worth a thread
+  constexpr std::int64_t LEAST = 1 << 22;  // pairs that repay the start of a thread
   const std::int64_t pairs = static_cast<std::int64_t>(peers.size()) * orbits.count();
   const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
   const int parts = static_cast<int>(std::clamp<std::int64_t>(pairs / LEAST, 1, cores));
@@ -140,7 +140,7 @@ AllPairs search_all_pairs(const Topology& topology) {
   return {add_distances(topology, orbits, gatherings), make_load(topology, sent)};
 }
 
-// In a tree a link is on the way of all pairs that it separates, and of no others.
+// In a tree, a link carries exactly the messages of the pairs that it separates.
 AllPairs eval_tree(const Topology& topology) {
   const std::int64_t n = topology.processors;
   const auto search = make_search(topology, topology.root);
@@ -159,7 +159,7 @@ AllPairs eval_tree(const Topology& topology) {
   return all;
 }
 
-// Whether ports are those of a mesh: 0 north, 1 west, 2 east, 3 south.
+// True if the ports follow the convention of a mesh: 0 north, 1 west, 2 east, 3 south.
 bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   if (grid.down.closed || grid.along.closed) return false;
   return std::ranges::all_of(topology.links, [&](const Link& link) {
@@ -168,17 +168,17 @@ bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   });
 }
 
-// The lowest port first is: north along the own column, along the row, south along the column of
-// the destination.
+// Routes by lowest port on a mesh: north along the own column, along the row, then south along the
+// destination's column.
 AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
   const std::int64_t rows = grid.down.size, columns = grid.along.size;
   AllPairs all{{grid.sum_of_distances(), grid.diameter()}, {}};
   for (const auto& [a, b] : topology.links) {
     const std::int64_t row = a.processor / columns, column = a.processor % columns;
     const std::int64_t above = row + 1, below = rows - above, left = column + 1;
-    if (a.port == 3)  // both ways: one processor a row, to or from one column, and a whole row
+    if (a.port == 3)  // both ways: between all rows above and the column's processors below
       all.load.push_back({above * below * columns, below * above * columns});
-    else  // along the row of the end, or of the start of what goes south
+    else  // along the destination's row, or along the source's row before going south
       all.load.push_back({(below + below + 1) * left * (columns - left),
                           (below + below + 1) * left * (columns - left)});
   }
@@ -189,8 +189,8 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
 
 Load make_load(const Topology& topology, const Sent& sent) {
   const auto parallel = parallel_ports(topology);
-  // The turn of a port among those that lead to the same neighbour, from the lowest, and the sum of
-  // what is sent there.
+  // The share of one port. `turn` is its rank among the ports to the same neighbour, lowest first;
+  // `sum` is the number of messages sent to that neighbour.
   const auto at = [&](const End& end) {
     const auto& next = parallel[end.processor];
     std::int64_t sum = 0, count = 0, turn = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What messages between all pairs of processors add up to.
+// Distances and link loads of messages between all pairs of processors.
 
 #include <array>
 #include <cstdint>
@@ -18,24 +18,24 @@ struct Distances {
 /// Messages on each link: [0] from a to b, [1] from b to a.
 using Load = std::vector<std::array<std::int64_t, 2>>;
 
-/// At [processor * PORTS + port] the messages that it sends there.
+/// At [processor * PORTS + port]: messages that the processor sends through the port.
 using Sent = std::vector<std::int64_t>;
 
-/// Messages to a neighbour are shared by the links to it, evenly, the lowest port taking what is
-/// over; whatever port they are counted at.
+/// Spreads the messages to a neighbour evenly over the links to it, whatever port `sent` counts
+/// them at. The lowest ports take the remainder.
 Load make_load(const Topology& topology, const Sent& sent);
 
 struct AllPairs {
   Distances distances;
-  Load load;  ///< one message per ordered pair, by the routes of make_routes; by index into `links`
+  Load load;  ///< by index into `links`: one message per ordered pair, routed as by make_routes
 };
 
-/// Measures a topology that passes `check`. Trees and grids take O(processors) time, what looks the
-/// same from some processors one search for all of these, and all others one for each processor: on
-/// all of the host's cores, some 10 ns a pair on one. Every number is exact.
+/// Measures a topology that passes `check`. Trees and grids take O(processors) time. Others take
+/// one search per orbit of equivalent processors, on all of the host's cores: some 10 ns a pair on
+/// one core. Every number is exact.
 AllPairs eval_all_pairs(const Topology& topology);
 
-/// The distances alone, in three quarters of that time where there is no rule.
+/// The distances alone; without a closed form, in three quarters of that time.
 Distances eval_distances(const Topology& topology);
 
 /// The mean distance of ordered pairs of distinct processors; 0 for one processor.

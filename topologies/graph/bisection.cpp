@@ -13,9 +13,9 @@ namespace {
 
 using Set = std::uint32_t;
 
-// Puts one processor after the other on one of two sides, the nearest to those before first, and
-// turns back where the links that are cut already, and those that must be, are as many as in the
-// best halves so far.
+// Branch and bound: assigns processors to two sides one by one, in breadth-first order from the
+// root. Backtracks when the links already cut plus a lower bound on further cuts reach the best
+// result so far.
 class Halves {
  public:
   explicit Halves(const Topology& topology)
@@ -43,7 +43,7 @@ class Halves {
         std::ranges::count_if(links_[of], [&](int other) { return (into >> other & 1U) != 0; }));
   }
 
-  // Links that are cut wherever the rest goes: each of the rest is on one side.
+  // A lower bound on further cuts: each remaining processor goes to its better side.
   int bound(int next, const std::array<Set, 2>& sides) const {
     int least = 0;
     for (int rest = next; rest < count_; ++rest)
@@ -62,7 +62,7 @@ class Halves {
     const int better = cut_on_second < cut_on_first ? 1 : 0;
     for (const int side : {better, 1 - better}) {
       if (std::popcount(sides[side]) == larger_) continue;
-      if (next == 0 && side == 1) continue;  // the sides are alike
+      if (next == 0 && side == 1) continue;  // by symmetry
       auto grown = sides;
       grown[side] |= Set{1} << next;
       put(next + 1, grown, cut + (side == 0 ? cut_on_first : cut_on_second));

@@ -3,11 +3,11 @@
 
 namespace topologies {
 
-/// So many processors at most can be halved in all ways in a moment.
+/// Largest number of processors for an exact bisection, which is then quick.
 constexpr int MOST_BISECTED = 32;
 
-/// The fewest links between two halves, whose sizes differ by one at most: exact, by branch and
-/// bound, for up to MOST_BISECTED processors.
+/// The bisection width: the fewest links between two halves that differ by at most one processor.
+/// Exact, by branch and bound; throws BadInput beyond MOST_BISECTED processors.
 int eval_bisection(const Topology& topology);
 
 }  // namespace topologies

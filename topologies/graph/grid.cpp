@@ -6,7 +6,7 @@
 namespace topologies {
 namespace {
 
-// Links of an axis of processors: a closed one of two would have a double link.
+// Links along one line of an axis. A closed axis of two has one link, not a double one.
 std::int64_t count_links(const Axis& axis) {
   return axis.closed && axis.size > 2 ? axis.size : axis.size - 1;
 }
@@ -21,7 +21,7 @@ bool is_grid(const Topology& topology, const Grid& grid) {
          });
 }
 
-// The rows and columns that a topology may have.
+// Candidate numbers of rows and columns, from the topology's shape; else one row.
 std::pair<int, int> find_sizes(const Topology& topology) {
   const auto& [form, rows, columns] = topology.shape;
   const bool fits =
@@ -29,7 +29,7 @@ std::pair<int, int> find_sizes(const Topology& topology) {
   return fits ? std::pair{rows, columns} : std::pair{1, topology.processors};
 }
 
-// Whether `shift`, a permutation of the processors, leaves the wiring as it is.
+// True if `shift`, a permutation of the processors, preserves the wiring and its ports.
 template <typename Shift>
 bool keeps(const Peers& peers, Shift shift) {
   for (int p = 0; p < static_cast<int>(peers.size()); ++p)

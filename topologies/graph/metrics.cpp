@@ -16,18 +16,18 @@ BusiestLink eval_farm(const Topology& topology, const std::vector<std::vector<Ne
     const int parent = search.parent[*p];
     const auto way = std::ranges::find(around[*p], parent, &Neighbour::processor);
     below[parent] += below[*p];
-    load[way->link] = {below[*p], below[*p]};  // the replies too
+    load[way->link] = {below[*p], below[*p]};  // messages and replies
   }
   return find_busiest(topology, load);
 }
 
 constexpr int NEVER = MAX_PROCESSORS;  // more links than any tree has
 
-// At [k] the fewest links cut within a subtree when k of its processors, its own root among them,
-// are on that root's side.
+// At [k]: the fewest links cut within a subtree if k of its processors, its root among them, are on
+// the root's side.
 using Cuts = std::vector<int>;
 
-// Hangs `child` under `parent`: either on the same side, or on the other for one more cut.
+// Adds subtree `child` to `parent`: on the same side, or on the other side for one more cut.
 Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   const size_t size = child.size() - 1;
   Cuts joined(child.size());
@@ -39,7 +39,7 @@ Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   return result;
 }
 
-// Whether a single link parts a tree into halves.
+// True if one link divides a tree into halves.
 bool is_halved_by_a_link(const Search& search) {
   const int n = static_cast<int>(search.order.size());
   std::vector<int> below(n, 1);
@@ -50,7 +50,7 @@ bool is_halved_by_a_link(const Search& search) {
   return false;
 }
 
-// The bisection width of a wiring without cycles, by dynamic programming over subtrees.
+// The bisection width of a tree, by dynamic programming over subtrees.
 int eval_tree_bisection(const Topology& topology) {
   const int n = topology.processors;
   if (n == 1) return 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What a wiring promises before anything runs on it: distances, bisection, where traffic piles up.
+// Static metrics of a topology: distances, bisection width, busiest links.
 
 #include <cstdint>
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace topologies {
 
-/// The direction of a link that carries the most messages; of several, the one on the first link
-/// and, on that, a to b. Processors are -1 when there is no link.
+/// The link direction with the most messages. Ties go to the first link, and on it to a to b.
+/// Processors are -1 without a link.
 struct BusiestLink {
   int from = -1, to = -1;
   std::int64_t messages = 0;
@@ -24,15 +24,15 @@ struct Metrics {
   int diameter = 0;                    ///< links
   double mean_distance = 0;            ///< links, over ordered pairs of distinct processors
   std::optional<int> bisection_width;  ///< fewest links between two halves (sizes differ by <= 1)
-  /// Every processor sends the root one message and gets one, by the spanning tree from the root: a
-  /// link carries its subtree each way.
+  /// Load if every processor sends the root one message and gets a reply, along the spanning tree
+  /// from the root: a link carries one message per processor of its subtree each way.
   BusiestLink farm;
-  BusiestLink all_to_all;  ///< one message per ordered pair, by the routing table
+  BusiestLink all_to_all;  ///< load of one message per ordered pair, by the routing table
 };
 
 /// Measures a topology that passes `check`, in O(processors) memory and the time of eval_all_pairs.
-/// The bisection is the generator's, or exact for any wiring without cycles and for up to 32
-/// processors, or absent.
+/// The bisection width is the generator's. Otherwise it is exact for trees and for up to 32
+/// processors, and absent for others.
 Metrics eval_metrics(const Topology& topology);
 
 }  // namespace topologies

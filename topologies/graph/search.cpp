@@ -6,7 +6,7 @@
 namespace topologies {
 namespace {
 
-// Compressed rows keep the order they are given: each row ascends by port.
+// Compressed rows keep their order of insertion: each row ascends by port.
 using Graph = boost::compressed_sparse_row_graph<boost::directedS>;
 
 Graph make_graph(const Topology& topology) {

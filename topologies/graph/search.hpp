@@ -1,5 +1,5 @@
 #pragma once
-// Breadth-first search, neighbours by ascending port: the base of routes, trees and metrics.
+// Breadth-first search with neighbours by ascending port, for routes, trees and metrics.
 
 #include <functional>
 #include <vector>
@@ -9,19 +9,19 @@
 namespace topologies {
 
 struct Search {
-  std::vector<int> order;     ///< processors reached, in the order in which they were
-  std::vector<int> parent;    ///< of each processor; -1 at the start and where not reached
-  std::vector<int> distance;  ///< links from the start; -1 where not reached
+  std::vector<int> order;     ///< reached processors, in the order of the search
+  std::vector<int> parent;    ///< by processor; -1 for the start and unreached processors
+  std::vector<int> distance;  ///< by processor: links from the start; -1 if unreached
 };
 
-/// Searches a topology with links that end at valid processors; it need not be connected.
+/// Searches a topology; its links must end at valid processors, but it need not be connected.
 Search make_search(const Topology& topology, int start);
 
-/// Whether each processor can be reached from each.
+/// True if every processor can reach every other one.
 bool is_connected(const Topology& topology);
 
-/// Calls `visit` with a search for each connected piece: first from the root, then from the lowest
-/// processor that no search has reached.
+/// Calls `visit` with a search for each connected component: first from the root, then from the
+/// lowest unreached processor.
 void for_each_piece(const Topology& topology,
                     const std::function<void(int start, const Search&)>& visit);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A machine's wiring: processors, their four link ports, and which port is wired to which.
+// A machine's wiring: processors, their four link ports, and the links between ports.
 
 #include <array>
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace topologies {
 
 constexpr int PORTS = 4;                          ///< links of a transputer
-constexpr int MAX_PROCESSORS = 65536;             ///< of a machine
-constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< of a file of a network or of routes
+constexpr int MAX_PROCESSORS = 65536;             ///< limit of a machine
+constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< limit of a file of a network or of routes
 
 struct End {
   int processor;
@@ -26,35 +26,35 @@ struct Link {
   bool operator==(const Link&) const = default;
 };
 
-/// The form that a generator gave to its processors, for drawings and tables.
+/// The arrangement that a generator gave its processors, for drawings and tables.
 struct Shape {
   enum class Form { unknown, line, ring, grid, hypercube, around_root };
   Form form = Form::unknown;
-  int rows = 0, columns = 0;  ///< of a grid, numbered row by row; else 0
+  int rows = 0, columns = 0;  ///< size of a grid, numbered row by row; else 0
 };
 
 struct Topology {
-  std::string name;  ///< the spec it was made from, e.g. "tree:7", or the path of its file
+  std::string name;  ///< its spec, such as "tree:7", or the path of its file
   int processors = 0;
   int root = 0;                        ///< the processor nearest to the host
   std::vector<Link> links;             ///< sorted by (a.processor, b.processor, a.port)
-  std::optional<int> bisection_width;  ///< links; the generator's closed form, where one is known
-  std::vector<std::string> labels;     ///< per processor; empty when they are called by number
-  /// Number of C004 link switches on each link, keyed by its two processors, lower first; links not
-  /// listed have none.
+  std::optional<int> bisection_width;  ///< links; from the generator's closed form, if known
+  std::vector<std::string> labels;     ///< by processor; empty if processors only have numbers
+  /// Number of C004 link switches on each link, keyed by its two processors, lower first; other
+  /// links have none.
   std::map<std::pair<int, int>, int> switches = {};
   Shape shape = {};         ///< unknown for a topology from a file
-  bool has_arrows = false;  ///< its file is of a directed graph; links go both ways all the same
+  bool has_arrows = false;  ///< its file holds a directed graph; links still go both ways
 };
 
-/// Whether the wiring has no cycles; it must be connected.
+/// True if a connected topology has no cycles.
 inline bool is_tree(const Topology& topology) {
   return static_cast<int>(topology.links.size()) == topology.processors - 1;
 }
 
-/// Throws BadInput, naming the culprit, unless: there are 1..MAX_PROCESSORS processors, the root is
-/// one of them, no processor has more than PORTS links, every port has at most one, no link joins a
-/// processor to itself, links are sorted, all processors are connected.
+/// Throws BadInput that names the first violation. Requires 1..MAX_PROCESSORS processors with the
+/// root among them, at most PORTS links a processor and one link a port. Links must be sorted, none
+/// may join a processor to itself, and they must connect all processors.
 void check(const Topology& topology);
 
 struct Neighbour {
@@ -64,33 +64,33 @@ struct Neighbour {
   int link;       ///< index into Topology::links
 };
 
-/// For each processor its neighbours, by ascending port.
+/// The neighbours of each processor, by ascending port.
 std::vector<std::vector<Neighbour>> neighbours(const Topology& topology);
 
-/// Brings the links into their order.
+/// Sorts the links into the order of Topology::links.
 void sort_links(Topology& topology);
 
-/// The links, but one where several join the same two processors: that of the lowest port of a.
+/// The links with one of several parallel ones: the one on the lowest port of a.
 std::vector<Link> distinct_links(const Topology& topology);
 
-/// For each processor and port the next higher of its ports that lead to the same neighbour, after
-/// the highest the lowest; without such a port, and where no link is, the port itself.
+/// For each processor and port: the next port to the same neighbour, in cyclic order. It is the
+/// port itself if there is no other one, or no link.
 std::vector<std::array<std::int8_t, PORTS>> parallel_ports(const Topology& topology);
 
-/// For each processor and port the neighbour; where no link is, the processor itself.
+/// For each processor and port: the neighbour, or the processor itself without a link.
 using Peers = std::vector<std::array<int, PORTS>>;
 Peers make_peers(const Topology& topology);
 
-/// The number of C004 link switches between two neighbours, in any order.
+/// The number of C004 link switches between two neighbours, given in any order.
 int switches_between(const Topology& topology, int a, int b);
 
-/// The lowest port of `processor` that no link uses, or -1 when all four are taken.
+/// The lowest port of `processor` without a link; -1 if all four have one.
 int free_port(const Topology& topology, int processor);
 
-/// What tables and drawings call `processor`: its label, where there are labels, else `otherwise`.
+/// The name of `processor` in tables and drawings: its label, or `otherwise` without labels.
 std::string name_of(const Topology& topology, int processor, std::string otherwise);
 
-/// What a message calls `processor`: its label in quotes or its number.
+/// The name of `processor` in messages: its label in quotes, or its number.
 std::string describe_processor(const Topology& topology, int processor);
 
 }  // namespace topologies

@@ -18,7 +18,7 @@ bool linked(const Peers& peers, int a, int b) { return std::ranges::count(peers[
 
 void replace(Peers& peers, int at, int from, int to) { *std::ranges::find(peers[at], from) = to; }
 
-// Makes a-c and b-d of the links a-b and c-d.
+// Replaces the links a-b and c-d by a-c and b-d.
 void exchange(Peers& peers, int a, int b, int c, int d) {
   replace(peers, a, b, c), replace(peers, b, a, d);
   replace(peers, c, d, a), replace(peers, d, c, b);
@@ -46,7 +46,7 @@ template <size_t WORDS>
 using Sources = std::array<std::uint64_t, WORDS>;  // a bit for each processor of a group
 
 template <size_t WORDS>
-std::int64_t count(const Sources<WORDS>& sources) {  // without a loop over bits or a call
+std::int64_t count(const Sources<WORDS>& sources) {  // population count, inline and branch-free
   std::uint64_t bytes = 0;
   for (std::uint64_t x : sources) {
     x -= (x >> 1) & 0x5555555555555555u;
@@ -57,9 +57,9 @@ std::int64_t count(const Sources<WORDS>& sources) {  // without a loop over bits
   return static_cast<std::int64_t>((bytes * 0x0001000100010001u) >> 48);
 }
 
-// The sum of distances over all ordered pairs, or any larger number once it exceeds `limit`. The
-// search is breadth first from 64 * WORDS processors at a time, a bit for each: a pair at distance
-// d counts in the rounds 0 .. d - 1, in which it has not met.
+// The sum of distances over all ordered pairs, or some number above `limit` if the sum exceeds it.
+// Searches breadth first from 64 * WORDS processors at a time, one bit each. A pair at distance d
+// counts in the rounds 0 .. d - 1, before the two meet.
 template <size_t WORDS>
 std::int64_t eval_distances(const Peers& peers, std::int64_t limit) {
   const auto n = static_cast<std::int64_t>(peers.size());
@@ -89,8 +89,7 @@ struct Exchange {
   int a, b, c, d;
 };
 
-// Draws two links a-b and c-d at random, from ports `first` on, and exchanges them where that is
-// possible.
+// Draws two links a-b and c-d at random, on ports from `first` on, and exchanges them if possible.
 std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int first) {
   const auto draw = [&](size_t below) { return static_cast<int>(random() % below); };
   const int a = draw(peers.size()), b = peers[a][first + draw(PORTS - first)];
@@ -101,20 +100,20 @@ std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int 
   return Exchange{a, b, c, d};
 }
 
-// The number of exchanges to try. It depends on n alone, so that every host finds the same network.
+// The number of exchanges to try; depends on n alone, so that every host finds the same network.
 std::int64_t steps_for(std::int64_t n) {
-  constexpr std::int64_t MOST = 16384;  // processors: beyond, the few steps would gain nothing
+  constexpr std::int64_t MOST = 16384;  // processors; beyond, the few steps would gain nothing
   if (n > MOST) return 0;
   return std::min({std::int64_t{100'000}, 10'000'000 / n, 10'000'000'000 / (n * n)});
 }
 
-// Shuffles the chords, and then keeps exchanges that do not lengthen the distances. The means of
-// large random networks differ by less than such a search could find.
+// Shuffles the chords, then keeps exchanges that do not lengthen the distances. Large random
+// networks skip the second step: their means differ too little for such a search.
 void shorten(Peers& peers) {
   const auto n = static_cast<std::int64_t>(peers.size());
   const auto eval = n <= 64 ? eval_distances<1> : eval_distances<4>;
   std::mt19937_64 random(peers.size());
-  constexpr int CHORDS = 2;  // the first port of them: the ring keeps the network connected
+  constexpr int CHORDS = 2;  // first port of a chord; the ring keeps the network connected
   for (std::int64_t i = 0; i < 8 * n; ++i) try_exchange(peers, random, CHORDS);
   std::int64_t steps = steps_for(n);
   if (steps == 0) return;
@@ -129,7 +128,7 @@ void shorten(Peers& peers) {
     }
 }
 
-// Renumbers level by level from processor 0, each processor's peers in ascending order.
+// Renumbers level by level from processor 0, with the peers of each processor in ascending order.
 Peers in_levels(const Peers& peers) {
   std::vector<int> order{0}, number(peers.size(), -1);
   number[0] = 0;
@@ -149,7 +148,7 @@ Peers in_levels(const Peers& peers) {
   return renumbered;
 }
 
-// Takes ports in the order of the other ends' numbers; the root's port 0 is left free.
+// Assigns ports by ascending number of the neighbour; leaves the root's port 0 free.
 std::vector<Link> make_links(const Peers& peers) {
   std::vector<Link> links;
   std::vector<int> port(peers.size(), 0);
@@ -162,8 +161,8 @@ std::vector<Link> make_links(const Peers& peers) {
 
 }  // namespace
 
-//       0                     four links a processor, three at the root, at random; then two are
-//     / | '                   exchanged wherever that does not lengthen the mean distance;
+//       0                     starts with four random links a processor, three at the root; then
+//     / | '                   exchanges two links if that does not lengthen the mean distance;
 //    1--2--3                  numbered level by level from the root: here amp:6
 //    |' | /|
 //    |  5  |

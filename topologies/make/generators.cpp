@@ -73,8 +73,8 @@ Topology make_ring(int n) {
 
 //             0               port 0 to the parent (free at the root: the coordinator's),
 //        1/  2|   \3          ports 1, 2, 3 to the children
-//        1    2    3          Level by level; the nodes of a level go to its parents in turn, so
-//       1|   1|   1|          that subtrees differ by one node at most:
+//        1    2    3          Level by level, nodes go to the parents in turn, so that subtrees
+//       1|   1|   1|          differ by at most one node:
 //        4    5    6          4, 5, 6 under 1, 2, 3, then 7, 8, 9 under 1, 2, 3 ...
 Topology make_tree(int n, int arity) {
   auto t =
@@ -90,7 +90,7 @@ Topology make_tree(int n, int arity) {
   return sorted(std::move(t));
 }
 
-// A tree of two children at most, on ports 1 and 2.
+// A tree with at most two children per node, on ports 1 and 2.
 Topology make_binary(int n) {
   auto t = make_tree(n, 2);
   t.name = fmt::format("binary:{}", n);
@@ -108,16 +108,16 @@ Topology make_mesh(int rows, int columns) {
     if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
     if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
   }
-  // Across the longer side: straight when it is even, else with one step in the middle line.
+  // Cuts across the longer side: straight if it is even, else with one step in the middle line.
   const auto [narrow, wide] = std::minmax(rows, columns);
   t.bisection_width = wide == 1 ? 0 : narrow + (wide % 2 && narrow > 1 ? 1 : 0);
   return sorted(std::move(t));
 }
 
-//    |       |       |        a mesh whose rows and columns are rings, which take all four ports
-//   -0 2---1 1 2---1 2-       of every processor. Two in a row or column share one link (no double
-//    3       3       3        ones), one has none. With one or two columns, the first is closed by
-//    |       |       |        ports 3 and 1: port 0 of the root is free then.
+//    |       |       |        a mesh with rows and columns closed to rings, on all four ports of
+//   -0 2---1 1 2---1 2-       every processor. A row or column of two has one link (no double one),
+//    3       3       3        of one none. With one or two columns, ports 3 and 1 close the first
+//    |       |       |        column: then port 0 of the root is free.
 //   -3 2---1 4 2---1 5-
 //    |       |       |
 Topology make_torus(int rows, int columns) {
@@ -133,8 +133,8 @@ Topology make_torus(int rows, int columns) {
   return sorted(std::move(t));
 }
 
-//     6-------7               processors whose numbers differ in one bit are linked: bits 0, 1, 2
-//    /|      /|               on ports 1, 2, 3 and bit 3 on port 0, which is free in
+//     6-------7               links join processors with numbers that differ in one bit: bits 0,
+//    /|      /|               1, 2 on ports 1, 2, 3 and bit 3 on port 0; port 0 is free in
 //   2-------3 |               cubes of up to three dimensions
 //   | 4-----|-5
 //   |/      |/
@@ -152,8 +152,8 @@ Topology make_hypercube(int dimensions) {
   return sorted(std::move(t));
 }
 
-//      1   2                  the centre's ports are taken in the order 1, 2, 3, 0;
-//       \ /                   a leaf is wired by its port 0
+//      1   2                  the centre uses its ports in the order 1, 2, 3, 0;
+//       \ /                   each leaf uses port 0
 //        0
 //       / '
 //      3   4

@@ -1,6 +1,6 @@
 #pragma once
-// Topologies by name. Those that are regular: each is one function from sizes to a wiring. Their
-// root is processor 0, and they leave its port 0 free where it has a free port.
+// Generators of regular topologies: each is one function from sizes to a wiring. The root is
+// processor 0; its port 0 stays free if it has a free port.
 
 #include <functional>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace topologies {
 
-// All of them throw BadInput when a size is out of range or there would be more than
-// MAX_PROCESSORS processors. The drawings, with ports, are in generators.cpp.
+// All throw BadInput if a size is out of range or there would be more than MAX_PROCESSORS
+// processors. Drawings with ports are in generators.cpp.
 Topology make_line(int n);                   ///< n >= 1
 Topology make_ring(int n);                   ///< n >= 3
 Topology make_tree(int n, int arity = 3);    ///< n >= 1, arity 1..3; thesis, figure 4.21
@@ -23,18 +23,18 @@ Topology make_hypercube(int dimensions);     ///< 0..4
 Topology make_star(int n);                   ///< a centre and n - 1 leaves, n in 1..5
 
 struct Generator {
-  std::string form;  ///< "mesh:RxC": its name, and its sizes with what separates them
-  std::string help;  ///< one line: what it makes and the range of its sizes
+  std::string form;  ///< "mesh:RxC": its name, and its sizes with their separator
+  std::string help;  ///< one line: the topology and the range of its sizes
   std::function<Topology(const std::vector<int>& sizes)> make;
 
   std::string name() const { return form.substr(0, form.find(':')); }
 };
 
-/// The generators that a spec may name, in the order of a help text.
+/// All generators, in the order of the help text.
 const std::vector<Generator>& generators();
 
-/// Makes the topology of a spec: of a generator ("tree:7", "mesh:4x4") or of the path of a .dot,
-/// .gv or .graphml file (see formats.hpp). It has passed `check`. Throws BadInput.
+/// Makes a topology from a spec: a generator ("tree:7", "mesh:4x4") or the path of a .dot, .gv or
+/// .graphml file (see formats.hpp). The result has passed `check`. Throws BadInput.
 Topology make_topology(std::string_view spec);
 
 }  // namespace topologies

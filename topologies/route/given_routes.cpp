@@ -21,11 +21,11 @@ const std::vector<std::string> COLUMNS{"from", "to", "path"};
 
 struct Row {
   int line;
-  std::string text;  // of the path
+  std::string text;  // the path as the file spells it
   std::vector<int> path;
 };
 
-// The processor to which a given path sends a message for an end, and where that is said.
+// The next processor on a given path to an end, and the row that gives it.
 struct Step {
   int next;
   const Row* row;
@@ -33,7 +33,7 @@ struct Step {
 
 class Reader {
  public:
-  using Steps = std::map<int, Step>;  // by the processor that they leave
+  using Steps = std::map<int, Step>;  // by the processor at the start of the step
 
   Reader(const Topology& topology, const std::string& text, const std::string& name)
       : topology_(topology), around_(neighbours(topology)), csv_(text, name) {
@@ -110,10 +110,10 @@ class Reader {
   base::CsvReader csv_;
   std::deque<Row> rows_;
   std::set<std::pair<int, int>> given_;  // pairs of processors with a row
-  std::map<int, Steps> steps_;           // by the end that they lead to
+  std::map<int, Steps> steps_;           // by destination
 };
 
-// Steps along the given paths to their ends; all others are those of other routes.
+// Routes along the given paths to their ends; other pairs use the routes in `others`.
 class GivenRule : public Rule {
  public:
   GivenRule(const Topology& topology, RoutingTable others,
@@ -152,7 +152,7 @@ class GivenRule : public Rule {
   }
 
   RoutingTable others_;
-  std::map<int, PackedPorts> given_;  // by the end that they lead to
+  std::map<int, PackedPorts> given_;  // by destination
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Routes that a file gives in place of the shortest ones.
+// Routes from a file, in place of the shortest ones.
 
 #include <string>
 #include <string_view>
@@ -9,12 +9,11 @@
 namespace topologies {
 
 /// Loads routes of a topology that passes `check` from a CSV file with columns from,to,path, a path
-/// as 0-1-3. A row is for both directions, unless another one gives the way back. Processors on the
-/// way of a given path send along it to the same end; of all other pairs neighbours send directly
-/// and others as in make_routes, until they meet a given path. No route is a loop. Paths need not
-/// be shortest. Throws BadInput with file and line for a path that steps where no link is, passes a
-/// processor twice or ends elsewhere than its row says, and where two paths leave a processor
-/// differently for the same end.
+/// as 0-1-3. A row holds for both directions unless another row gives the way back. Processors on a
+/// given path send along it to the path's end. Other pairs use make_routes until they meet a given
+/// path. No route is a loop; paths need not be shortest. Throws BadInput with file and line if a
+/// path has a step without a link, a repeated processor, or ends that differ from its row. Two
+/// paths to one end must not leave a processor differently.
 RoutingTable load_routes(const Topology& topology, const std::string& path);
 
 /// Reads a text as load_routes does; `name` stands for the path in messages.
@@ -23,8 +22,7 @@ RoutingTable read_routes(const Topology& topology, const std::string& text,
 
 constexpr std::string_view XY_ROUTES = "xy";
 
-/// The routes of a name: "" of make_routes, "xy" of make_xy_routes, else those of the file of that
-/// path.
+/// Routes by name: "" for make_routes, "xy" for make_xy_routes, else the path of a file.
 RoutingTable find_routes(const Topology& topology, const std::string& name);
 
 }  // namespace topologies

@@ -5,7 +5,7 @@
 namespace topologies {
 namespace {
 
-// Places that show all that can happen on an axis at a place and beside it.
+// Sample destinations on an axis: together they produce every turn at a place and its neighbours.
 std::vector<int> find_witnesses(const Axis& axis, int at) {
   constexpr int BESIDE = 3;
   std::vector<int> places;
@@ -30,7 +30,7 @@ int GridRule::next_port(int from, int to) const {
 
 int XyRule::next_port(int from, int to) const {
   const int columns = grid().along.size;
-  const bool along = from % columns != to % columns;  // still to go in the row
+  const bool along = from % columns != to % columns;  // the destination is in another column
   return find_port(from, to, [&](int peer) { return !along || peer / columns == from / columns; });
 }
 
@@ -40,7 +40,7 @@ RouteSum GridRule::sum() const {
 }
 
 void GridRule::add_turns(Turns& turns, int first, int /*last*/) const {
-  if (first > 0) return;  // all were added with the first
+  if (first > 0) return;  // the call with first == 0 adds all turns
   const int columns = grid_.along.size;
   for (int at = 0; at < processors(); ++at) {
     const auto along = find_witnesses(grid_.along, at % columns);

@@ -1,5 +1,5 @@
 #pragma once
-// Shortest routes of meshes, tori and rings, by rows and columns.
+// Shortest routes of meshes, tori and rings, from rows and columns.
 
 #include <algorithm>
 
@@ -8,23 +8,23 @@
 
 namespace topologies {
 
-/// Rows and columns tell how far each neighbour is; the lowest port to a nearer one is taken.
+/// Takes the lowest port to a nearer neighbour; rows and columns give the distances.
 class GridRule : public Rule {
  public:
-  /// The grid is the topology's: see find_grid.
+  /// `grid` is the topology's grid from find_grid.
   GridRule(const Topology& topology, const Grid& grid) : Rule(topology), grid_(grid) {}
 
   int next_port(int from, int to) const override;
   int distance(int from, int to) const override { return grid_.distance(from, to); }
   RouteSum sum() const override;
-  /// Adds all turns at once, in time that grows with the number of processors alone: which of four
-  /// neighbours are nearer depends on the sides on which rows and columns of the end are, and how
-  /// that changes with one step shows at ends within two steps, or within two of the farthest.
+  /// Adds all turns at once, in O(processors) time. The choice of port depends only on the sides of
+  /// the destination's row and column. Destinations within two steps, or within two steps of the
+  /// farthest place, already show every change after one step.
   void add_turns(Turns& turns, int first, int last) const override;
 
  protected:
   const Grid& grid() const { return grid_; }
-  /// The lowest port to a neighbour that is nearer and fits.
+  /// The lowest port to a nearer neighbour that `fits` accepts.
   int find_port(int from, int to, auto fits) const {
     const auto& around = peers()[from];
     const int here = grid_.distance(from, to);
@@ -38,7 +38,7 @@ class GridRule : public Rule {
   Grid grid_;
 };
 
-/// First along the row, then along the column: dimension order.
+/// Dimension order: first along the row, then along the column.
 class XyRule : public GridRule {
  public:
   using GridRule::GridRule;

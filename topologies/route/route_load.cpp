@@ -3,7 +3,7 @@
 namespace topologies {
 namespace {
 
-// The routes to one processor are a tree with that at its root.
+// Adds up messages over routing trees: the routes to one processor form a tree with it at the root.
 class Collecting {
  public:
   explicit Collecting(const RoutingTable& routes)
@@ -13,7 +13,7 @@ class Collecting {
         messages_(routes.processors),
         sent_(static_cast<std::size_t>(routes.processors) * PORTS) {}
 
-  // Adds a message from each processor: each passes on what has come through all before it.
+  // Adds a message from each processor to `to`. A processor forwards once all before it are done.
   void add_messages_to(int to) {
     const auto& peers = routes_.rule->peers();
     const auto next = [&](int p) { return peers[p][port_[p]]; };
@@ -36,7 +36,7 @@ class Collecting {
   static constexpr int DONE = -1;
 
   const RoutingTable& routes_;
-  std::vector<int> port_, before_;  // neighbours that send to a processor and are not done
+  std::vector<int> port_, before_;  // ports; neighbours that still have to send to a processor
   std::vector<std::int64_t> messages_;
   Sent sent_;
 };

@@ -71,8 +71,8 @@ TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links) {
   };
   std::set<std::pair<int, int>> known;
   for (const auto& link : topology.links) known.emplace(link.a.processor, link.b.processor);
-  // Each processor is in the part of the one that it leads to in the end; the links so far join the
-  // processors of a part.
+  // Union-find: `leads` ends at the representative of a processor's part; the links so far connect
+  // the processors of each part.
   std::vector<int> leads(topology.processors);
   std::iota(leads.begin(), leads.end(), 0);
   const auto part_of = [&](int p) {

@@ -9,36 +9,35 @@
 
 namespace topologies {
 
-/// The routes between all pairs of processors, which copies share. Memory and time are those of the
-/// rule; threads may ask side by side for ports and distances.
+/// The routes between all pairs of processors; copies share them. Memory and time are those of the
+/// rule; threads may query ports and distances concurrently.
 struct RoutingTable {
   int processors = 0;
   std::shared_ptr<const Rule> rule;
-  bool is_shortest = false;  ///< those of make_routes
+  bool is_shortest = false;  ///< from make_routes
 
-  /// The port of `from` that leads to `to`; -1 when from == to, or if there is no way.
+  /// The port of `from` that leads to `to`; -1 if from == to or there is no route.
   int next_port(int from, int to) const { return from == to ? -1 : rule->next_port(from, to); }
-  /// The distance in links; -1 if there is no way.
+  /// The length of the route in links; -1 if there is none.
   int distance(int from, int to) const { return rule->distance(from, to); }
-  /// Links, over all ordered pairs that have a way; 0 if none has.
+  /// Mean length in links over all ordered pairs with a route; 0 if there are none.
   double mean_distance() const;
 };
 
-/// Makes the shortest routes of a topology that passes `check`, or has lost some of its links. A
-/// message takes, among the neighbours of `from` that are one link nearer to `to`, the one on the
-/// lowest port. On a hypercube that corrects the dimensions in a fixed order; on a mesh it goes
-/// north first, then along the row, then south. Neither closes a cycle of waiting links. Where
-/// routes follow from places in a tree or a grid, there is no table: O(processors) memory. Others
-/// are found when they are asked for, two bits a pair: at most 1 GB for 65536 processors.
+/// Makes the shortest routes of a topology that passes `check`, possibly after the loss of links. A
+/// message takes the lowest port to a neighbour that is one link nearer to `to`. A hypercube thus
+/// corrects its dimensions in a fixed order; a mesh goes north first, then along the row, then
+/// south. Neither closes a cycle of waiting links. Trees and grids need no table and O(processors)
+/// memory. Other routes are found on demand, in two bits a pair: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
 
-/// Dimension order: a message goes along its row to the column of its end, then along that column;
-/// on a torus the shorter way round, and where both are as long by the lower port; on a hypercube
-/// through the dimensions by ascending port, which is what make_routes gives. On a mesh and on a
-/// hypercube no cycle of waiting links is closed. Throws BadInput for any other topology.
+/// Dimension order: a message goes along its row to the destination's column, then along that
+/// column. A torus takes the shorter way round, and the lower port if both are equal. A hypercube
+/// takes the dimensions by ascending port, as make_routes does. Meshes and hypercubes close no
+/// cycle of waiting links. Throws BadInput for any other topology.
 RoutingTable make_xy_routes(const Topology& topology);
 
-/// The routes of a rule.
+/// A table of a rule's routes.
 RoutingTable make_table(std::shared_ptr<const Rule> rule);
 
 struct SpanningTree {
@@ -48,18 +47,18 @@ struct SpanningTree {
   std::vector<int> depth;                  ///< links from the root: the shortest distance
 };
 
-/// Searches a topology that passes `check` breadth first, neighbours by ascending port.
+/// Searches a topology that passes `check` breadth first, with neighbours by ascending port.
 SpanningTree make_spanning_tree(const Topology& topology, int root);
 
 /// Pairs of neighbours, the lower number first, sorted.
 using TreeLinks = std::vector<std::pair<int, int>>;
 
-/// The links of make_spanning_tree from the topology's root. A topology in pieces has one tree in
-/// each, from the piece's lowest processor where the root is elsewhere.
+/// The links of make_spanning_tree from the topology's root. A disconnected topology has one tree
+/// per component; components without the root start at their lowest processor.
 TreeLinks make_tree_links(const Topology& topology);
 
-/// Sorts given pairs, which may be in any order. Throws BadInput, naming the culprit, unless each
-/// is a link of the topology, there once, and together they join all processors without a cycle.
+/// Checks pairs in any order and sorts them. Throws BadInput that names the first violation, unless
+/// the pairs are distinct links of the topology and join all processors without a cycle.
 TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links);
 
 }  // namespace topologies

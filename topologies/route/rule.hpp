@@ -1,5 +1,5 @@
 #pragma once
-// What every kind of routes can tell: where a message goes next, how far it is, where it turns.
+// The interface of all kinds of routes: next port, distance, turns.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace topologies {
 
-/// Lengths of routes, added up over ordered pairs of processors that have a way.
+/// Total length of routes, and the number of ordered pairs with a route.
 struct RouteSum {
   std::int64_t links = 0, pairs = 0;
   RouteSum& operator+=(const RouteSum& other) {
@@ -17,28 +17,28 @@ struct RouteSum {
   }
 };
 
-/// At [processor * PORTS + port] a bit for each port by which some route that leaves the processor
-/// there leaves the neighbour next.
+/// At [processor * PORTS + port]: a bit for each port of the neighbour there, set if some route
+/// takes both ports in a row.
 using Turns = std::vector<std::uint8_t>;
 
-/// Routes of one topology: from each processor one way to each other, the same for all messages
-/// that come by. None is a loop. Kinds that find routes as they are asked for keep what they have
-/// found. Threads may ask side by side for ports and distances.
+/// Routes of one topology: one loop-free route from each processor to each other, so that the next
+/// port depends only on processor and destination. Kinds that find routes on demand keep them.
+/// Threads may query ports and distances concurrently.
 class Rule {
  public:
   explicit Rule(const Topology& topology) : peers_(make_peers(topology)) {}
   virtual ~Rule() = default;
 
-  /// The port of `from` that leads to `to`, another processor; -1 if there is no way.
+  /// The port of `from` that leads to `to`, another processor; -1 if there is no route.
   virtual int next_port(int from, int to) const = 0;
-  /// Links on the route; -1 if there is no way. Walks it, unless the kind knows better.
+  /// Links on the route; -1 if there is none. By default walks the route.
   virtual int distance(int from, int to) const;
-  /// Over all routes to one processor.
+  /// The sum over all routes to one processor.
   virtual RouteSum sum_to(int to) const;
-  /// Over all routes.
+  /// The sum over all routes.
   virtual RouteSum sum() const;
-  /// Adds all turns on routes to the processors `first` to `last` - 1, and perhaps other turns that
-  /// there are.
+  /// Adds all turns on routes to the processors `first` to `last` - 1; may add turns of other
+  /// routes.
   virtual void add_turns(Turns& turns, int first, int last) const;
 
   int processors() const { return static_cast<int>(peers_.size()); }

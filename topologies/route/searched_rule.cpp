@@ -7,12 +7,12 @@
 
 namespace topologies {
 
-// Searches from all ends of a group, one link farther with each step.
+// State of a search from all ends of a group; each step goes one link farther.
 struct SearchedRule::Work {
-  std::vector<Word> met;          // by processor: the ends from which it has been reached
-  std::vector<Word> news;         // by processor: what this step adds to that
-  std::vector<int> seen;          // the last step in which a processor was looked at
-  std::vector<int> active, next;  // processors that the last step has reached, and this one
+  std::vector<Word> met;          // by processor: the ends that have reached it
+  std::vector<Word> news;         // by processor: the ends that this step adds
+  std::vector<int> seen;          // by processor: the last step that examined it
+  std::vector<int> active, next;  // processors reached by the last step, and by this one
   int step = 0;
 };
 
@@ -27,8 +27,8 @@ SearchedRule::SearchedRule(const Topology& topology)
   found_.resize(groups());
 }
 
-// A processor is reached now by what has reached its neighbours before; all of these that know an
-// end which is new to it are one link nearer.
+// In this step a processor meets all ends that had reached its neighbours. Neighbours that know an
+// end new to the processor are one link nearer to that end.
 void SearchedRule::add_step(const Peers& peers, Work& work, Routes& routes) {
   ++work.step;
   work.next.clear();
@@ -100,7 +100,7 @@ SearchedRule::Word SearchedRule::ends_reached(int from, int group) const {
 void SearchedRule::add_turns(Turns& turns, int first, int last) const {
   for (int group = first / GROUP; group * GROUP < last; ++group) {
     const auto routes = find_routes(group);
-    // By processor and port the ends to which the port leads.
+    // By processor and port: the ends that the port leads to.
     std::vector<std::array<Word, PORTS>> led(peers().size());
     for (int p = 0; p < processors(); ++p) {
       const auto [low, high] = routes.port[p];

@@ -1,5 +1,5 @@
 #pragma once
-// Shortest routes of any topology, found as they are asked for.
+// Shortest routes of any topology, found on demand.
 
 #include <array>
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace topologies {
 
-/// Of the neighbours that are one link nearer the one on the lowest port is taken. Routes to 64
-/// processors are found at a time, by searches of which each has a bit of a word, and kept: two
-/// bits a pair, 1 MB for 64 ends among 65536 processors, found in some milliseconds.
+/// Takes the lowest port to a neighbour that is one link nearer. Finds routes to 64 processors at a
+/// time, by searches with one bit of a word each, and keeps them in two bits a pair. For 64 ends
+/// among 65536 processors that takes 1 MB and some milliseconds.
 class SearchedRule : public Rule {
  public:
   /// The topology may have lost links.
@@ -22,7 +22,7 @@ class SearchedRule : public Rule {
   void add_turns(Turns& turns, int first, int last) const override;
 
  private:
-  static constexpr int GROUP = 64;  // ends, a bit of a word for each
+  static constexpr int GROUP = 64;  // ends with one bit of a word each
   using Word = std::uint64_t;
   struct Routes {
     std::vector<std::array<Word, 2>> port;  // by processor: the bits of its port to each end
@@ -33,12 +33,12 @@ class SearchedRule : public Rule {
   Routes find_routes(int group) const;
   static void add_step(const Peers& peers, Work& work, Routes& routes);
   int groups() const { return (processors() + GROUP - 1) / GROUP; }
-  Word ends_reached(int from, int group) const;  // other ends
+  Word ends_reached(int from, int group) const;  // reachable ends other than `from`
 
-  std::vector<int> piece_;                                    // of connected processors
-  bool is_whole_ = false;                                     // one piece
+  std::vector<int> piece_;                                    // connected component, by processor
+  bool is_whole_ = false;                                     // connected
   mutable std::vector<std::unique_ptr<const Routes>> found_;  // by group
-  mutable std::vector<std::once_flag> finds_;                 // the same
+  mutable std::vector<std::once_flag> finds_;                 // by group
 };
 
 }  // namespace topologies

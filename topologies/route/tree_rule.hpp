@@ -1,12 +1,12 @@
 #pragma once
-// The only routes of a topology without cycles, found by the places of processors in it.
+// Routes of a tree, by interval routing.
 
 #include "topologies/route/rule.hpp"
 
 namespace topologies {
 
-/// A processor knows the interval of numbers below each of its links, in the order in which a walk
-/// from the root comes by; what is in none of them is above.
+/// Numbers processors in preorder from the root. The processors below a link are an interval of
+/// these numbers; all other destinations are upwards.
 class TreeRule : public Rule {
  public:
   /// The topology is connected and has no cycles.
@@ -18,12 +18,12 @@ class TreeRule : public Rule {
   void add_turns(Turns& turns, int first, int last) const override;
 
  private:
-  bool is_below(int p, int top) const {  // or the same
+  bool is_below(int p, int top) const {  // or equal
     return begin_[p] >= begin_[top] && begin_[p] < begin_[top] + size_[top];
   }
 
   std::vector<int> parent_, depth_;
-  std::vector<int> begin_, size_;  // of the interval at a processor and below
+  std::vector<int> begin_, size_;  // interval of a processor's subtree
 };
 
 }  // namespace topologies

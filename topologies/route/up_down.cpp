@@ -19,7 +19,7 @@ struct Way {
   int length = FAR, port = 0;
 };
 
-// Routes to a destination are found when one is asked for, and kept.
+// Finds the routes to a destination on demand, and keeps them.
 class UpDown : public Rule {
  public:
   explicit UpDown(const Topology& topology)
@@ -57,12 +57,12 @@ class UpDown : public Rule {
   std::vector<Way> find_ways(int to) const {
     std::vector<Way> ways(peers().size());
     ways[to].length = 0;
-    // Links down, taken from the bottom, lead to processors below.
+    // Downward links, from the bottom up, so that the processors below already have their routes.
     for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
       for (int port = 0; port < PORTS; ++port)
         if (const int peer = peers()[*p][port]; is_above(*p, peer))
           improve(ways[*p], ways[peer], port);
-    // A processor that cannot send down sends up; these are taken from the top.
+    // The others send upwards; from the top down, so that the processors above have their routes.
     for (const int p : downwards_)
       if (ways[p].length >= Way::FAR)
         for (int port = 0; port < PORTS; ++port)
@@ -76,13 +76,13 @@ class UpDown : public Rule {
   }
 
   std::vector<int> piece_, depth_, downwards_;
-  mutable std::vector<PackedPorts> found_;     // by destination; empty until one asks
-  mutable std::vector<std::once_flag> finds_;  // the same
+  mutable std::vector<PackedPorts> found_;     // by destination; empty until the first query
+  mutable std::vector<std::once_flag> finds_;  // by destination
 };
 
-// Whether a walk along turns can come back to where it began. Vertices are the directions of
-// links: PORTS * processor + the port that it leaves by. What no other leads to is taken away, and
-// so on; what is left is a cycle, or behind one.
+// True if the graph of turns has a cycle. Its vertices are the directions of links: PORTS *
+// processor + outgoing port. Removes vertices without predecessors repeatedly; the rest are on a
+// cycle or behind one.
 bool has_cycle(const Turns& turns, const Peers& peers) {
   const auto for_each_next = [&](std::size_t way, auto visit) {
     const int peer = peers[way / PORTS][way % PORTS];
@@ -102,7 +102,7 @@ bool has_cycle(const Turns& turns, const Peers& peers) {
   return free.size() < turns.size();
 }
 
-// The turns of messages to all, which take `tree` from any of its processors.
+// The turns of broadcast messages, which follow `tree` from any of its processors.
 Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
   const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
   std::vector<std::uint8_t> branches(peers.size());  // a bit for each port
@@ -127,7 +127,7 @@ RoutingTable make_up_down_routes(const Topology& topology) {
 }
 
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree) {
-  constexpr int FIRST_LOOK = 64;  // destinations: where there are cycles they show early
+  constexpr int FIRST_LOOK = 64;  // destinations; cycles usually show early
   const auto peers = make_peers(topology);
   auto turns = make_tree_turns(topology, peers, tree);
   int last = 0;

@@ -27,7 +27,7 @@ namespace {
 using base::require;
 using Texts = std::vector<std::string>;
 
-// The experiment, with its sweep replaced. Model files are found from its folder.
+// The experiment with its sweep replaced. Model files are found from its folder.
 ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) {
   const auto model =
       task.model.ends_with(".toml") ? std::filesystem::absolute(task.model).string() : task.model;
@@ -41,8 +41,8 @@ ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) 
   return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
 }
 
-// What the experiment says of the machine would be lost in the model, and axes that were not
-// measured in the fit.
+// Refuses experiments that change the machine, since the model would lose these changes, and axes
+// that were not measured.
 void check_experiment(const CalibrationTask& task, const Texts& columns) {
   if (task.experiment.empty()) return;
   const auto file = load_experiment(task.experiment, {});
@@ -55,7 +55,7 @@ void check_experiment(const CalibrationTask& task, const Texts& columns) {
             task.model);
 }
 
-// What was measured, and under which settings.
+// The measured values and their settings.
 struct Measurements {
   Table settings;  ///< the keys of each measurement
   std::vector<double> values;
@@ -122,7 +122,7 @@ std::string spell(const Value& value) {
                                                     : to_string(value);
 }
 
-// The settings as axes that go together; repeated ones once. `which` says the point of each.
+// A sweep with the distinct settings as coupled axes. `which`: the point of each measurement.
 std::string make_sweep(const Table& settings, std::vector<std::size_t>& which) {
   Texts points;
   for (const auto& row : settings.rows) {
@@ -138,7 +138,7 @@ std::string make_sweep(const Table& settings, std::vector<std::size_t>& which) {
                      fmt::join(points, ", "));
 }
 
-// The experiment at each setting, on the model with some entries changed.
+// Runs the experiment at each setting, on the model with changed entries.
 class Runs {
  public:
   Runs(const CalibrationTask& task, const Measurements& measured)
@@ -146,7 +146,7 @@ class Runs {
     for (const auto& point : file_.points) check_point(point.experiment);
   }
 
-  /// What the model gives for each measurement.
+  /// The model's result for each measurement.
   const std::vector<double>& eval(const Texts& entries, const std::vector<double>& values) {
     if (values == values_) return given_;
     Results results;
@@ -223,7 +223,7 @@ Calibration calibrate(const CalibrationTask& task) {
   require(!entries.empty(), "--entries", "found none, expected those that are to be fitted");
   const auto measured = read_measurements(task);
   Runs runs(task, measured);
-  // Logarithms: entries are above 0, and most act in proportion.
+  // Fits logarithms, since entries are above 0, and most act in proportion.
   constexpr double MOST_FACTOR = 1e4, SHARE = 0.02, CYCLES = 20;
   std::vector<double> start;
   for (const auto* entry : entries) start.push_back(std::log(entry->value));

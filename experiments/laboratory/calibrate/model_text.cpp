@@ -1,4 +1,4 @@
-// Model files that tlab writes.
+// Model files written by tlab.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 namespace laboratory {
 namespace {
 
-// "[link]" and "one_way_20".
+// Splits "link.one_way_20" into its section and its key.
 std::pair<std::string, std::string> split_key(const std::string& key) {
   const auto dot = key.find('.');
   return {key.substr(0, dot), key.substr(dot + 1)};
 }
 
-// The base as the file can name it: a model file from its own folder.
+// The base as spelled in the file: model files are found from its folder.
 std::string name_base(const std::string& base, const std::string& file) {
   if (!base.ends_with(".toml")) return base;
   namespace fs = std::filesystem;
   return fs::relative(fs::absolute(base), fs::absolute(file).parent_path()).string();
 }
 
-// In a comment, which ends with its line.
+// Makes a text safe for a comment, which ends with its line.
 std::string plain(const std::string& text) { return base::blank_controls(text, '?'); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// tlab compare: two runs or more, point by point.
+// tlab compare: compares two or more runs, point by point.
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
@@ -18,7 +18,7 @@ struct CompareOptions {
   std::string output;
 };
 
-// Refuses what is neither a page nor a table, what cannot be written, and a file of the results.
+// Refuses targets that are not a page or table, cannot be written, or belong to the results.
 void check_target(const CompareOptions& o) {
   base::require(o.output.ends_with(".html") || o.output.ends_with(".csv"), "--output",
                 "found {}, expected a name that ends with .html or .csv", o.output);

@@ -1,4 +1,4 @@
-// tlab convert: a scene, room or mesh in another file format.
+// tlab convert: converts a scene, room or mesh to another file format.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/resource.h>
@@ -32,7 +32,7 @@ using renderer::LeftOut;
 
 std::string ending_of(const std::string& path) { return fs::path(path).extension().string(); }
 
-// PART.STL, too.
+// Ignores case, as in PART.STL.
 bool is_mesh(const std::string& source) {
   auto ending = ending_of(source);
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -48,7 +48,7 @@ radiosity::Room read_room(const std::string& source, LeftOut& left_out) {
   return radiosity::read_room(base::read_text(source), source, &left_out);
 }
 
-// A file that is to be written.
+// A file to be written.
 struct Text {
   std::string path, text;
 };
@@ -101,7 +101,7 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
-// Seconds of the processor that a mesh may take. A .gltf can have its data in files beside it.
+// CPU seconds allowed for a mesh. A .gltf can have its data in other files of its folder.
 rlim_t find_time_limit(const std::string& source) {
   constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
   std::uintmax_t bytes = 0;
@@ -114,7 +114,7 @@ rlim_t find_time_limit(const std::string& source) {
   return static_cast<rlim_t>(LEAST_S + S_PER_BYTE * static_cast<double>(bytes));
 }
 
-// The same of a mesh in a process of its own, with a limit on its time: see read_mesh().
+// Converts a mesh in a separate process with limited time: see read_mesh().
 Converted convert_apart(const std::string& source, const std::function<Converted()>& convert) {
   const auto limit_s = find_time_limit(source);
   const auto job = [&](std::size_t) {
@@ -124,7 +124,7 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     const auto [texts, left_out] = convert();
     nlohmann::json json = {{"left_out", left_out}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
-    std::string bytes;  // names of files may be no UTF-8
+    std::string bytes;  // file names may be invalid UTF-8
     nlohmann::json::to_cbor(json, bytes);
     return bytes;
   };

@@ -1,4 +1,4 @@
-// tlab list, help and init: finding one's way, and beginning.
+// tlab list, help and init: orientation and first steps.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -53,7 +53,7 @@ void add_list_command(CLI::App& app) {
   command->callback([o] { list(*o); });
 }
 
-// The help on a command, on a program, on both where they have one name, or on all keys.
+// The help on a command, a program, both if they share the name, or all keys.
 std::string find_help(const CLI::App& app, const std::string& word) {
   if (word == "keys") return describe_keys() + "\n" + describe_programs();
   std::string text;

@@ -47,7 +47,7 @@ double read_speed(const std::string& text) {
   return *speed;
 }
 
-// Only our own engine has a clock that waits.
+// Only the engine "direct" has a clock that can wait.
 ExperimentFile load(const LiveOptions& o) {
   auto overrides = o.overrides;
   overrides.emplace_back("run.engine=direct");
@@ -75,7 +75,7 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
                   "found the experiment itself, {}, expected another file", o.record);
     return o.record;
   }
-  // Recordings of former sessions stay.
+  // Keeps recordings of earlier sessions.
   const auto name = fs::path(file.path).stem().string() + "-live";
   fs::path recording = fs::path("results") / (name + ".toml");
   for (int number = 2; fs::exists(recording); ++number)
@@ -83,11 +83,11 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
   return recording;
 }
 
-// A page that leads to the session's: the address itself would be in a command line, which every
-// user of the computer may read. Only its owner may read the file, which goes with this object.
+// A page that redirects to the session's. The address must not appear in a command line, which all
+// users of the computer can read. Only the owner can read this file; it is removed with the object.
 class Doorway {
  public:
-  /// Throws std::system_error where no folder can be made.
+  /// Throws std::system_error if no folder can be made.
   explicit Doorway(const std::string& address) {
     std::ofstream(file()) << fmt::format("<meta http-equiv=\"refresh\" content=\"0;url={}\">\n",
                                          address);
@@ -99,7 +99,7 @@ class Doorway {
   TemporaryFolder folder_;
 };
 
-// Whoever has no browser opens the address by hand.
+// Users without a browser open the address by hand.
 void open_browser(const std::string& file) {
   std::string program = "xdg-open", argument = file;
   char* arguments[] = {program.data(), argument.data(), nullptr};
@@ -112,8 +112,8 @@ void open_browser(const std::string& file) {
   posix_spawn_file_actions_destroy(&quiet);
 }
 
-// Keeps the result of the session as that of a run of its recording. Returns the options of the run
-// that gives the same.
+// Stores the result of the session as the result of a run of its recording. Returns the options of
+// that run.
 RunOptions keep_result(const RunOptions& options, const Session& session, PointResult result) {
   RunOptions rerun = options;
   if (const auto ended_s = session.ended_by_hand_s()) {
@@ -123,20 +123,20 @@ RunOptions keep_result(const RunOptions& options, const Session& session, PointR
   const auto recording = load_experiment(options.file, {});
   const PointsPlan plan(rerun, recording);
   save_origin(plan.results, recording, plan.origin);
-  // What has failed is run again, as by tlab run.
+  // Failed points are run again, as by tlab run.
   if (!result.is_failed())
     save_record(plan.results / records_folder(), plan.keys.at(0), result, "");
   return rerun;
 }
 
-// Runs the point while pages watch. However that ends, the session is recorded in options.file.
+// Runs the point under observation by pages. Records the session in options.file in any case.
 RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Session& session) {
   std::optional<PointResult> result;
   std::exception_ptr failure;
   try {
     result =
         run_point(file.points[0], options, results_folder(options) / records_folder(), &session);
-  } catch (const machine::Fault&) {  // the run of the recording says it
+  } catch (const machine::Fault&) {  // reported by the run of the recording
   } catch (...) {
     failure = std::current_exception();
   }

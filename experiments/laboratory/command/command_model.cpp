@@ -1,4 +1,4 @@
-// tlab model: what a machine model says, a model of one's own, and its fit to measurements.
+// tlab model: prints a machine model, starts a new one, and fits it to measurements.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,7 +28,7 @@ struct ModelOptions {
   std::string output;
 };
 
-// A file of a name that can be a model's: letters, digits, - and _, and no built-in one's.
+// Requires a file name that is valid for a model: letters, digits, - and _, not a built-in name.
 void check_model_file(const std::string& file) {
   const auto name = fs::path(file).stem().string();
   const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {

@@ -20,7 +20,7 @@ std::string check_seconds(const std::string& text) {
 
 const CLI::Validator SECONDS([](std::string& text) { return check_seconds(text); }, "SECONDS");
 
-// The file of a film that says none: beside the results folder.
+// The default file of a film, beside the results folder.
 std::string choose_film(const std::string& kind, const RunOptions& options) {
   auto results = results_folder(options).lexically_normal();
   if (!results.has_filename()) results = results.parent_path();

@@ -1,4 +1,4 @@
-// tlab verify: experiments against their formulas and references.
+// tlab verify: checks experiments against their formulas and references.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,14 +24,14 @@ constexpr std::size_t MOST_SHOWN = 20;
 
 struct VerifyOptions {
   std::vector<std::string> paths;  // experiment files, or folders of them
-  RunOptions run;                  // output: folder of results for one file, else of all of those
-  bool all = false;                // show every point of a check, and not only the worst of many
+  RunOptions run;    // output: the results folder of a single file, else the parent folder of all
+  bool all = false;  // show every point of a check, not only the worst of many
 };
 
 struct Candidate {
   std::string file;
-  fs::path name;       // name of its folder in the folder of results
-  bool named = false;  // the user named the file itself, not a folder
+  fs::path name;       // name of its results folder within the output folder
+  bool named = false;  // given by the user as a file, not through a folder
 };
 
 std::vector<Candidate> find_candidates(const std::string& path) {
@@ -86,8 +86,8 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   throw_failures(s.file, s.results, "the others are in " + run.output);
 }
 
-// Prints every check with its points. After all has been printed it throws Failure unless
-// every check holds and every path has one; a check that speaks of no point does not hold.
+// Prints every check with its points, then throws Failure unless every check holds and every path
+// has one. A check without points does not hold.
 void verify(const VerifyOptions& options) {
   std::vector<std::vector<Candidate>> candidates;
   for (const auto& path : options.paths) candidates.push_back(find_candidates(path));

@@ -35,7 +35,7 @@
 namespace laboratory {
 namespace {
 
-// What a file's ending says where nothing else does; they may not contradict each other.
+// Chooses a format by the file's ending if none is given; otherwise both must agree.
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
       {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
@@ -145,10 +145,9 @@ void check_command(const CLI::App& app, int argc, char** argv) {
                                    fmt::join(known, ", "), base::did_you_mean(argv[1], known)));
 }
 
-// Help that is the same whenever the same is asked: CLI11 names the options that one excludes in
-// the order of their places in memory.
+// Deterministic help: CLI11 lists the options that one excludes in the order of their addresses.
 class Help : public CLI::Formatter {
-  // Several words of one kind are "DIR ..." and not "DIR(1x)".
+  // Prints several words of one kind as "DIR ..." instead of "DIR(1x)".
   std::string make_option_usage(const CLI::Option* option) const override {
     const auto text = Formatter::make_option_usage(option);
     return std::regex_replace(text, std::regex("\\(\\d+x\\)(\\.\\.\\.)?"), " ...");
@@ -208,7 +207,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
     check_command(app, argc, argv);
     app.parse(argc, argv);
     return 0;
-  } catch (const CLI::ParseError& error) {  // the help, too
+  } catch (const CLI::ParseError& error) {  // includes --help
     std::ostringstream out, problems;
     const bool is_help = app.exit(error, out, problems) == 0;
     fmt::print("{}", out.str());
@@ -217,7 +216,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// Whether the program that reads what is printed has read enough.
+// True if the reader of standard output has closed the pipe.
 bool is_broken_pipe(const std::exception& error) {
   const auto* failed = dynamic_cast<const std::system_error*>(&error);
   return failed && failed->code() == std::errc::broken_pipe;
@@ -236,14 +235,14 @@ int run_tlab(int argc, char** argv) try {
     flush_output();
     return exit_code;
   } catch (const std::exception& error) {
-    wait_for_error_stream();  // a signal ends the program meanwhile
+    wait_for_error_stream();  // a signal may end the program meanwhile
     const base::Undivided last_words;
     if (is_broken_pipe(error)) std::signal(SIGPIPE, SIG_DFL), std::raise(SIGPIPE);
     const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error);
     complain(is_memory ? "the host is out of memory" : error.what());
     return exit_code_of(error);
   }
-} catch (const std::exception& error) {  // of what stands around the command
+} catch (const std::exception& error) {  // from the code around the command
   complain(error.what());
   return exit_code_of(error);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The subcommands of tlab: each declares its options once, and says what to do with them. The
-// small ones are in commands.cpp.
+// The subcommands of tlab: each declares its options once and the action that uses them. Small ones
+// are in commands.cpp.
 #include <CLI/CLI.hpp>
 
 namespace laboratory {
@@ -13,9 +13,9 @@ void add_model_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
 void add_guide_commands(CLI::App& app);  ///< list, help, init
 
-/// Parses the command line, does what it says, and returns the program's exit code: 0 done, 1 a
-/// check did not hold or a simulation broke down, 2 bad input or usage, 3 the simulated program
-/// deadlocked, ran out of simulated memory or did what the machine refuses, 130 interrupted.
+/// Parses and executes the command line. Returns the program's exit code: 0 done; 1 a check failed
+/// or a simulation broke down; 2 bad input or usage; 3 the simulated program deadlocked, ran out of
+/// simulated memory or did what the machine refuses; 130 interrupted.
 int run_tlab(int argc, char** argv);
 
 }  // namespace laboratory

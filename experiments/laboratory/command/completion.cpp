@@ -15,7 +15,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// What the words of a command name, as `tlab list` calls it; of others they are files.
+// The kind of names, as in `tlab list`, that a command's words denote; other commands take files.
 const std::map<std::string, std::string> NAMES = {
     {"topology", "topologies"}, {"model", "models"},      {"render", "scenes"},
     {"columns", "programs"},    {"help", "programs"},     {"run", "experiments"},
@@ -26,12 +26,12 @@ std::string names_of(const CLI::App& command) {
   return found == NAMES.end() ? "" : fmt::format("tlab list {} --names", found->second);
 }
 
-// Help in one line, without what a shell or its lists would take for their own.
+// Help in one line, without characters special to shells and their lists.
 std::string plain(const std::string& help) {
   return std::regex_replace(help.substr(0, help.find('\n')), std::regex("['\"`\\\\:\\[\\]$]"), "");
 }
 
-// "-o", "--output"; the words of a command, which have no name, are none.
+// "-o", "--output"; empty for positional arguments, which have no option names.
 Names option_names(const CLI::Option& option) {
   Names names;
   for (const auto& name : option.get_snames()) names.push_back("-" + name);

@@ -49,7 +49,7 @@ void print_notes(const Simulation& s) {
   if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
-// Lists the last image of each run, not those on the way.
+// Lists the last image of each run, without intermediate ones.
 std::set<std::string> list_images(const Simulation& s) {
   std::set<std::string> names;
   for (const auto& result : s.results)
@@ -116,7 +116,7 @@ void print_verdict(const CheckResult& check, const Table& table) {
 
 namespace {
 
-// Throws for what is wrong with results that have been written.
+// Throws for failures in results that have been written.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
   for (const auto& failure : s.undrawn) complain(failure);
@@ -164,14 +164,14 @@ std::vector<std::size_t> read_numbers(const std::vector<std::string>& texts, std
   return {numbers.begin(), numbers.end()};
 }
 
-// A result that depends on the host and the moment cannot be collected later.
+// Results that depend on the host and the moment cannot be collected later.
 void check_counted(const ExperimentFile& file, const std::vector<std::size_t>& numbers) {
   for (const auto i : numbers)
     base::require(!file.points[i].experiment.is_timed, file.path,
                   "--point {}: found cost = \"timed\", expected \"counted\"", i);
 }
 
-// Says how many of the chosen points have results, and throws where one failed.
+// Prints how many of the chosen points have results, and throws if one failed.
 void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& numbers,
                   const Results& results) {
   ExperimentFile chosen = plan.file;

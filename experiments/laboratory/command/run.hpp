@@ -1,43 +1,42 @@
 #pragma once
-// tlab run: an experiment file in, a folder of results out.
+// tlab run: turns an experiment file into a folder of results.
 #include "experiments/laboratory/judge/check_plan.hpp"
 #include "experiments/laboratory/report/simulation.hpp"
 
 namespace laboratory {
 
-/// What to do about points that have no records.
+/// Treatment of points without records.
 enum class Missing { run, refuse };
 
-/// Runs every point that is missing, evaluates the checks, and writes results.csv, run.json,
-/// checks.csv, images, plots and report.html into the folder, all or nothing; only the records of
-/// points are there as soon as they are done. The results depend on the experiment only: not on the
-/// jobs, nor on which points were there from an earlier run, from run_chosen_points or from one
-/// that was killed. A run that is cut short, by its limit or by the user, and one with failed
-/// points are kept too, marked incomplete, unless all have failed; whether checks hold changes
-/// nothing here. Throws BadInput for results of another experiment, and for what is missing if that
-/// is refused.
+/// Runs every missing point, evaluates the checks, and writes results.csv, run.json, checks.csv,
+/// images, plots and report.html into the folder, all or nothing. Only the records of points appear
+/// as soon as each point is done. The results depend only on the experiment: not on the number of
+/// jobs, nor on points kept from an earlier, partial or killed run. Runs with failed points, and
+/// runs cut short by a limit or the user, are kept and marked incomplete unless all points failed.
+/// The outcome of checks has no effect here. Throws BadInput for results of another experiment, and
+/// for missing points under Missing::refuse.
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan,
                     Missing missing = Missing::run);
 
-/// Simulates and prints a summary. Throws Failure, when everything is written, if the user
-/// interrupted, if a point failed, and if a check does not hold; one that speaks of no point of
-/// this run is only named.
+/// Simulates and prints a summary. After writing everything, throws Failure if the user
+/// interrupted, a point failed, or a check fails. A check that matches no point of this run is only
+/// named.
 void run_experiment(const RunOptions& options);
 
-/// Prints what came of a check, a line.
+/// Prints the outcome of a check, on one line.
 void print_verdict(const CheckResult& check, const Table& table);
 
-/// Prints a line for each point, with tabs: number, key, axes, "there" or "missing".
+/// Prints a line for each point, separated by tabs: number, key, axes, "there" or "missing".
 void list_points(const RunOptions& options);
 
-/// Runs the chosen points that are missing and keeps their records in the folder, with a note of
-/// the experiment that they are of, for merge_results; nothing else there is changed, and other
-/// processes may do the same at once. Throws BadInput for numbers of no point, and where cost =
-/// "timed"; Failure where the user interrupted and where a point failed.
+/// Runs the chosen points that are missing. Keeps their records and a note of their experiment in
+/// the folder for merge_results, and changes nothing else there. Several processes may do so at
+/// once. Throws BadInput for unknown point numbers and for cost = "timed"; Failure if the user
+/// interrupted or a point failed.
 void run_chosen_points(const RunOptions& options);
 
-/// Writes what run_experiment does into a folder that has the records of every point of its
-/// experiment. Throws BadInput with the missing ones.
+/// Writes the files of run_experiment into a folder that holds the record of every point. Throws
+/// BadInput that lists missing records.
 void merge_results(const std::string& folder);
 
 }  // namespace laboratory

@@ -1,4 +1,4 @@
-// From an experiment to its folder of results.
+// Runs an experiment into its results folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ constexpr std::size_t MOST_NAMED = 20;
                                    missing.size() > MOST_NAMED ? "\n  ..." : ""));
 }
 
-// Finds all results among the records, or makes them.
+// Finds all results among the records, or simulates the missing ones.
 Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
   Results results = find_points(plan, all_points(plan.file));
   const auto to_run = missing_points(results);
@@ -60,7 +60,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   return results;
 }
 
-// Drops the points that were not run because the user interrupted.
+// Drops points that were not run because of an interrupt by the user.
 void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   const auto all = std::move(s.file.points);
   s.file.points.clear();

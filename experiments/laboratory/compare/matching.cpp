@@ -24,7 +24,7 @@ bool varies(const Table& table, const std::string& axis) {
   return column && distinct(table, all_rows(table), *column).size() > 1;
 }
 
-// The axes that take several values in some run, in the order in which runs and tables name them.
+// The axes with several values in some run, in the order of runs and tables.
 Texts find_varying(const std::vector<NamedTable>& runs) {
   Texts found;
   for (const auto& run : runs)
@@ -45,8 +45,8 @@ void check_everywhere(const std::vector<NamedTable>& runs, const std::string& ax
       axis, std::ranges::find_if(runs, has)->name, without->name));
 }
 
-// Two seeds may change together, as coupled axes do, but samples of one seed are not independent
-// of each other where both are crossed.
+// Two seeds may change together, as coupled axes do. If they are crossed, samples of one seed are
+// not independent of each other.
 void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
                    const std::string& other) {
   for (const auto& [name, table] : runs) {
@@ -62,7 +62,7 @@ void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
 
 using Key = std::vector<std::string>;
 
-// The cells of the axes; numbers of either type in one spelling.
+// The cells of the axes; integers and doubles in one spelling.
 Key key_of(const Table& table, std::size_t row, const Texts& axes) {
   Key key;
   for (const auto& axis : axes) {

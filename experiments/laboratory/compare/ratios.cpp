@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::vector<double>;
 using Rows = std::vector<std::size_t>;
 
-// The numbers of a column in these rows; none where a cell is no number.
+// The numbers of a column in these rows; none if a cell is not a number.
 std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
                                     const std::string& column) {
   Numbers numbers;
@@ -27,7 +27,7 @@ std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
   return numbers;
 }
 
-// The logarithms of the numbers; none where a number is infinite or not above 0.
+// The logarithms of the numbers; none if a number is infinite or not above 0.
 std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std::string& column) {
   auto numbers = find_numbers(table, rows, column);
   if (!numbers) return std::nullopt;
@@ -38,8 +38,8 @@ std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std
   return numbers;
 }
 
-// The result of a run at a point: of several samples the geometric mean, or the arithmetic one
-// where that does not exist.
+// The result of a run at a point: for several samples their geometric mean, or the arithmetic mean
+// if there is none.
 Value find_value(const MatchedRuns& matched, const MatchedRuns::Point& point, std::size_t run,
                  const std::string& column) {
   const Table& table = matched.runs[run].table;
@@ -61,7 +61,7 @@ double half_width_of_pairs(const Numbers& a, const Numbers& b) {
   return half_width(find_deviation(differences) / std::sqrt(n), n - 1);
 }
 
-// Welch's test
+// Welch's test.
 double half_width_apart(const Numbers& a, const Numbers& b) {
   const auto na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
   const double va = find_variance(a) / na, vb = find_variance(b) / nb;
@@ -69,7 +69,7 @@ double half_width_apart(const Numbers& a, const Numbers& b) {
   return half_width(std::sqrt(va + vb), degrees);
 }
 
-// The rows of b in the order of a's seeds; none where a seed is in one of them alone.
+// The rows of b in the order of a's seeds; none if their seeds differ.
 std::optional<Rows> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
                                const Rows& rows_b, const std::string& seed) {
   const auto seed_a = a.find(seed), seed_b = b.find(seed);
@@ -85,7 +85,7 @@ std::optional<Rows> pair_seeds(const Table& a, const Table& b, const Rows& rows_
   return paired;
 }
 
-// Whether two cells are the same, but for rounding.
+// True if two cells are equal up to rounding.
 bool is_near(const Value& a, const Value& b) {
   const auto x = as_number(a), y = as_number(b);
   if (!x || !y) return is_same(a, b);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 using Texts = std::vector<std::string>;
 
-constexpr const char* BY_DEFAULT = "by default";  // where nothing says what the default is
+constexpr const char* BY_DEFAULT = "by default";  // if the default is not known
 
 // The parts of a path, without "." and an empty last one.
 Texts parts_of(const std::string& folder) {
@@ -88,7 +88,7 @@ std::string unquote(const std::string& text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-// The value of a key of which the file says nothing.
+// The value of a key that is not in the file.
 std::string default_of(const ExperimentFile& file, const std::string& key) {
   const Experiment& e = file.points[0].experiment;
   if (key == "program.name") return e.program->name;
@@ -114,7 +114,7 @@ std::string value_of(const ExperimentFile& file, const std::string& key) {
   return fmt::format("[{}]", join_texts(values, ", "));
 }
 
-// Adds a row, unless all runs say the same.
+// Adds a row, unless all values are equal.
 void add_row(Table& table, const Texts& begin, const Texts& values) {
   if (std::ranges::all_of(values, [&](const auto& value) { return value == values[0]; })) return;
   auto& row = table.rows.emplace_back();
@@ -128,7 +128,7 @@ Table start(Texts columns, const std::vector<ComparedRun>& runs) {
   return table;
 }
 
-// The names of a run's models, and of those that all runs have.
+// The names of a run's models, and of the models common to all runs.
 Texts names_of(const ComparedRun& run) {
   Texts names;
   for (const auto& model : run.models) names.push_back(model.name);
@@ -144,7 +144,7 @@ Texts find_shared_models(const std::vector<ComparedRun>& runs) {
   return shared;
 }
 
-// Adds the entries in which these models, one of each run, differ.
+// Adds the differing entries of these models, one of each run.
 void add_entries(Table& table, const std::string& prefix,
                  const std::vector<const RecordedModel*>& models) {
   std::map<std::string, std::string> units;
@@ -161,7 +161,7 @@ void add_entries(Table& table, const std::string& prefix,
   }
 }
 
-// Makes an axis, in front of the others: of the column of that name, or of a key's one value.
+// Inserts an axis in front of the others: the column of that name, or a constant value.
 void add_axis(Table& table, const std::string& axis, const std::string& value) {
   const auto column = table.find(axis);
   const auto move = [&](auto& cells, auto otherwise) {

@@ -15,7 +15,7 @@ namespace {
 
 using base::BadInput;
 
-// Sets a dotted key, making the sections it names.
+// Sets a dotted key, and makes missing sections.
 void assign(toml::table& file, std::string_view key, const toml::node& value) {
   toml::table* section = &file;
   for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
@@ -27,8 +27,7 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   section->insert_or_assign(key, value);
 }
 
-// Sets what a text such as "scene.objects=800" says. What is not TOML is taken for a text; the name
-// of an axis may have dots.
+// Executes "scene.objects=800". Invalid TOML counts as a text; the name of an axis may have dots.
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
   base::require(equals != std::string::npos && equals > 0, "--set " + text,
@@ -50,12 +49,12 @@ void override_key(toml::table& file, const std::string& text) {
   sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
 }
 
-// Finds the numbers that the file gives, then those that an axis gives in their place.
+// Collects the numbers in the file; values of axes override them.
 std::map<std::string, double, std::less<>> find_numbers(
     const toml::table& file, const std::vector<Replacement>& replacements) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
-    if (key.starts_with("model.")) return;  // the machine model has them, by their own names
+    if (key.starts_with("model.")) return;  // in the machine model, by their own names
     if (node.is_number())
       numbers[key] = *node.value<double>();
     else
@@ -66,7 +65,7 @@ std::map<std::string, double, std::less<>> find_numbers(
   return numbers;
 }
 
-// An axis takes the place of its key: what is set there would change nothing.
+// Refuses to override the key of an axis, which would have no effect.
 void check_not_shadowed(const std::string& override, const std::vector<Coupled>& axes) {
   const auto key = override.substr(0, override.find('='));
   for (const auto& coupled : axes)
@@ -76,7 +75,7 @@ void check_not_shadowed(const std::string& override, const std::vector<Coupled>&
                     fmt::join(coupled | std::views::transform(&Axis::name), ", "));
 }
 
-// Makes the point of that number; the last axis runs fastest.
+// Makes the point of that number; the last axis varies fastest.
 Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
                  const Programs& in_play, const std::string& path, const std::string& folder) {
   Point point;
@@ -95,7 +94,7 @@ Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std:
   return point;
 }
 
-// Finds the keys of the file that change what a point does.
+// Collects the keys of the file that change the work of a point.
 std::map<std::string, std::string> find_settings(const toml::table& file) {
   std::map<std::string, std::string> settings;
   for_each_key(file, [&](const std::string& key, const toml::node& node) {

@@ -15,8 +15,8 @@ using base::BadInput;
 
 constexpr int LAST = topologies::MAX_PROCESSORS - 1;
 
-// Reads a number for every link, or a list of [a, b, number] with processors as the topology
-// numbers them.
+// Reads a number for every link, or a list of [a, b, number] with the topology's numbers of
+// processors.
 void read_switches(Experiment& e, const Place& at) {
   constexpr int MOST = 16;
   const std::string expected =
@@ -35,13 +35,13 @@ void read_switches(Experiment& e, const Place& at) {
   }
 }
 
-// Reads a name of routes, or that of a file.
+// Reads the name of a routing method, or a file name.
 void read_routes(Experiment& e, const Place& at) {
   const auto text = read_text(at);
   e.routes = text == topologies::XY_ROUTES ? base::Source{text, text} : read_file_name(at);
 }
 
-// Reads links; what they join is not known yet.
+// Reads links without checking their ends, still unknown here.
 void read_tree_links(Experiment& e, const Place& at) {
   const std::string expected = "the links of a spanning tree, [[a, b], ...]";
   const auto* list = at.node.as_array();
@@ -54,7 +54,7 @@ void read_tree_links(Experiment& e, const Place& at) {
   }
 }
 
-// Refuses as an axis a key that belongs to the file and not to a point: read_judgement reads it.
+// Refuses axes for keys of the file that do not belong to points: read_judgement reads them.
 Binding<Experiment> bind_to_file(const std::string& key, const std::string& help) {
   return {key, help, [](Experiment&, const Place& at) { at.refuse("no axis of this name"); }};
 }
@@ -110,7 +110,7 @@ const Bindings<Experiment>& bindings() {
   return all;
 }
 
-// Finds the item that has that key; null for none.
+// Finds the item with this key; null for none.
 template <class Item, class KeyOf>
 const Item* find_by(const std::vector<Item>& items, KeyOf key_of, const std::string& key) {
   const auto found = std::ranges::find(items, key, key_of);
@@ -142,7 +142,7 @@ const programs::Program* read_program(const Place& at) {
   at.refuse(fmt::format("one of {}{}", fmt::join(known, ", "), base::did_you_mean(name, known)));
 }
 
-// Sets a field, or says what was expected instead, of a choice with the nearest.
+// Sets a field, or throws with the expected values and, for a choice, the nearest.
 template <class P>
 void assign(const base::Field<P>& field, P& params, const Place& at) {
   auto expected = field.assign(params, read_scalar(at, field.domain));
@@ -171,7 +171,7 @@ void bind_list(Experiment& experiment, const programs::RecordList& list, const P
   }
 }
 
-// Takes the place of an entry of the machine model; its name is checked when the model is made.
+// Overrides an entry of the machine model; its name is checked when the model is made.
 void bind_model_entry(Experiment& experiment, const Place& at) {
   if (!at.node.is_number() && !at.node.is_string()) at.refuse("a number, or a formula in quotes");
   const auto entry = at.key.substr(at.key.find('.') + 1);
@@ -184,7 +184,7 @@ void bind_model_entry(Experiment& experiment, const Place& at) {
     overrides.emplace_back(entry, to_toml(at.node));
 }
 
-// Throws BadInput for a common key that no program in play has a use for.
+// Throws BadInput for a common key without effect on any program in play.
 void check_used(const Programs& in_play, const Place& at) {
   const auto refuse = [&](const char* what, bool programs::Uses::*uses) {
     if (std::ranges::any_of(in_play, [&](const auto* p) { return p->uses.*uses; })) return;
@@ -204,7 +204,7 @@ void check_used(const Programs& in_play, const Place& at) {
     refuse("timed costs", &programs::Uses::timed);
 }
 
-// Throws for a key that is another program's, or unknown.
+// Throws for an unknown key, or a key of another program.
 [[noreturn]] void refuse_unknown(const Programs& in_play, const Place& at) {
   std::vector<std::string> known;
   for (const auto* program : in_play) {
@@ -319,7 +319,7 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   for (const auto* program : in_play)
     for (const auto& list : program->lists) try_key(list.key);
   const auto known_here = known;
-  for (const auto& other : programs::all_programs())  // refused where its values are bound
+  for (const auto& other : programs::all_programs())  // refused when their values are bound
     for (const auto& p : other.parameters) try_key(programs::key_of(p));
   if (found) return *found;
   throw BadInput(fmt::format("{}: unknown axis \"{}\" in [sweep]{}", origin, name,

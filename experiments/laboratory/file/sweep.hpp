@@ -1,21 +1,21 @@
 #pragma once
-// [sweep] of an experiment file: which axes span it, and their values.
+// [sweep] of an experiment file: its axes and their values.
 #include "experiments/laboratory/file/schema.hpp"
 
 namespace laboratory {
 
-/// Axes that go together: one, but for "workers, height" = [[1, 16], ...].
+/// Coupled axes: a single one, except for "workers, height" = [[1, 16], ...].
 using Coupled = std::vector<Axis>;
 
-/// Spells "workers, height" in one way, however it is spelled.
+/// The normal spelling of coupled names such as "workers, height".
 std::string join_names(std::string_view name);
 
-/// Adds the names of the axes that are new, in the order of the file, since TOML sorts a table by
-/// its names. Names with dots may stand there with or without quotes.
+/// Appends the names of new axes in the order of the file, since TOML sorts tables by name. Names
+/// with dots may be quoted or not.
 void add_names(std::vector<std::string>& order, toml::table& file, const std::string& origin);
 
-/// Reads the axes of a file; `order` has their names. Throws BadInput for unknown axes, those that
-/// are there twice, and values that are no list of one for each.
+/// Reads the axes of a file; `order` has their names. Throws BadInput for unknown or repeated axes,
+/// and for values that are not a list with one value for each axis.
 std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
                                const Programs& in_play, const std::string& origin);
 
@@ -23,7 +23,7 @@ std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::s
 std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
                     const Programs& in_play);
 
-/// The number of points that they span. Throws BadInput for more than a run can hold.
+/// The number of points in the sweep. Throws BadInput if it exceeds the limit of a run.
 std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path);
 
 }  // namespace laboratory

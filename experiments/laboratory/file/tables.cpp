@@ -79,7 +79,7 @@ OtherProcessor bind_other(const toml::table& table, const Place& list, std::size
 
 // ---- [[check]] and [let] ----
 
-// Reads an expression, or a number as the text of one.
+// Reads an expression; a number becomes its text.
 std::string read_expression(const Place& at) {
   const auto number = at.node.is_number() ? at.node.value<double>() : std::nullopt;
   return number && std::isfinite(*number) ? fmt::format("{}", *number) : read_text(at);
@@ -134,7 +134,7 @@ const Bindings<Check>& check_bindings() {
   return all;
 }
 
-// Says which of these keys the table has: "formula and at_least".
+// Lists those of the keys that the table has: "formula and at_least".
 std::string join_given(const toml::table& table, std::vector<std::string> keys) {
   std::erase_if(keys, [&](const auto& key) { return !table.contains(key); });
   return fmt::format("{}", fmt::join(keys, " and "));
@@ -269,7 +269,7 @@ const Bindings<Uncertain>& uncertain_bindings() {
 void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / that does not start with a point: it names the files");
-  constexpr std::size_t LONGEST = 200;  // bytes; file systems take 255, our endings among them
+  constexpr std::size_t LONGEST = 200;  // bytes; file systems allow 255, including our endings
   require(s.name.size() <= LONGEST, s.place,
           "found a name of {} bytes, expected at most {}: it names the files", s.name.size(),
           LONGEST);

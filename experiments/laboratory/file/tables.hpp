@@ -1,5 +1,5 @@
 #pragma once
-// [[fault]], [[processor]], [let], [[check]], [[plot]], [[best]] and [report], as they stand in the
+// Reads the tables [[fault]], [[processor]], [let], [[check]], [[plot]], [[best]] and [report] of a
 // file.
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace laboratory {
 
-/// Reads all [[fault]], in order; none for an empty list. Throws BadInput, naming which and its
-/// line, for unknown, missing or contradicting keys. What breaks is not known yet.
+/// Reads every [[fault]], in order; an empty list yields none. Throws BadInput with number and line
+/// for unknown, missing or contradicting keys. The broken parts are looked up later.
 std::vector<FaultSpec> read_faults(const Place& at);
-/// Reads all [[processor]] in the same way.
+/// Does the same for every [[processor]].
 std::vector<OtherProcessor> read_others(const Place& at);
 
 /// Reads [let], [[check]], [[plot]], [[best]] and [report] into `into`, which has its path and
-/// folder. Throws BadInput for unknown, missing or contradicting keys; formulas are only texts yet.
+/// folder. Throws BadInput for unknown, missing or contradicting keys; formulas remain texts here.
 void read_judgement(const toml::table& file, ExperimentFile& into);
 
 /// The keys of these tables and of [model].

@@ -1,6 +1,6 @@
 #pragma once
-// Values of a TOML file, read with errors that say where, what was found and what was expected; and
-// keys of its tables, each bound to the member that it sets.
+// Typed access to values of a TOML file, and keys bound to members. Errors give the position, the
+// value found and the expected one.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,26 +19,26 @@
 
 namespace laboratory {
 
-/// A text as TOML spells it, in quotes.
+/// Spells a text in quotes, as TOML does.
 std::string spell_text(const std::string& text);
 
 using base::to_toml;
 
-/// A value and where it stands.
+/// A value and its position.
 struct Place {
   std::string origin;  ///< name of the file
   std::string key;     ///< "scene.objects"
-  std::string folder;  ///< that paths are relative to
+  std::string folder;  ///< base of relative paths
   const toml::node& node;
-  std::string owner = {};  ///< what errors name before the key: "[[fault]] 2: "
+  std::string owner = {};  ///< prefix of the key in errors: "[[fault]] 2: "
 
-  /// A value inside this one.
+  /// The place of a value inside this one.
   Place inside(std::string_view its_key, const toml::node& its_node) const {
     return {origin, std::string(its_key), folder, its_node, owner};
   }
   /// "farm.toml:12"
   std::string where() const;
-  /// Throws BadInput with what was found here.
+  /// Throws BadInput with the value found here.
   [[noreturn]] void refuse(const std::string& expected) const;
 };
 
@@ -46,7 +46,7 @@ struct Place {
 std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high);
 double read_double(const Place& at, double low, double high);
 std::string read_text(const Place& at);
-/// N whole numbers from 0 to `high`; none for what is no list of them.
+/// N whole numbers from 0 to `high`; none if the node is not such a list.
 template <std::size_t N>
 std::optional<std::array<int, N>> find_ints(const toml::node& node, int high) {
   const auto* list = node.as_array();
@@ -59,23 +59,22 @@ std::optional<std::array<int, N>> find_ints(const toml::node& node, int high) {
   }
   return numbers;
 }
-/// A file's name, found from the folder; "" for none.
+/// A file's name, relative to the folder; "" for none.
 base::Source read_file_name(const Place& at);
-/// A value for a field of this domain, still to be checked: texts become sources where they name
-/// files.
+/// A value for a field of this domain, not yet checked; texts become sources if they name files.
 base::Scalar read_scalar(const Place& at, const base::Domain& domain);
-/// The tables of [[key]]. Throws BadInput for an empty list too, unless it `may_be_empty`.
+/// The tables of [[key]]. Throws BadInput for an empty list unless it `may_be_empty`.
 std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty = false);
 
-// What a member of a type is read as; a list of texts has at least one.
+// Overloads by the type of the member; a list of texts has at least one element.
 void read(const Place& at, std::string& text);
 void read(const Place& at, std::vector<std::string>& texts);
 void read(const Place& at, bool& flag);
 inline void read(const Place& at, std::optional<bool>& flag) { read(at, flag.emplace()); }
-/// A name, or a path (it has an extension), which is found from the folder.
+/// A name, or a path with an extension, relative to the folder.
 void read(const Place& at, base::Source& source);
 
-/// A key of a table, bound to what it sets.
+/// A key of a table with the member it sets.
 template <class Target>
 struct Binding {
   std::string key, help;
@@ -95,7 +94,7 @@ Binding<Target> bind_number(const std::string& key, Member Target::*member, doub
   return {key, help,
           [=](Target& target, const Place& at) { target.*member = read_double(at, low, high); }};
 }
-/// Binds what a name stands for.
+/// Binds the value that a name represents.
 template <class Target, class Member>
 Binding<Target> bind_name(const std::string& key, Member Target::*member,
                           const base::Names<Member>& names, const std::string& help) {
@@ -109,7 +108,7 @@ Binding<Target> bind_name(const std::string& key, Member Target::*member,
           }};
 }
 
-/// Throws BadInput for an unknown key, with the nearest: of `section.KEY` the one with that KEY.
+/// Throws BadInput for an unknown key, with the nearest; for `section.KEY`, one that ends in KEY.
 [[noreturn]] void refuse_key(const Place& at, const std::vector<std::string>& known);
 
 template <class Target>
@@ -121,15 +120,15 @@ void bind_one(Target& target, const Bindings<Target>& bindings, const Place& at)
   refuse_key(at, known);
 }
 
-/// Binds all keys of a table that stands at `at`.
+/// Binds all keys of a table at `at`.
 template <class Target>
 void bind_all(Target& target, const Bindings<Target>& bindings, const toml::table& table,
               const Place& at) {
   for (auto&& [key, node] : table) bind_one(target, bindings, at.inside(key.str(), node));
 }
 
-/// Visits every key of a point, dotted, in the order of names: not those of [sweep], [let],
-/// [[check]] and what the report shows.
+/// Visits every key of a point, dotted, sorted by name. Skips [sweep], [let], [[check]] and the
+/// tables for the report.
 void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit);
 

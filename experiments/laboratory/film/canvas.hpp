@@ -1,5 +1,5 @@
 #pragma once
-// A picture that is drawn on, by Cairo. Lengths are pixels, y grows downwards.
+// A raster canvas drawn with Cairo. Lengths are pixels, y grows downwards.
 #include <array>
 #include <memory>
 #include <string>
@@ -15,15 +15,15 @@ inline constexpr Colour WHITE{1, 1, 1}, INK{0.13, 0.13, 0.13}, FAINT{0.42, 0.42,
     PALE{0.86, 0.86, 0.86};
 
 struct Rectangle {
-  double x = 0, y = 0, width = 0, height = 0;  ///< of its upper left corner
+  double x = 0, y = 0, width = 0, height = 0;  ///< x and y of its upper left corner
 };
 
 enum class Align { left, middle, right };
 
-/// What is drawn is the same on every machine with the same Cairo and fonts.
+/// The pixels are the same on every machine with the same Cairo and fonts.
 class Canvas {
  public:
-  /// A white one.
+  /// Makes a white canvas.
   Canvas(int width, int height);
 
   int width() const { return width_; }
@@ -34,14 +34,14 @@ class Canvas {
   void line(double x0, double y0, double x1, double y1, const Colour& colour, double line = 1);
   void disc(const topologies::Place& middle, double radius, const Colour& colour);
   void ring(const topologies::Place& middle, double radius, const Colour& colour, double line);
-  /// A Bezier curve by its control points.
+  /// Draws a Bezier curve by its control points.
   void curve(const std::array<topologies::Place, 4>& points, const Colour& colour, double line);
-  /// A line of text in a sans font of `size`; `x` is where `align` says, `y` its base line.
+  /// Draws a line of text, sans serif; `align` refers to `x`, and `y` is the base line.
   void text(double x, double y, const std::string& words, double size, Align align = Align::left,
             const Colour& colour = INK);
-  /// The same with a white rim around the letters.
+  /// Draws text with a white rim around the letters.
   void text_on_lines(double x, double y, const std::string& words, double size, Align align);
-  /// A picture with its upper left pixel at (x, y), each of its pixels a square of `factor`.
+  /// Draws a picture with its upper left pixel at (x, y), each pixel as a square of `factor`.
   void picture(int x, int y, const renderer::Bitmap& bitmap, int factor);
 
   renderer::Bitmap bitmap() const;
@@ -59,7 +59,7 @@ class Canvas {
 
 /// Width of a text, pixels.
 double text_width(const std::string& words, double size);
-/// The text, or as much of its beginning as is at most so wide, with "…".
+/// The text, or its longest beginning with "…" that fits the width.
 std::string shorten_to(const std::string& words, double size, double width);
 
 }  // namespace laboratory

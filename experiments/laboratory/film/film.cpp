@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 using base::require;
 using renderer::Frame;
 
-// Twice the frames are looked at, at least, of which each takes the last before its instant.
+// Samples a run at least twice a frame; each frame uses the last sample before its time.
 constexpr int LOOKS_A_FRAME = 2;
-constexpr double MOST_BYTES = 1e9;  // of the pictures that are looked at
+constexpr double MOST_BYTES = 1e9;  // of sampled pictures
 
 bool is_webp(const std::string& file) { return fs::path(file).extension() == ".webp"; }
 
@@ -28,7 +28,7 @@ int duration_ms(int frame, int frames) {
   return frame + 1 < frames ? ms : ms + LAST_MS;
 }
 
-// One frame is held at a time.
+// Holds one frame at a time in memory.
 void save_frames(const std::string& file, int count, const renderer::MakeFrame& make) {
   const auto frames = static_cast<std::size_t>(count);
   if (is_webp(file)) return base::save_whole(file, renderer::make_webp(frames, make));
@@ -39,7 +39,7 @@ void save_frames(const std::string& file, int count, const renderer::MakeFrame& 
 }
 
 double busy_share(const std::vector<observe::TimelineRow::Shares>& columns, std::size_t column) {
-  if (columns.empty()) return 0;  // nothing was carried
+  if (columns.empty()) return 0;  // nothing was transferred
   const auto& shares = columns[column];
   return std::clamp(shares[0] + shares[1] + shares[2], 0.0, 1.0);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What tlab run --animate asks for.
+// Options of tlab run --animate.
 #include <string>
 
 namespace laboratory {

@@ -12,7 +12,7 @@ namespace laboratory {
 namespace {
 
 constexpr double BAR = 10, SMALL = 11, LARGE = 13, TITLE = 15;  // pixels
-constexpr double TICK_WIDTH = 70;                               // of a mark's number, at most
+constexpr double TICK_WIDTH = 70;                               // of a tick label, at most
 constexpr Colour PAST{0.55, 0.67, 0.82}, PRESENT{0.11, 0.29, 0.53};
 
 struct Unit {
@@ -20,7 +20,7 @@ struct Unit {
   const char* name;
 };
 
-// The largest of which the length is one or more.
+// The largest unit that is not longer than the length; ns at least.
 Unit choose_unit(double length_s) {
   for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}})
     if (length_s >= unit.s) return unit;

@@ -18,14 +18,14 @@ using topologies::Topology;
 
 namespace {
 
-// Pixels. A unit is the least distance of two processors.
+// Pixels. A unit is the least distance between two processors.
 constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56;
 constexpr double WIDTH = 1200, HEIGHT = 720, LEAST_WIDTH = 640;
-// A unit is no smaller than the first, unless a side of the frame would be longer than the second.
+// A unit has at least the first size, unless a side of the frame would exceed the second.
 constexpr double SMALL_UNIT = 8, MOST_SIDE = 2400;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
 constexpr double DIAMETER = 0.75;  // of a processor, in units
-// Of the rows above the network, in units, and in pixels at least.
+// Row height and column width above the network: in units, and minima in pixels.
 constexpr double ROW_UNITS = 1.6, ROW = 46, COLUMN_UNITS = 2.6, COLUMN = 120;
 
 struct Bounds {
@@ -48,7 +48,7 @@ double choose_unit(const Bounds& bounds) {
 
 std::size_t index(int id) { return static_cast<std::size_t>(id); }
 
-// The processors outside the network that hang on its root, by rows above it.
+// The processors outside the network that are connected to its root, by rows above it.
 std::vector<std::vector<int>> find_rows(const machine::Machine& machine, int root,
                                         const SomePlaces& placed) {
   std::vector<std::vector<int>> rows{{root}};
@@ -71,7 +71,7 @@ std::vector<std::vector<int>> find_rows(const machine::Machine& machine, int roo
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The number at the end of a name: 12 of "worker12"; the name where there is none.
+// The number at the end of a name: 12 in "worker12"; without one, the name.
 std::string number_of(const std::string& name) {
   std::size_t begin = name.size();
   while (begin > 0 && is_digit(name[begin - 1])) --begin;
@@ -79,8 +79,8 @@ std::string number_of(const std::string& name) {
   return begin < name.size() && is_word ? name.substr(begin) : name;
 }
 
-// The swerves of the topology's links, by the machine's processors that they join; several where
-// several links join the two, in their order.
+// The curvatures of the topology's links, keyed by their two processors in the machine; in link
+// order if several join the same two.
 std::map<std::pair<int, int>, std::vector<Place>> sort_swerves(const Topology& topology,
                                                                const Places& swerves,
                                                                const std::vector<int>& network) {
@@ -127,12 +127,12 @@ MachineDrawing::MachineDrawing(const machine::Machine& machine, const Topology& 
                                  bounds.high.y + row * static_cast<double>(r + 1)};
     }
   for (std::size_t i = 0; i < some.size(); ++i)
-    if (!some[i]) nodes_[i].is_box = false;  // beside a processor there is no room for one
+    if (!some[i]) nodes_[i].is_box = false;  // boxes do not fit beside processors
   place(place_others(machine, std::move(some)));
   join(machine, sort_swerves(topology, layout.swerves, network));
 }
 
-// From units upwards to pixels downwards, in the middle of the frame.
+// Converts units (y upwards) to pixels (y downwards), centred in the frame.
 void MachineDrawing::place(const Places& places) {
   const auto bounds = find_bounds(places);
   double wide = radius_;
@@ -171,7 +171,7 @@ renderer::Bitmap MachineDrawing::draw(const std::string& title, const Busy& busy
                                       const Span& now) const {
   Canvas canvas(width_, height_);
   draw_title(canvas, title);
-  // Busy halves lie over others.
+  // Draws busy halves above others.
   std::vector<std::size_t> order(halves_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return busy.links[i]; });
@@ -199,7 +199,7 @@ void MachineDrawing::draw_node(Canvas& canvas, const Node& node, double busy) co
   }
   canvas.disc(node.place, radius_, fill);
   canvas.ring(node.place, radius_, INK, std::min(rim, radius_ / 4));
-  const double inside = 1.75 * radius_;  // for words
+  const double inside = 1.75 * radius_;  // width for words
   const double size = std::min(13.0, inside / std::max(text_width(node.label, 1), 1.2));
   if (size >= SMALLEST_FONT)
     canvas.text(x, y + 0.36 * size, node.label, size, Align::middle, ink);

@@ -1,5 +1,5 @@
 #pragma once
-// The drawing of a machine in a film: where everything is, and a frame of it.
+// Layout of a machine in a film, and drawing of its frames.
 #include <map>
 #include <string>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace laboratory {
 
-/// Shares of a frame's time, 0 to 1, by id in the machine and by index into Machine::links().
+/// Shares of a frame's time, 0 to 1: by id in the machine, and by index into Machine::links().
 struct Busy {
   std::vector<double> processors, links;
 };
 
-/// What stays the same in all frames.
+/// The constant parts of all frames.
 class MachineDrawing {
  public:
   struct Node {
@@ -26,10 +26,9 @@ class MachineDrawing {
     bool is_root = false;
   };
 
-  /// Places the network as reports draw its topology, the processors that hang on its root in rows
-  /// above it, and others beside those that they are joined to. `network` has the ids of the
-  /// network's processors in the machine; empty: each has its number there. Throws as make_layout
-  /// does.
+  /// Places the network as reports draw its topology, with processors attached to the root in rows
+  /// above, and others beside their neighbours. `network` maps network processors to ids in the
+  /// machine; empty: equal numbers. Throws as make_layout does.
   MachineDrawing(const machine::Machine& machine, const topologies::Topology& topology,
                  const std::vector<int>& network);
 
@@ -42,12 +41,12 @@ class MachineDrawing {
   /// Machine::links().
   const std::vector<std::array<topologies::Place, 4>>& halves() const { return halves_; }
 
-  /// Draws the frame that shows what was busy in the time `now` of all of `film`.
+  /// Draws the frame of the loads during `now`, an interval of `film`.
   renderer::Bitmap draw(const std::string& title, const Busy& busy, const Span& film,
                         const Span& now) const;
 
  private:
-  /// By the two processors of the machine, lower first; several where several links join them.
+  /// Keyed by two processors of the machine, lower first; several places for several links.
   using Swerves = std::map<std::pair<int, int>, std::vector<topologies::Place>>;
   void place(const topologies::Places& places);
   void join(const machine::Machine& machine, const Swerves& swerves);

@@ -1,5 +1,5 @@
 #pragma once
-// What there is to choose from: experiments, programs, topologies, models and scenes.
+// Lists of experiments, programs, topologies, models and scenes.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,27 +7,27 @@
 
 namespace laboratory {
 
-/// Names with a line on each.
+/// Names with a one-line description each.
 struct Catalogue {
   struct Entry {
     std::string name;   ///< as commands and files spell it
-    std::string about;  ///< one line; "" where nothing is said
+    std::string about;  ///< one line; "" if there is no description
   };
   std::string kind;  ///< "experiments"
-  std::string use;   ///< how an entry is used: "tlab run FILE"
+  std::string use;   ///< how to use an entry: "tlab run FILE"
   std::vector<Entry> entries;
 };
 
 /// "experiments", "programs", ...: in the order of a help text.
 const std::vector<std::string>& catalogue_kinds();
 
-/// The folder with the experiments that come with the program: of the clone that it was built in,
-/// or where it was installed. None where it stands alone.
+/// The folder of the included experiments: in the clone of the build, or at the place of
+/// installation. None for a lone executable.
 std::optional<std::filesystem::path> find_experiments();
 
-/// What there is of a kind. Experiments and scenes are the files below `folder`, which a name
-/// begins with; without a folder there are none of the former, and only generated ones of the
-/// latter. Throws BadInput for an unknown kind and a folder that cannot be read.
+/// All entries of a kind. Experiments and scenes are files below `folder`, with names that include
+/// it. Without a folder there are no experiments, and only generated scenes. Throws BadInput for an
+/// unknown kind and an unreadable folder.
 Catalogue make_catalogue(const std::string& kind,
                          const std::optional<std::filesystem::path>& folder);
 

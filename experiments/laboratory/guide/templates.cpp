@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* TOKEN = "MINE";
 
-// "farm" of "farm/MINE.toml"
+// Converts "farm/MINE.toml" to "farm".
 std::string template_of(std::string_view path) {
   return std::string(path.substr(0, path.find('/')));
 }
@@ -44,7 +44,7 @@ std::string rename_in(std::string_view text, const std::string& called) {
 }
 
 struct File {
-  fs::path path;  // in the folder that is made
+  fs::path path;  // in the new folder
   std::string text;
 };
 
@@ -86,7 +86,7 @@ std::vector<fs::path> start_from_template(const fs::path& name, const std::strin
       base::save_whole(working / file.path, file.text);
       made.push_back(folder / file.path);
     }
-    check_name(folder);  // it may have come meanwhile
+    check_name(folder);  // it may have appeared meanwhile
     fs::rename(working, folder);
   } catch (...) {
     remove();

@@ -1,5 +1,5 @@
 #pragma once
-// Beginnings of one's own: an experiment, or a program on a simulated machine.
+// Templates for an experiment, or for a program on a simulated machine.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,11 +9,10 @@ namespace laboratory {
 /// "farm", "topology", "radiosity", "program"
 std::vector<std::string> template_names();
 
-/// Makes the folder `name` with the files of a template, all of them or none; the files, and what
-/// is in them, are called by the last part of `name`. Returns the files' paths. Throws BadInput for
-/// an unknown template, for a last part that is no word of at most 100 letters, digits, - and _
-/// that begins with a letter, where something called `name` is there, and where its parent is not;
-/// std::system_error where nothing can be written.
+/// Makes the folder `name` with the files of a template, all of them or none. Files and their
+/// contents are named by the last part of `name`, a letter followed by at most 99 letters, digits,
+/// - and _. Returns the files' paths. Throws BadInput for an unknown template, another form of the
+/// last part, an existing `name` and a missing parent; std::system_error if writing fails.
 std::vector<std::filesystem::path> start_from_template(const std::filesystem::path& name,
                                                        const std::string& from);
 

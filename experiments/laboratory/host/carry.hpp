@@ -1,25 +1,25 @@
 #pragma once
-// Files of results that several folders, or several processes, share.
+// Copies of result files that several folders or processes share.
 #include <exception>
 #include <filesystem>
 
 namespace laboratory {
 
-/// Makes a folder and its parents; not while the program ends early (base/early_end.hpp).
+/// Makes a folder and its parents, but not while the program ends early (base/early_end.hpp).
 void make_folders(const std::filesystem::path& path);
 
-/// Puts the visible files of folder `from` that folder `to` lacks into `to`: as links to the same
-/// bytes, or as copies where the file system has no links. Folders inside `from` are skipped, and a
-/// missing `from` has no files. Throws std::system_error or BadInput with the path.
+/// Adds the visible files of folder `from` that are missing in folder `to`: as hard links, or as
+/// copies on file systems without links. Skips folders inside `from`; a missing `from` counts as
+/// empty. Throws std::system_error or BadInput with the path.
 void carry_files(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Does the same for one file; `to` is its new name, and an older file of that name is replaced.
+/// Links or copies one file; `to` is its new name, and replaces an older file.
 void carry_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Carries the folders of records in points/ of one folder of results into another.
+/// Adds the folders of records in points/ of one results folder to another.
 void carry_records(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Writes into a folder of results, and once more where that fails: another process may be
+/// Writes into a results folder, with a second attempt after a failure: another process may be
 /// exchanging the whole folder, which takes a moment.
 template <class Write>
 void try_twice(const Write& write) {

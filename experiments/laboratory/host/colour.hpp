@@ -1,5 +1,5 @@
 #pragma once
-// Colour on a terminal, and none elsewhere.
+// Coloured text on terminals only.
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -8,11 +8,11 @@ namespace laboratory {
 
 enum class Tone { good, bad, caution, heading };
 
-/// The text in that tone where `stream` is a terminal; as it is where it is none, where TERM is
-/// "dumb" and where NO_COLOR is set and not empty (https://no-color.org).
+/// Colours the text if `stream` is a terminal, TERM is not "dumb", and NO_COLOR is unset or empty
+/// (https://no-color.org).
 std::string paint(std::string_view text, Tone tone, std::FILE* stream = stdout);
 
-/// "note: TEXT" and an end of line, on standard output.
+/// Prints "note: TEXT" and an end of line on standard output.
 void print_note(std::string_view text);
 
 }  // namespace laboratory

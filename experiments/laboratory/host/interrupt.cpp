@@ -37,8 +37,8 @@ void count_or_end(int) {
   errno = error;
 }
 
-// Counts these signals from now on, but those that were ignored when the program began (nohup, a
-// job in the background of a script) stay ignored. Returns the handlers so far.
+// Starts to count these signals, except those ignored at program start (under nohup, in background
+// jobs of scripts). Returns the previous handlers.
 Handlers begin_to_count() {
   Handlers old{};
   for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i) {
@@ -50,8 +50,8 @@ Handlers begin_to_count() {
   return old;
 }
 
-// Whether something can be written to a stream at once. A thread may hold it that waits for
-// somebody to read, and a pipe may be full.
+// True if a stream accepts output soon: a thread may hold its lock while waiting for a reader, or a
+// pipe may be full.
 bool is_free(FILE* stream) {
   constexpr int MOST_MS = 1000;
   if (ftrylockfile(stream) != 0) return false;
@@ -68,7 +68,7 @@ void wait_for_end() {
   if (what == WORK_IS_DONE) return;
   base::undo_all();
   if (is_free(stderr)) complain(INTERRUPTED);
-  if (is_free(stdout)) std::fflush(stdout);  // what was printed is whole
+  if (is_free(stdout)) std::fflush(stdout);  // completes what was printed
   _exit(EXIT_INTERRUPTED);
 }
 
@@ -77,7 +77,7 @@ void wait_for_end() {
 InterruptWatch::InterruptWatch() {
   if (pipe2(wake, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   {
-    // The thread leaves them to this one, which counts a signal before it does anything else.
+    // The new thread blocks these signals; this thread counts a signal before anything else.
     const base::HeldSignals held(ASKS_TO_END);
     waits_ = std::thread(wait_for_end);
   }
@@ -90,7 +90,7 @@ InterruptWatch::~InterruptWatch() {
     const base::Undivided section;
     watched = 0;
   }
-  const base::Undivided unless_it_ends;  // a signal came while `watched` was still set
+  const base::Undivided unless_it_ends;  // waits if a signal came while `watched` was still set
   send(WORK_IS_DONE);
   waits_.join();
   for (const int end : wake) close(end);

@@ -1,6 +1,6 @@
 #pragma once
-// What the user asks for with Ctrl-C, SIGINT or SIGTERM. One that was ignored when the program
-// began, as nohup and scripts' background jobs have it, stays ignored.
+// Interrupts by the user: Ctrl-C, SIGINT or SIGTERM. A signal that was ignored at program start, as
+// under nohup and in background jobs of scripts, stays ignored.
 
 #include <array>
 #include <csignal>
@@ -15,10 +15,10 @@ inline constexpr const char* INTERRUPTED = "interrupted; only what was done is k
 
 using Handlers = std::array<void (*)(int), std::size(ASKS_TO_END)>;
 
-/// While it lives, these signals end the program wherever it is, with what is half done undone
-/// (base/early_end.hpp), INTERRUPTED on standard error and EXIT_INTERRUPTED; but the first one that
-/// an InterruptGuard counts does not. When it goes, the program has done its work: the signals have
-/// no effect any more. Made once, by the main thread.
+/// While this object lives, the signals end the program anywhere: it undoes half-done work
+/// (base/early_end.hpp), prints INTERRUPTED on standard error and exits with EXIT_INTERRUPTED.
+/// Exception: the first signal under an InterruptGuard is only counted. After its destruction the
+/// signals have no effect. Made once, by the main thread.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -30,7 +30,7 @@ class InterruptWatch {
   std::thread waits_;
 };
 
-/// While it lives, these signals are counted, from 0, instead of ending the program.
+/// While it lives, these signals are counted from 0 and do not end the program.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -42,7 +42,7 @@ class InterruptGuard {
   Handlers old_;
 };
 
-/// How often the user has interrupted since the last guard was made.
+/// The number of interrupts since the construction of the last guard.
 int count_interrupts();
 inline bool was_interrupted() { return count_interrupts() != 0; }
 

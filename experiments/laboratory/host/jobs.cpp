@@ -20,7 +20,7 @@
 namespace laboratory {
 namespace {
 
-// A child process and the text that it has sent so far: one byte of status, then result or message.
+// A child process with its output so far: one byte of status, then result or message.
 struct Child {
   pid_t pid = -1;
   std::size_t index = 0;
@@ -38,7 +38,7 @@ void write_all(int fd, const std::string& text) {
 
 [[noreturn]] void run_child(pid_t parent, int fd, const Job& job, std::size_t index,
                             std::optional<base::HeldSignals>& held) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child does not outlive a parent that was killed
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child ends with a killed parent
   if (getppid() != parent) _exit(1);
   for (const int asked : ASKS_TO_END) signal(asked, [](int) { machine::request_stop(); });
   held.reset();

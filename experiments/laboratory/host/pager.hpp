@@ -1,11 +1,11 @@
 #pragma once
-// Long texts on a terminal.
+// Output of long texts on a terminal.
 #include <string>
 
 namespace laboratory {
 
-/// Prints a text; where standard output is a terminal, through the pager that PAGER names, "less"
-/// by default, which leaves a text that fits as it is. A pager that fails is done without.
+/// Prints a text, on a terminal through the pager in PAGER, by default "less" with settings that
+/// print short texts directly. Prints without a pager if that fails.
 void print_paged(const std::string& text);
 
 }  // namespace laboratory

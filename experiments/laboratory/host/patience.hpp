@@ -1,13 +1,13 @@
 #pragma once
-// A sign of life of work whose length nobody knows.
+// Display of elapsed time for work of unknown duration.
 #include <chrono>
 #include <string>
 #include <thread>
 
 namespace laboratory {
 
-/// As long as it lives, and from `after` on, a terminal at standard error shows "WHAT, 3 s"; a pipe
-/// shows nothing. Takes no signals. Nothing may be forked meanwhile that goes on without exec.
+/// While it lives, shows "WHAT, 3 s" on standard error from `after` on, if that is a terminal. Its
+/// thread receives no signals. Meanwhile, forked processes must call exec.
 class Patience {
  public:
   explicit Patience(std::string what, std::chrono::milliseconds after = std::chrono::seconds(2));

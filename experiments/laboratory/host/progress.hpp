@@ -1,5 +1,5 @@
 #pragma once
-// A progress bar with an estimate on a terminal, nothing in a pipe; and a clock.
+// A progress bar with an estimate, on terminals only; and a clock.
 #include <chrono>
 #include <cstddef>
 #include <string>
@@ -10,7 +10,7 @@ namespace laboratory {
 /// A clock of the host.
 class Clock {
  public:
-  /// Seconds since the last lap, or since the clock was made.
+  /// Seconds since the last lap, or since construction.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
@@ -22,12 +22,11 @@ class Clock {
 
 class Progress {
  public:
-  /// Draws on standard error if that is a terminal. The first `there` of the items to be done took
-  /// no time.
+  /// Draws on standard error if that is a terminal. The first `there` items took no time.
   explicit Progress(std::string what, std::size_t there = 0);
   ~Progress();
   void show(std::size_t done, std::size_t total);
-  /// Prints a line above the bar, on any standard error.
+  /// Prints a line above the bar, even if standard error is not a terminal.
   void say(const std::string& line);
 
  private:

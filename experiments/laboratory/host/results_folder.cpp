@@ -28,8 +28,7 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Makes a path absolute and resolves its links, so that the folder is replaced and not a link to
-// it.
+// Makes a path absolute and resolves its links: a link's target is replaced, not the link.
 fs::path resolve(const fs::path& path) {
   if (path.empty()) throw base::BadInput("the name of a results folder is empty");
   std::error_code error;
@@ -45,7 +44,7 @@ void refuse(const fs::path& path, const std::string& found) {
                 found);
 }
 
-// Whether this is a file as file managers leave them wherever they have been.
+// True for files that desktop file managers leave behind.
 bool is_of_desktop(const fs::path& entry) {
   const auto name = entry.filename().string();
   return (name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini" ||
@@ -53,7 +52,7 @@ bool is_of_desktop(const fs::path& entry) {
          fs::is_regular_file(fs::symlink_status(entry));
 }
 
-// Whether a folder holds nothing but files with names of ours.
+// True if a folder holds only files with names of ours.
 template <class IsOurs>
 bool has_only(const fs::path& folder, const IsOurs& is_ours) {
   return std::ranges::all_of(fs::directory_iterator(folder), [&](const auto& entry) {
@@ -64,13 +63,13 @@ bool has_only(const fs::path& folder, const IsOurs& is_ours) {
 
 bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.ends_with(".png"); }
 
-// Whether a file is of a record, be it whole or what a killed process has left of it.
+// True for a file of a record, complete or left by a killed process.
 bool is_of_record(const std::string& name) {
   return std::ranges::any_of(std::array{".json", ".png", ".exr", ".webp"},
                              [&](auto* part) { return name.find(part) != name.npos; });
 }
 
-// Whether a folder is the store of points' records.
+// True for the folder of point records.
 bool is_store(const fs::path& folder) {
   return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
     if (entry.is_directory() && !entry.is_symlink()) return has_only(entry.path(), is_of_record);
@@ -79,7 +78,7 @@ bool is_store(const fs::path& folder) {
   });
 }
 
-// Whether `tlab` writes files like this one into a results folder; others are not ours.
+// True if `tlab` writes such an entry into a results folder; others are foreign.
 bool is_result(const fs::path& entry) {
   static const std::vector<std::string> FILES{
       "results.csv", "results.schema.json", "checks.csv",    "fits.csv",        "best.csv",
@@ -111,14 +110,14 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
-// Kinds of folders beside `path`: results that are being written, and older ones moved aside.
+// Kinds of folders beside `path`: unfinished results, and older ones moved aside.
 constexpr const char *PARTIAL = "partial", *OLD = "old";
 
 fs::path beside(const fs::path& path, const char* kind) {
   return path.parent_path() / base::make_partial_name(path.filename().string(), kind, getpid());
 }
 
-// Finds the folders that dead processes left. One with our own number is of an earlier process.
+// Finds folders of dead processes. One with our own process number is from an earlier process.
 std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {
@@ -131,8 +130,8 @@ std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   return stale;
 }
 
-// Removes a folder in which another thread, or a child that is being killed, may just be writing: a
-// file that comes or goes meanwhile ends a removal, which then is begun again.
+// Removes a folder while another thread, or a child being killed, may write into it: a file that
+// appears or vanishes meanwhile aborts a removal, so it retries.
 void remove_surely(const fs::path& folder) {
   constexpr int TRIES = 1000;
   std::error_code ignored;
@@ -143,8 +142,8 @@ void remove_surely(const fs::path& folder) {
   }
 }
 
-// Removes what dead processes left, except for results that they were replacing and records of
-// points, which are put in place.
+// Removes remains of dead processes. Replaced results without a successor, and records of points,
+// are put back in place.
 void remove_stale(const fs::path& path) {
   std::error_code ignored;
   for (const auto& folder : find_stale(path, OLD))
@@ -156,8 +155,8 @@ void remove_stale(const fs::path& path) {
     }
 }
 
-// Removes the older results, after the records that other processes have added to them were carried
-// over. What cannot be removed is left for a later run.
+// Carries over records that other processes added to the older results, then removes these. Leaves
+// what cannot be removed to a later run.
 void drop_replaced(const fs::path& older, const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(older / "points")) {
@@ -175,8 +174,8 @@ void check_replaced(const fs::path& path, const ResultsFolder::Check& check) {
   if (check) check(path);
 }
 
-// Moves the old folder aside and the new one in its place, where the two cannot be exchanged in one
-// step. After a crash between the two the next run finds the old results under
+// Moves the old folder aside and the new one in its place, for file systems without an exchange in
+// one step. After a crash in between, the next run finds the old results under
 // ".NAME.old-HOST-PID".
 void replace_in_two_steps(const fs::path& working, const fs::path& path,
                           const ResultsFolder::Check& check) {
@@ -202,7 +201,7 @@ bool rename_with(unsigned flags, const fs::path& from, const fs::path& to) {
 
 bool is_unable(int error) { return error == ENOSYS || error == EINVAL || error == ENOTSUP; }
 
-// Puts the folder where there is none; false where there is one after all.
+// Moves the folder to a free place; false if the place is taken after all.
 bool put_in_place(const fs::path& working, const fs::path& path) {
   if (rename_with(RENAME_NOREPLACE, working, path)) return true;
   if (errno == EEXIST) return false;

@@ -18,7 +18,7 @@ namespace laboratory {
 
 void secure_streams() {
   for (const int ends_the_program : {SIGPIPE, SIGXFSZ}) std::signal(ends_the_program, SIG_IGN);
-  // Nothing can be written to the one that is opened here, as nothing could before.
+  // Opens for reading only: writing still fails, as it did before.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0)
       throw std::system_error(errno, std::generic_category(), "/dev/null");
@@ -36,7 +36,7 @@ void print_on_error(std::string_view text) {
 
 namespace {
 
-// On a terminal in the place of a progress bar.
+// Replaces the progress bar on a terminal.
 void print_behind(std::string_view head, std::string_view text) {
   const auto* const begin = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
   print_on_error(fmt::format("{}{}{}\n", begin, head, base::make_readable(text)));

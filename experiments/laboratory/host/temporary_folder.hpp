@@ -1,6 +1,5 @@
 #pragma once
-// A folder that only its owner may look into, and that goes away with its object, or when a signal
-// ends the program.
+// A private temporary folder. It is removed with its object, or when a signal ends the program.
 #include <filesystem>
 #include <optional>
 
@@ -10,7 +9,7 @@ namespace laboratory {
 
 class TemporaryFolder {
  public:
-  /// Throws std::system_error where none can be made.
+  /// Throws std::system_error if it cannot be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -3,9 +3,9 @@
 
 namespace laboratory {
 
-constexpr const char* VERSION = TLAB_VERSION;  // the project's, from CMake
+constexpr const char* VERSION = TLAB_VERSION;  // the project's version, from CMake
 
-/// "tlab 0.1.0 (commit 1a2b3c4)": with the commit that was built, where it was a clone's.
+/// "tlab 0.1.0 (commit 1a2b3c4)": with the commit, if the build was from a clone.
 std::string describe_version();
 
 }  // namespace laboratory

@@ -13,7 +13,7 @@
 namespace laboratory {
 namespace {
 
-constexpr double TIE = 0.0005;  // a share; what is better by less is not better
+constexpr double TIE = 0.0005;  // relative differences below this count as ties
 
 using Axes = std::vector<std::size_t>;
 
@@ -22,13 +22,13 @@ struct Measured {
   double value = 0;
 };
 
-// A combination of values of some axes, and the points that have it.
+// A combination of values of some axes, with its points.
 struct Group {
   std::vector<Value> at;
   std::vector<Measured> points;
 };
 
-// Finds the axes that vary, without those in `without` and those that go with others.
+// Finds the axes that vary, except `without` and axes coupled with others.
 Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
   Axes axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
@@ -57,8 +57,7 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
   return groups;
 }
 
-// Says as a share by how much the better of two values is better: how much longer the other time
-// is.
+// The relative advantage of the better of two values: by what share the other time is longer.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
@@ -105,7 +104,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };
-    std::set<std::string> named{name};  // other axes may have more points of one name
+    std::set<std::string> named{name};  // other axes may give several points one name
     for (; next < group.points.size(); ++next) {
       const auto other = name_values(table, group.points[next].row, over);
       if (named.contains(other)) continue;
@@ -124,14 +123,14 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
   tell_winners(answer, wins);
 }
 
-// Says as a share what a step along the axis gains for each doubling that it contains.
+// The relative gain of a step along the axis for each doubling in it.
 double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& from,
                          const std::pair<double, double>& to) {
   const double doublings = std::log2(to.first / from.first);
   return std::pow(1 + share_gained(spec.least, to.second, from.second), 1 / doublings) - 1;
 }
 
-// Sentences, each with the groups of which it is true.
+// Sentences, each with the groups it applies to.
 using Told = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 void add_told(Told& told, const std::string& sentence, const std::string& group) {
@@ -207,8 +206,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// Joins the rows of one part of all answers, behind the question's name and the combination as one
-// text.
+// Joins the rows of one part of all answers, prefixed by the question's name and the combination as
+// one text.
 Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
                std::vector<std::string> columns) {
   columns.insert(columns.begin(), {"question", "at"});

@@ -1,6 +1,6 @@
 #pragma once
-// Which value of some axes is best for each value of others, and how far more of one pays:
-// [[best]].
+// [[best]]: the best value of some axes for each value of others, and how far doubling an axis
+// pays.
 #include <string>
 #include <vector>
 
@@ -12,12 +12,12 @@ namespace laboratory {
 struct BestAnswer {
   std::string name;
   /// A row for each combination of values of for_each: these, the best of `over`, its value, the
-  /// runner-up, its value, and by what share in % the best is better. Those less than 0.05 % behind
-  /// the best are best too: "mesh or torus".
+  /// runner-up, its value, and the lead in %. Values within 0.05 % of the best are best too: "mesh
+  /// or torus".
   Table best;
-  /// A row for each combination of all axes but `pays`: these, up to where it pays (the largest
-  /// value such that every step until there gained the share per doubling), and what the step after
-  /// it gains per doubling in %; empty where there is none.
+  /// A row for each combination of all axes except `pays`: these, the largest value of `pays`
+  /// before the first step without the share per doubling, and that step's gain per doubling in %.
+  /// The gain is empty if there is no such step.
   Table pays;
   std::vector<std::string> notes;
   std::vector<std::string> findings;  ///< a sentence each

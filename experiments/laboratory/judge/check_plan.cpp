@@ -22,7 +22,7 @@ namespace {
 
 using base::BadInput;
 
-// Sorts definitions: what a definition names comes before it.
+// Topological sort of the definitions by the names they use.
 std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
   std::map<std::string, std::size_t> index_of;
   std::vector<CheckPlan::Let> lets;
@@ -101,7 +101,7 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   }
 }
 
-// Keys and numbers of the model have dots and are known before the run; columns come later.
+// Names with dots are keys and model numbers, known before the run; columns come later.
 void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
   ExperimentFile first;
   first.points = {file.points[0]};

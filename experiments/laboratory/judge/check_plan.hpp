@@ -1,6 +1,6 @@
 #pragma once
-// The checks and figures of an experiment, read and compiled: everything that can be wrong with
-// them before anything runs has been found.
+// The checks and figures of an experiment, read and compiled. Reports every error that can be found
+// before a run.
 #include <optional>
 #include <vector>
 
@@ -16,7 +16,7 @@ struct CheckPlan {
   };
   struct Comparison {
     Check check;
-    std::optional<Expression> of = {};  ///< none where it is a column
+    std::optional<Expression> of = {};  ///< none for a plain column
     std::optional<Expression> formula = {}, at_least = {}, at_most = {};
     std::optional<Expression> where = {}, calibrated = {};
     std::optional<Table> reference = {};
@@ -38,7 +38,7 @@ struct CheckPlan {
     Expression of;
   };
   std::vector<Baseline> baselines;
-  std::vector<Let> lets;  ///< each after those that it names
+  std::vector<Let> lets;  ///< in order of dependency
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;      ///< [[plot]]
   std::vector<Question> questions;  ///< [[best]]
@@ -48,28 +48,26 @@ struct CheckPlan {
   }
 };
 
-/// Throws base::BadInput for what is no expression, for definitions that need each other, for names
-/// with a dot that no point knows, and for a reference that cannot be read. Names without a dot may
-/// be columns, which are not known yet.
+/// Throws base::BadInput for invalid expressions, circular definitions, names with a dot that no
+/// point knows, and unreadable references. Names without a dot may be columns, still unknown here.
 CheckPlan plan_checks(const ExperimentFile& file);
 
-/// The table of results with a column for each [[baseline]], empty where a row lacks the one that
-/// it is compared with. Throws base::BadInput for names that are unknown.
+/// The table of results with a column for each [[baseline]]; a cell is empty if its baseline row is
+/// missing. Throws base::BadInput for unknown names.
 Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results);
 
-/// Every row with the plan's definitions. The file and the table must outlive it.
+/// All rows with the plan's definitions. The file and the table must outlive the result.
 Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table);
 
 /// Throws BadInput for names in the plan that are unknown at this row.
 void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row);
 
-/// Calls check_names for each point as soon as it has come to its end: for PointsPlan. The plan and
+/// A callback for PointsPlan that calls check_names for each point upon completion. The plan and
 /// the file must outlive it.
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file);
 
-/// A note for each [[baseline]] whose column is empty, and for each text in braces that no row of
-/// the table has on its axis: where it stands, and the nearest. In a reduced sweep that is no
-/// mistake.
+/// Notes for every [[baseline]] with an empty column, and for every text in braces that no row has
+/// on its axis: its position, and the nearest value. This is valid in a reduced sweep.
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table);
 
 }  // namespace laboratory

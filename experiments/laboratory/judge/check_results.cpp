@@ -18,11 +18,10 @@ constexpr double NO_LIMIT = 1e300;
 constexpr std::size_t WORST_SHOWN = 10;
 constexpr const char* KIND_NAMES[] = {"", "predicted", "calibrated", "at_least", "at_most"};
 
-// What is no number is worse than anything.
+// NaN counts as the largest error.
 double size_of(double error) { return std::isnan(error) ? INFINITY : std::abs(error); }
 
-// Says how bad a point is: its error, and within bounds how near it is to one, as a negative
-// number.
+// The badness of a point: its error, or within bounds the negative distance from the nearer one.
 double badness(const Check& check, const CheckedPoint& point) {
   if (check.has_bounds() && point.holds) return -std::abs(point.simulated - point.expected);
   return size_of(point.error);
@@ -36,7 +35,7 @@ CheckedPoint compare(const Check& check, std::size_t row, double simulated, doub
   return {row, simulated, expected, error, size_of(error) <= limit.value_or(NO_LIMIT)};
 }
 
-// Compares with the bounds, of which at least one is there.
+// Compares with one or two bounds.
 CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<double> low,
                             std::optional<double> high) {
   const bool is_low = low && (!high || simulated - *low < *high - simulated);
@@ -49,8 +48,8 @@ CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<dou
       row, simulated, bound, holds ? 0 : beyond, holds, is_low ? Kind::at_least : Kind::at_most};
 }
 
-// Finds what is checked at a point; none for an empty cell, such as the speed-up where no row has
-// one worker.
+// The checked value of a point; none for an empty cell, such as a speed-up without a row for one
+// worker.
 std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
                                      std::size_t row) {
   if (c.of) return rows.eval(*c.of, row);
@@ -58,7 +57,7 @@ std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows&
   return as_number(table.rows[row][*table.find(c.check.of)]);
 }
 
-// Adds a point, where both sides are there.
+// Adds a point if both values exist.
 void add_point(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
                std::size_t row, std::optional<double> expected,
                std::vector<std::size_t>& left_out) {
@@ -79,7 +78,7 @@ void add_bounded_point(CheckResult& result, const CheckPlan::Comparison& c, cons
   result.points.push_back(compare_bounds(row, *simulated, low, high));
 }
 
-// Compares each row of the reference with those of the candidates that it is for.
+// Compares each reference value with its row, if that is a candidate.
 void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
                        const std::vector<std::size_t>& candidates,
                        std::vector<std::size_t>& left_out) {
@@ -90,7 +89,7 @@ void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, cons
       add_point(result, c, rows, row, expected, left_out);
 }
 
-// Judges the points that nothing was calibrated on.
+// Judges the points that were not used for calibration.
 std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points) {
   Predicted predicted;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -140,7 +139,7 @@ std::string format_error(const Check& check, double error) {
   return check.is_absolute() ? fmt::format("{:.3g}", error) : fmt::format("{:.3g} %", 100 * error);
 }
 
-// Says "at least 12", "at most 0.5" or "between 1 and 2".
+// Formats "at least 12", "at most 0.5" or "between 1 and 2".
 std::string describe_bounds(const Check& check) {
   if (check.at_most.empty()) return "at least " + check.at_least;
   if (check.at_least.empty()) return "at most " + check.at_most;
@@ -149,7 +148,7 @@ std::string describe_bounds(const Check& check) {
 
 double without_sign_of_nan(double value) { return std::isnan(value) ? NAN : value; }
 
-// Says "worst error 0.2 % (within 1 %)", or "worst 15.6 (at least 12)".
+// Formats "worst error 0.2 % (within 1 %)", or "worst 15.6 (at least 12)".
 std::string describe_worst(const Check& check, const CheckedPoint& worst) {
   const double simulated = without_sign_of_nan(worst.simulated);
   if (check.has_bounds())
@@ -163,7 +162,7 @@ std::string describe_worst(const Check& check, const CheckedPoint& worst) {
   return text;
 }
 
-// Chooses the points to show: all in their order, or the worst first.
+// Chooses the points to show: all in order, or the worst first.
 std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t most) {
   std::vector<std::size_t> order(result.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -174,7 +173,7 @@ std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t mo
   return order;
 }
 
-// Names the column of what was expected.
+// Names the column of expected values.
 std::string name_expected(const Check& check) {
   if (!check.formula.empty()) return "formula";
   if (!check.reference.empty()) return "reference";
@@ -191,7 +190,7 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
   const auto complete = [&](const auto& row) { return is_complete_row(table, row); };
   const auto first =
       static_cast<std::size_t>(std::ranges::find_if(table.rows, complete) - table.rows.begin());
-  if (first == table.rows.size()) {  // no point came to its end
+  if (first == table.rows.size()) {  // no point was completed
     for (const auto& comparison : plan.comparisons) results.push_back({.check = comparison.check});
     return results;
   }

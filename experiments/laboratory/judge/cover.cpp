@@ -16,7 +16,7 @@ bool contains(const Range& range, double value) {
   return range.first <= value && value <= range.second;
 }
 
-// A point that was predicted, and where nine of ten machines have it.
+// A predicted point with the interval of 90 % of the machines.
 struct Case {
   const CheckedPoint* point;
   Range machines;
@@ -30,15 +30,15 @@ std::vector<Case> find_cases(const CheckResult& result, const Table& table,
     if (point.kind == Kind::calibrated) continue;
     if (const auto range = find_interval(sureness, table, point.row, result.check.of))
       cases.push_back({&point, *range});
-    else if (is_column)  // it is the same on all machines
+    else if (is_column)  // the same on all machines
       cases.push_back({&point, {point.simulated, point.simulated}});
   }
   return cases;
 }
 
-// The interval around what the model says as it stands, moved by the mean of its own error. Its
-// half width is that of the machines' interval and that of the own error, added in squares, since
-// the one has nothing to do with the other.
+// The interval around the nominal result, shifted by the mean of the model's own error. Its half
+// width is the root of the sum of squares of the machines' half width and that of the own error,
+// since the two are independent.
 Range make_range_with(const OwnError& error, const Case& it) {
   const double simulated = it.point->simulated;
   const double middle = simulated * (1 + error.mean);

@@ -1,5 +1,5 @@
 #pragma once
-// Whether what was expected lies where simulated machines say that it lies.
+// Coverage: the share of expected values inside the intervals of the simulated machines.
 #include <optional>
 #include <vector>
 
@@ -7,21 +7,21 @@
 
 namespace laboratory {
 
-/// The error that the model has whatever its numbers are, as a share of what is simulated:
-/// (expected - simulated) / simulated. At another point it is expected to lie, in nine cases of
-/// ten, between mean - half_width and mean + half_width.
+/// The model error that remains for any parameters, relative to the simulated value: (expected -
+/// simulated) / simulated. At another point it lies between mean - half_width and mean + half_width
+/// with probability 90 %.
 struct OwnError {
   double mean, half_width;
 };
 
-/// Estimates it from the errors at some points: Student's prediction interval for one point more.
-/// None for fewer than three errors.
+/// Estimates it from the errors at some points: Student's prediction interval for one further
+/// point. None for fewer than three errors.
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
-/// Counts for each check the predicted points whose expected value lies where nine of ten machines
-/// are. A check fails if they are a smaller share than its `covers`. Where errors are relative it
-/// counts a second time, with wider intervals: a point's is moved and widened by the model's own
-/// error, which the other points of the check tell.
+/// For each check, counts the predicted points with expected values inside the interval of 90 % of
+/// the machines. A check fails if their share is below its `covers`. For relative errors it counts
+/// again with wider intervals, shifted and widened by the model's own error as estimated from the
+/// other points of the check.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const SurenessTables& sureness);
 

@@ -1,6 +1,5 @@
 #pragma once
-// With which probability the answers to [[best]] hold: how many of the machines that were drawn
-// give the same.
+// Confidence in the answers to [[best]]: the number of drawn machines that give the same answer.
 #include <filesystem>
 #include <optional>
 
@@ -8,18 +7,18 @@
 
 namespace laboratory {
 
-/// rankings.csv: for each case of each question what is best on the model as it stands, on how many
-/// machines it is ("machines" "of"), and what is best on the others. Best together with others
-/// counts; what is best together has to be so on the machine. `all` is the spread file; `results`
-/// are those of all its points. Machines that have not all points done are left out.
+/// rankings.csv: for each case of each question, the best on the nominal model, the number of
+/// machines with the same best ("machines" "of"), and the best on the others. A machine agrees if
+/// it ranks at least the same values as best together. `all` is the spread file; `results` has all
+/// of its points. Skips machines with incomplete points.
 Table find_rankings(const CheckPlan& plan, const ExperimentFile& file, const ExperimentFile& all,
                     const Results& results);
 
 void save_rankings(const std::filesystem::path& folder, const Table& rankings);
-/// None where no machines were drawn or nothing was asked. Throws BadInput for a damaged file.
+/// None without drawn machines or without questions. Throws BadInput for a damaged file.
 std::optional<Table> load_rankings(const std::filesystem::path& folder);
 
-/// Adds to each case of the answers on how many machines it is so.
+/// Adds to each case of the answers the number of machines that agree.
 void add_rankings(std::vector<BestAnswer>& answers, const Table& rankings);
 
 /// A sentence for each question: "fastest: tree is best on 58 of 64 machines, mesh on 6."

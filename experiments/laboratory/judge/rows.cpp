@@ -29,7 +29,7 @@ std::string spell_as_name(std::string text) {
   return text;
 }
 
-// Makes "{time_s @ workers = 1, objects = objects}"; for an axis of texts with the own text.
+// Makes "{time_s @ workers = 1, objects = objects}"; for an axis of texts, with the row's own text.
 std::string add_condition(const RowReference& reference, const std::string& axis,
                           const Value& own) {
   return fmt::format("{}, {} = {}}}", reference.text.substr(0, reference.text.size() - 1), axis,
@@ -42,7 +42,7 @@ std::string join_few(std::vector<std::string> names) {
   return fmt::format("{}{}", fmt::join(names, "; "), count > MOST_NAMED ? "; ..." : "");
 }
 
-// Says "objects = 200, workers = 1".
+// Formats "objects = 200, workers = 1".
 std::string name_row(const Table& table, const std::vector<Value>& row,
                      const std::vector<std::string>& columns) {
   std::vector<std::string> parts;
@@ -54,7 +54,7 @@ std::string name_row(const Table& table, const std::vector<Value>& row,
 }  // namespace
 
 std::string suggest_column(const std::string& name, const std::vector<std::string>& known) {
-  // Columns of the farm that had names of their own for what other programs measure too.
+  // Columns of the farm that were renamed to the common names of other programs.
   static const std::map<std::string, std::string> RENAMED = {
       {"data_accesses", "accesses_made"},
       {"hit_local", "local"},
@@ -175,7 +175,7 @@ std::optional<std::size_t> Rows::choose_row(const RowReference& reference, const
                                             const std::vector<Value>& wanted,
                                             const std::vector<bool>& is_free) const {
   std::optional<std::size_t> found;
-  std::optional<std::size_t> differs;  // an axis on which others differ from the one found
+  std::optional<std::size_t> differs;  // an axis with another value than the row found
   for (std::size_t i = 0; i < table_.rows.size(); ++i) {
     const auto& row = table_.rows[i];
     bool fits = true, is_it = true;

@@ -1,22 +1,22 @@
 #pragma once
-// Who may talk to the page's server, and how much.
+// Access control and rate limits for clients of the page's server.
 #include <chrono>
 #include <string>
 #include <string_view>
 
 namespace laboratory {
 
-/// 32 random hexadecimal digits, from the host's source of them.
+/// 32 random hexadecimal digits from the host's random device.
 std::string make_token();
 
-/// Whether two texts are equal, in a time that does not tell where they differ.
+/// Compares two texts in constant time, independent of the position of differences.
 bool is_same_secret(std::string_view a, std::string_view b);
 
-/// What a client may say: 200 messages a second, and 400 at once if it was silent before. A page
-/// asks for at most 60 frames a second, and a key that is held says 30 things.
+/// Rate limit of a client: 200 messages a second, with bursts of 400 after silence. A page requests
+/// at most 60 frames a second, and a held key sends 30 messages a second.
 class Allowance {
  public:
-  bool take();  ///< one message; false if it is too many
+  bool take();  ///< one message; false if over the limit
 
  private:
   static constexpr double PER_S = 200, MOST = 400;

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// Keys of an order that say what is done, where the others are limits.
+// Keys of an order that are actions; the others are limits.
 constexpr std::array<std::string_view, 6> ACTS = {"at_s",  "non_interactive", "interactive",
                                                   "abort", "leave",           "save"};
 
@@ -87,7 +87,7 @@ std::any read_order(const programs::RecordList& list, const ordered_json& order)
 
 Deed make_deed(double at_s, const ordered_json& order) {
   Deed deed{"order", at_s, {}};
-  // JSON's spelling of numbers, lists, texts and flags is TOML's too.
+  // JSON spells numbers, lists, texts and flags like TOML.
   for (const auto& [key, value] : order.items()) deed.keys.emplace_back(key, value.dump());
   return deed;
 }

@@ -18,7 +18,7 @@ constexpr std::size_t MOST_WAITING = 256;       // messages to a page
 constexpr auto FRAME_EVERY = 20ms;              // at most
 constexpr char PICTURE = 0, SEQUENTIAL = 1;
 
-// Names of files may be no UTF-8.
+// File names may be invalid UTF-8.
 std::string to_text(const nlohmann::ordered_json& message) {
   return message.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -28,7 +28,7 @@ std::string to_text(const nlohmann::ordered_json& message) {
 // --- what they share ---------------------------------------------------------------------------
 
 void Pages::look() {
-  const auto pages = known;  // one may go meanwhile
+  const auto pages = known;  // a page may be removed meanwhile
   for (const auto& page : pages) page->look();
 }
 
@@ -88,7 +88,7 @@ void Page::look() {
     has_outline_ = true;
     send_json({{"outline", *outline}, {"steers", steers()}});
   }
-  if (!wants_frame_ || !waiting_.empty()) return;  // it has not read the last yet
+  if (!wants_frame_ || !waiting_.empty()) return;  // the page has not read the last frame yet
   if (HostClock::now() < next_frame_at_) return look_later();
   const auto frame = pages_.session.frame();
   if (!frame || frame->number <= sent_) return pages_.session.want_frame();
@@ -124,7 +124,7 @@ void Page::close() {
     if (!pages_.known.empty()) pages_.steers = *pages_.known.begin();
     pages_.tell_steering();
   }
-  if (is_known())  // it looks at no processor any more
+  if (is_known())  // cancels its selection of processors
     pages_.session.ask({{"do", "select"}, {"page", number_}, {"processors", Json::array()}}, {});
 }
 
@@ -139,7 +139,7 @@ void Page::read() {
   });
 }
 
-// Returns false for what no page of ours would say.
+// Returns false for messages that our pages never send.
 bool Page::obey(const std::string& text) {
   auto message = Json::parse(text, nullptr, false);
   if (!message.is_object()) return false;
@@ -171,7 +171,7 @@ bool Page::obey(const std::string& text) {
   return true;
 }
 
-// Whether it has shown the token, and there is room.
+// True if the token is right and there is room.
 bool Page::welcome(const Json& message) {
   if (!message.contains("token") || !message["token"].is_string()) return false;
   if (!is_same_secret(message["token"].get_ref<const std::string&>(), pages_.token)) return false;
@@ -197,7 +197,7 @@ void Page::send_frame(const Frame& frame) {
   send(pages_.dump(frame), /*is_text=*/true);
 }
 
-// A byte that says which picture it is, and the tiles that differ from what the page has.
+// Sends one byte with the kind of the picture, and the tiles that differ from the page's copy.
 void Page::send_picture(char which, const Picture& picture, Picture& known) {
   if (!picture || picture == known) return;
   const int width = pages_.session.outline()->at("picture").at("width").get<int>();

@@ -1,5 +1,5 @@
 #pragma once
-// Pages that watch: what each is told, and which of them steers.
+// Pages connected to a live run: their messages, and the choice of the page that steers.
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
@@ -14,40 +14,40 @@
 
 namespace laboratory {
 
-constexpr std::size_t MOST_CLIENTS = 64;           ///< known, and as many strangers
-constexpr auto TO_ASK = std::chrono::seconds(10);  ///< so long may a stranger say nothing
+constexpr std::size_t MOST_CLIENTS = 64;           ///< authenticated, and as many unauthenticated
+constexpr auto TO_ASK = std::chrono::seconds(10);  ///< time allowed for a client to authenticate
 
 class Page;
 
-/// What the pages share. While it runs, only the server's thread uses it.
+/// State common to all pages. While the server runs, only its thread uses it.
 struct Pages {
   explicit Pages(Session& session) : session(session) {}
 
-  /// Pages look whether there is something for them.
+  /// Lets each page look for news.
   void look();
-  /// All are told who steers. One that reads nothing may go at this.
+  /// Sends the steering state to all pages. A page that does not read may be removed meanwhile.
   void tell_steering();
-  /// The frame as text, made once for all.
+  /// The frame as text, made once for all pages.
   std::shared_ptr<const std::string> dump(const Frame& frame);
 
   Session& session;
   std::string token = make_token();
-  std::set<std::shared_ptr<Page>> known;  ///< that have shown the token
+  std::set<std::shared_ptr<Page>> known;  ///< authenticated by the token
   std::uint64_t known_so_far = 0;
   std::weak_ptr<Page> steers;
-  /// How to close the connections that have not shown the token; the oldest is the first.
+  /// Closes unauthenticated connections; the oldest is the first.
   std::map<std::uint64_t, std::function<void()>> strangers;
   std::uint64_t strangers_so_far = 0;
-  boost::asio::io_context io{1};  ///< after all that the ends of its handlers use
+  boost::asio::io_context io{1};  ///< after all members that its handlers' destructors use
 
  private:
-  std::uint64_t dumped_number_ = 0;  // of the frame whose text this is
+  std::uint64_t dumped_number_ = 0;  // of the frame in dumped_
   std::shared_ptr<const std::string> dumped_;
 };
 
-/// A connection that has not shown the page's token yet: it is counted as long as it is there. When
-/// there are too many the oldest is closed, so that a new one finds room. A page is shut out only
-/// if that many others connect before it shows its token.
+/// An unauthenticated connection, counted during its lifetime. If there are too many, a new one
+/// closes the oldest. A page loses its place only if MOST_CLIENTS others connect before it
+/// authenticates.
 class Stranger {
  public:
   Stranger(Pages& pages, std::function<void()> close);
@@ -60,13 +60,13 @@ class Stranger {
   std::uint64_t number_;
 };
 
-/// A page that has opened a web socket.
+/// A page with an open web socket.
 class Page : public std::enable_shared_from_this<Page> {
  public:
   Page(Pages& pages, boost::beast::tcp_stream stream);
 
   void accept(const boost::beast::http::request<boost::beast::http::empty_body>& request);
-  /// It is time to look whether the page wants something that is there.
+  /// Checks for a frame or an outline that the page wants and sends it.
   void look();
   void tell_steering();
   void close();
@@ -101,10 +101,10 @@ class Page : public std::enable_shared_from_this<Page> {
   boost::beast::flat_buffer buffer_;
   Allowance allowance_;
   bool has_outline_ = false, wants_frame_ = false, looks_later_ = false, is_closed_ = false;
-  std::uint64_t number_ = 0;  // of those that have shown the token, from 1
+  std::uint64_t number_ = 0;  // count of authenticated pages, from 1
   std::uint64_t sent_ = 0;    // number of the last frame
   HostClock::time_point next_frame_at_;
-  Picture shown_, sequential_;   // that the page has
+  Picture shown_, sequential_;   // on the page's screen
   std::deque<Waiting> waiting_;  // the first is being written
 };
 

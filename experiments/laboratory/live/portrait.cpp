@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t MOST_PROCESSES = 64;  // of a processor that are told
+constexpr std::size_t MOST_PROCESSES = 64;  // limit of reported processes for each processor
 constexpr std::size_t MOST_BUSY = 1 << 20;  // numbers of past loads
 
 int per_mille(double share) {

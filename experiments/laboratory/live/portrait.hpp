@@ -1,5 +1,5 @@
 #pragma once
-// A machine as pages are told of it. JSON as docs/manual/live.md lists it.
+// A machine as JSON for pages, in the format of docs/manual/live.md.
 #include <deque>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -9,27 +9,27 @@
 
 namespace laboratory {
 
-/// What does not change during a run.
+/// The constant part of a run.
 nlohmann::ordered_json make_outline(const ExperimentFile& file, const machine::Machine& machine,
                                     const observe::View& view);
 
-/// A processor's memory, what the program knows of it, and its first processes with what each waits
-/// for.
+/// A processor's memory, the program's readings of it, and its first processes with the reason of
+/// each wait.
 nlohmann::ordered_json describe_processor(const machine::Processor& processor,
                                           const observe::View& view);
 
-/// The processors and the processes of a cycle of waits; none if there is no cycle.
+/// The processors and processes of a cycle of waits; empty if there is no cycle.
 nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);
 
-/// How busy everything was lately.
+/// Recent loads of all processors and links.
 class RecentLoads {
  public:
-  /// Loads are of the last so many simulated seconds, or a little more; 0: since the last call.
+  /// Averages loads over this simulated time in s, or slightly more; 0: since the last call.
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
-  /// Loads, in thousandths, of every processor and direction of a link up to `now_s`, before which
-  /// nothing more happens; queues, and what moves, is cut, or has stopped. Where no time has
-  /// passed, the loads are those told last.
+  /// Loads in thousandths, of every processor and link direction, up to `now_s`; no earlier event
+  /// may follow. Also queues, and links and processors that are moving, cut or stopped. Repeats the
+  /// previous loads if no time has passed.
   nlohmann::ordered_json describe(const machine::Machine& machine, double now_s);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A session at a page, as an experiment file: tlab run on it gives what the session gave.
+// Converts a session at a page to an experiment file: tlab run on it gives the same results.
 #include <string>
 #include <vector>
 
@@ -7,9 +7,8 @@
 
 namespace laboratory {
 
-/// The experiment with --set applied, and what its user did. Files that it names are found from
-/// `folder`, where the text is to be put. Floating-point numbers are spelled so that they are read
-/// as they were.
+/// The experiment with --set applied, and the user's actions. Paths become relative to `folder`,
+/// the folder of the new file. Floating-point numbers are spelled so that they read back unchanged.
 std::string record_session(const ExperimentFile& file, const std::vector<Deed>& deeds,
                            const std::string& folder);
 

@@ -37,10 +37,10 @@ const PageFile* find_file(std::string_view target) {
   return found == std::end(PAGE_FILES) ? nullptr : &*found;
 }
 
-// What is started from here does not have the connection.
+// Closes the connection in programs started from here.
 void keep_from_children(auto& socket) { fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC); }
 
-// A client that has not said yet what it wants: a file of the page, or a web socket.
+// A client without a request yet, either for a file of the page or for a web socket.
 class Client : public std::enable_shared_from_this<Client> {
  public:
   Client(Pages& pages, std::uint16_t port, tcp::socket socket)
@@ -60,7 +60,7 @@ class Client : public std::enable_shared_from_this<Client> {
   }
 
  private:
-  // Whether a page of this server calls it so.
+  // True for host names that our pages use for this server.
   bool is_own(beast::string_view host) const {
     if (port_ == 80 && (host == "127.0.0.1" || host == "localhost")) return true;
     return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
@@ -130,7 +130,7 @@ class Server::Impl {
   }
   ~Impl() {
     pages_.session.on_frame({});
-    // What has been said last is still sent, to pages that read.
+    // Sends the last messages to pages that still read.
     asio::post(pages_.io, [this] {
       pages_.look();
       end_.expires_after(200ms);

@@ -1,6 +1,6 @@
 #pragma once
-// The server of the page, on the loopback of this computer: the page's own files, and a web socket
-// that tells of a session and takes its commands.
+// The page's server on the loopback interface: static files, and a web socket that reports a
+// session and takes its commands.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace laboratory {
 
-/// Runs in a thread of its own as long as it lives. A page has to know a random token, which is in
-/// the address that is given to the user, before it is told anything; requests that name another
-/// host, or come from a page of another site, are refused. What a client sends is limited in size
-/// and rate, and clients in number. A page is sent a frame when it has drawn the one before: slow
-/// ones get fewer.
+/// Runs in its own thread during its lifetime. A page must present a random token, part of the
+/// address shown to the user, before it receives any data. Requests with another host name, or from
+/// a page of another site, are refused. Messages of clients are limited in size and rate, and so is
+/// the number of clients. A page receives a frame only after drawing the previous one: slow pages
+/// receive fewer.
 class Server {
  public:
-  /// Listens at `port`; none: at 8080 or, if that is taken, at any that is free. Throws Failure if
-  /// the port that was asked for is taken.
+  /// Listens on `port`; none: on 8080 or, if that is taken, on any free port. Throws Failure if an
+  /// explicit port is taken.
   Server(Session& session, std::optional<std::uint16_t> port);
   ~Server();
   Server(const Server&) = delete;

@@ -19,10 +19,10 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto LOOK_EVERY = 50ms;              // at the user's interrupts, while nothing goes on
-constexpr auto FRAMES_AT_FULL_SPEED = 95ms;    // that watching costs little then
-constexpr double MOST_ARREARS_S = 0.25;        // of the host's
-constexpr std::uint64_t CALLS_BETWEEN = 1024;  // looks at them while the machine runs
+constexpr auto LOOK_EVERY = 50ms;              // poll interval for interrupts while nothing happens
+constexpr auto FRAMES_AT_FULL_SPEED = 95ms;    // limits the cost of watching at full speed
+constexpr double MOST_ARREARS_S = 0.25;        // host time
+constexpr std::uint64_t CALLS_BETWEEN = 1024;  // polls while the machine runs
 constexpr std::size_t MOST_TOLD_AT_END = 256;  // processors
 
 }  // namespace
@@ -90,8 +90,8 @@ void Session::begin(machine::Machine& machine, const observe::View& view) {
 }
 
 bool Session::before(double date) {
-  if (spans_.is_cut() && is_observing_) observe(false);  // a page can draw no more
-  // The user leaves when the picture is complete, whoever watches.
+  if (spans_.is_cut() && is_observing_) observe(false);  // the limit that pages can draw
+  // The user leaves when the picture is complete, with or without pages.
   const bool is_complete = !has_left_ && view_.is_complete && view_.is_complete();
   const bool is_quiet = !is_complete && !has_news_.load(std::memory_order_relaxed) &&
                         phase_ == Phase::running && !goal_ && date < go_until_s_ &&
@@ -121,8 +121,8 @@ bool Session::attend(double date) {
   }
 }
 
-// Pauses at the goal, and waits as long as the machine does nothing but wait for the user. Returns
-// whether nothing is left to happen or to be ordered.
+// Pauses at the goal, and waits while the machine only waits for the user. Returns true if no event
+// and no order remains.
 bool Session::follow_goal(double date) {
   if (phase_ == Phase::running && goal_ && is_reached(date)) {
     change_phase(Phase::paused);
@@ -139,7 +139,7 @@ bool Session::follow_goal(double date) {
   return false;
 }
 
-// A new frame, if a page wants one, there is something new, and the last is long enough ago.
+// Makes a new frame if a page wants one, there is news, and the last one is old enough.
 void Session::show() {
   bool is_due = false;
   {
@@ -152,8 +152,8 @@ void Session::show() {
   if (is_due) make_frame();
 }
 
-// Lets the machine go on, up to go_until_s_, and returns zero; or returns how long to wait before
-// looking again, as the host's clock holds back the event at `date`.
+// Lets the machine proceed up to go_until_s_ and returns zero, or returns the waiting time before
+// the next attempt while the host's clock holds back the event at `date`.
 Session::HostClock::duration Session::hold_back(double date) {
   if (phase_ != Phase::running) return LOOK_EVERY;
   if (goal_ || std::isinf(speed_)) {
@@ -162,7 +162,7 @@ Session::HostClock::duration Session::hold_back(double date) {
   }
   double allowed_s = paced_s();
   if (date <= allowed_s) {
-    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: no rush later
+    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: never catch up
       set_pace(speed_);
       allowed_s = date;
     }
@@ -180,15 +180,15 @@ void Session::change_phase(Phase phase) {
   is_new_ = true;
 }
 
-// Whether simulated time would pass for nothing: the machine can do nothing but wait for the user,
-// and the clock is not held to the host's.
+// True if simulated time would pass in vain: the machine can only wait for the user, and the clock
+// is not paced by the host's.
 bool Session::waits_for_user(bool is_idle) const {
   if (!view_.waits_for_user || !view_.waits_for_user()) return false;
   const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
   return is_idle || is_endless;
 }
 
-// All that the user has asked for; what is refused changes nothing.
+// Executes all commands of the user; refused ones have no effect.
 void Session::obey_all() {
   std::deque<Asked> asked;
   {
@@ -208,7 +208,7 @@ void Session::obey_all() {
 }
 
 bool Session::is_reached(double date) {
-  if (goal_->is_next_date) {  // this one is to be stepped over
+  if (goal_->is_next_date) {  // step over this date
     goal_->is_next_date = false;
     goal_->date = date;
     return false;
@@ -230,13 +230,13 @@ void Session::set_pace(double speed) {
   go_until_s_ = 0;
 }
 
-// The simulated time that the host's clock allows.
+// The simulated time permitted by the host's clock.
 double Session::paced_s() const {
   const std::chrono::duration<double> since = HostClock::now() - pace_since_;
   return pace_from_s_ + since.count() * speed_;
 }
 
-// The simulated time that the user sees: not after the next event.
+// The simulated time shown to the user: not after the next event.
 double Session::shown_s() const {
   const double now_s = machine_->now().value;
   if (phase_ == Phase::over) return now_s;
@@ -320,7 +320,7 @@ void Session::end_by_hand() {
 }
 
 void Session::end(const std::string& fault) {
-  if (renders_.joinable()) {  // what it reads is gone soon
+  if (renders_.joinable()) {  // its input is gone soon
     renders_.request_stop();
     renders_.join();
   }
@@ -328,14 +328,14 @@ void Session::end(const std::string& fault) {
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // The user did not leave before the run was over.
+  // The user did not leave before the end of the run.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     deeds_.push_back({"order", LATEST_S, {{"leave", "true"}}});
-  // A process that threw has left behind no wait that could be looked at.
+  // A process that threw has no wait left to show.
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });
   selected_.clear();
-  if (!has_thrown_) {  // the machine is gone soon, and its processors are still to be looked at
+  if (!has_thrown_) {  // keeps data of processors that pages may select after the machine is gone
     auto& all = selected_[0];
     all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
     std::iota(all.begin(), all.end(), 0);

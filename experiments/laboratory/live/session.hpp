@@ -1,6 +1,6 @@
 #pragma once
-// A run that pages watch and steer: what they are shown, when the clock goes on, and what their
-// hands do.
+// A run that pages watch and steer: frames for the pages, pacing of the clock, and the user's
+// actions.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -18,34 +18,34 @@
 
 namespace laboratory {
 
-/// The run as it is between two events.
+/// The state of the run between two events.
 struct Frame {
   std::uint64_t number = 0;      ///< from 1
   nlohmann::ordered_json state;  ///< as docs/manual/live.md lists it
-  /// The picture, rows from the top, 3 bytes a pixel; the same object as long as it is the same.
+  /// The picture, rows from the top, 3 bytes a pixel; an unchanged picture keeps its object.
   std::shared_ptr<const std::vector<std::uint8_t>> rgb8;
-  /// The same of the sequential renderer, once it is asked for and there.
+  /// The same of the sequential renderer, once requested and complete.
   std::shared_ptr<const std::vector<std::uint8_t>> sequential;
 };
 
-/// What the user asks for. Its functions for pages may be called by any thread; they never wait for
-/// the simulation, nor does it wait for them.
+/// Requests of pages, and their execution. The functions for pages may be called by any thread;
+/// they and the simulation never wait for each other.
 class Session : public observe::Spectator {
  public:
-  /// Called by the simulation's thread: "" if it was done, else why it was not.
+  /// Called by the simulation's thread: "" on success, else the reason of the refusal.
   using Reply = std::function<void(const std::string& refusal)>;
   using Command = nlohmann::ordered_json;
 
-  /// `speed`: simulated seconds a second, infinite: as fast as it goes. The file has one point.
+  /// `speed`: simulated seconds a second; infinite: no pacing. The file has one point.
   Session(const ExperimentFile& file, double speed);
 
   // --- for pages ----------------------------------------------------------------------------
-  /// What does not change: title, program, processors and links with their places, limits.
-  /// Null until the machine is there.
+  /// The constant part: title, program, processors and links with their places, limits. Null before
+  /// the machine exists.
   std::shared_ptr<const nlohmann::ordered_json> outline() const;
-  /// Asks for something, as docs/manual/live.md lists it.
+  /// Queues a command in the format of docs/manual/live.md.
   void ask(Command command, Reply reply);
-  /// Asks for a new frame, as soon as there is an event or nothing to do.
+  /// Requests a new frame, made at the next event or in an idle moment.
   void want_frame();
   /// The newest frame; null before the first.
   std::shared_ptr<const Frame> frame() const;
@@ -57,32 +57,32 @@ class Session : public observe::Spectator {
   bool before(double date) override;
   void end(const std::string& fault) override;
 
-  /// After the run: `text` says where its results are. Pages are still served.
+  /// After the run: `text` names the place of its results. Pages are still served.
   void say_results(const std::string& text);
   /// Waits until a page asks to quit, or the user interrupts.
   void wait_for_quit();
 
   const std::vector<Deed>& deeds() const { return deeds_; }
-  /// When the run was ended by hand, and the clock then; none if it came to its end by itself.
+  /// The simulated time at which the user ended the run; none if it ended by itself.
   std::optional<double> ended_by_hand_s() const { return ended_by_hand_s_; }
 
  private:
   using HostClock = std::chrono::steady_clock;
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
-  static constexpr double LATEST_S = 1e9;  ///< of what an experiment file may say
+  static constexpr double LATEST_S = 1e9;  ///< the latest time in an experiment file
   enum class Phase { running, paused, waiting, over };
   struct Asked {
     Command command;
     Reply reply;
   };
-  /// Where a step, or a run to something, ends.
+  /// The end of a step, or of a run up to a condition.
   struct Goal {
     double date = std::numeric_limits<double>::infinity();  ///< at the latest
     bool is_next_date = false, is_message = false, is_ray = false, is_picture = false;
-    std::uint64_t messages = 0;  ///< when it began
+    std::uint64_t messages = 0;  ///< at its beginning
     double rays = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
-    /// Whether it may never come when the user is waited for.
+    /// True if the goal may never be reached while the machine waits for the user.
     bool is_endless() const { return std::isinf(date) && !is_next_date && !is_message; }
   };
 
@@ -115,13 +115,13 @@ class Session : public observe::Spectator {
   std::shared_ptr<const std::vector<std::uint8_t>> look();
   void observe(bool is_told);
   std::uint64_t count_messages() const;
-  const observe::View::Gauge* find_rays() const;  // null where none are traced
+  const observe::View::Gauge* find_rays() const;  // null if none are traced
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;
-  std::vector<FaultSpec> faults_;  // of the file and of hands
+  std::vector<FaultSpec> faults_;  // of the file and the user
 
-  // Only the simulation's thread uses what follows.
+  // Used by the simulation's thread only.
   machine::Machine* machine_ = nullptr;
   observe::View view_;
   Spans spans_;
@@ -133,17 +133,17 @@ class Session : public observe::Spectator {
   HostClock::time_point pace_since_;
   double pace_from_s_ = 0;    // simulated, at pace_since_
   double next_s_ = 0;         // the date of the next event
-  double go_until_s_ = 0;     // no need to look at the host's clock before this date
+  double go_until_s_ = 0;     // no check of the host's clock is due before this date
   double fault_after_s_ = 0;  // of the last fault
   HostClock::time_point next_frame_at_;
   RecentLoads loads_;
   std::map<std::uint64_t, std::vector<int>> selected_;  // processors, by page
   bool has_left_ = false, is_observing_ = true;
   std::string fault_;
-  bool has_thrown_ = false;  // a process, which was the fault
+  bool has_thrown_ = false;  // a process threw, which was the fault
   std::uint64_t calls_ = 0, frames_ = 0;
 
-  // All threads use what follows; the mutex guards what is not atomic.
+  // Used by all threads; the mutex guards everything not atomic.
   mutable std::mutex mutex_;
   std::condition_variable asked_anything_;
   std::deque<Asked> asked_;
@@ -152,8 +152,8 @@ class Session : public observe::Spectator {
   std::shared_ptr<const std::vector<std::uint8_t>> sequential_;
   std::function<void()> told_;
   bool wants_frame_ = false, is_quitting_ = false;
-  bool is_new_ = true;  // the last frame does not show all; else a page that wants one waits
-  std::atomic<bool> has_news_{true};  // something is asked, or a frame is wanted
+  bool is_new_ = true;  // the last frame is outdated; else a page that wants one waits
+  std::atomic<bool> has_news_{true};  // a command or a request for a frame is pending
   std::jthread renders_;              // the sequential picture
 };
 

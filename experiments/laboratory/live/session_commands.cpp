@@ -1,4 +1,4 @@
-// What pages ask a session for.
+// Commands of pages to a session.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t MOST_SELECTED = 8;  // processors
-// Dates of orders are whole ticks; a fault is half a microsecond beside them, lest they coincide.
+// Orders happen at whole ticks and faults half a microsecond off, so that they never coincide.
 constexpr double FAULT_GRID_S = 1e-6;
 
 double number_at(const ordered_json& command, const char* key, double low, double high) {
@@ -26,7 +26,7 @@ double number_at(const ordered_json& command, const char* key, double low, doubl
   return value;
 }
 
-// Null: as fast as it goes.
+// Null: as fast as possible.
 double speed_at(const ordered_json& command) {
   if (command.contains("x") && command["x"].is_null())
     return std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ void Session::quit() {
   end_by_hand();
 }
 
-// A name of ours for the picture as it is.
+// Saves the present picture under a generated name.
 void Session::save() {
   const auto saved = std::ranges::count_if(
       deeds_, [](const Deed& deed) { return !deed.keys.empty() && deed.keys[0].first == "save"; });
@@ -135,7 +135,7 @@ void Session::obey_fault(const Command& fault) {
   base::require(program.uses.faults, "fault",
                 "found one, but the program {} does not go on when something breaks", program.name);
   const auto& processors = machine_->processors();
-  // A processor of the machine, and its number in the network.
+  // A processor of the machine, with its number in the network.
   const auto find = [&](const ordered_json& id) {
     base::require(is_index(id, processors.size()), "fault",
                   "found {}, expected a processor from 0 to {}", id.dump(), processors.size() - 1);
@@ -182,12 +182,12 @@ void Session::obey_fault(const Command& fault) {
   deeds_.push_back(std::move(deed));
 }
 
-// The user goes where there is nothing left to order: else the machine would wait.
+// Makes the user leave if no order remains: otherwise the machine would wait.
 void Session::leave() {
   if (!orders_ || !view_.take_order || has_left_) return;
   try {
     obey_order({{"leave", true}});
-  } catch (const base::BadInput&) {  // there is no user yet, or the file orders something later
+  } catch (const base::BadInput&) {  // there is no user yet, or the file has a later order
     view_.close_orders();
     has_left_ = true;
   }
@@ -233,7 +233,7 @@ void Session::run_to(const Command& command) {
   set_goal(goal);
 }
 
-// In a thread of its own: the machine goes on.
+// Renders in a separate thread while the machine continues.
 void Session::render_sequentially() {
   base::require(view_.sequential != nullptr, "compare",
                 "found one, but the program has no sequential renderer to compare with");

@@ -4,7 +4,7 @@ namespace laboratory {
 
 namespace {
 
-constexpr double SHORTEST_S = 1e-6;  // two spans that are nearer to each other are one
+constexpr double SHORTEST_S = 1e-6;  // spans with a smaller gap are joined
 
 void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doing doing,
               double from_s, double to_s) {

@@ -1,5 +1,5 @@
 #pragma once
-// What processors did lately, for a time line that grows.
+// Recent activity of processors, for a growing time line.
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -7,9 +7,8 @@
 
 namespace laboratory {
 
-/// Keeps what the first processors did since the last time it was asked, as long as somebody asks:
-/// no more than a page can draw. What is shorter than the time line can show is added to what
-/// comes before it.
+/// Records the activity of the first processors since the last take(), as much as a page can draw.
+/// Joins spans of equal activity with gaps too short for the time line.
 class Spans : public machine::Observer {
  public:
   static constexpr int MOST_PROCESSORS = 64;
@@ -22,12 +21,12 @@ class Spans : public machine::Observer {
   void moved(const machine::LinkDirection& link, const std::string& channel, std::uint64_t bytes,
              machine::Seconds from, machine::Seconds to) override;
 
-  /// [processor, doing (0 high, 1 low, 2 switching), from, to] one after the other, times in s.
-  /// What is taken is forgotten.
+  /// [processor, doing (0 high, 1 low, 2 switching), from, to] in sequence, times in s. Clears the
+  /// recorded spans.
   nlohmann::ordered_json take();
-  /// The same of what goes on at present, which is told again when it has ended.
+  /// The same of current activity, which is reported again when it has ended.
   static nlohmann::ordered_json look_at(const machine::Machine& machine);
-  bool is_cut() const { return is_cut_; }  ///< there was more since the last take()
+  bool is_cut() const { return is_cut_; }  ///< the limit was reached since the last take()
 
  private:
   struct Span {
@@ -36,7 +35,7 @@ class Spans : public machine::Observer {
     double from_s, to_s;
   };
   std::vector<Span> spans_;
-  std::vector<std::size_t> last_;  // of each processor, in spans_, and one more; 0: none
+  std::vector<std::size_t> last_;  // by processor: index in spans_ plus 1; 0: none
   bool is_cut_ = false;
 };
 

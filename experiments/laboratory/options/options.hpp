@@ -1,5 +1,5 @@
 #pragma once
-// What commands share to declare and read their options.
+// Declaration and parsing of options that commands share.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -20,17 +20,17 @@ namespace laboratory {
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set);
 
-/// Names of options, without "--", in place of those of their fields.
+/// Names of options, without "--", that differ from those of their fields.
 using Aliases = std::map<std::string, std::string>;
 
-/// Adds the option `--name`. `assign` is given its value, and returns what was expected, or "" if
-/// that is what it was given; `standard` is what the help calls the default.
+/// Adds the option `--name`. `assign` receives the value and returns "" if it is valid, else a
+/// description of valid values; `standard` is the default shown in the help.
 void add_field_option(CLI::App& app, const std::string& name, const std::string& help,
                       const base::Domain& domain, const base::Scalar& standard,
                       const std::function<std::string(const base::Scalar&)>& assign);
 
-/// Adds an option for each of the fields, by its name with - for _, that sets it in `params`, which
-/// must outlive `app`. Its default is what `params` holds now. Numbers, choices and texts only.
+/// Adds an option for each field, named like the field with - for _. It sets the field in `params`,
+/// which must outlive `app`, and has the present value as default. Numbers, choices and texts only.
 template <class P>
 void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
                   const Aliases& aliases = {}) {
@@ -44,31 +44,31 @@ void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
   }
 }
 
-/// Counts of work and of rays, as --stats writes them.
+/// Counts of work and of rays, in the format of --stats.
 nlohmann::ordered_json make_json(const renderer::Work& work);
 nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 
-/// Throws CLI::ValidationError for an image with a name that ends otherwise (".png"; no ending is
-/// one, too), for a folder that is not there and where both are one file.
+/// Throws CLI::ValidationError for an image without one of the endings (".png"; no ending counts as
+/// one), for a missing folder, and if both paths name one file.
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
-/// Refuses `file`, what an option names, if it is one of the `others`; empty ones are none.
+/// Refuses `file`, the value of an option, if it equals one of the `others`; ignores empty ones.
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others);
 
-/// A name of a list with commas, without blanks around it. Throws CLI::ValidationError for an empty
-/// one.
+/// A name from a list with commas, without surrounding blanks. Throws CLI::ValidationError for an
+/// empty one.
 std::string trim_name(const std::string& name);
 
-/// What --columns is, of the commands that show the results of a run.
+/// Help of --columns for commands that show the results of a run.
 inline constexpr const char* COLUMNS_HELP =
     "results that the table shows beside the axes, or all [those that the file asks about, and "
     "what fits]";
 
-/// Makes the folder that an option names, unless it is there. Throws CLI::ValidationError.
+/// Makes the folder named by an option, unless it exists. Throws CLI::ValidationError.
 void make_folder(const std::string& option, const std::string& path);
 
-/// "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
+/// Parses "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
 template <std::size_t N>
 std::array<int, N> parse_numbers(const std::string& option, const std::string& text,
                                  const char* form) {
@@ -86,7 +86,7 @@ std::array<int, N> parse_numbers(const std::string& option, const std::string& t
   return values;
 }
 
-/// Sets width and height of `--size`, unless it is empty.
+/// Sets width and height from `--size`, unless it is empty.
 template <class Params>
 void parse_size(const std::string& text, Params& params) {
   if (text.empty()) return;

@@ -47,7 +47,7 @@ void check_files(const RadiosityOptions& o) {
                                 o.output));
 }
 
-// 0 stands for an exposure that is to be found.
+// 0 means automatic exposure.
 double parse_exposure(const std::string& text) {
   if (text == "auto") return 0;
   const auto value = base::parse_number<double>(text);
@@ -69,9 +69,9 @@ struct Outcome {
   double mesh_s = 0, solve_s = 0, picture_s = 0;
 };
 
-// Shows how far a solution is, on one bar for all of them.
+// Shows the progress of all solutions on one bar.
 radiosity::Step make_step(const RadiosityOptions& o, Progress& bar) {
-  // Each shot sends about as large a share of what is left, so the bar goes by its logarithm.
+  // Each shot sends a similar share of the remaining light, so the bar is logarithmic.
   const double end = std::log(std::max(o.light.solve.tolerance, 1e-9));
   return [&o, &bar, end](int shots, double unshot) {
     const double by_light = end < 0 ? std::log(std::max(unshot, 1e-9)) / end : 1;
@@ -158,7 +158,7 @@ void save_stats(const RadiosityOptions& o, const Outcome& made) {
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
-// Share of the emitted power by which the books of a closed room may be off without a word.
+// Imbalance of a closed room, as a share of the emitted power, that is accepted without a warning.
 constexpr double FAIR_BALANCE = 0.01;
 
 void print_balance(const Outcome& made) {
@@ -179,7 +179,7 @@ void print_balance(const Outcome& made) {
                     100 * std::abs(error), error > 0 ? "lost" : "too much"));
 }
 
-// Estimated error of a picture from which on a warning tells it.
+// Estimated error of a picture above which a warning appears.
 constexpr double FAIR_ERROR = 0.02;
 
 void warn_of_error(const RadiosityOptions& o, const Outcome& made) {

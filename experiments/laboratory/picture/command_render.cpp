@@ -28,7 +28,7 @@ struct RenderOptions : RenderTask {
   std::string samples_map;
 };
 
-// `rays` were traced in `seconds`; `more` is added.
+// Writes the statistics: `rays` traced in `seconds`, and the members of `more`.
 void save_stats(const RenderOptions& o, const renderer::Rendering& image, std::uint64_t rays,
                 double seconds, const nlohmann::ordered_json& more) {
   nlohmann::ordered_json stats = {{"scene", o.scene},
@@ -128,7 +128,7 @@ void render_scene(RenderOptions& o) {
 void add_render_command(CLI::App& app) {
   auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
   auto o = std::make_shared<RenderOptions>();
-  // Experiments count the thesis's search; this is faster, and the image is the same.
+  // Experiments use the thesis's search; this one is faster and gives the same image.
   o->params.traversal = renderer::Traversal::nearest;
 
   command

@@ -1,5 +1,5 @@
 #pragma once
-// The subcommands of tlab that make one picture, on no machine.
+// The subcommands of tlab that render one picture without a simulated machine.
 #include <CLI/CLI.hpp>
 
 namespace laboratory {

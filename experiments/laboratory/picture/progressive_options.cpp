@@ -90,7 +90,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     const auto counts = image.advance(step, was_interrupted);
     seconds += clock.lap();
     if (!counts) is_stopped = true;
-    // Trees that have no deeper level have none below it either.
+    // Trees without a deeper level have none further below either.
     if (!counts || (o.growth == Growth::depth && counts->rays.fresh.total() == 0)) break;
     all += counts->rays;
     rows.push_back(make_step_json(step, *counts));

@@ -1,5 +1,5 @@
 #pragma once
-// tlab render --progressive: options and body.
+// tlab render --progressive: options and execution.
 #include <CLI/CLI.hpp>
 #include <string>
 
@@ -14,18 +14,18 @@ struct ProgressiveOptions {
   renderer::progressive::Growth growth = renderer::progressive::Growth::cells;
 };
 
-/// What the ways of rendering are asked for; the parameters have passed renderer::check().
+/// The input common to all ways of rendering; the parameters have passed renderer::check().
 struct RenderTask {
   std::string scene, output, stats;
-  std::string key_images;  ///< folder for pictures on the way; "": none
+  std::string key_images;  ///< folder for intermediate pictures; "": none
   renderer::Params params;
   int threads = 1;
 };
 
-/// Adds --progressive, and the options that need it.
+/// Adds --progressive and its dependent options.
 void add_progressive_options(CLI::App& command, ProgressiveOptions& options);
 
-/// Renders step by step and saves what is asked for. The step's depth and area are the task's.
+/// Renders step by step and saves the requested files. Depth and area come from the task.
 void render_progressively(const ProgressiveOptions& options, const RenderTask& task);
 
 }  // namespace laboratory

@@ -10,8 +10,8 @@
 #include "experiments/laboratory/host/version.hpp"
 #include "renderer/files/load_scene.hpp"
 
-// The file: FIRST_LINE; "name: value" for each member of the identity; an empty line; the numbers
-// as the host has them, each list with its length before it; the hash of all that.
+// Format: FIRST_LINE; "name: value" for each member of the identity; an empty line; the numbers in
+// the host's binary format, each list after its length; the hash of all this.
 namespace laboratory {
 namespace {
 
@@ -21,7 +21,7 @@ using renderer::progressive::RefinementState;
 constexpr std::string_view FIRST_LINE = "state of a tlab rendering\n";
 constexpr std::size_t HASH_LENGTH = 32;
 
-// Stands for the bytes of the scene's file and of those that it names.
+// Hashes the scene's file and the files that it names.
 std::string hash_scene(const std::string& path) {
   std::string hashes = hash_of(base::read_text(path));
   for (const auto& further : renderer::find_files(path))
@@ -29,7 +29,7 @@ std::string hash_scene(const std::string& path) {
   return hash_of(hashes);
 }
 
-// Hands every number of a state to `take`, which reads or writes the bytes of an object or a list.
+// Passes every number of a state to `take`, which reads or writes an object's or a list's bytes.
 template <class State, class Take>
 void visit(State& state, const Take& take) {
   take(state.done);
@@ -89,7 +89,7 @@ struct Reader {
   }
 };
 
-// Takes the lines of the identity, and the empty one.
+// Consumes the lines of the identity and the empty line.
 void check_identity(const std::string& path, std::string_view& text, const Identity& identity) {
   const auto take_line = [&] {
     const auto end = std::min(text.find('\n'), text.size());

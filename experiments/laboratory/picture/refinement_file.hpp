@@ -1,5 +1,5 @@
 #pragma once
-// The file that holds the state of a rendering, so that another run goes on with it.
+// The file with the state of a rendering, for continuation by another run.
 
 #include <string>
 #include <utility>
@@ -9,13 +9,12 @@
 
 namespace laboratory {
 
-/// What a state belongs to, as names and values. Only a rendering for which all of them are equal
-/// can go on with it.
+/// The inputs of a rendering, as names and values. A rendering can continue a state only if all of
+/// them are equal.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
-/// The program's version, what the scene is made of, the order and all parameters. A generator is
-/// what it is called; of a file its bytes count, not its name, and so do those of the files
-/// that it names.
+/// The program's version, the scene, the order and all parameters. A generated scene is identified
+/// by its name; a file by its bytes and those of the files it names, not by its name.
 Identity identify(const std::string& scene, const renderer::Params& params,
                   renderer::progressive::Order order);
 
@@ -23,7 +22,7 @@ Identity identify(const std::string& scene, const renderer::Params& params,
 void save_state(const std::string& path, const Identity& identity,
                 const renderer::progressive::RefinementState& state);
 
-/// BadInput "path: ..." for a file that is no state, is damaged, or belongs to something else.
+/// Throws BadInput "path: ..." for a file that is not a state, is damaged, or has another identity.
 renderer::progressive::RefinementState load_state(const std::string& path,
                                                   const Identity& identity);
 

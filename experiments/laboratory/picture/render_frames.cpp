@@ -33,13 +33,13 @@ Range parse_range(const std::string& text) {
   return {*first, *last};
 }
 
-// How long frame `n` of an animation is shown: no frame is off by more than half a millisecond.
+// Duration of frame `n` of an animation; no frame's start is off by more than half a millisecond.
 int get_duration_ms(int n, double rate) {
   const auto at = [&](int frame) { return std::lround(1000 * frame / rate); };
   return static_cast<int>(at(n + 1) - at(n));
 }
 
-// An animation is written when all its frames are there.
+// An animation is written after its last frame.
 constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;  // bytes
 
 void check_webp(const renderer::Params& params, const Range& range) {

@@ -10,7 +10,7 @@ namespace {
 
 using topologies::Place;
 
-constexpr std::size_t MOST_COMPARED = 2048;  // of more places, any one beside will do
+constexpr std::size_t MOST_COMPARED = 2048;  // places; beyond it, no search for a free one
 // Directions around a processor, upwards first.
 constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},
                             {1, 0}, {-0.5, 0.5}, {0.5, 0.5}, {0, -1}};

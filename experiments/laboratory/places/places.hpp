@@ -1,5 +1,5 @@
 #pragma once
-// Where the processors of a machine are drawn.
+// Positions of a machine's processors in drawings.
 #include <optional>
 #include <vector>
 
@@ -11,16 +11,16 @@ namespace laboratory {
 /// By processor of the machine; some have no place yet.
 using SomePlaces = std::vector<std::optional<topologies::Place>>;
 
-/// The id in the machine of a processor of the network, whose ids are `network`; empty: the same.
+/// The machine's id of a network processor, looked up in `network`; empty: the same number.
 int find_id(const std::vector<int>& network, int processor);
 
-/// Gives the other processors places beside those that a link or their memory joins them to; those
-/// that nothing joins to any are in a row.
+/// Gives the remaining processors places beside others that they share a link or memory with;
+/// isolated ones form a row.
 topologies::Places place_others(const machine::Machine& machine, SomePlaces places);
 
-/// A place for every processor of the machine: those of the network as reports draw the topology,
-/// the others beside a processor that a link joins them to. `network` has the ids of the network's
-/// processors; empty: each has its number there.
+/// A place for every processor of the machine. The network is placed as reports draw the topology,
+/// others beside a processor with a link to them. `network` maps network processors to ids in the
+/// machine; empty: equal numbers.
 topologies::Places place_processors(const machine::Machine& machine,
                                     const topologies::Topology& topology,
                                     const std::vector<int>& network);

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Whether a column is one that a program names; it names several as "stage{}_s".
+// True if a program's column name matches the column; "stage{}_s" stands for several.
 bool is_called(const std::string& column, std::string named) {
   const auto gap = named.find("{}");
   if (gap == std::string::npos) return column == named;
@@ -20,10 +20,10 @@ bool is_called(const std::string& column, std::string named) {
 struct Meaning {
   std::string text{}, unit{};
   bool is_flag = false;                 // 0 or 1
-  std::vector<std::string> programs{};  // that give it; none: any
+  std::vector<std::string> programs{};  // that produce it; empty: any
 };
 
-// What a program says of a column: of what it measures, or of a parameter.
+// A program's description of a column, either a result or a parameter.
 Meaning find_in(const programs::Program& program, const std::string& column) {
   for (const auto& [name, help] : program.columns)
     if (is_called(column, name)) return {help, unit_of(column)};
@@ -33,7 +33,7 @@ Meaning find_in(const programs::Program& program, const std::string& column) {
   return {};
 }
 
-// What the key of an axis is for.
+// The help on the key of an axis.
 std::string find_axis_help(const ExperimentFile& file, const std::string& column) {
   const auto all = settings();
   for (std::size_t i = 0; i < file.axes.size(); ++i) {
@@ -45,7 +45,7 @@ std::string find_axis_help(const ExperimentFile& file, const std::string& column
 
 Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   Meaning meaning{"", unit_of(column)};
-  std::string texts;  // where programs differ
+  std::string texts;  // if programs differ
   bool is_same = true;
   for (const auto& point : file.points) {
     const auto& program = *point.experiment.program;
@@ -71,7 +71,7 @@ Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   return meaning;
 }
 
-// "any" of a column without a value.
+// "any" for a column without values.
 std::string find_type(const Table& table, std::size_t column) {
   if (std::ranges::all_of(table.rows, [&](const auto& row) { return row[column] == Value(); }))
     return "any";

@@ -1,5 +1,5 @@
 #pragma once
-// What the columns of a table of results are, for programs that read it.
+// Machine-readable description of the columns of results.
 #include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/points/results.hpp"
@@ -7,8 +7,8 @@
 namespace laboratory {
 
 /// results.schema.json: a Table Schema (https://specs.frictionlessdata.io/table-schema) of
-/// results.csv. Of each column its name, type, title and meaning; its unit, where it has one; and
-/// the programs that give it. The primary key is made of the axes.
+/// results.csv. Each column has name, type, title and meaning, its unit if any, and the programs
+/// that produce it. The axes form the primary key.
 nlohmann::ordered_json make_dictionary(const ExperimentFile& file, const Table& table);
 
 }  // namespace laboratory

@@ -34,7 +34,7 @@ std::string save_by_content(const std::function<void(const std::string& path)>& 
   return name;
 }
 
-// An image, and the points that have it: points with equal images share one.
+// An image with its points: points with equal images share one.
 struct Shared {
   std::vector<std::size_t> points;
   bool is_named = false;
@@ -44,7 +44,7 @@ using Key = std::array<std::string, 3>;  // name, content, content of all its ra
 
 Key key_of(const SavedImage& image) { return {image.name, image.file, image.exr}; }
 
-// Finds the axes on which all of these points agree, and not all `others`.
+// Finds the axes with one value in all of these points, but several values in `others`.
 std::vector<Coordinate> find_distinction(const ExperimentFile& file,
                                          const std::vector<std::size_t>& points,
                                          const std::vector<std::size_t>& others) {
@@ -60,7 +60,7 @@ std::vector<Coordinate> find_distinction(const ExperimentFile& file,
   return found;
 }
 
-// Keeps letters and digits, and puts single dashes for the rest.
+// Keeps letters and digits, and replaces other characters by single dashes.
 std::string make_stem(const std::string& text) {
   std::string stem;
   for (const char c : text)
@@ -87,8 +87,8 @@ void name_image(const std::string& name, const std::vector<Coordinate>& distinct
   image.stem = unique;
 }
 
-// An image with a name that says already what it shows is told apart only from others of its name,
-// such as key images of a stage, which show how far each machine was by then.
+// An image with a self-explanatory name is distinguished only from others of its name, such as key
+// images of a stage, which depend on the progress of each machine.
 std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& results) {
   std::vector<Key> order;
   std::map<Key, Shared> shared;
@@ -111,7 +111,7 @@ std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& res
   return shared;
 }
 
-// Throws unless points of one picture key show the same.
+// Throws unless points with one picture key show the same.
 void check_images(const ExperimentFile& file, const Results& results) {
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < results.size(); ++i) {

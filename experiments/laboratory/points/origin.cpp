@@ -34,8 +34,8 @@ std::string describe(const std::string& name, const std::string& title) {
   return title.empty() ? fmt::format("\"{}\"", name) : fmt::format("\"{}\" ({})", name, title);
 }
 
-// Spells the folder as it was spelled, where that is still the same one; else it is found from the
-// results.
+// Keeps the original spelling of the folder if it still names the same folder; otherwise derives it
+// from the results folder.
 fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
   const fs::path spelled = fs::path(file).parent_path();
   const auto found = resolve(resolve(results) / folder);
@@ -55,7 +55,7 @@ Origin read_origin(const fs::path& results, const ordered_json& json) {
   return origin;
 }
 
-// As a shell reads it.
+// Quotes a word for a shell.
 std::string spell_word(const std::string& text) {
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) ||

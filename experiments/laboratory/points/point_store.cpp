@@ -22,14 +22,14 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// Says which program this is.
+// Identifies this program.
 const std::string& program_id() {
   static const std::string id = hash_of(fmt::format(
       "{} {} {}", VERSION, hash_of(base::read_text("/proc/self/exe")), machine::simgrid_version()));
   return id;
 }
 
-// Describes a model's entries by what they are and not by where they come from.
+// Describes a model's entries by content, independent of their source.
 std::string describe_entries(const ModelSpec& spec) {
   const auto model = make_model(spec);
   std::string text = model.base + "\n";
@@ -39,7 +39,7 @@ std::string describe_entries(const ModelSpec& spec) {
   return text;
 }
 
-// Finds the further files that a scene's file names. What cannot be read is refused elsewhere.
+// Finds the further files that a scene's file names. Unreadable files are refused elsewhere.
 std::vector<std::string> find_further_files(const std::string& path) {
   try {
     return renderer::find_files(path);
@@ -48,13 +48,13 @@ std::vector<std::string> find_further_files(const std::string& path) {
   return {};
 }
 
-// Makes the end of a record: a hash of all that is before it.
+// Makes the end of a record: a hash of everything before it.
 std::string make_seal(std::string_view text) {
   return fmt::format(",\"hash\":\"{}\"}}\n", hash_of(text));
 }
 
-// Reads a record, or null where its bytes are not those that were written, or it is of another key.
-// `filter`: see nlohmann::json::parse.
+// Reads a record; null if its bytes were changed or its key differs. `filter`: see
+// nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
   const std::string text = base::read_text(file);
   const std::size_t end = make_seal("").size();
@@ -83,7 +83,7 @@ bool has_images(const PointResult& result, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
-  std::map<std::string, std::string> models, files;  // hashes of what points share
+  std::map<std::string, std::string> models, files;  // hashes of data that points share
   const auto describe_file = [&](const std::string& path) {
     auto& hash = files[path];
     if (hash.empty()) hash = fs::is_regular_file(path) ? hash_of(base::read_text(path)) : "none";
@@ -167,7 +167,7 @@ void StoreGuard::clean_up() const noexcept {
   remove_left_behind(folder);
   remove_left_behind(folder.parent_path());
   std::error_code ignored;
-  // What is not empty stays: images without records may be those of another process.
+  // Keeps folders that are not empty: images without records may belong to another process.
   fs::remove(folder, ignored);
   fs::remove(folder.parent_path(), ignored);
   if (!was_there_) fs::remove(results_, ignored);

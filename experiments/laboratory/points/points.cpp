@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Axes that another key makes void would give rows that say one thing and are another.
+// An ineffective axis would give rows that claim a value they do not have.
 void check_axes(const ExperimentFile& file) {
   for (std::size_t axis = 0; axis < file.axes.size(); ++axis)
     for (const auto& point : file.points) {
@@ -41,12 +41,12 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
               name_of(point));
 }
 
-// In the child: a failure is a result too, bad input is not.
+// Runs in the child process: a failure is a result too, but bad input is not.
 PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
     auto result = run_point(point, plan.options, plan.results / records_folder());
-    save_point(plan, number, result);  // first: a name mistyped in the file costs no result
+    save_point(plan, number, result);  // first: an error in a name of the file loses no result
     if (plan.inspect) plan.inspect(point, result);
     result.use = nullptr;
     return result;
@@ -57,7 +57,7 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   }
 }
 
-// Adds what the axes of a failed point need, and records it.
+// Adds the properties that the axes of a failed point need, and records it.
 void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& failure,
                     Progress& bar) {
   const Point& point = plan.file.points[number];
@@ -81,7 +81,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
       check_threads(options, point.experiment);
       if (chosen == 1 && file.points.size() == 1) check_films(options.films, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
-    } catch (const std::runtime_error& error) {  // whatever room finds it, it is in the file
+    } catch (const std::runtime_error& error) {  // of any module: the error is in the file
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
     } catch (const std::bad_alloc&) {
       throw base::BadInput(fmt::format("{}: {}: the host is out of memory", file.path,

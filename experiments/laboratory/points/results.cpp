@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-constexpr double EXACT = 0x1p53;  // up to here doubles hold every whole number
+constexpr double EXACT = 0x1p53;  // up to here doubles represent every integer
 
 // Lists the programs of the points, each once.
 std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
@@ -26,13 +26,13 @@ std::string column_of(const ExperimentFile& file, const std::string& axis) {
   return axis == "workers" ? programs_of(file)[0]->processors : axis;
 }
 
-// A table that takes a row cell by cell; columns that are new come behind those that are known.
+// A table filled cell by cell; new columns are appended.
 class Filling {
  public:
   Filling(Table& table) : table_(table) {}
 
   void begin() { table_.rows.emplace_back(table_.columns.size()); }
-  // A result that is an input as well has one column, and must be equal to it.
+  // A result that is also an input shares its column and must have the same value.
   void put(const std::string& column, const Value& value) {
     auto known = table_.find(column);
     if (!known) {
@@ -60,7 +60,7 @@ Value to_value(const base::Scalar& value) {
   return {};
 }
 
-// Puts what goes into a point and is no axis.
+// Adds the inputs of a point that are not axes.
 void put_inputs(Filling& filling, const Experiment& experiment, const PointResult& result) {
   const auto& program = *experiment.program;
   if (program.uses.network) {
@@ -72,7 +72,7 @@ void put_inputs(Filling& filling, const Experiment& experiment, const PointResul
   for (const auto& p : program.parameters) filling.put(p.name, to_value(p.get(experiment.params)));
 }
 
-// Lists the columns up to the measurements, in their order: rows that lack some leave them empty.
+// Lists the columns before the measurements, in order; rows may leave some empty.
 std::vector<std::string> input_columns(const ExperimentFile& file) {
   auto columns = axis_columns(file);
   const auto add = [&](const std::string& name) {
@@ -83,7 +83,7 @@ std::vector<std::string> input_columns(const ExperimentFile& file) {
   return columns;
 }
 
-// Whole numbers are written without a point, if a column holds nothing else.
+// Converts a column of whole numbers to integers, written without a point.
 void make_whole(Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool whole = std::ranges::all_of(table.rows, [&](const auto& row) {
@@ -104,7 +104,7 @@ bool is_base(const Table& table, const std::vector<Value>& base, const std::vect
   return true;
 }
 
-// Fills the columns that are still empty, where a single worker was run for the point.
+// Fills columns that are still empty from an additional run of a single worker for the point.
 void add_speedups(Table& table, const Results& results, const std::string& processors) {
   const auto workers = table.find(processors), time = table.find("time_s");
   const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");
@@ -126,7 +126,7 @@ bool is_farm(const ExperimentFile& file) {
   return all.size() == 1 && all[0]->name == "farm";
 }
 
-// Drops the quotes of TOML; numbers stay numbers.
+// Removes TOML's quotes; numbers stay numbers.
 Value to_value(const Coordinate& at) {
   const auto json = nlohmann::json::parse(at.toml, nullptr, false);
   if (json.is_number_integer()) return json.get<std::int64_t>();

@@ -1,5 +1,5 @@
 #pragma once
-// From the points of a sweep to one table.
+// Combines the results of a sweep's points in one table.
 #include <set>
 
 #include "experiments/laboratory/points/point_result.hpp"
@@ -7,45 +7,44 @@
 
 namespace laboratory {
 
-/// The columns that say which point a row is: those that the program puts first (the farm's
-/// topology, workers and objects), then the axes of the sweep in the order of the file, in which
-/// the number of the network's processors is called as the program calls it.
+/// The columns that identify a point: first those of the program (the farm's topology, workers and
+/// objects), then the axes of the sweep in file order. The program chooses the name of the number
+/// of processors in the network.
 std::vector<std::string> axis_columns(const ExperimentFile& file);
 
-/// The columns of the axes that go with that of `column` in [sweep], itself too; only itself where
-/// none do.
+/// The columns of axes coupled with `column` in [sweep], including itself; only itself if there are
+/// none.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
-/// A row for each that the result of a point has, one for a point that has none: the axes; the
-/// parts of its program, which count as axes; the network and the parameters, where the program
-/// shows them and they are no axes; what was measured; and how the point ended. Where the sweep's
-/// points run several programs, the columns are those of all of them, empty where they do not
-/// apply. Speed-up and efficiency are relative to the row with one processor and otherwise the same
-/// axes, or to PointResult::single_s; they stay empty where there is neither, and beside them the
-/// serial fractions of laws.hpp.
+/// Makes a row for each row of a point's result, or one for a point without. Columns are the axes;
+/// the parts of its program, which count as axes; the network and parameters, if the program shows
+/// them; the measurements; and how the point ended. With several programs in the sweep, the columns
+/// are those of all, empty where not applicable. Speed-up and efficiency relate to the row with one
+/// processor and otherwise equal axes, or to PointResult::single_s. Without either they stay empty,
+/// as do the serial fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
 
-/// The rows of growth.csv: the axes, and how each point's picture grew. Empty where nothing was
-/// looked at.
+/// The rows of growth.csv: the axes, and the growth of each point's picture. Empty if growth was
+/// not observed.
 Table make_growth_table(const ExperimentFile& file, const Results& results);
 
-/// Whether the row's point came to its end.
+/// True if the row's point was completed.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
 
-/// Fills the columns speedup and efficiency where they are empty: relative to the row with one
-/// processor and otherwise the same axes. `processors` is the column of an axis.
+/// Fills empty cells of speedup and efficiency, relative to the row with one processor and
+/// otherwise equal axes. `processors` is the column of an axis.
 void add_speedups(Table& table, const std::string& processors);
 
 /// Fills serial_karp_flatt and serial_gustafson (laws.hpp) for every speed-up.
 void add_serial_fractions(Table& table, const std::string& processors);
 
-/// The names of columns that are inputs: the axes, the network's, and the programs' parameters.
+/// The names of input columns: the axes, the network's, and the programs' parameters.
 std::set<std::string> input_names(const ExperimentFile& file, const Table& table);
 
-/// The first column of such a table that is a result and not an input as well; none if all are.
+/// The first column of such a table that is a result and not also an input; none if all are inputs.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
 
-/// Whether all points run the farm.
+/// True if all points run the farm.
 bool is_farm(const ExperimentFile& file);
 /// A coordinate as a cell.
 Value to_value(const Coordinate& at);

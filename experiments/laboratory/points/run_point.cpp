@@ -26,7 +26,7 @@ using nlohmann::ordered_json;
 using programs::Setup;
 using Save = void (*)(const observe::Trace&, std::ostream&);
 
-// Measures the CPU time of this process: other programs on the host do not count.
+// CPU time of this process, independent of other programs on the host.
 double process_cpu_s() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -60,7 +60,7 @@ Setup make_setup(const Experiment& experiment, const machine::Model& model,
   return setup;
 }
 
-// Takes the network from its caller, since making some takes seconds.
+// The caller provides the network, since construction may take seconds.
 PointResult describe(const Experiment& experiment, const topologies::Topology& topology) {
   const auto& program = *experiment.program;
   PointResult result;
@@ -72,8 +72,7 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   return result;
 }
 
-// Throws unless there is one row, or for a program with parts any number, no two of which have the
-// same parts.
+// Requires exactly one row; for a program with parts, any number of rows with distinct parts.
 void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
   if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
   std::set<std::vector<base::Cell>> known;
@@ -95,7 +94,7 @@ void check_rows(const programs::Program& program, const std::vector<base::Row>& 
 ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   if (!outcome.use) return {};
   const auto& use = *outcome.use;
-  // Lists, since an object looks through its members before it adds one: machines are large.
+  // Arrays, since an object searches all members before each insertion, and machines are large.
   auto cpus = ordered_json::array(), links = cpus, loads = cpus;
   for (const auto& cpu : use.cpus) {
     cpus.push_back({{"name", cpu.name},
@@ -139,7 +138,7 @@ Save find_format(const std::string& file) {
   return ending == ".svg" ? &observe::save_timeline : nullptr;
 }
 
-// Lets what would go wrong after the simulation go wrong before it.
+// Reports errors of the output file before the simulation.
 void check_place(const char* option, const std::string& file, const fs::path& results) {
   const auto inside = fs::weakly_canonical(fs::absolute(file))
                           .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
@@ -222,7 +221,7 @@ void check_point(const Experiment& experiment) {
   }
   if (!experiment.program->check) return;
   auto setup = make_setup_without_network(experiment, model);
-  // Some cannot run on every network; the others are spared the making of one, which may take long.
+  // Some programs need particular networks; for others, skips the slow construction.
   if (experiment.program->services > 0 || !experiment.faults.empty())
     setup.topology = make_workers(experiment);
   if (!experiment.faults.empty()) setup.faults = find_faults(experiment, setup.topology);
@@ -259,7 +258,7 @@ void check_traces(const RunOptions& options, std::size_t points) {
   for (const auto& film : {options.films.picture, options.films.network}) {
     if (film.empty()) continue;
     const auto file = first_file(film);
-    // A film without a name of its own is beside the results folder.
+    // A film without its own name is beside the results folder.
     const auto folder = results_folder(options).parent_path();
     if (!folder.empty() && fs::path(file).parent_path() == folder) make_folders(folder);
     check_single("--animate", points);
@@ -294,7 +293,7 @@ PointResult run_point(const Point& point, const RunOptions& options, const fs::p
   } catch (const machine::Fault&) {
     try {
       save_traces(point, options, trace, film);
-    } catch (const std::exception& error) {  // the fault is what matters
+    } catch (const std::exception& error) {  // the fault is more important
       complain(fmt::format("what it did until then is not shown: {}", error.what()));
     }
     throw;

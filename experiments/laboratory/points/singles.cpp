@@ -32,13 +32,13 @@ bool needs_single(const Point& point, const PointResult& result) {
          result.processors > 1 && time_of(result) && speedup && *speedup == base::Cell();
 }
 
-// Whether a key says what a network with one worker has not.
+// True for keys without meaning in a network of one worker.
 bool is_of_network(const std::string& key) {
   return key == "fault" || key == "processor" ||
          (key.starts_with("network.") && key != "network.switches");
 }
 
-// The file with the axes of the network left out, and no point yet.
+// The file without the axes of the network, and without points.
 ExperimentFile without_network(const ExperimentFile& file) {
   ExperimentFile single = file;
   single.points.clear();
@@ -81,8 +81,8 @@ void run_missing(const PointsPlan& plan, Results& results) {
 
 void measure_singles(const PointsPlan& plan, Results& results, Singles singles) {
   ExperimentFile file = without_network(plan.file);
-  std::map<std::string, double> times;                     // of single workers, by their names
-  std::map<std::string, std::vector<std::size_t>> needed;  // the points that need one, likewise
+  std::map<std::string, double> times;                     // of single workers, by name
+  std::map<std::string, std::vector<std::size_t>> needed;  // points that need one, by name
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = plan.file.points[i];
     const Point single = make_single(point, plan.file);

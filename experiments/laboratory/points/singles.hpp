@@ -1,15 +1,15 @@
 #pragma once
-// What speed-ups of networks with a size of their own are measured against.
+// Single-worker reference times for speed-ups of networks that define their own size.
 #include "experiments/laboratory/points/points.hpp"
 
 namespace laboratory {
 
-/// Whether points that lack a single worker may be run for it.
+/// Treatment of a missing single worker: search other points only, or also run one.
 enum class Singles { find, run };
 
-/// Sets PointResult::single_s of each complete point whose network says its size itself and whose
-/// program leaves its speed-up empty: the time of one worker of the same machine, at another point
-/// of the sweep, or else in a run of its own, which is recorded as points are.
+/// Sets PointResult::single_s of each complete point whose network defines its own size, if its
+/// program leaves the speed-up empty. It is the time of one worker of the same machine, from
+/// another point of the sweep or from an additional run, recorded like a point.
 void measure_singles(const PointsPlan& plan, Results& results, Singles singles);
 
 }  // namespace laboratory

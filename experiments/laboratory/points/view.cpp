@@ -22,8 +22,7 @@ bool contains(const Texts& texts, const std::string& text) {
   return std::ranges::find(texts, text) != texts.end();
 }
 
-// The names that the file's figures, checks and questions are about, and what their definitions
-// name.
+// The names used by the file's figures, checks and questions, directly or through definitions.
 std::set<std::string> find_asked(const ExperimentFile& file) {
   std::map<std::string, std::string> formulas;
   for (const Definition& definition : file.definitions)
@@ -47,7 +46,7 @@ std::set<std::string> find_asked(const ExperimentFile& file) {
   return names;
 }
 
-// The one value that a column has in all rows.
+// The value of a column that is equal in all rows.
 std::optional<std::string> find_constant(const Table& table, std::size_t column) {
   if (table.rows.empty()) return {};
   const auto& first = table.rows[0][column];

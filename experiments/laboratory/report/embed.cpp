@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// Removes every element <name ...>...</name> that holds no other of its name.
+// Removes every element <name ...>...</name> without nested elements of this name.
 void remove_elements(std::string& text, const std::string& name) {
   const std::string opening = "<" + name + ">", closing = "</" + name + ">";
   for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
@@ -58,7 +58,7 @@ ImageSize read_webp_size(std::string_view bytes, const std::string& name) {
       number = number << 8u | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
     return number;
   };
-  // Sizes are written less 1: of a moving picture in 24 bits each, of one that stands still in 14.
+  // Sizes are stored minus 1: with 24 bits each if animated, with 14 bits if still.
   if (kind == "WEBPVP8X") return {1 + read(24, 3), 1 + read(27, 3)};
   if (kind == "WEBPVP8L") {
     const auto sizes = read(21, 4);

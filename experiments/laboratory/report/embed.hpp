@@ -1,4 +1,4 @@
-// Files inside a page that holds everything it shows.
+// Encodes files for inclusion in a self-contained page.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ struct ImageSize {
 };
 
 /// Reads the size from the file's header. Throws std::invalid_argument, naming `name`, for bytes
-/// that are no PNG.
+/// that are not a PNG.
 ImageSize read_png_size(std::string_view bytes, const std::string& name);
-/// The same of a WebP, moving or lossless.
+/// The same for a WebP, animated or lossless.
 ImageSize read_webp_size(std::string_view bytes, const std::string& name);
 
-/// The <svg> element of a file for use inside a page: without prolog, titles and descriptions of
-/// its program, with `prefix` before every identifier and every reference to one, so that several
-/// drawings share a page, and without its first four characters, "<svg", so that the page can add
-/// attributes. Throws std::invalid_argument, naming the drawing's `caption`, for a text without an
+/// Extracts the <svg> element of a file for use inside a page: without prolog, titles and
+/// descriptions, and without its first four characters, "<svg", so that the page can add
+/// attributes. Puts `prefix` before every identifier and reference, so that several drawings share
+/// a page. Throws std::invalid_argument, naming the drawing's `caption`, for a text without an
 /// <svg> element.
 std::string inline_svg(std::string_view svg, const std::string& prefix, const std::string& caption);
 

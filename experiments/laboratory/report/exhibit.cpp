@@ -16,7 +16,7 @@ using Figure = CheckPlan::Figure;
 
 // ---- Curves ----
 
-// Finds the axes that the expression of x names.
+// Finds the axes in the expression of x.
 std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   std::vector<std::size_t> axes;
   for (const auto& name : figure.x.names())
@@ -24,7 +24,7 @@ std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   return axes;
 }
 
-// Finds the axes that tell the curves apart: those that were declared, if any were.
+// Finds the axes that distinguish the curves: the declared ones, if any.
 std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
                                      const RowList& rows) {
   if (!figure.spec.series) return choose_series_axes(table, rows, axes_of_x(figure, table));
@@ -32,14 +32,13 @@ std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
   return find_all(table, *figure.spec.series);
 }
 
-// Chooses the label that was given, else "speed-up" for a column and the text itself for an
-// expression.
+// Chooses the given label, or derives one from the column, or uses an expression itself.
 std::string label_of(const std::string& text, const std::string& given) {
   if (!given.empty()) return given;
   return base::Formula::is_name(text) ? make_label(text) : text;
 }
 
-// Names a curve by the values of the series' axes, behind the label of y where there are several.
+// Names a curve by the values of the series' axes, prefixed by the label of y if there are several.
 std::string name_curve(const Figure& figure, std::size_t y, const std::string& values) {
   if (figure.y.size() == 1) return values;
   const auto label = without_unit(label_of(figure.spec.y[y], ""));
@@ -47,7 +46,7 @@ std::string name_curve(const Figure& figure, std::size_t y, const std::string& v
 }
 
 // Makes a curve for each combination of values of the series' axes. Adds to `left_out` the rows
-// that cannot be evaluated because others are missing.
+// whose value needs missing rows.
 std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
   const auto chosen = choose_rows(rows, figure.where);
   const auto axes = choose_axes(figure, rows.table(), chosen);
@@ -65,14 +64,14 @@ std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList&
   return curves;
 }
 
-// Begins a sentence about one curve: "200 objects: ", or "" for the only curve.
+// The beginning of a sentence on a curve: "200 objects: ", or "" for the only curve.
 std::string describe(const std::string& curve) { return curve.empty() ? "" : curve + ": "; }
 
 // ---- References: numbers from elsewhere ----
 
 double round_to(double value, double step) { return std::round(value / step) * step; }
 
-// Finds the published value for each row of the table. Adds a note on those of points that were not
+// Finds the published value for each row of the table. Adds a note on those whose points were not
 // run.
 std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure& figure,
                                                   const Table& table) {
@@ -84,7 +83,7 @@ std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure
   return published;
 }
 
-// Adds the published points beside curve `i`, and by how much the simulated ones are off.
+// Adds the published points to curve `i`, and the deviations of the simulated ones.
 void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Series& curve, std::size_t i,
                    const std::vector<std::optional<double>>& published) {
   const auto name = (curve.name.empty() ? "" : curve.name + ", ") + spec.reference_name;
@@ -135,8 +134,8 @@ void add_reference(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Fits: laws through the curves ----
 
-// A law that may be fitted: its text in the key, its fit to a curve and its value at an x, with the
-// growth G(n) of each point where the law has one.
+// A law to fit: its name in the key, its fit to a curve and its value at an x. Some laws need the
+// growth G(n) of each point.
 struct FittedLaw {
   const char* name;
   std::optional<Fit> (*fit)(const Series& curve, const std::vector<double>& growth);
@@ -166,8 +165,7 @@ const FittedLaw& find_law(Law law) {
   return LAWS.at(law);
 }
 
-// Draws the fitted law as a line: one with growths through the curve's x only, where they are
-// known.
+// Draws the fitted law as a line; with growths only through the curve's x, where they are known.
 Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
                 const std::vector<double>& growth, bool log_x) {
   constexpr int SAMPLES = 128;
@@ -186,7 +184,7 @@ Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
   return line;
 }
 
-// Warns where the interval holds values that no serial fraction can have; else "".
+// A warning if the interval contains impossible serial fractions; else "".
 const char* judge_interval(const Estimate& p) {
   constexpr double EXACT = 1e-6;  // the points lie on the law, even with the fraction 0 or 1
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
@@ -205,7 +203,7 @@ void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
   }
 }
 
-// Says the result behind the curve's name in the key: "s = 0.0123 ± 0.0021".
+// Formats the result after the curve's name in the key: "s = 0.0123 ± 0.0021".
 std::string label_fit(const Fit& fit) {
   const auto& p = fit.parameters.back();
   const char* name = fit.parameters.size() > 1 ? "k" : "s";
@@ -215,7 +213,7 @@ std::string label_fit(const Fit& fit) {
   return fmt::format("{} = {:.{}f} ± {:.{}f}", name, p.value, digits, error, digits);
 }
 
-// Adds the fitted laws; the first line alone stands in the key, with the law's name.
+// Adds the fitted laws; only the first line appears in the key, with the law's name.
 void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
               const std::vector<Series>& curves) {
   exhibit.fits.columns = {"series",   "law",     "parameter",      "value",
@@ -245,7 +243,7 @@ void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Optima: where the curves are largest ----
 
-// Says what a curve does after its largest value. A fall by less than a hundredth does not count.
+// Describes a curve after its maximum. Ignores a fall of less than 1 %.
 std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   constexpr double LEVEL = 0.01;
   const double most = curve.y[best];
@@ -260,7 +258,7 @@ std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   return fmt::format("still rising at {:g}", curve.x.back());
 }
 
-// Adds marks; the first alone stands in the key.
+// Adds marks; only the first appears in the key.
 void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series>& curves) {
   const auto& y = figure.spec.y;
   const std::string of_y = y.size() == 1 && base::Formula::is_name(y[0]) ? y[0] : "y";
@@ -287,7 +285,7 @@ void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series
 
 // ---- The figure ----
 
-// Makes "Time per ray" of a column; a label that was given stays as it is.
+// Makes "Time per ray" of a column; keeps an explicit label.
 std::string title_of(const std::string& label, bool is_column) {
   auto title = without_unit(label);
   if (is_column && !title.empty())

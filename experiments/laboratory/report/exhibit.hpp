@@ -1,4 +1,4 @@
-// The figures that an experiment declares: [[plot]] over its results, with what they tell.
+// The figures that an experiment declares: [[plot]] over its results, with tables and findings.
 #pragma once
 
 #include <string>
@@ -12,10 +12,9 @@ namespace laboratory {
 /// A figure and the tables below it; tables without rows are not shown.
 struct Exhibit {
   Plot plot;
-  Table differences =
-      {};             ///< a row for each point with a reference: predicted, reference, difference %
-  Table fits = {};    ///< a row for each curve and parameter, with its 95 % confidence interval
-  Table optima = {};  ///< a row for each curve: its largest y, and what comes after
+  Table differences = {};  ///< for each point with a reference: predicted, reference, difference %
+  Table fits = {};         ///< for each curve and parameter: value and 95 % confidence interval
+  Table optima = {};       ///< for each curve: its largest y and the next point
   std::vector<std::string> notes = {};     ///< points left out, laws that were not fitted
   std::vector<std::string> findings = {};  ///< sentences
 };
@@ -25,7 +24,7 @@ struct Exhibit {
 std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows,
                                    std::vector<std::string>& nothing);
 
-/// The rows of all fits with the plot's name first: fits.csv.
+/// fits.csv: the rows of all fits, with the plot's name first.
 Table make_fits_csv(const std::vector<Exhibit>& exhibits);
 
 }  // namespace laboratory

@@ -24,7 +24,7 @@ Curves curves_of(const Plot& plot) {
   return curves;
 }
 
-// Names the unit of x only where it has one: "7 workers", "1000 s", "width 32".
+// Names a value of x with its unit, if any: "7 workers", "1000 s", "width 32".
 std::string name_x(const Plot& plot, double x) {
   const auto name = without_unit(plot.x_label);
   if (name.size() < plot.x_label.size())
@@ -33,13 +33,13 @@ std::string name_x(const Plot& plot, double x) {
   return name.ends_with('s') ? fmt::format("{:g} {}", x, name) : fmt::format("{} {:g}", name, x);
 }
 
-// "200, 800 and 3200"
+// Formats "200, 800 and 3200".
 std::string join_and(const Texts& texts) {
   if (texts.size() < 2) return texts.empty() ? "" : texts[0];
   return join_texts({texts.begin(), texts.end() - 1}, ", ") + " and " + texts.back();
 }
 
-// " for line and ring", " for all 8 curves"; "" for the only curve.
+// Formats " for line and ring", " for all 8 curves"; "" for the only curve.
 std::string name_curves(const Curves& some, std::size_t all) {
   constexpr std::size_t MOST_NAMES = 8;
   if (all < 2) return "";
@@ -50,7 +50,7 @@ std::string name_curves(const Curves& some, std::size_t all) {
   return " for " + join_and(names);
 }
 
-// The first word in a capital.
+// Capitalises the first word.
 std::string begin(std::string sentence) {
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
@@ -63,12 +63,12 @@ struct Grown {
   Growth growth;
 };
 
-// "workers^0.95", or "workers^0.90…0.95" of several.
+// Formats "workers^0.95", or the range "workers^0.90…0.95" of several.
 std::string name_power(const std::string& x, const std::vector<Grown>& all,
                        double Growth::*exponent) {
   const auto [low, high] =
       std::ranges::minmax(all, {}, [&](const Grown& grown) { return grown.growth.*exponent; });
-  // 0 is added, so that no power is -0.00.
+  // Adding 0 avoids the power -0.00.
   const auto round = [](double value) {
     return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0);
   };
@@ -104,14 +104,14 @@ std::string tell_bends(const Plot& plot) {
 
 // ---- Limits ----
 
-// What limits a curve at its end.
+// The limiting resource at the end of a curve.
 struct Limit {
   const Series* curve;
   const programs::Load* load;  // the busiest resource of the last point
-  double from;                 // x since when it limits
+  double from;                 // x at which it begins to limit
 };
 
-// Groups resources that play one part: the busiest link may be another one at each point.
+// Groups resources with one role: the busiest link may be another one at each point.
 std::string part_of(const programs::Load* limit) {
   if (!limit) return "";
   const auto& name = limit->resource;
@@ -119,7 +119,7 @@ std::string part_of(const programs::Load* limit) {
   return name.ends_with(" (routing)") ? "routing" : name;
 }
 
-// Finds nothing where the loads of a point are unknown.
+// None if the loads of a point are unknown.
 std::optional<Limit> find_limit_of(const Series& s, const Table& table,
                                    const std::vector<PointLoads>& points) {
   Texts parts;
@@ -135,7 +135,7 @@ std::optional<Limit> find_limit_of(const Series& s, const Table& table,
   return Limit{&s, &last->loads[0], s.x[from]};
 }
 
-// "from 4 workers on for line, throughout for ring", of curves with one limit.
+// Formats "from 4 workers on for line, throughout for ring" for curves with one limit.
 std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
   std::map<std::pair<bool, double>, Curves> since;  // throughout comes first
   for (const auto& limit : limits) {
@@ -150,7 +150,7 @@ std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::
   return join_texts(parts, ", ");
 }
 
-// Tells the busiest of the curves' last points: "200 objects at 7 workers 0.98: its CPU 42 %".
+// Describes the busiest last point of the curves: "200 objects at 7 workers 0.98: its CPU 42 %".
 std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
                          const std::string& part) {
   const auto& limit =
@@ -167,7 +167,7 @@ std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
 std::string tell_limits(const Plot& plot, const Table& table,
                         const std::vector<PointLoads>& points) {
   const auto curves = curves_of(plot);
-  std::map<std::string, std::vector<Limit>> groups;  // none saturated first
+  std::map<std::string, std::vector<Limit>> groups;  // unsaturated curves first
   for (const auto* s : curves)
     if (const auto limit = find_limit_of(*s, table, points))
       groups[limit->load->busy < SATURATED ? "" : part_of(limit->load)].push_back(*limit);
@@ -196,7 +196,7 @@ struct End {
   const Series* curve;
 };
 
-// What the curves come to that have this x.
+// The values at this x of all curves with such a point.
 std::vector<End> values_at(const Curves& curves, double x) {
   std::vector<End> values;
   for (const auto* s : curves)
@@ -239,7 +239,7 @@ RowList ends_of(const Plot& plot) {
 std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
                                     const std::vector<PointLoads>& points) {
   Texts findings;
-  std::set<std::size_t> told;  // the limits of these rows
+  std::set<std::size_t> told;  // rows with reported limits
   for (const auto& plot : plots) {
     Texts sentences = {tell_bends(plot), tell_extremes(plot)};
     const auto ends = ends_of(plot);
@@ -259,7 +259,7 @@ std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled,
 }
 
 std::vector<std::string> tell_points(const std::vector<PointLoads>& points) {
-  std::map<std::string, int> numbers;  // by what limits them
+  std::map<std::string, int> numbers;  // by limiting resource
   const PointLoads* known = nullptr;
   int all = 0;
   for (const auto& point : points) {

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a script and returns what it draws on standard output: the one place where gnuplot is
-// started. Throws std::runtime_error, naming the plot, unless it runs to its end.
+// Runs a script and returns the drawing from standard output: the only place that starts gnuplot.
+// Throws std::runtime_error, naming the plot, unless it succeeds.
 std::string run_script(const std::string& script, const std::string& name) {
   return base::run_program({.name = "gnuplot",
                             .arguments = {"-d", "-"},
@@ -50,7 +50,7 @@ bool is_whole(const Drawing& drawing) {
          png.substr(png.size() - 8, 4) == "IEND";
 }
 
-// gnuplot leaves "]]>" in a text as it is, which XML allows at the end of CDATA alone.
+// gnuplot leaves "]]>" in texts, but XML allows it only at the end of CDATA.
 std::string escape_ends_of_cdata(std::string svg) {
   constexpr std::string_view BEGIN = "<![CDATA[", END = "]]>";
   for (std::size_t at = 0; (at = svg.find_first_of("<]", at)) != svg.npos; ++at) {

@@ -1,4 +1,4 @@
-// Plots as files: the program gnuplot draws them.
+// Draws plots into files with the program gnuplot.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@ struct Drawing {
   std::string svg, png;
 };
 
-/// Runs gnuplot without the user's settings. `script` sets neither terminal nor output; `name` is
-/// for the drawing's identifiers and for messages. The SVG is 800 pixels wide and `height` high,
-/// the PNG twice that. Throws std::runtime_error when gnuplot is not installed (with the remedy),
-/// fails (with its message), or leaves an incomplete file.
+/// Runs gnuplot without the user's settings. `script` sets neither terminal nor output; `name`
+/// appears in the drawing's identifiers and in messages. The SVG is 800 pixels wide and `height`
+/// high, the PNG twice that. Throws std::runtime_error if gnuplot is not installed (with the
+/// remedy), fails (with its message), or leaves an incomplete file.
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height = 500);
 
 /// Writes NAME.svg and NAME.png into an existing folder; the bytes depend only on the plot and on
-/// gnuplot's version and fonts. Throws std::invalid_argument, naming the plot, where it has no
-/// points or a name that is no file stem; what run_gnuplot throws; std::system_error when a file
+/// gnuplot's version and fonts. Throws std::invalid_argument, naming the plot, if it has no points
+/// or its name is not a file stem; the exceptions of run_gnuplot; std::system_error if a file
 /// cannot be written.
 void draw_plot(const Plot& plot, const std::filesystem::path& folder);
 
-/// Draws all plots, as many at once as this host has processors. Returns for each why it could not
-/// be drawn or written, "" where it was.
+/// Draws all plots, as many in parallel as this host has processors. Returns the error of each plot
+/// that failed, "" for success.
 std::vector<std::string> draw_plots(const std::vector<Plot>& plots,
                                     const std::filesystem::path& folder);
 

@@ -1,4 +1,4 @@
-// The farm's network, every processor and link coloured by its load.
+// Drawings of the farm's network with every processor and link coloured by its load.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@
 namespace laboratory {
 
 struct NetworkDrawings {
-  std::vector<Report::Drawing> drawings;  ///< with the most workers, in both cases: for the report
-  std::vector<std::string> failures;      ///< of points that could not be drawn, and why
-  std::vector<std::string> notes;         ///< of points that are too large for the report
+  std::vector<Report::Drawing> drawings;  ///< for the report: only points with the most workers
+  std::vector<std::string> failures;      ///< points that could not be drawn, and the reasons
+  std::vector<std::string> notes;         ///< points that are too large for the report
 };
 
 /// Writes networks/NAME.svg into `folder`, which holds the points' records, as [report] networks
-/// asks: for every point ("all"), or for those with the most workers among points that are alike
-/// otherwise ("largest"). Only the farm has such drawings. The report has none of more than 1024
-/// workers; of more than topologies::MAX_DRAWN there is no file either. Up to RunOptions::jobs are
-/// drawn at the same time.
+/// requests: for every point ("all"), or for points with the most workers among otherwise equal
+/// ones ("largest"). Only the farm has such drawings. The report shows none of more than 1024
+/// workers; above topologies::MAX_DRAWN workers there is no file either. Draws up to
+/// RunOptions::jobs in parallel.
 NetworkDrawings draw_networks(const std::filesystem::path& folder, const RunOptions& options,
                               const Simulation& s);
 

@@ -1,4 +1,4 @@
-// Plots as the page's script reads them.
+// Plots as JSON for the page's script.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace laboratory {
 
-/// The plot as JSON: labels, scales, series with their looks and points [x, y, point of the sweep],
-/// where `table` says which point each row is. A speed-up has the serial fractions, from 0 to 1,
-/// that Amdahl's and Gustafson's laws fit to its curves, but for laws that are series already.
+/// The plot as JSON: labels, scales, and series with their looks and points [x, y, point of the
+/// sweep], which `table` gives for each row. A speed-up also has the serial fractions, 0 to 1, from
+/// fits of Amdahl's and Gustafson's laws to its curves, unless that law is already a series.
 std::string make_plot_data(const Plot& plot, const Table& table);
 
 }  // namespace laboratory

@@ -19,7 +19,7 @@ struct Dot {
   double x, y;
 };
 
-// Finds the points of a series that can be drawn where y is logarithmic or linear.
+// Finds the points of a series that can be drawn on a logarithmic or linear scale of y.
 std::vector<Dot> drawn_points(const Plot& plot, const Series& s, bool log_y) {
   if (s.x.size() != s.y.size())
     throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
@@ -41,7 +41,7 @@ std::vector<Dot> lower_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, false);
 }
 
-// The edges of a curve's band: x, low and high; none where it cannot be drawn.
+// The edges of a curve's band: x, low and high; skips points that cannot be drawn.
 std::string make_band(const Plot& plot, const Series& s) {
   std::string text;
   for (std::size_t i = 0; i < s.low.size(); ++i)
@@ -65,10 +65,10 @@ struct Extent {
   }
 };
 
-// What the points say about the axes.
+// Ranges of the points for the axes.
 struct Axes {
   Extent x, y, difference;
-  std::set<double> marks;    // x of every point of the upper panel that does not belong to a law
+  std::set<double> marks;    // x of all points of the upper panel, except those of laws
   bool is_doubling = false;  // x is logarithmic and its marks are powers of two
 };
 
@@ -97,7 +97,7 @@ Axes measure_axes(const Plot& plot) {
   return axes;
 }
 
-// A doubling x has the base 2, and so has y where there is an ideal line.
+// A doubling x has base 2, and so has y if there is an ideal line.
 std::string make_scales(const Plot& plot, const Axes& axes) {
   const int x_base = axes.is_doubling ? 2 : 10;
   std::string text;
@@ -128,7 +128,7 @@ std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   return "";
 }
 
-// An ideal line far above the points may leave the picture, since it would press them together.
+// Clips an ideal line far above the points, which would squeeze them together.
 std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   const Extent &x = axes.x, &y = axes.y;
   std::string low = "*", high = "*";
@@ -139,8 +139,8 @@ std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   return fmt::format("set yrange [{}:{}]\n", low, high);
 }
 
-// Makes ticks at 1, 2 and 5 times the powers of ten where at most two and a half decades are shown:
-// powers of ten alone would say little there.
+// Makes ticks at 1, 2 and 5 times the powers of ten for ranges up to two and a half decades, where
+// powers of ten alone would be sparse.
 std::string make_log_ticks(double low, double high) {
   if (high > 300 * low) return {};
   std::vector<std::string> ticks;
@@ -163,7 +163,7 @@ std::string make_y_range(const Plot& plot, const Axes& axes) {
          (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
 }
 
-// Chooses 1, 2 or 5 times a power of ten: the least step of which at most `most` fit a length.
+// Chooses 1, 2 or 5 times a power of ten: the smallest step that fits at most `most` times.
 double choose_step(double length, double most) {
   const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1, 2, 5})
@@ -171,7 +171,7 @@ double choose_step(double length, double most) {
   return 10 * power;
 }
 
-// The range of the lower panel holds 0, with half a percent of room where all differences are 0.
+// The range of the lower panel includes 0, with a margin of at least half a percent.
 std::string make_difference_range(const Extent& difference) {
   const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
   const double low = std::min(0.0, difference.low) - margin;
@@ -179,11 +179,11 @@ std::string make_difference_range(const Extent& difference) {
   return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
 }
 
-// Okabe and Ito's colours, which colour-blind readers tell apart, darkest first and without the
-// yellow, which vanishes on white paper.
+// Okabe and Ito's colours, distinct for colour-blind readers, darkest first. Omits yellow, which is
+// invisible on white paper.
 constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#000000"};
-// gnuplot's numbers of the symbols of Look
+// gnuplot's numbers for the symbols of Look.
 constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
 constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
 constexpr const char* DASHES[] = {"", "12,6", "3,5", "12,5,3,5", "12,4,3,4,3,4"};
@@ -207,7 +207,7 @@ std::string make_style(SeriesKind kind, std::size_t look) {
   return "with points linecolor rgb '#000000' linewidth 1.5 pointtype 6 pointsize 2.4";
 }
 
-// What the command `plot` draws in one panel, and the data blocks that it draws from.
+// The arguments of the command `plot` in one panel, with their data blocks.
 struct Panel {
   std::vector<std::string> curves;
   std::string data;
@@ -226,7 +226,7 @@ Panel make_upper(const Plot& plot) {
   if (plot.ideal_line)
     panel.curves.push_back(
         "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
-  std::size_t banded = 0;  // behind the curves
+  std::size_t banded = 0;  // drawn behind the curves
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;
@@ -265,7 +265,7 @@ Panel make_lower(const Plot& plot) {
 constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
               ABOVE = 50;
 
-// Columns are at most those that gnuplot makes by itself, so that lines can be counted.
+// Limits columns to gnuplot's own number, so that lines can be counted.
 struct Key {
   int lines = 0, columns = 1;
 };
@@ -281,7 +281,7 @@ Key arrange_key(const Plot& plot) {
   return {static_cast<int>(lines), static_cast<int>(columns)};
 }
 
-// Chooses the font size at which a title is not cut off: the longer, the smaller.
+// Chooses a font size that fits the title: the longer, the smaller.
 std::string choose_title_size(const std::string& title) {
   constexpr double LARGEST = 17, FITS = 58;  // points, and the characters that fit at that size
   const double size = std::min(LARGEST, LARGEST * FITS / static_cast<double>(title.size() + 1));
@@ -295,8 +295,7 @@ Look look_of(std::size_t curve) {
           curve % std::size(FILLED)};
 }
 
-// Uses double quotes, since gnuplot misreads single quotes at the beginning of a text in single
-// ones.
+// Uses double quotes, since gnuplot misreads single quotes at the start of a single-quoted text.
 std::string quote_for_gnuplot(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {

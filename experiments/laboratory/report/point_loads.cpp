@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 using programs::Load;
 
-// The share of the time; 0 where there was no time, which JSON has as null.
+// The share of the time; 0 if no time passed, which is null in JSON.
 double share_of(const ordered_json& part) {
   const auto& busy = part.at("busy");
   return busy.is_null() ? 0 : busy.get<double>();
@@ -25,7 +25,7 @@ const ordered_json* find_busiest(const ordered_json& parts) {
   return busiest == parts.end() ? nullptr : &*busiest;
 }
 
-// Takes the busiest processor and link, for programs whose processors all have one role.
+// Takes the busiest processor and link, for programs with one role for all processors.
 std::vector<Load> find_busiest_parts(const ordered_json& use) {
   std::vector<Load> loads;
   if (const auto* cpu = find_busiest(use.at("cpus")))

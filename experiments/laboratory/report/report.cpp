@@ -23,7 +23,7 @@ using mustache::data, mustache::object;
 
 data make_list() { return data(data::type::list); }
 
-// Lists what `make` makes of each element.
+// Makes a list by applying `make` to each element.
 template <class T, class Make>
 data make_list(const std::vector<T>& elements, Make make) {
   data list = make_list();
@@ -33,7 +33,7 @@ data make_list(const std::vector<T>& elements, Make make) {
 
 data make_texts(const std::vector<std::string>& texts) { return make_list(texts, std::identity()); }
 
-// Whether each row begins a group: an axis other than the one that changes fastest moves on.
+// True for rows that begin a group: an axis other than the fastest-changing one changes there.
 std::vector<bool> find_groups(const Table& table) {
   const auto& rows = table.rows;
   std::vector<bool> begins(rows.size());
@@ -47,9 +47,8 @@ std::vector<bool> find_groups(const Table& table) {
   return begins;
 }
 
-// Rows name their points where these have something to tell, `points` of them. The axes come first,
-// whatever the order of these columns. Large data are moved into place, since
-// an initializer list copies them.
+// Makes the data of a table with its axes first. Rows refer to their points if these have data, up
+// to `points` of them. Moves large data into place, since an initializer list would copy them.
 data make_table(const Table& table, const std::vector<std::string>& columns,
                 std::size_t points = 0) {
   auto shown = find_all(table, columns);
@@ -83,7 +82,7 @@ data make_table(const Table& table, const std::vector<std::string>& columns,
   return made;
 }
 
-// Leaves as many rows as a page can have, and says so.
+// Truncates the table to the limit of a page, with a note.
 void shorten(Table& table, std::vector<std::string>& notes) {
   constexpr std::size_t MOST = 1000;
   if (table.rows.size() <= MOST) return;
@@ -114,7 +113,7 @@ data make_answers(std::vector<Report::Part> answers) {
   return make_list(answers, make_part);
 }
 
-// The identifiers in the drawings begin with `kind` and the drawing's number, from 1.
+// Prefixes identifiers in the drawings with `kind` and the drawing's number, from 1.
 data make_drawings(const std::vector<Report::Drawing>& drawings, const std::string& kind) {
   data list = make_list();
   int number = 0;
@@ -144,7 +143,7 @@ data make_results(const Report& report) {
   return results;
 }
 
-// Small images are enlarged by a whole factor, so that every pixel is a square.
+// Enlarges small images by a whole factor, so that every pixel is a square.
 data make_image(const Report::Image& image) {
   constexpr unsigned ENLARGED = 400;  // about the width in pixels of the page
   const auto bytes = base::read_text(image.file);
@@ -183,7 +182,7 @@ nlohmann::ordered_json make_point(const PointLoads& point) {
   return made;
 }
 
-// What the page's script knows, as JSON that cannot end the element that it is in.
+// Data for the page's script, as JSON that cannot close its element.
 std::string make_data(const Report& report) {
   std::vector<std::string> plots;
   for (const auto& plot : report.plots) plots.push_back(plot.data.empty() ? "null" : plot.data);
@@ -196,7 +195,7 @@ std::string make_data(const Report& report) {
   return text;
 }
 
-// The template leaves out a section that the page does not have.
+// The template leaves out missing sections.
 void add_section(data& page, const char* name, data items) {
   if (!items.is_empty_list()) page[name]["items"] = std::move(items);
 }
@@ -213,8 +212,7 @@ std::string make_report(const Report& report) {
   page["style"] = REPORT_STYLE;
   page["script"] = REPORT_SCRIPT;
   page["data"] = make_data(report);
-  // Lets these scripts run and no others: a script in a text of the page would have to name a hash
-  // that it is part of.
+  // Permits only these scripts: a script hidden in a text would have to contain a hash of itself.
   page["nonce"] = hash_of(report.title + to_csv(report.table) + make_data(report));
   page["title"] = report.title;
   add_text(page, "question", report.question);

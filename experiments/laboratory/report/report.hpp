@@ -1,4 +1,4 @@
-// The report of an experiment: one HTML page that needs nothing but itself.
+// The report of an experiment: one self-contained HTML page.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace laboratory {
 
-/// What a page shows. Sections without content are left out.
+/// The content of a page. Sections without content are left out.
 struct Report {
   /// Notes and tables below a heading; tables without rows are left out.
   struct Part {
@@ -24,13 +24,13 @@ struct Report {
     std::string caption;
     std::string svg;        ///< the whole file
     Part numbers = {};      ///< without a heading, below the drawing
-    std::string data = {};  ///< of make_plot_data(): the page's script draws with it; "" for none
+    std::string data = {};  ///< of make_plot_data() for the page's script; "": none
   };
 
   struct Image {
     std::string caption;
-    std::filesystem::path file;  ///< a PNG, or a moving WebP
-    bool is_step = false;        ///< on the way to another one: smaller, side by side
+    std::filesystem::path file;  ///< a PNG, or an animated WebP
+    bool is_step = false;        ///< an intermediate image: smaller, side by side
   };
 
   struct ModelRow {
@@ -43,9 +43,9 @@ struct Report {
   std::vector<Drawing> plots;                              ///< captions are for screen readers
   std::vector<Part> answers;                               ///< an answer is left out if it is empty
   Table table;                                             ///< whole, as a download in the page
-  std::vector<std::string> shown_columns;                  ///< of the table in the page; none: all
-  std::vector<PointLoads> points;         ///< those of the table, told on a click; none: not told
-  std::vector<std::string> load_columns;  ///< of a second, folded table; none: no such table
+  std::vector<std::string> shown_columns;                  ///< of the table in the page; empty: all
+  std::vector<PointLoads> points;         ///< of the table, shown on a click; empty: not shown
+  std::vector<std::string> load_columns;  ///< of a second, folded table; empty: no such table
   std::vector<Part> checks;               ///< the heading says whether the check holds, how well
   std::vector<Drawing> networks;          ///< with their load
   std::vector<Image> images;
@@ -56,9 +56,9 @@ struct Report {
 };
 
 /// Makes the page, without a date: the same report gives the same bytes. Throws std::system_error
-/// for an image that cannot be read, std::invalid_argument for one that is no PNG (or WebP), for a
-/// drawing that is no SVG and for shown columns that do not exist. A browser that runs no scripts
-/// shows all of it, but for PointLoads and what is in Drawing::data alone.
+/// for an unreadable image, std::invalid_argument for an image that is not a PNG (or WebP), for a
+/// drawing that is not an SVG and for unknown shown columns. A browser without scripts shows
+/// everything except PointLoads and content that is only in Drawing::data.
 std::string make_report(const Report& report);
 
 }  // namespace laboratory

@@ -1,5 +1,5 @@
-// The hands of a report: plots that tell values and points, and tables that sort and fold. Without
-// this script the page shows the same plots as still drawings, and whole tables.
+// Interactive parts of a report: plots with values and points, and tables to sort and fold. Without
+// this script the page shows static plots and whole tables.
 "use strict";
 (() => {
   const {plots, points} =
@@ -27,7 +27,7 @@
   const tell = value => value === 0 || (Math.abs(value) >= 1e-4 && Math.abs(value) < 1e7)
       ? String(Number(value.toPrecision(4))) : value.toExponential(3);
 
-  // ---- Points: how busy they were, and why they are not faster ----
+  // ---- Points: their loads, and reasons why they are not faster ----
 
   function makeDetails(number, close) {
     const {name, ended, why, loads} = points[number];
@@ -60,7 +60,7 @@
 
   const isPowerOfTwo = value => Number.isInteger(Math.log2(value));
 
-  // From values to pixels, low at `from`, high at `to`.
+  // Maps values to pixels, low at `from`, high at `to`.
   function makeScale(log, low, high, from, to) {
     const way = log ? Math.log : value => value;
     const a = way(low), b = way(high);
@@ -107,7 +107,7 @@
     }
     return path + "Z";
   };
-  // Those of Look: disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star.
+  // Symbols of Look: disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star
   const SYMBOLS = [
     "M-4,0A4,4 0 1 1 4,0A4,4 0 1 1 -4,0Z", "M-4,-4H4V4H-4Z", polygon(3, 0), polygon(4, 0),
     polygon(3, Math.PI), polygon(5, 0), "M-4,-4L4,4M-4,4L4,-4", "M-5,0H5M0,-5V5",
@@ -149,9 +149,9 @@
       Object.assign(this, {figure, data, number});
       this.log = {x: data.x.log, y: data.y.log};
       this.hidden = new Set();     // entries of the key
-      this.laws = new Set();       // names of those that are drawn
+      this.laws = new Set();       // names of visible laws
       this.lawsAreChosen = false;  // by the user
-      this.at = null;              // the point that is told: {s, i}
+      this.at = null;              // the selected point: {s, i}
       this.curves = data.series.filter(s => s.kind === "curve");
       const told = data.series.filter(s => s.kind === "curve" || s.kind === "reference");
       this.marks = [...new Set(data.series.filter(s => s.kind !== "law")
@@ -164,9 +164,9 @@
       new ResizeObserver(() => this.redraw()).observe(this.stage);
     }
 
-    // ---- What is shown ----
+    // ---- Visibility ----
 
-    // The entry of the key that a series goes with, beside its curve.
+    // The key entry that controls a series, besides that of its curve.
     entryOf(s) { return s.name ? s : this.data.series.find(t => t.name && t.kind === s.kind) ?? s; }
     isShown(s) { return !this.hidden.has(this.entryOf(s)) && !this.hidden.has(this.curves[s.of]); }
     canBeDrawn([x, y]) { return (!this.log.x || x > 0) && (!this.log.y || y > 0); }
@@ -177,7 +177,7 @@
           this.data.series.every(s => s.points.every(p => p[axis === "x" ? 0 : 1] > 0));
     }
 
-    // Laws of speed-up are told on linear axes, where they have the shapes that one knows.
+    // Shows laws of speed-up on linear axes, where their shapes are familiar.
     followLaws() {
       if (this.lawsAreChosen || !this.data.laws) return;
       const are = !this.log.x && !this.log.y && this.curves.length <= 3;
@@ -207,7 +207,7 @@
                         : makeScale(false, low - margin, high + margin, left, right);
     }
 
-    // As far as the series go that are shown, so that the small ones can be looked at alone.
+    // Covers the visible series only, so that small ones can be examined alone.
     yScale(bottom, top, xHigh) {
       const {min, max} = this.data.y;
       let [low, high] = this.extent(1, this.data.series.filter(s => this.isShown(s)));
@@ -225,7 +225,7 @@
       return makeScale(false, low === 0 ? 0 : low - margin, high + margin, bottom, top);
     }
 
-    // ---- The page's part ----
+    // ---- The plot's elements of the page ----
 
     build() {
       const {data, figure} = this;
@@ -250,14 +250,14 @@
       this.svg.addEventListener("pointerleave", () => this.leave());
       this.svg.addEventListener("blur", () => this.leave());
       this.svg.addEventListener("click", event => {
-        this.follow(event);  // a finger has left before it clicks
+        this.follow(event);  // on touch screens, pointerleave precedes click
         this.open();
       });
       this.svg.addEventListener("keydown", event => this.press(event));
     }
 
     buildTools() {
-      this.pressed = [];  // buttons, and whether they are pressed
+      this.pressed = [];  // buttons with the predicates of their state
       const add = (text, title, is, click) => {
         const button = makeButton(text, title, () => {
           click();
@@ -287,7 +287,7 @@
       const named = this.data.series.filter(s => s.name);
       const entries = this.data.ideal ? [IDEAL, ...named] : named;
       if (entries.length === 0) this.key.hidden = true;
-      this.serials = [];  // texts beside curves, of the laws that are drawn
+      this.serials = [];  // texts beside curves, of visible laws
       for (const s of entries) {
         const text = make("span", {}, s.name);
         const serial = make("span", {class: "serial"});
@@ -386,7 +386,7 @@
       return makeScale(false, low - margin, high + margin, bottom, top);
     }
 
-    // Nothing is drawn beyond the panel.
+    // Clips drawings to the panel.
     drawCurves(x, y, series) {
       const id = `clip${this.number}${series === this.data.series ? "" : "l"}`;
       this.svg.append(draw("clipPath", {id}, draw("rect", {
@@ -429,14 +429,14 @@
                                                "stroke-dasharray": LAWS[law].dashes});
     }
 
-    // ---- The point that is told ----
+    // ---- The selected point ----
 
     shownPoints() {
       return this.told.filter(s => this.isShown(s)).flatMap(
           s => s.points.map((p, i) => ({s, i, p})).filter(({p}) => this.canBeDrawn(p)));
     }
 
-    // The nearest x first, then the nearest y there.
+    // Prefers the nearest x, then the nearest y there.
     follow(event) {
       const box = this.svg.getBoundingClientRect();
       const px = event.clientX - box.left, py = event.clientY - box.top;
@@ -521,7 +521,7 @@
 
   // ---- Tables ----
 
-  const FEW = 12;  // rows of a table that is folded
+  const FEW = 12;  // rows of a folded table
 
   function makeRows(table) {
     const body = table.tBodies[0], rows = [...body.rows];
@@ -585,7 +585,7 @@
     place();
   }
 
-  // A click on a row of a point unfolds how busy it was.
+  // A click on the row of a point unfolds its loads.
   function addDetails(row) {
     const number = Number(row.dataset.point);
     if (row.dataset.point === undefined || !points[number].loads.length) return;

@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-// Adds the texts that are not there yet.
+// Appends the texts that are still missing.
 void append(Texts& to, const Texts& from) {
   for (const auto& text : from)
     if (std::ranges::find(to, text) == to.end()) to.push_back(text);
@@ -48,7 +48,7 @@ void append(Texts& to, const Texts& from) {
 
 // ---- What is shown of a program ----
 
-// Lists the values that an axis takes, or the one value of a key that is not swept.
+// Lists the values of an axis, or the value of a key that is not swept.
 std::string values_of(const ExperimentFile& file, const char* axis, const std::string& value) {
   Texts values;
   for (const auto& point : file.points)
@@ -59,13 +59,13 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   return values.empty() ? value : join_texts(values, ", ");
 }
 
-// Whether another key makes this parameter void.
+// True if another key makes this parameter ineffective.
 bool is_void(const Experiment& e, const programs::Parameter& p) {
   return e.program->voids && !e.program->voids(e.params, programs::key_of(p)).empty();
 }
 
-// Adds the parameters of the program that are not there yet: all, or only those that are axes or
-// differ from their defaults.
+// Adds missing parameters of the program: all, or only those that are axes or differ from their
+// defaults.
 void add_parameters(Facts& facts, const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   for (const auto& p : e.program->parameters) {
@@ -78,7 +78,7 @@ void add_parameters(Facts& facts, const ExperimentFile& file) {
   }
 }
 
-// Lists the values that a column has, each once.
+// Lists the distinct values of a column.
 std::string values_in(const Table& table, const std::string& column) {
   Texts values;
   if (const auto c = table.find(column))
@@ -87,8 +87,7 @@ std::string values_in(const Table& table, const std::string& column) {
   return join_texts(values, ", ");
 }
 
-// The model, the network and the scene as the points had them, whatever the file leaves to
-// defaults.
+// The model, the network and the scene of the points, including defaults.
 Facts make_facts(const Simulation& s) {
   const ExperimentFile& file = s.file;
   const Experiment& e = file.points[0].experiment;
@@ -115,7 +114,7 @@ Facts make_facts(const Simulation& s) {
   return facts;
 }
 
-// A parameter's value as the file spells it.
+// A parameter's value in the file's spelling.
 std::string spell(const programs::Parameter& p, const std::any& params) {
   const auto value = p.get(params);
   const auto text = base::to_text(value);
@@ -126,7 +125,7 @@ std::string spell(const programs::Parameter& p, const std::any& params) {
   return is_text ? spell_text(text) : text;
 }
 
-// The experiment as TOML, and in comments what it leaves to defaults.
+// The experiment as TOML, with defaults as comments.
 std::string make_settings(const ExperimentFile& file) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& key, const std::string& value) {
@@ -202,7 +201,7 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
                                  image.at_s.has_value() && image.path.ends_with(".png")});
 }
 
-// How the pictures grew: a curve for each point. None where nothing was looked at.
+// The growth of the pictures, with a curve for each point. None without observations.
 std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth) {
   if (growth.rows.empty()) return {};
   const auto rows = all_rows(growth);
@@ -231,7 +230,7 @@ void save_unless_empty(const fs::path& file, const Table& table) {
   if (!table.rows.empty()) base::save_whole(file, to_csv(guard_formulas(table)));
 }
 
-// Adds the declared figures and the answers, where some point came to its end.
+// Adds the declared figures and the answers if some point was completed.
 std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const Simulation& s) {
   const auto plan = plan_checks(s.file);
   if (std::ranges::none_of(s.table.rows,
@@ -256,8 +255,7 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   return exhibits;
 }
 
-// Adds what the figures show and what was fitted to them. Of the usual plots the speed-up tells as
-// much as all of them.
+// Adds the findings of the figures and of the fits. The speed-up represents the default plots.
 void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are_declared) {
   std::vector<Plot> plots;
   for (const auto& exhibit : exhibits) plots.push_back(exhibit.plot);
@@ -271,8 +269,8 @@ void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are
   for (const auto& exhibit : exhibits) append(report.findings, exhibit.findings);
 }
 
-// Draws the plots of these exhibits, whose rows are those of `table`, into `folder`, as far as they
-// have points. Adds those that fail to `undrawn`.
+// Draws the plots of these exhibits into `folder` if they have points; their rows are those of
+// `table`. Adds failed ones to `undrawn`.
 void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Table& table,
                std::vector<Exhibit> exhibits) {
   std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
@@ -315,7 +313,7 @@ Table choose_rows(Table table, const Texts& columns) {
   return table;
 }
 
-// How sure the results are, where machines were drawn; with a tornado chart of the first result.
+// Adds the confidence in the results from drawn machines, and a tornado chart of the first.
 void add_sureness(Report& report, Texts& undrawn, const fs::path& folder) {
   const auto found = load_sureness(folder);
   if (!found) return;

@@ -11,20 +11,19 @@
 namespace laboratory {
 
 /// Writes report.html, plots/*.svg, plots/*.png and networks/*.svg, fits.csv, best.csv and pays.csv
-/// into the folder that holds the run's images and records. Returns which drawings failed and why;
-/// the page says so too. Throws what make_report throws, and std::system_error when another file
+/// into the folder of the run's images and records. Returns the failed drawings with reasons, which
+/// the page shows too. Throws the exceptions of make_report, and std::system_error if another file
 /// cannot be written.
 std::vector<std::string> write_report(const std::filesystem::path& folder,
                                       const RunOptions& options, const Simulation& simulation);
 
-/// Throws Failure with the number of drawings that failed, unless there are none.
+/// Throws Failure with the number of failed drawings, if not 0.
 void throw_undrawn(std::size_t undrawn, const std::string& results);
 
-/// Does so again for the results of an earlier run, and prints where the page is. Throws
-/// base::BadInput, with the file, where the folder holds no results or damaged ones; Failure, when
-/// everything is written, where a drawing failed.
-/// `columns` takes the place of the file's [report] columns unless it is empty; unknown ones are
-/// refused.
+/// Writes the report again for the results of an earlier run, and prints the location of the page.
+/// Throws base::BadInput, with the file, if the folder holds no results or damaged ones; Failure,
+/// after writing everything, if a drawing failed. `columns` replaces the file's [report] columns
+/// unless it is empty; unknown ones are refused.
 void report_results(const std::string& folder, const std::vector<std::string>& columns);
 
 /// The title of the experiment, else the name of its file.

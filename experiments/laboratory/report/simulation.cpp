@@ -36,7 +36,7 @@ ordered_json models_json(const ExperimentFile& file) {
   return models;
 }
 
-// Hashes each scene, network, table of routes or other input that is a file.
+// Hashes each scene, network, table of routes or other input file.
 ordered_json inputs_json(const ExperimentFile& file) {
   std::map<std::string, std::string> hashes;
   for (const auto& point : file.points)
@@ -80,7 +80,7 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   return point;
 }
 
-// Reads the images of a point, as run.json has placed them.
+// Reads the images of a point from run.json.
 std::vector<SavedImage> read_images(const ordered_json& point) {
   std::vector<SavedImage> images;
   for (const auto& json : point.value("images", ordered_json::array())) {
@@ -141,7 +141,7 @@ void save_run_json(const fs::path& folder, const RunOptions& options, const Simu
   text.resize(text.size() - 2);  // without its end, "\n}"
   base::save_whole(folder / "run.json", [&](std::ostream& out) {
     out << text << ",\n  \"points\": [";
-    for (std::size_t i = 0; i < s.results.size() && out; ++i)  // errno tells of the first failure
+    for (std::size_t i = 0; i < s.results.size() && out; ++i)  // errno is that of the first failure
       out << (i > 0 ? ",\n    " : "\n    ") << point_json(folder, s, i).dump();
     out << "\n  ]\n}\n";
   });

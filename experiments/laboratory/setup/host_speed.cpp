@@ -21,8 +21,8 @@ constexpr int SIZE = 48, SHOTS = 3, REPEATS = 5;  // SIZE: pixels a side
 
 using Kernels = std::vector<kernels::KernelUse>;
 
-// Each workload runs on a machine of one worker: kernels are measured where they will run, between
-// the events of a simulation, which share the host's caches with them.
+// Runs each workload on a machine of one worker. So kernels are measured as they will run: between
+// events of a simulation that share the host's caches.
 Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) {
   farm::Params params;
   params.image.width = params.image.height = SIZE;
@@ -32,7 +32,7 @@ Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) 
   return farm::run_farm(model, worker, renderer::load_scene(SCENE), params).kernels;
 }
 
-// A box of 2 x 2 x 2 m with a lamp below its ceiling, which is a face as well, and a screen.
+// A box of 2 x 2 x 2 m with a lamp below its ceiling, also a face, and a screen.
 radiosity::Room make_room() {
   radiosity::Room room;
   room.materials = {{"wall", {0.6, 0.6, 0.6}, {}}, {"lamp", {}, {10, 10, 10}}};
@@ -84,7 +84,7 @@ constexpr Workload WORKLOADS[] = {
      }},
     {"radiosity", &run_radiosity}};
 
-// In turns, so that a host that is slow for a while is slow for all workloads.
+// Alternates the workloads, so that a temporarily slow host is slow for all.
 HostSpeed measure(const machine::Model& model) {
   HostSpeed host;
   host.repeats = REPEATS;

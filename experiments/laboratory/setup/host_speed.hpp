@@ -1,5 +1,5 @@
 #pragma once
-// cost = "timed": how many cycles of a machine model a second of this host's CPU stands for.
+// cost = "timed": measures how many cycles of a machine model a second of host CPU time represents.
 #include <map>
 #include <string>
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace laboratory {
 
-/// The counted cycles of three workloads' kernels by the host time that they take: a farm's rays,
-/// its blocks of pixels, and shots of radiosity.
+/// Counted cycles divided by host time, for the kernels of three workloads: a farm's rays, its
+/// blocks of pixels, and shots of radiosity.
 struct HostSpeed {
   struct Workload {
     std::string name;
     double cycles_per_host_s = 0;  ///< the median of the repeats
-    double spread = 0;             ///< of the repeats: largest less smallest, over the median
+    double spread = 0;             ///< of the repeats: (largest - smallest) / median
   };
   double cycles_per_host_s = 0;  ///< the geometric mean of the workloads'
-  double spread = 0;             ///< of the workloads: largest less smallest, over the mean
+  double spread = 0;             ///< of the workloads: (largest - smallest) / mean
   int repeats = 0;
   std::vector<Workload> workloads;
   double clock_interval_s = 0;  ///< between two readings of the host's clock

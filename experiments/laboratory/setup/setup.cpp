@@ -48,8 +48,8 @@ Topology make_network(const Experiment& experiment) {
 
 }  // namespace
 
-// It takes some ten milliseconds, as long as a short run: the last one is kept, unless it comes
-// from a file, which may change.
+// Loading takes about ten milliseconds, as long as a short run, so the last model is cached.
+// Excludes models from files, which may change.
 machine::Model make_model(const ModelSpec& spec) {
   thread_local std::string known;
   thread_local machine::Model last;

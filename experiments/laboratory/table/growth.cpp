@@ -23,7 +23,7 @@ struct Line {
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
 
-// The logarithms of positive numbers; empty where some are not.
+// The logarithms of the numbers; empty unless all are positive.
 std::vector<double> logs_of(const std::vector<double>& values) {
   std::vector<double> logs;
   for (const double value : values) {
@@ -68,7 +68,7 @@ std::optional<Growth> fit_growth(const std::vector<double>& x, const std::vector
   if (t.size() < FEWEST || v.size() < FEWEST || !ascends) return std::nullopt;
   const Line straight = fit_straight(t, v);
   Growth growth{straight.before, straight.after};
-  // What rounding leaves of a straight line is no reason to break it.
+  // Residuals of a straight line at rounding level do not justify a bend.
   double least = std::max(MOST_LEFT * straight.squares, 1e-18 * static_cast<double>(t.size()));
   if (straight.squares <= least) return growth;
   for (std::size_t i = 1; i + 1 < t.size(); ++i) {

@@ -19,7 +19,7 @@ struct Points {
 
 bool is_good(double value) { return std::isfinite(value) && value > 0; }
 
-// Chooses the points with a processor to share the work with: n = 1 fits any serial fraction.
+// Chooses the points with n > 1, since n = 1 fits any serial fraction.
 Points choose_points(const std::vector<double>& n, const std::vector<double>& speedup,
                      const std::vector<double>& growth) {
   base::check_equal("points of a fit", speedup.size(), n.size());
@@ -122,7 +122,7 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
                                        [](std::size_t, double) { return STEP; });
     return make_share_fit("Sun-Ni", "efficiency", points.n.size(), fit.parameters[0],
                           fit.errors[0] * fit.errors[0], fit.squares);
-  } catch (const std::runtime_error&) {  // it does not settle
+  } catch (const std::runtime_error&) {  // no convergence
     return std::nullopt;
   }
 }

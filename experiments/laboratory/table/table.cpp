@@ -40,7 +40,7 @@ Value read_bare(std::string_view text) {
   return std::string(text);
 }
 
-// Quotes a text that would be read as something else.
+// Quotes ambiguous texts.
 std::string write_text(const std::string& text) {
   return read_bare(text) == Value(text) ? base::quote_csv(text) : '"' + text + '"';
 }
@@ -117,7 +117,7 @@ struct Ending {
   std::string_view ending, unit;
 };
 
-// The end of a column's name that is its unit; empty for none.
+// The unit at the end of a column's name; empty for none.
 Ending find_unit(std::string_view column) {
   static constexpr std::pair<std::string_view, std::string_view> UNITS[] = {
       {"_s", "s"},           {"_ms", "ms"},         {"_us", "µs"},       {"_ns", "ns"},

@@ -1,5 +1,5 @@
 #pragma once
-// Results as a table: named columns, one row or more per sweep point, cells that know their type.
+// Results as a table: named columns, one row or more per sweep point, typed cells.
 
 #include <cstdint>
 #include <optional>
@@ -10,15 +10,14 @@
 
 namespace laboratory {
 
-/// A cell; std::monostate is an empty one: no value.
+/// A cell; std::monostate is an empty one.
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct Table {
-  std::vector<std::string> columns;  ///< different from each other, none empty
+  std::vector<std::string> columns;  ///< distinct, none empty
   std::size_t axes = 0;              ///< the first `axes` columns are the sweep's axes
   std::vector<std::vector<Value>> rows;
-  std::vector<std::size_t> points = {};  ///< the sweep's point of each row, ascending; empty where
-                                         ///< row i is point i
+  std::vector<std::size_t> points = {};  ///< the point of each row, ascending; empty if equal
 
   std::size_t point_of(std::size_t row) const;
   std::size_t row_of(std::size_t point) const;  ///< the first row of a point; every point has one
@@ -29,12 +28,12 @@ struct Table {
 /// The number in a cell of either numeric type; none for text and empty cells.
 std::optional<double> as_number(const Value& value);
 
-/// Whether two cells say the same: numbers as numbers, whatever their type, all else as it is.
+/// True if two cells are equal: numbers by value, whatever their type, all else exactly.
 bool is_same(const Value& a, const Value& b);
 
-/// The number that a text holds, as quoted cells of a CSV file do; other values as they are.
+/// The number in a text, as in quoted cells of a CSV file; other values unchanged.
 Value unquote_number(const Value& value);
-/// A number as a cell; a whole one without a point.
+/// A number as a cell; whole numbers become integers.
 Value to_cell(double value);
 
 /// Empty for an empty cell; doubles in the shortest form that reads back as the same double.
@@ -54,30 +53,29 @@ std::string unit_of(std::string_view column);
 std::string without_unit(const std::string& label);
 
 /// The cells of one column for people. Doubles share one precision: four significant digits of the
-/// largest, or of each where the column spans more than three decades, or
-/// two where all are below 1.
+/// largest, or of each if the column spans more than three decades, or two if all are below 1.
 std::vector<std::string> format_column(const Table& table, std::size_t column);
 
-/// The indices of the columns to show, of all columns where `shown` is empty. Throws BadInput, with
-/// the known names, for a name that is no column.
+/// The indices of the columns to show; all columns if `shown` is empty. Throws BadInput, with the
+/// known names, for an unknown name.
 std::vector<std::size_t> find_all(const Table& table, const std::vector<std::string>& shown);
 
-/// True where a column holds numbers and nothing else but empty cells: aligned to the right.
+/// True if a column holds only numbers and empty cells; it is then aligned to the right.
 bool is_numeric(const Table& table, std::size_t column);
 
 /// Aligned columns for a terminal: names, a rule, a line per row. `shown` as in `find_all`.
 std::string to_text(const Table& table, const std::vector<std::string>& shown = {});
 
-/// RFC 4180 with '\n' line ends, the same bytes on any machine. `parse_csv` gives back the same
-/// columns and cells, types included: a double always has a point, an exponent or is inf or nan;
-/// text that could be read as something else is quoted. `axes` is not written.
+/// RFC 4180 with '\n' line ends, the same bytes on any machine. `parse_csv` restores the columns
+/// and typed cells. A double always has a point or an exponent, or is inf or nan; ambiguous text is
+/// quoted. `axes` is not written.
 std::string to_csv(const Table& table);
 
 /// The table with a ' before each text that a spreadsheet would take for a formula.
 Table guard_formulas(Table table);
-/// Reads what to_csv writes, and what base::CsvReader allows. Blank lines are skipped, but are rows
-/// in a table of one column. A quoted cell is text; a bare one is an integer, else a double, else
-/// text. `axes` is 0. Throws BadInput "name:line: ...".
+/// Reads the output of to_csv, and everything base::CsvReader allows. Skips blank lines, except as
+/// rows of a table with one column. A quoted cell is text; a bare one is an integer, else a double,
+/// else text. `axes` is 0. Throws BadInput "name:line: ...".
 Table parse_csv(std::string_view text, std::string_view name);
 
 }  // namespace laboratory

@@ -22,12 +22,12 @@ bool is_set(const Entries& set, const std::string& key) {
   return std::ranges::find(set, key, &Entries::value_type::first) != set.end();
 }
 
-// The number that an entry's draws begin with: a hash of its name, the same on every host.
+// The seed of an entry's draws: a hash of its name, the same on every host.
 std::uint64_t number_of(const std::string& entry) {
   return std::stoull(hash_of(entry).substr(0, 16), nullptr, 16);
 }
 
-// The slice of each machine: a shuffle that the seed and the entry give.
+// The slice of each machine: a permutation determined by seed and entry.
 std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machines) {
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (std::size_t i = 0; i < machines; ++i) keyed.emplace_back(base::random_at(stream, i), i);
@@ -44,9 +44,8 @@ std::string spell_value(const machine::Entry& entry, double number, bool is_shar
   return fmt::format("\"({}) * {}\"", entry.formula, number);
 }
 
-// The share of its value that an entry takes on the machine `set` so that what it holds keeps the
-// value that it has `before`. What is held is a straight line over the entry, found from two
-// points.
+// The factor on an entry's value in the machine `set` that restores its `holds` formula to the
+// value `before`. The formula is linear in the entry, so two points determine it.
 double fit_to_held(const machine::Entry& entry, const machine::Model& before, Entries set,
                    const std::function<machine::Model(const Entries&)>& make) {
   const auto where = entry.where + ": holds";
@@ -95,7 +94,7 @@ Entries draw_machine(const std::string& model, const Entries& set,
   };
   const auto before = make(set);
   Entries drawn = set;
-  std::vector<std::pair<const machine::Entry*, double>> fitted;  // and the number drawn for it
+  std::vector<std::pair<const machine::Entry*, double>> fitted;  // with the number drawn for it
   for (const auto& entry : before.entries) {
     if (!entry.range || is_set(set, entry.key)) continue;
     const double number = find_in(*entry.range, quantile(entry.key));
@@ -153,7 +152,7 @@ ExperimentFile spread(const ExperimentFile& file) {
         spec.entries = found->second;
       };
       draw(point.experiment.model);
-      point.experiment.links = machine::Links::direct;  // the same to rounding, in half the time
+      point.experiment.links = machine::Links::direct;  // equal up to rounding, in half the time
       point.experiment.processes = machine::Processes::fibers;
       for (auto& other : point.experiment.others) draw(other.model);
       point.at.push_back({"machine", std::to_string(machine + 1)});

@@ -15,10 +15,10 @@ namespace laboratory {
 namespace {
 
 constexpr double LOW = 0.05, HIGH = 0.95;
-constexpr double CHANCE = 0.05;  // that an entry is named though none does anything
+constexpr double CHANCE = 0.05;  // of naming an entry although none has an effect
 constexpr std::size_t MOST_CHOSEN = 8;
 
-// The row of another table with the same axes; none where there is none.
+// The row of another table with the same axes; none if missing.
 std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>& row,
                                     std::size_t likely, std::size_t axes) {
   const auto is_it = [&](const std::vector<Value>& other) {
@@ -31,7 +31,7 @@ std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>
   return static_cast<std::size_t>(found - table.rows.begin());
 }
 
-// The results of a cell on all machines; none where one has none.
+// The results of a cell on all machines; empty if a machine lacks it.
 std::vector<double> gather(const Table& table, std::size_t row, std::size_t column,
                            const std::vector<Table>& machines) {
   std::vector<double> all;
@@ -45,10 +45,10 @@ std::vector<double> gather(const Table& table, std::size_t row, std::size_t colu
   return all;
 }
 
-// A plane through the results, over the quantiles of some entries.
+// A linear fit of the results over the quantiles of some entries.
 struct Plane {
-  std::vector<double> slopes, errors;  // of each of them
-  std::vector<double> left;            // of each result, what the plane leaves over
+  std::vector<double> slopes, errors;  // of each entry
+  std::vector<double> left;            // residual of each result
 };
 
 Plane fit_plane(const std::vector<double>& results,
@@ -86,7 +86,7 @@ Plane fit_plane(const std::vector<double>& results,
     plane.slopes.push_back(gsl_vector_get(slopes.get(), term));
     plane.errors.push_back(std::sqrt(gsl_matrix_get(covariances.get(), term, term)));
   }
-  // What is left by rounding alone is nothing.
+  // Residuals at rounding level count as zero.
   const double size = *std::ranges::max_element(results, {}, [](double r) { return std::abs(r); });
   for (std::size_t machine = 0; machine < n; ++machine) {
     const double rest = gsl_vector_get(left.get(), machine);
@@ -95,7 +95,7 @@ Plane fit_plane(const std::vector<double>& results,
   return plane;
 }
 
-// Not a number where one of both is the same everywhere.
+// NaN if either is constant.
 double correlate_ranks(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> work(2 * a.size());
   return gsl_stats_spearman(a.data(), 1, b.data(), 1, a.size(), work.data());
@@ -113,8 +113,8 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       auto sorted = all;
       std::ranges::sort(sorted);
       if (sorted.front() == sorted.back()) continue;
-      // So that another machine is below it with that probability: place share * (n + 1), counted
-      // from 1, or the outermost.
+      // Places quantiles such that another machine is below with that probability: rank share * (n
+      // + 1), counted from 1 and clamped to the range.
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());
         const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);

@@ -22,13 +22,13 @@ std::string of_rows(std::size_t rows) {
   return rows > 1 ? fmt::format(" (the median of {} rows)", rows) : "";
 }
 
-// Reads a row of either table, whether it was made or read from a file.
+// Reads a row of either table, computed or loaded from a file.
 class Reader {
  public:
   Reader(const Table& table, std::size_t row) : table_(table), row_(row) {}
   std::string text(std::string_view column) const { return to_string(cell(column)); }
   double number(std::string_view column) const { return as_number(cell(column)).value_or(0); }
-  // The cells before that of the column's name.
+  // The cells before the column "column".
   std::string axes() const {
     std::string text;
     for (std::size_t c = 0; c < *table_.find("column"); ++c)
@@ -143,7 +143,7 @@ std::optional<std::pair<double, double>> find_interval(const SurenessTables& sur
 }
 
 std::vector<Weight> weigh(const SurenessTables& sureness, const std::string& column) {
-  std::map<std::string, double> values;  // by what says which row it is
+  std::map<std::string, double> values;  // by row
   each_of(sureness.intervals, column,
           [&](const Reader& row) { values[row.axes()] = row.number("value"); });
   std::map<std::string, std::vector<double>> shares;  // of each entry

@@ -1,5 +1,5 @@
 #pragma once
-// What the machines that were drawn say of an experiment's results.
+// Confidence in an experiment's results, from the drawn machines.
 #include <filesystem>
 #include <optional>
 
@@ -10,47 +10,47 @@ namespace laboratory {
 
 struct Sureness {
   std::vector<Interval> intervals;
-  std::vector<std::string> entries;            ///< that were drawn
+  std::vector<std::string> entries;            ///< entries that were drawn
   std::vector<std::vector<double>> quantiles;  ///< of each entry, by machine
-  std::size_t machines = 0;                    ///< that have all points done
-  std::size_t left_out = 0;                    ///< that have not
+  std::size_t machines = 0;                    ///< with all points done
+  std::size_t left_out = 0;                    ///< with incomplete points
 };
 
 constexpr std::size_t LEAST_MACHINES = 3;
 
 /// `table` is that of the file's own points; `results` are of all points of the spread file. There
-/// are no intervals where fewer than LEAST_MACHINES have all their points.
+/// are no intervals if fewer than LEAST_MACHINES machines have all their points.
 Sureness find_sureness(const ExperimentFile& file, const Table& table, const Results& results);
 
-/// How sure the results are, as two tables of the results folder.
+/// The confidence in the results, as two tables of the results folder.
 struct SurenessTables {
   Table intervals;    ///< intervals.csv, see make_intervals_table
-  Table assumptions;  ///< assumptions.csv: for each result the entries that matter most, the
+  Table assumptions;  ///< assumptions.csv: for each result the most influential entries, the
                       ///< strongest first
 };
 SurenessTables make_sureness_tables(const Table& table, const Sureness& sureness);
 void save_sureness(const std::filesystem::path& folder, const SurenessTables& tables);
-/// None where no machines were drawn. Throws BadInput for damaged files.
+/// None without drawn machines. Throws BadInput for damaged files.
 std::optional<SurenessTables> load_sureness(const std::filesystem::path& folder);
 
-/// From 5 to 95 % of the machines, of a cell of the table of results; none where there is no such
-/// interval.
+/// The interval from 5 to 95 % of the machines, for a cell of the table of results; none if it has
+/// no interval.
 std::optional<std::pair<double, double>> find_interval(const SurenessTables& sureness,
                                                        const Table& table, std::size_t row,
                                                        const std::string& column);
 
-/// How much an entry matters for a column.
+/// The influence of an entry on a column.
 struct Weight {
   std::string entry;
-  double share;      ///< half of what the result changes from 5 to 95 % of the entry's range, of
-                     ///< the result; the median of the rows
-  std::size_t rows;  ///< in so many it is among the strongest
+  double share;  ///< half the change of the result from 5 to 95 % of the entry's range, relative to
+                 ///< the result; the median of the rows
+  std::size_t rows;  ///< number of rows with this entry among the strongest
 };
-/// Those that are among the strongest in most rows first, and of them the strongest.
+/// Sorted by the number of rows, then by share.
 std::vector<Weight> weigh(const SurenessTables& sureness, const std::string& column);
 
-/// A sentence for each of these columns that has intervals: how wide they are, and which entries
-/// matter most, five at most.
+/// A sentence for each of these columns with intervals: their width, and the most influential
+/// entries, five at most.
 std::vector<std::string> tell_sureness(const SurenessTables& sureness,
                                        const std::vector<std::string>& columns);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t MOST_BARS = 12;
 constexpr int BAR = 26, AROUND = 150;  // pixels
 
-// Names of entries and columns, which have no signs that mean something to gnuplot.
+// Entry and column names contain no special characters of gnuplot.
 std::string quote(const std::string& name) { return "\"" + name + "\""; }
 
 std::size_t count_bars(const std::vector<Weight>& weights) {
@@ -37,8 +37,8 @@ std::string make_tornado_script(const std::string& column, const std::vector<Wei
     data += fmt::format("{} {}\n", sorted.size() - i, 100 * sorted[i].share);
     tics += fmt::format("{}{} {}", i > 0 ? ", " : "", quote(sorted[i].entry), sorted.size() - i);
   }
-  // A bar on both sides: in blue what the result changes at the high end of the entry's range, in
-  // orange at the low end.
+  // A bar on both sides: the change of the result at the high end of the entry's range in blue, at
+  // the low end in orange.
   return "reset\nset encoding utf8\n$bars << END\n" + data +
          "END\nset border 1 linecolor rgb '#404040'\nset xtics nomirror out scale 0.6\n"
          "set ytics nomirror scale 0 (" +

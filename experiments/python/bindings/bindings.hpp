@@ -1,15 +1,15 @@
 #pragma once
-// What Python sees of the libraries: the module tlab._native, in three parts. The package's own
-// modules, in ../tlab, are what its users see.
+// Python bindings of the libraries: the module tlab._native, in three parts. Users see only the
+// package's own modules, in ../tlab.
 #include <pybind11/pybind11.h>
 
 namespace bindings {
 
 /// Topologies, their metrics and routes.
 void bind_topologies(pybind11::module_& module);
-/// The sequential renderer, and pictures from files.
+/// The sequential renderer and the reader of picture files.
 void bind_pictures(pybind11::module_& module);
-/// What the machine's programs declare of themselves.
+/// The parameters and columns that the simulated programs declare.
 void bind_programs(pybind11::module_& module);
 
 }  // namespace bindings

@@ -3,7 +3,7 @@
 
 namespace py = pybind11;
 
-// Bad input is the package's own error, as it is where the command has refused it.
+// Translates BadInput to the package's own exception, the same as for the command's exit code.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

@@ -24,7 +24,7 @@ py::array_t<std::uint8_t> to_array(int width, int height, const std::vector<std:
   return array;
 }
 
-// Experiments count the thesis's search; this is faster, and the picture is the same.
+// A faster traversal than the thesis's, which experiments count; the picture is the same.
 renderer::Params standard_params() {
   renderer::Params params;
   params.traversal = renderer::Traversal::nearest;
@@ -49,7 +49,7 @@ renderer::Params read_params(const py::dict& options) {
   return params;
 }
 
-// The picture in 8 bits, or the sums of light that it was made of: 1 is white, there may be more.
+// The picture in 8 bits, or linear sums of light: 1 is white, and values may exceed it.
 py::array render(const std::string& source, const py::dict& options, int threads, bool is_linear) {
   const auto params = read_params(options);
   renderer::Rendering image;

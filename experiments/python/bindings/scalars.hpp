@@ -1,19 +1,19 @@
 #pragma once
-// Values of fields, to Python and from it.
+// Conversion of field values to and from Python.
 #include <pybind11/pybind11.h>
 
 #include "base/fields.hpp"
 
 namespace bindings {
 
-/// None for what was not given; of a source its text, or None where there is none.
+/// Converts a value; None if no value was given. A source becomes its text, or None without one.
 pybind11::object to_python(const base::Scalar& value);
 
-/// A bool, int, float, str, or sequence of numbers. Throws BadInput, beginning with `name`, for
-/// anything else.
+/// Converts a bool, int, float, str, or sequence of numbers. Throws BadInput, beginning with
+/// `name`, for other values.
 base::Scalar from_python(const std::string& name, const pybind11::handle& value);
 
-/// Name, unit, help, kind ("whole", "choice", ...), range and choices of a field, and its default.
+/// A field's name, unit, help, kind ("whole", "choice", ...), range, choices and default.
 template <class P>
 pybind11::dict describe(const base::Field<P>& field, const P& defaults) {
   static constexpr const char* KINDS[] = {"flag", "whole", "number", "choice",

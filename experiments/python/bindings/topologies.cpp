@@ -23,12 +23,12 @@ namespace {
 using topologies::RoutingTable;
 using topologies::Topology;
 
-// Two vertices, by their place in the list of names, and the ports there; -1: any.
+// Two vertices, by index into the list of names, and their ports; -1: any port.
 using Edge = std::tuple<int, int, int, int>;
 
 std::string spell_port(int port) { return port < 0 ? "" : std::to_string(port); }
 
-// The topology of a graph, by the rules for files.
+// Makes the topology of a graph, by the rules for files.
 Topology make_graph(const std::string& name, const std::vector<std::string>& names, int root,
                     const std::vector<Edge>& edges, bool has_arrows) {
   topologies::RawGraph graph;
@@ -43,7 +43,7 @@ Topology make_graph(const std::string& name, const std::vector<std::string>& nam
   return topologies::make_topology(graph, name);
 }
 
-// Each link as its lower processor and port, and its higher processor and port.
+// Each link as its lower and higher processor, then the ports of both.
 std::vector<Edge> list_links(const Topology& topology) {
   std::vector<Edge> links;
   for (const auto& [a, b] : topology.links)
@@ -66,7 +66,7 @@ py::dict measure(const Topology& topology) {
                   "all_to_all_link"_a = find_link(m.all_to_all));
 }
 
-// Routes, with the topology that they are on.
+// Routes together with their topology.
 struct Routes {
   Topology topology;
   RoutingTable table;
@@ -79,7 +79,7 @@ struct Routes {
     check(from), check(to);
     return from == to ? 0 : table.distance(from, to);
   }
-  // The processors on the way, both ends included.
+  // The processors on the route, both ends included.
   std::vector<int> path(int from, int to) const {
     check(from), check(to);
     std::vector<int> processors{from};

@@ -1,4 +1,4 @@
-"""The command `tlab`: where it is, and how it is started."""
+"""Finds and starts the command `tlab`."""
 
 import errno
 import os
@@ -13,15 +13,15 @@ INTERRUPTED = 130  # exit code
 
 
 def find():
-    """The program's path: what $TLAB says; else that of the same build tree or installation; else that on PATH."""
-    given = os.environ.get("TLAB")  # first, so that it can be told apart from one that is installed
+    """The program's path: from $TLAB, else in the same build tree or installation, else on PATH."""
+    given = os.environ.get("TLAB")  # first, so that it overrides an installed program
     if given:
         found = shutil.which(given)
         if not found:
             raise NotFound(f"TLAB is {given}, expected the path of the program tlab")
         return pathlib.Path(found)
     package = pathlib.Path(__file__).parent
-    beside = (package / "../../tlab", package / "../../../../bin/tlab")  # of a build tree, of an installation
+    beside = (package / "../../tlab", package / "../../../../bin/tlab")  # in a build tree, in an installation
     found = next(filter(None, map(shutil.which, (*beside, "tlab"))), None)
     if not found:
         raise NotFound("found no program tlab, neither beside this package nor on PATH; set TLAB to its path")
@@ -29,13 +29,13 @@ def find():
 
 
 class Done:
-    """How the command has ended: exit_code, and what it has printed in output and errors."""
+    """The end of a command: exit_code, its standard output (output) and standard error (errors)."""
 
     def __init__(self, exit_code, output, errors):
         self.exit_code, self.output, self.errors = exit_code, output, errors
 
     def failure(self, result=None):
-        """The exception for this end, with tlab's own message; None where all is well."""
+        """The exception for this end, with tlab's own message; None on success."""
         if self.exit_code == 0:
             return None
         message = "\n".join(line.removeprefix("tlab: ") for line in self.errors.strip().splitlines())
@@ -46,7 +46,7 @@ class Done:
 def start(arguments):
     """Starts tlab with arguments and waits for its end.
 
-    An interrupt of Python (Ctrl-C, or a notebook's stop) interrupts tlab, which then writes what there is.
+    An interrupt of Python (Ctrl-C, or a notebook's stop) interrupts tlab, which then writes its results so far.
     """
     words = [find(), *map(os.fspath, arguments)]
     try:
@@ -65,7 +65,7 @@ def start(arguments):
         try:
             process.communicate()
         finally:
-            process.kill()  # where a second interrupt has come
+            process.kill()  # in case of a second interrupt
         raise
     if process.returncode == INTERRUPTED:
         raise KeyboardInterrupt
@@ -73,7 +73,7 @@ def start(arguments):
 
 
 def ask(*arguments):
-    """What tlab prints; raises an Error where it fails."""
+    """The output of tlab; raises an Error if it fails."""
     done = start(arguments)
     if failure := done.failure():
         raise failure

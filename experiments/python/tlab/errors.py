@@ -1,10 +1,10 @@
-"""What goes wrong: one exception for each exit code of the command, with its own message."""
+"""Exceptions: one for each exit code of the command, with the command's own message."""
 
 
 class Error(Exception):
-    """What tlab has said, and the results that it left, if it left any.
+    """The message of tlab, and its results if there are any.
 
-    exit_code: that of the command.
+    exit_code: the exit code of the command.
     result: a Result, or None. A check that fails and a point that deadlocks leave results.
     """
 
@@ -24,20 +24,20 @@ class CheckFailed(Error):
 
 
 class BadInput(Error, ValueError):
-    """Bad input, or a host that cannot: a full disk, a drawing that fails."""
+    """Bad input, or a failure of the host: a full disk, a drawing that fails."""
 
     exit_code = 2
 
 
 class SimulatedFault(Error):
-    """The simulated program deadlocked, ran out of memory or did what the machine refuses."""
+    """The simulated program deadlocked, ran out of memory or did something that the machine refuses."""
 
     exit_code = 3
 
 
 class NotFound(Error):
-    """There is no program `tlab` to be started."""
+    """The program `tlab` was not found."""
 
 
-# What an exit code of the command is in Python; other codes are defects of tlab.
+# The exception for each exit code of the command; other codes are defects of tlab.
 OF_EXIT_CODE = {kind.exit_code: kind for kind in (CheckFailed, BadInput, SimulatedFault)}

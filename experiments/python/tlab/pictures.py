@@ -1,4 +1,4 @@
-"""Pictures: the sequential renderer, and files."""
+"""Pictures: from the sequential renderer and from files."""
 
 import os
 
@@ -12,11 +12,11 @@ def render(scene, size=(100, 100), *, threads=1, linear=False, **options):
 
     scene: the path of a file, .nff or .obj, or "spheres:N", "hills:N" (triangles), "room:L" (lights)
     size: width and height in pixels
-    threads: of the host; the picture does not depend on them
-    linear: give sums of light as float64, where 1 is white and there may be more, in place of 8 bits
-    options: those of render_options(), such as depth, min_influence, feelers, pixel_samples
+    threads: number of host threads; the picture does not depend on it
+    linear: return linear light as float64 in place of 8 bits; 1 is white, and values may exceed it
+    options: the options of render_options(), such as depth, min_influence, feelers, pixel_samples
 
-    Gives an array (height, width, 3) of uint8, equal to the PNG that the command writes.
+    Returns an array (height, width, 3) of uint8, equal to the PNG that the command writes.
     """
     try:
         width, height = size
@@ -30,10 +30,10 @@ def render(scene, size=(100, 100), *, threads=1, linear=False, **options):
 
 
 def render_options():
-    """What render() can be told: for each option its unit, meaning, kind, range, choices and default."""
+    """The options of render(): for each one its unit, meaning, kind, range, choices and default."""
     return {option["name"]: option for option in _native.render_options() if option["name"] not in ("width", "height")}
 
 
 def read_image(path):
-    """A PNG file of any kind as an array (height, width, 3) of uint8, on white where it is transparent."""
+    """Reads any PNG file as an array (height, width, 3) of uint8; transparent pixels are blended with white."""
     return _native.load_picture(os.fspath(path))

@@ -1,7 +1,7 @@
-"""The programs of the simulated machine: a function for each, which runs it and gives its Result.
+"""The programs of the simulated machine: one function per program, which runs it and returns its Result.
 
-The functions are made of what the programs declare. They take a program's parameters by name; where a list is given
-for one, each of its values is run, and every combination of several: message(bytes=[1, 80], switches=[0, 1]) has four
+The functions are generated from the programs' declarations. They take a program's parameters by name. A list runs
+every value of a parameter, and several lists run every combination: message(bytes=[1, 80], switches=[0, 1]) has four
 rows. Other keys of the experiment file are given as in tlab.run.
 """
 
@@ -12,7 +12,7 @@ from tlab import _native
 from tlab.running import run as _run
 from tlab.spelling import plain
 
-# Keys that most programs have, by short names.
+# Short names of keys that most programs have, with their defaults.
 _COMMON = {"model": ("machine.model", "t805-25")}
 _NETWORK = {"topology": ("network.topology", "tree"), "workers": ("network.workers", 7)}
 
@@ -21,7 +21,7 @@ def _common_of(program):
     return {**_COMMON, **(_NETWORK if program["network"] else {})}
 
 
-# Short names of a program's parameters; the whole key, with _ for its dots, where two have one name.
+# Short names of a program's parameters; the whole key, with _ for its dots, if the short name is not unique.
 def _names_of(program):
     keys = [parameter["key"] for parameter in program["parameters"]]
     short = [key.rpartition(".")[2] for key in keys]

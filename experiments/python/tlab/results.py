@@ -1,4 +1,4 @@
-"""What a run of an experiment leaves, as Python has it."""
+"""The results of an experiment as pandas tables and numpy arrays."""
 
 import functools
 import json
@@ -11,13 +11,13 @@ import pandas
 from tlab.pictures import read_image
 
 
-# Numbers as tlab writes them. Labels of processors may look nearly so: 007, 1_2.
+# Numbers as tlab writes them. Labels of processors may look similar: 007, 1_2.
 WHOLE = re.compile(r"-?(0|[1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?")
 FLAGS = {"0": False, "1": True, "false": False, "true": True}
 
-# What cells of a type of results.schema.json look like, what they are, and their column's dtype: where each row has a
-# value, and where some have none.
+# For each type of results.schema.json: a test of a cell's text, its conversion, and the column's dtype without and
+# with missing values.
 TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
          "integer": (WHOLE.fullmatch, int, "int64", "Int64"),
          "number": (NUMBER.fullmatch, float, "float64", "float64"),
@@ -25,7 +25,7 @@ TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
 
 
 def _type_of(texts, declared):
-    """The declared type where all cells are of it, else that of their spelling; a number where there are none."""
+    """The declared type if it fits all cells, else the type of their spelling; "number" without cells."""
     for name in (declared, "integer" if len(texts) else "number", "number"):
         if name in TYPES and all(map(TYPES[name][0], texts)):
             return name
@@ -33,7 +33,7 @@ def _type_of(texts, declared):
 
 
 def _give_type(texts, declared):
-    """A column of texts as one of what they say; an empty cell is NaN or <NA> among numbers, None among texts."""
+    """Converts a column of texts to its type; an empty cell becomes NaN or <NA> among numbers, None among texts."""
     given = texts[texts != ""]
     _, value_of, dtype, dtype_with_gaps = TYPES[_type_of(given, declared)]
     values = [value_of(text) if text else None for text in texts]
@@ -44,25 +44,25 @@ def _give_type(texts, declared):
 class Result:
     """The results of an experiment in their folder.
 
-    table: results.csv, a row for each point, as a pandas.DataFrame. Networks of from_networkx() that run()
-        was given have their names there
-    checks: what the experiment's checks came to, likewise; no rows where it has none
-    record: run.json: settings, models, how busy everything was
-    images: the pictures of the points by their names, as arrays (height, width, 3)
-    output: what the command has printed
-    folder: where all of this is. A temporary folder lasts as long as this object.
+    table: results.csv, a row for each point, as a pandas.DataFrame. Networks of from_networkx() passed to run()
+        appear by name
+    checks: the outcomes of the experiment's checks as a pandas.DataFrame; no rows without checks
+    record: run.json: settings, models, loads of processors and links
+    images: the pictures of the points by name, as arrays (height, width, 3)
+    output: the standard output of the command
+    folder: the folder with all of this. A temporary folder lasts as long as this object.
     """
 
     def __init__(self, folder, output="", files=None):
         self.folder = pathlib.Path(folder)
         self.output = output
-        self._files = files  # which it needs: a temporary folder goes with them
+        self._files = files  # keeps the temporary folder alive
         self.record = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
         self.table = self._read("results")
 
     @functools.cached_property
     def checks(self):
-        """What each check came to at each point."""
+        """The outcome of each check at each point."""
         if not (self.folder / "checks.csv").exists():
             return pandas.DataFrame(columns=["check", "simulated", "expected", "error", "kind"])
         return self._read("checks")
@@ -75,7 +75,7 @@ class Result:
 
     @functools.cached_property
     def columns(self):
-        """What each column of the table is: a DataFrame with its type, unit and meaning; "" where one has none."""
+        """A DataFrame with the type, unit and meaning of each column of the table; "" for a missing entry."""
         path = self.folder / "results.schema.json"
         fields = json.loads(path.read_text(encoding="utf-8"))["fields"] if path.exists() else []
         about = {field["name"]: [field.get(key, "") for key in ("type", "unit", "description")] for field in fields}
@@ -85,26 +85,26 @@ class Result:
 
     @property
     def programs(self):
-        """The names of the programs that were run."""
+        """The names of the programs in this run."""
         if "program" in self.table:
             return list(self.table["program"].unique())
         return [tomllib.loads(self.record["experiment"]).get("program", {}).get("name", "farm")]
 
     @property
     def row(self):
-        """The one row of the table. Raises ValueError where there are more."""
+        """The only row of the table. Raises ValueError unless there is exactly one."""
         if len(self.table) != 1:
             raise ValueError(f"found {len(self.table)} rows, expected one")
         return self.table.iloc[0]
 
     @property
     def complete(self):
-        """Whether every point came to its end."""
+        """True if every point ran to its end."""
         return bool(self.record["complete"])
 
     @property
     def ended(self):
-        """A sentence that says how the run has ended."""
+        """A sentence on how the run ended."""
         return self.record["ended"]
 
     @property

@@ -1,4 +1,4 @@
-"""Experiments: running them with the command."""
+"""Runs experiments with the command."""
 
 import itertools
 import os
@@ -16,10 +16,10 @@ from tlab.topologies import Topology
 
 
 class _Files:
-    """A temporary folder, which lasts as long as this object, for the files that a run is given.
+    """A temporary folder for a run's input files; it lasts as long as this object.
 
-    These are the experiment, where it is no file yet, and networks. names: what the networks are called, by the texts
-    that the experiment has in their place.
+    It holds the experiment, if that is not yet a file, and networks. names: the names of the networks, keyed by the
+    texts that replace them in the experiment.
     """
 
     def __init__(self):
@@ -27,7 +27,7 @@ class _Files:
         weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
 
     def put_networks(self, value, absolute):
-        """The value with a spec or a file's path in place of each topology in it."""
+        """Replaces each topology in the value by its spec or by the path of a new file."""
         value = plain(value)
         if isinstance(value, Topology):
             return value.spec or self._save(value, absolute)
@@ -46,18 +46,18 @@ class _Files:
         return text
 
 
-# The name, or with the first number behind it with which it is not taken.
+# The name if it is free, else the name with the lowest number that makes it free.
 def _find_free(name, is_taken):
     names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
     return next(free for free in names if not is_taken(free))
 
 
-# A text in TOML, where a path has neither of these.
+# True for TOML text: it has a line end or a =, a path has neither.
 def _is_text(experiment):
     return isinstance(experiment, str) and ("\n" in experiment or "=" in experiment)
 
 
-# The experiment as a file: its own, or one that is written now.
+# The path of the experiment's file; writes a new file unless it is one already.
 def _file_of(experiment, files):
     if isinstance(experiment, dict):
         text = spell_file(files.put_networks(experiment, absolute=False))
@@ -70,7 +70,7 @@ def _file_of(experiment, files):
     return path
 
 
-# Tells one file from another that has been written in its place.
+# Identifies a file, to detect that another one has replaced it.
 def _identity(path):
     try:
         status = path.stat()
@@ -82,16 +82,16 @@ def _identity(path):
 def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
     """Runs an experiment with the command `tlab run`, and gives its Result.
 
-    experiment: the path of a file; or a dict of its tables, or a text in TOML, which has a line end or a =. Paths in
-        a text are absolute; in a dict they may be pathlib.Paths, which are found from the current folder
-    folder: where results are written; points that are there already are not run again. Else a temporary folder
-    jobs: points run side by side, else as many as the host has processors
-    until: seconds of simulated time after which a point is cut short
-    settings: keys of the experiment, and what they are in place of what it says: network={"topology": "mesh"},
-        sweep={"workers": [1, 7]}, or **{"sweep.workers": [1, 7]}. A topology may be one of topology() and
+    experiment: the path of a file, a dict of its tables, or TOML text with a line end or a =. Paths in a text must be
+        absolute; a dict may hold pathlib.Paths relative to the current folder
+    folder: folder for the results, by default a temporary one; points already there are not run again
+    jobs: number of points run in parallel, by default the host's number of processors
+    until: simulated time in seconds at which a point is cut short
+    settings: keys of the experiment with values that replace those of the file: network={"topology": "mesh"},
+        sweep={"workers": [1, 7]}, or **{"sweep.workers": [1, 7]}. A topology may come from topology() or
         from_networkx()
 
-    Raises BadInput, CheckFailed or SimulatedFault with tlab's message; the two last have the results that there are.
+    Raises BadInput, CheckFailed or SimulatedFault with tlab's message; the last two hold the available results.
     """
     files = _Files()
     path = _file_of(experiment, files)
@@ -113,14 +113,14 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
 
 
 def load(folder):
-    """The Result of a run that has been before, from its folder."""
+    """The Result of an earlier run, from its folder."""
     if not (pathlib.Path(folder) / "run.json").is_file():
         raise BadInput(f"{folder}: expected a folder of results, with a run.json")
     return Result(folder)
 
 
 def experiments():
-    """The experiments that come with tlab: their paths, and their titles."""
+    """A dict of the experiments that come with tlab: their titles by path."""
     lines = command.ask("list", "experiments").splitlines()[1:]
     found = {}
     for line in lines:

@@ -1,4 +1,4 @@
-"""Values of Python as TOML spells them."""
+"""Writes Python values as TOML."""
 
 import json
 import math
@@ -12,7 +12,7 @@ from tlab.errors import BadInput
 
 
 def plain(value):
-    """A value without numpy's types; a pathlib.Path as a text, found from the current folder."""
+    """Converts numpy types to plain ones, and a pathlib.Path to an absolute path as text."""
     if isinstance(value, numpy.generic):
         return value.item()
     if isinstance(value, numpy.ndarray):
@@ -27,7 +27,7 @@ def plain(value):
 
 
 def whole(value, name):
-    """The value as an int, of a number that is whole by its type; `name` is what errors name."""
+    """Converts a number of an integer type to int; errors name `name`."""
     try:
         if not isinstance(value, bool):
             return operator.index(value)
@@ -37,12 +37,12 @@ def whole(value, name):
 
 
 def spell_key(key):
-    """A key of a table, in quotes where it needs them."""
+    """A table's key, in quotes if it needs them."""
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
 
 
 def spell(value, key="a value"):
-    """A value in one line; `key` is what errors name."""
+    """A value on one line; errors name `key`."""
     value = plain(value)
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -61,7 +61,7 @@ def spell(value, key="a value"):
 
 
 def spell_file(tables):
-    """A whole file. Each table of `tables` gets a section, with a key on each line."""
+    """A whole file. Each table of `tables` becomes a section with one key per line."""
     plain_keys = "".join(f"{spell_key(k)} = {spell(v, k)}\n" for k, v in tables.items() if not isinstance(v, dict))
     sections = (f"\n[{spell_key(name)}]\n" + "".join(f"{spell_key(k)} = {spell(v, f'{name}.{k}')}\n"
                                                      for k, v in table.items())
@@ -70,7 +70,7 @@ def spell_file(tables):
 
 
 def flatten(settings):
-    """Pairs of a dotted key and its value, of tables in tables."""
+    """Flattens nested tables to pairs of a dotted key and its value."""
     for key, value in settings.items():
         if isinstance(value, dict):
             yield from ((f"{key}.{inner}", v) for inner, v in flatten(value))

@@ -1,4 +1,4 @@
-"""Topologies: their metrics and routes, and graphs of networkx."""
+"""Topologies with their metrics and routes, and conversion from and to networkx."""
 
 import collections
 import functools
@@ -9,28 +9,28 @@ from tlab import _native
 from tlab.errors import BadInput
 from tlab.spelling import whole
 
-# A link: its lower processor and the port there, its higher processor and the port there.
+# A link: its lower processor with its port, its higher processor with its port.
 Link = collections.namedtuple("Link", "a port_a b port_b")
 
 
 class Topology:
-    """A machine's wiring: processors with four ports each, and links between ports. It does not change.
+    """A machine's wiring: processors with four ports each, and links between ports. It is immutable.
 
-    Where a method asks for a processor, its number or its label will do.
+    Methods take a processor by number or by label.
     """
 
     def __init__(self, native, spec=None):
         self._native = native
-        self.spec = spec  # the text that an experiment may say in its place; None where there is none
+        self.spec = spec  # the spec that stands for it in an experiment, or None
 
     @property
     def name(self):
-        """The spec, the path of a file, or what the graph was called."""
+        """The spec, the path of a file, or the name of the graph."""
         return self._native.name
 
     @property
     def processors(self):
-        """How many there are. They are numbered from 0."""
+        """The number of processors. They are numbered from 0."""
         return self._native.processors
 
     @property
@@ -40,25 +40,25 @@ class Topology:
 
     @property
     def labels(self):
-        """What the processors are called, where that is not by number; else an empty list."""
+        """The labels of the processors; an empty list if they only have numbers."""
         return self._native.labels
 
     @functools.cached_property
     def names(self):
-        """What the processors are called: their labels, else their numbers."""
+        """The names of the processors: their labels, else their numbers."""
         return self.labels or list(range(self.processors))
 
     @functools.cached_property
     def links(self):
-        """All links, sorted by their processors; several may join the same two."""
+        """All links, sorted by processors; several links may join the same two."""
         return [Link(a, port_a, b, port_b) for a, b, port_a, port_b in self._native.links()]
 
     def metrics(self, routes=""):
-        """A dict of numbers, as `tlab topology` prints them; with other routes than the shortest if that is asked.
+        """A dict of the metrics that `tlab topology` prints, optionally with other routes than the shortest.
 
-        farm_messages are those over the busiest direction of a link, farm_link, when every processor sends the root
-        a message and gets one; all_to_all_messages when each sends one to each other. With routes there is
-        closes_cycle too. bisection_width is None where it is not known.
+        farm_messages counts the messages over the busiest direction of a link, farm_link, if every processor sends
+        the root a message and gets a reply. all_to_all_messages does so if each processor sends one to each other.
+        With routes there is closes_cycle too. bisection_width is None if it is unknown.
         """
         found = self._native.metrics()
         if routes:
@@ -74,22 +74,22 @@ class Topology:
         return self.routes()
 
     def distance(self, start, end):
-        """The links between two processors."""
+        """The distance between two processors, in links."""
         return self._shortest.distance(start, end)
 
     def path(self, start, end):
-        """The processors on the shortest route, both ends among them."""
+        """The processors on the shortest route, both ends included."""
         return self._shortest.path(start, end)
 
     def distances(self):
-        """The links between all processors, as an array of numpy."""
+        """The distances between all processors in links, as a numpy array."""
         return self._shortest.distances()
 
     def to_networkx(self):
         """A networkx.MultiGraph with a node for each processor, by its label or number, and an edge for each link.
 
-        An edge has the attributes port_a and port_b: the ports at its first and second node, as `edges` has them. The
-        root's node has the attribute root. from_networkx() makes the same topology of it.
+        An edge has the attributes port_a and port_b: the ports at its first and second node, in the order of `edges`.
+        The root's node has the attribute root. from_networkx() restores the same topology.
         """
         import networkx
 
@@ -101,7 +101,7 @@ class Topology:
         return graph
 
     def save(self, path):
-        """Writes a .dot, .gv or .graphml file, which tlab and topology() read as the same network."""
+        """Writes a .dot, .gv or .graphml file; tlab and topology() read it as the same network."""
         path = pathlib.Path(path)
         writers = {".dot": self._native.to_dot, ".gv": self._native.to_dot, ".graphml": self._native.to_graphml}
         if path.suffix not in writers:
@@ -112,7 +112,7 @@ class Topology:
             raise BadInput(f"{path}: cannot be written: {error.strerror}") from None
 
     def number_of(self, processor):
-        """The number of a processor that is given by number or by label."""
+        """The number of a processor given by number or by label."""
         if isinstance(processor, str):
             if processor not in self.labels:
                 raise BadInput(f"{self.name}: found no processor called {processor!r}")
@@ -139,7 +139,7 @@ class Topology:
 
 
 class Routes:
-    """From each processor of a topology one way to each other."""
+    """One route from each processor of a topology to each other."""
 
     def __init__(self, topology, native):
         self.topology, self._native = topology, native
@@ -148,19 +148,19 @@ class Routes:
         return self.topology.number_of(start), self.topology.number_of(end)
 
     def distance(self, start, end):
-        """The links on the way between two processors."""
+        """The length of the route between two processors, in links."""
         return self._native.distance(*self._ends(start, end))
 
     def path(self, start, end):
-        """The processors on the way, both ends among them."""
+        """The processors on the route, both ends included."""
         return [self.topology.names[p] for p in self._native.path(*self._ends(start, end))]
 
     def distances(self):
-        """The links on all ways, as an array: a row for each start, a column for each end."""
+        """The lengths of all routes in links, as an array: a row for each start, a column for each end."""
         return self._native.distances()
 
     def metrics(self):
-        """A dict of what depends on routes: mean_distance, the busiest link all to all, and closes_cycle."""
+        """A dict of the metrics that depend on routes: mean_distance, the busiest link all to all, and closes_cycle."""
         link, messages = self._native.busiest()
         return {"mean_distance": self._native.mean_distance(), "all_to_all_messages": messages,
                 "all_to_all_link": link, "closes_cycle": self._native.closes_cycle()}
@@ -169,31 +169,31 @@ class Routes:
 def topology(spec):
     """The topology of a spec, such as "torus:4x4" or "tree:13", or of a .dot, .gv or .graphml file.
 
-    generators() lists what a spec may be.
+    generators() lists the forms of a spec.
     """
     spec = os.fspath(spec)
     return Topology(_native.make_topology(spec), None if pathlib.Path(spec).suffix else spec)
 
 
 def generators():
-    """What a spec may be, such as "mesh:RxC", with a line on each."""
+    """A dict of the forms of a spec, such as "mesh:RxC", with one line of help for each."""
     return dict(_native.generators())
 
 
-# The attribute of an edge for a port, by any of its names; -1: any port. Files have texts there.
+# An edge's port from any of these attributes, as a number or a text; -1: any port.
 def _find_port(edge, graph, *names):
     port = next((edge[name] for name in names if edge.get(name, "") != ""), -1)
     number = int(port) if str(port).isdecimal() else whole(port, f"{graph}: port of an edge")
-    return min(number, 1 << 30)  # which is no port either
+    return min(number, 1 << 30)  # still no valid port
 
 
 def from_networkx(graph, name=None):
     """The topology of a graph of networkx: each edge, directed or not, is one link.
 
-    Nodes are numbered in the graph's order, unless they are exactly 0 to n-1; others than numbers are labels. The
-    edges' attributes port_a and port_b are the ports, 0 to 3, at the first and second node, as `graph.edges` has them;
-    ends without one get the lowest port left. The root is the node with the attribute root, or the one that the
-    graph's own attribute root names, else processor 0. Raises BadInput for what no transputers can be wired to.
+    Nodes are numbered in the graph's order unless they are exactly 0 to n-1; other nodes become labels. The edges'
+    attributes port_a and port_b are the ports, 0 to 3, at the first and second node, in the order of `graph.edges`.
+    Ends without a port get the lowest free one. The root is the node with the attribute root, or the node named by
+    the graph's attribute root, else processor 0. Raises BadInput for a graph that transputers cannot be wired to.
     """
     name = str(name or graph.name or "network")
     nodes = list(graph.nodes)

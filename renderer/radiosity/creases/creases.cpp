@@ -10,9 +10,9 @@ namespace radiosity {
 
 namespace {
 
-// Shares of the room's size: what is rounding, and what is one line.
+// Relative to the room's size: rounding, and the distance of lines that count as one.
 constexpr double TOLERANCE = 1e-6, SAME = 1e-5;
-// Creases shorter than this share of their face are left out.
+// Creases shorter than this fraction of their face are dropped.
 constexpr double SHORTEST = 1e-3;
 
 // A side of a face, with the number of the face.
@@ -23,7 +23,7 @@ struct Piece {
   double emission;  // the largest of the three
 };
 
-// The sides of the faces of wanted materials.
+// The sides of the faces whose materials are `wanted`.
 template <typename Wanted>
 std::vector<Piece> find_sides(const Room& room, const Wanted& wanted) {
   std::vector<Piece> pieces;
@@ -47,7 +47,7 @@ bool overlap(const renderer::Bounds& a, const renderer::Bounds& b) {
          a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
 }
 
-// The light has no corners if it is not above the receiver or the receiver not above it.
+// The light gets no corners unless it lies above the receiver and the receiver above it.
 Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piece> faces,
                  double tolerance) {
   Stage stage{light.side, receiver.side, {}, tolerance};
@@ -65,8 +65,8 @@ Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piec
   return stage;
 }
 
-// About how bright a light makes the middle of a receiver if nothing is between. Either may be seen
-// from its edge there and not elsewhere.
+// Approximate illumination of the receiver's middle without blockers. Cosines have a minimum,
+// because either may be seen edge-on there but not elsewhere.
 double eval_strength(const Piece& light, const Piece& receiver) {
   constexpr double LEAST_COSINE = 0.1;
   const Vec way = eval_mean(receiver.side.corners) - eval_mean(light.side.corners);
@@ -91,15 +91,15 @@ std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const 
   return order;
 }
 
-// A crease; whether it lies within a penumbra, and how many lights are stronger than the one that
-// makes it.
+// A crease and its rank: whether it lies within a penumbra, and the number of lights stronger than
+// its own.
 struct Ranked {
   Crease crease;
   std::pair<bool, std::size_t> rank;
 };
 
-// Joins the crease with those on the same line that it overlaps or touches; the result is last, and
-// has the rank of the strongest.
+// Joins the crease with overlapping or touching ones on the same line. The result comes last, with
+// the strongest rank.
 void merge(Ranked added, double same, std::vector<Ranked>& creases) {
   for (std::size_t i = 0; i < creases.size();) {
     Crease longer = creases[i].crease, other = added.crease;

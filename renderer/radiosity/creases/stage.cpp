@@ -6,21 +6,18 @@ namespace radiosity {
 
 namespace {
 
-// Sights pass light and blocker at this distance, a share of their sizes, so that they touch
-// neither.
+// Distance of sight lines from light and blocker, relative to their sizes; avoids touching them.
 constexpr double ASIDE = 1e-4;
-// Least height by which light must fall from light to blocker, in tolerances: it limits how far
-// shadows reach.
+// Minimum drop from light to blocker, in tolerances; limits the length of shadows.
 constexpr double LEAST_FALL = 0.1;
 
-// Sights through a point to the way from a to b.
+// Sight lines through the apex to the segment from a to b.
 struct Pencil {
   Vec apex, a, b;
 };
 
-// Adds the parts of the way from a to b, both beyond the apex, that a face hides from sights
-// through the apex: it lies between the apex and the way or, if they come from `behind`, before the
-// apex.
+// Adds the parts of the segment from a to b, both beyond the apex, that a face hides from the apex.
+// The face lies between apex and segment or, if sight lines come from `behind`, before the apex.
 void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const Vec& b, bool behind,
                 std::vector<Interval>& hidden) {
   const Vec u = a - apex, w = b - apex, across = cross(u, w);
@@ -50,8 +47,8 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   }
 }
 
-// The parts of the way that every pencil reaches past all faces except one; the pencils' ways are
-// almost the same. Sights begin at the apex or, if they come from `behind` it, before.
+// The parts of the segment that all pencils reach past all faces except one. The pencils' segments
+// nearly coincide. Sight lines begin at the apex or, if from `behind`, before it.
 std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
                                 std::span<const Pencil> pencils, bool behind) {
   std::vector<Interval> hidden, seen;
@@ -68,8 +65,8 @@ std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::si
   return seen;
 }
 
-// Sights in a critical plane: from the light, through a point of the blocker's border, to the
-// receiver. Either all start at one point or all pass one.
+// Sight lines in a critical plane, from the light through a point of the blocker's border to the
+// receiver. They share either their start or the point that they pass.
 struct Wedge {
   std::array<Vec, 2> from, through;
 };
@@ -86,14 +83,14 @@ Vec project(const Plane& ground, const Vec& from, const Vec& through) {
   return from + (high / (high - low)) * (through - from);
 }
 
-// Pencils a little aside of the wedge: from the light inside its border, past the blocker. Where
-// all sights pass one corner of the blocker, there is one on either side of it along the wedge's
-// plane: where another face continues the blocker, it has no corner.
+// Pencils slightly beside the wedge: from inside the light's border, past the blocker. If all sight
+// lines pass a corner of the blocker, there is a pencil on either side of it along the wedge's
+// plane, because it is no corner if another face continues the blocker.
 std::vector<Pencil> step_aside(const Wedge& wedge, const Shadow& shadow) {
   const Plane& ground = shadow.stage.receiver.plane;
   const bool passes_one = wedge.through[0] == wedge.through[1];
   Vec beside;
-  Vec off;  // off the blocker's plane: within it sights would pass a face at one point only
+  Vec off;  // off the blocker's plane: in it, sight lines would pass a face at one point only
   if (passes_one) {
     off = 0.1 * ASIDE * (lerp(wedge.from[0], wedge.from[1], 0.5) - wedge.through[0]);
     const Vec plane = cross(wedge.from[1] - wedge.from[0], wedge.through[0] - wedge.from[0]);
@@ -124,7 +121,7 @@ void add_seen(const std::vector<Interval>& seen, const Vec& a, const Vec& b, dou
   }
 }
 
-// Adds the creases along which the wedge meets the receiver.
+// Adds the creases along the intersection of the wedge with the receiver.
 void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) {
   const Stage& stage = shadow.stage;
   const Plane& ground = stage.receiver.plane;
@@ -151,7 +148,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
                      project(ground, wedge.from[1], wedge.through[1])};
   const auto inside = clip_segment(far[0], far[1], shadow.edges, stage.tolerance);
   if (!inside) return;
-  // The share on the edge that belongs to a share of the way on the receiver.
+  // Converts a fraction of the segment on the receiver to that of the edge.
   const double falls[] = {fall(0), fall(1)};
   const auto back = [&](double t) { return t * falls[0] / ((1 - t) * falls[1] + t * falls[0]); };
   shorten({back(inside->from), back(inside->to)});
@@ -163,7 +160,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
            stage.tolerance, creases);
 }
 
-// Whether the polygon has corners on both sides of the plane.
+// True if the polygon has corners on both sides of the plane.
 bool cuts(const Plane& plane, std::span<const Vec> polygon, double tolerance) {
   bool above = false, below = false;
   for (const Vec& corner : polygon) {
@@ -180,8 +177,8 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through a corner and an edge, one of the light and one of the blocker. Nothing if there
-// is none, if it cuts the blocker, or if the light lies in it.
+// The plane through a corner and an edge, one of the light and one of the blocker. None if they
+// span no plane, if it cuts the blocker, or if the light lies in it.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
@@ -195,7 +192,7 @@ std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker
   return plane;
 }
 
-// Adds the creases where the blocker's own plane, if it cuts the light, meets the receiver.
+// Adds the creases of the blocker's own plane on the receiver, if the plane cuts the light.
 void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   const auto& light = shadow.stage.light.corners;
   const auto& face = shadow.stage.between[shadow.blocker];
@@ -210,12 +207,12 @@ void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   }
 }
 
-// Adds the creases that between[blocker] makes on the receiver. The borders lie where the planes
-// through an edge of light or blocker and a corner of the other that cut neither (on one side of
-// such a plane the blocker hides nothing of the light, or all it can) meet the receiver; where the
-// blocker's own plane does, if it cuts the light; and where the blocker touches the receiver.
-// Where the plane through an edge of the blocker and a corner cuts the light, the crease is within
-// the penumbra. Only what no other face hides from the light counts.
+// Adds the creases of between[blocker] on the receiver that no other face hides from the light.
+// Borders lie on planes through an edge of light or blocker and a corner of the other that cut
+// neither. On one side of such a plane the blocker hides nothing of the light, or all it can.
+// Further borders lie on the blocker's own plane, if it cuts the light, and where the blocker
+// touches the receiver. A plane through an edge of the blocker and a corner that cuts the light
+// yields a crease within the penumbra.
 void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];

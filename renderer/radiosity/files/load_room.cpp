@@ -17,7 +17,7 @@ using renderer::at_place;
 using renderer::LeftOut;
 using renderer::Tokens;
 
-// Adds a material that stands at a line; no other may have its name.
+// Adds a material from this line; its name must be new.
 void add_material(const Tokens& tokens, int line, const Material& material,
                   std::vector<Material>& materials) {
   tokens.at_line(line, [&] { check_material(material); });
@@ -27,7 +27,7 @@ void add_material(const Tokens& tokens, int line, const Material& material,
   materials.push_back(material);
 }
 
-// Takes a material's name and returns its index. `where` says what names it: "lines above".
+// Takes a material's name and returns its index. `where` describes the names: "lines above".
 std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view where) {
   std::string known;
   for (std::uint32_t i = 0; i < room.materials.size(); ++i) {
@@ -38,7 +38,7 @@ std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view w
       fmt::format("a material of the {}: {}", where, known.empty() ? "none yet" : known));
 }
 
-// Adds a face that stands at a line.
+// Adds a face from this line.
 void add_face(const Tokens& tokens, int line, Face face, Room& room) {
   face.where = fmt::format("{}:{}", tokens.name(), line);
   tokens.at_line(line, [&] { check_face(face, room.materials.size()); });
@@ -93,7 +93,7 @@ class RoomReader {
 
   int take_divisions(std::string_view what) { return tokens_.take_count(what, 1, MAX_DIVISIONS); }
 
-  // A face of so many corners; of as many as the line has, if it is not said.
+  // Reads a face with this number of corners, or if none is given with all on the line.
   void read_face(std::optional<int> corners) {
     Face face;
     face.material = take_material(tokens_, room_, "lines above");
@@ -113,7 +113,7 @@ class RoomReader {
     add_face(tokens_, tokens_.line(), std::move(face), room_);
   }
 
-  // Reads a box as six quads, which face outwards, or inwards.
+  // Reads a box as six quads that face outwards or inwards.
   void read_box() {
     const int line = tokens_.line();
     Face face;
@@ -133,7 +133,7 @@ class RoomReader {
       for (const int end : {0, 1}) {
         face.corners.clear();
         for (const auto& [next, last] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-          // Counter-clockwise as seen from the greatest end of the axis; else the other way round.
+          // Counter-clockwise as seen from the greatest end of the axis, or clockwise.
           const bool seen = (end == 1) != inside;
           double at[3];
           at[axis] = ends[end][axis];
@@ -182,15 +182,15 @@ class RoomReader {
   std::vector<int> crease_lines_;  // by crease
 };
 
-// Makes a room of an NFF file.
+// Builds a room from an NFF file.
 struct RoomTarget : renderer::NffTarget {
   RoomTarget(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
   std::string name;  // of the file
   LeftOut& left_out;
   Room room;
-  Material material;  // of the faces to come
-  bool used = false;  // whether it is the last of the room's materials
+  Material material;  // of the next faces
+  bool used = false;  // added to the room's materials, as the last one
 
   Knows knows() const override { return Knows::rooms; }
   void set_view(const renderer::View& view) override { room.view = check_view(view); }
@@ -235,14 +235,14 @@ struct RoomTarget : renderer::NffTarget {
   }
 };
 
-// Makes a room of an OBJ.
+// Builds a room from an OBJ file.
 struct ObjRoom : renderer::ObjTarget {
   ObjRoom(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
   std::string name;  // of the file
   LeftOut& left_out;
   Room room;
-  std::optional<std::uint32_t> material;  // of the faces to come
+  std::optional<std::uint32_t> material;  // of the next faces
   std::optional<renderer::View> view;
 
   void add_material(const renderer::MtlMaterial& m) override {
@@ -308,8 +308,8 @@ Read find_reader(const std::string& name) {
       "{}: found a room's name with another ending, expected .room, .nff or .obj", name));
 }
 
-// Moves a room that is farther from the origin than FAR times its size there: what is computed in
-// it is as exact as its coordinates then.
+// Moves a room to the origin if it is farther away than FAR times its size. Computations are then
+// as exact as its coordinates.
 Room bring_near(Room room) {
   constexpr double FAR = 1000;
   const renderer::Bounds bounds = eval_bounds(room);
@@ -331,7 +331,7 @@ Room read_room(std::string_view text, const std::string& name, LeftOut* left_out
 }
 
 Room load_room(const std::string& path) {
-  const Read read = find_reader(path);  // before a file of another kind is read
+  const Read read = find_reader(path);  // before it reads a file of another kind
   LeftOut left_out;
   return bring_near(read(base::read_text(path), path, left_out));
 }

@@ -1,8 +1,8 @@
 #pragma once
-// Rooms from files of three formats, told apart by the ending of the file's name.
+// Rooms from files of three formats, distinguished by the file name's ending.
 //
-// .room is tlab's own text format: one statement a line, `#` starts a comment, materials before
-// what uses them. Divisions are Face::along and across.
+// .room is tlab's own text format: one statement a line, `#` starts a comment, materials come
+// before their uses. Divisions are Face::along and across.
 //
 //   material NAME reflect R G B [emit R G B]
 //   mirror NAME reflect R G B
@@ -14,15 +14,14 @@
 //   view from x y z at x y z up x y z angle DEGREES size W H      required, once
 //
 // .nff (renderer/files/nff.hpp): faces are p and pp. The surface f before them is diffuse and
-// reflects kd times its colour, or where ks is 1 and kd 0 it is a mirror that reflects all. Its
-// highlights are passed over, as are l and b. `# emit R G B` after an f: the faces from there on
-// emit. Spheres and cones, which are not flat, and T above 0 are errors.
+// reflects kd times its colour; with ks = 1 and kd = 0 it is a perfect mirror. Its highlights are
+// ignored, like l and b. `# emit R G B` after an f makes the following faces emit. Spheres and
+// cones, which are not flat, and T above 0 are errors.
 //
 // .obj, with its MTL files (renderer/files/obj.hpp): every face is one patch before
-// MeshParams::refine, and its texture coordinates and pictures are passed over. Kd is the
-// reflectance and Ke the emission; `illum 3`, which asks for mirror images by ray tracing, makes
-// the material a mirror: it reflects Ks, and its Kd is passed over. Lights and the background are,
-// too.
+// MeshParams::refine; texture coordinates and pictures are ignored. Kd is the reflectance and Ke
+// the emission. `illum 3`, which requests mirror images by ray tracing, makes the material a mirror
+// that reflects Ks and ignores Kd. Lights and the background are ignored, too.
 
 #include <string>
 #include <string_view>
@@ -32,13 +31,13 @@
 
 namespace radiosity {
 
-/// Reads a file. BadInput "file:line: found ..., expected ..."; the room has passed check(), and
-/// its view has its image plane. A room that is a thousand times as far from the origin as it is
-/// wide has been moved there, so that what is computed in it is as exact as its coordinates.
+/// Reads a file. BadInput "file:line: found ..., expected ...". The room has passed check(), and
+/// its view has its image plane. A room a thousand times as far from the origin as it is wide is
+/// moved there, so that computations are as exact as its coordinates.
 Room load_room(const std::string& path);
 
-/// Reads a text in the same way, but leaves the room where it is; `name` stands for the path. What
-/// a scene has and rooms have not, such as lights, is counted if that is asked for.
+/// Reads a text in the same way, but leaves the room where it is; `name` stands for the path.
+/// Counts in `left_out`, if given, the parts of a scene that rooms do not have, such as lights.
 Room read_room(std::string_view text, const std::string& name,
                renderer::LeftOut* left_out = nullptr);
 

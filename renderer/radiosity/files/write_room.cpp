@@ -13,7 +13,7 @@ namespace {
 using renderer::describe;
 using renderer::LeftOut;
 
-// A name that is one word.
+// Makes a name a single word.
 std::string make_word(std::string name) {
   std::ranges::replace(name, ' ', '_');
   return name;
@@ -25,7 +25,7 @@ void leave_out(const Room& room, LeftOut& left_out) {
     if (face.along > 1 || face.across > 1) left_out.add("divisions of faces");
 }
 
-// Calls `take` with a face and, of one with two sides, with its back.
+// Calls `take` with a face, and with its back if it has two sides.
 template <class Take>
 void each_side(const Face& face, const Take& take) {
   take(face.corners, face.normals);

@@ -1,5 +1,5 @@
 #pragma once
-// Rooms in the formats of load_room.hpp. What a format has no word for is counted.
+// Writes rooms in the formats of load_room.hpp, and counts what a format cannot express.
 
 #include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
@@ -11,8 +11,8 @@ namespace radiosity {
 /// The text of a .room. Left out: normals.
 std::string to_text(const Room& room, renderer::LeftOut& left_out);
 
-// Tell a target the room; faces of two sides as two faces. Left out: creases, divisions, names of
-// materials; of an NFF also what its mirrors, which reflect all, do not.
+// Send a room to a target; two-sided faces become two faces. Left out: creases, divisions, names of
+// materials; in an NFF also the absorption of mirrors, which reflect all.
 void tell(const Room& room, renderer::ObjTarget& target, renderer::LeftOut& left_out);
 void tell(const Room& room, renderer::NffTarget& target, renderer::LeftOut& left_out);
 

@@ -20,13 +20,13 @@ double eval_power(const Mesh& mesh, std::span<const Rgb> patches) {
   return power;
 }
 
-// Shares of what a patch sends that meet backs of faces, and that leave the room.
+// Shares of a patch's light that meet backs of faces and that leave the room.
 struct Exits {
   double backs = 0, outside = 0;
 };
 
-// The directions in which faces are seen from their fronts, by object of Mesh::blockers: one for a
-// face, two for one with two sides, none for a mirror.
+// Normals of each object's visible sides, by object of Mesh::blockers: one for a face, two for a
+// two-sided face, none for a mirror.
 std::vector<std::vector<Vec>> find_fronts(const Mesh& mesh) {
   std::vector<std::vector<Vec>> fronts(renderer::object_count(mesh.blockers));
   for (const Patch& patch : mesh.patches) {
@@ -37,7 +37,7 @@ std::vector<std::vector<Vec>> find_fronts(const Mesh& mesh) {
   return fronts;
 }
 
-// Whether the ray meets a face that lies on the patch, as the floor does on the foot of a block.
+// Returns true if the ray meets a face in contact with the patch, such as the floor under a block.
 bool meets_contact(const Mesh& mesh, const Patch& patch, renderer::Ray ray, Work& work) {
   const double aside = 1e-6 * std::sqrt(patch.area);
   ray.origin = ray.origin - aside * patch.normal;
@@ -80,8 +80,8 @@ Exits find_exits(const Mesh& mesh, const std::vector<std::vector<Vec>>& fronts, 
 
 constexpr std::size_t LEAST_SIDE = 4, MOST_SIDE = 64;
 
-// The power that falls on backs of faces, where patches send `sent`: by 16 rays from each patch,
-// and more from those that send more than the mean.
+// Estimates the power that falls on backs of faces if patches send `sent`: 16 rays from each patch,
+// more from patches above the mean power.
 double find_backs(const Mesh& mesh, std::span<const Rgb> sent) {
   const auto fronts = find_fronts(mesh);
   const double mean = eval_power(mesh, sent) / static_cast<double>(sent.size());

@@ -1,7 +1,7 @@
 #pragma once
-// A patch cut into delta areas, as a point sees it: the sum of Eq 3.8.
+// Subdivision of a patch into delta areas seen from a point: the sum of Eq 3.8.
 //
-// Formulas are written once for a number and for several in lanes (renderer/scene/lanes.hpp).
+// Formulas are templates for a number or for several in lanes (renderer/scene/lanes.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -29,60 +29,60 @@ struct Quad {
     by_t = dot(normal, cross(c, b));
   }
   [[gnu::always_inline]] Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
-  /// Area for each unit of s and t.
+  /// Area per unit of s and t.
   template <class Number>
   [[gnu::always_inline]] Number eval_density(const Number& s, const Number& t) const {
     return density + s * by_s + t * by_t;
   }
   Vec p, a, b, c, normal;
-  double along, across;        // squares of the longer of opposite sides
-  double density, by_s, by_t;  // eval_density() at (0, 0), and how it grows
+  double along, across;        // squared length of the longer of opposite sides
+  double density, by_s, by_t;  // eval_density() at (0, 0), and its growth
   double aa, ac, bb, bc, cc;   // products of a, b and c
 };
 
-/// A point that looks, and the normal of the surface that it lies on.
+/// An observing point, and the normal of the surface there.
 struct Viewpoint {
   Vec at, normal;
 };
 
-/// A term of Eq 3.8, with A_2/N = `area`; `square` of the distance, `here` and `there` the cosines
-/// times the distance.
+/// A term of Eq 3.8, with A_2/N = `area`. `square` is the squared distance; `here` and `there` are
+/// the cosines times the distance.
 inline double eval_delta(double area, double square, double here, double there) {
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// A side of a delta area, at its middle, as a point sees it from afar.
+/// A side of a delta area, measured at its middle, as seen by a distant point.
 template <class Number, class Share>
 struct DeltaSide {
-  Number turn;    ///< its part along the way to the delta area's centre, over the way's length
-  Number rise;    ///< its part along the viewpoint's normal, over the way's part along that
-  Number square;  ///< of its length over the way's
-  Share growth;   ///< how much longer the other side is at its end than at its beginning, over that
+  Number turn;    ///< component along the way to the delta area's centre, over the way's length
+  Number rise;    ///< component along the viewpoint's normal, over that of the way
+  Number square;  ///< squared length, over that of the way
+  Share growth;   ///< relative growth of the other side from this side's start to its end
 
-  /// Its share of eval_extent().
+  /// Its part of eval_extent().
   [[gnu::always_inline]] Number eval_extent() const {
     return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
            1.0 / 12 * growth * (rise - 4.0 * turn);
   }
-  /// How far off the delta area's centre the middle of its factor lies along the side, as a share
-  /// of its length, to the first order.
+  /// Offset of the factor's centroid from the delta area's centre along the side, relative to its
+  /// length, to first order.
   [[gnu::always_inline]] Number eval_drift() const {
     using renderer::clamp, std::clamp;
     return clamp(1.0 / 12 * (growth + rise - 4.0 * turn), -0.5, 0.5);
   }
 };
 
-/// How much a delta area differs from a point with its area: its factor is 1 + eval_extent() times
-/// that of the point, up to the fourth power of side over distance. The kernel's second derivatives
-/// along the sides, over 24, make the difference, and, where a side grows, that more of the area
-/// lies towards its end.
+/// Correction for the size of a delta area: its factor is 1 + eval_extent() times that of a point
+/// with its area, up to the fourth power of side over distance. The correction combines the
+/// kernel's second derivatives along the sides, over 24, and the shift of area towards the end of a
+/// growing side.
 template <class Number, class Share>
 [[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number, Share>& a,
                                                  const DeltaSide<Number, Share>& b) {
   return a.eval_extent() + b.eval_extent();
 }
 
-/// A patch that glows evenly, with 1.
+/// An evenly bright patch, with value 1.
 struct Even {
   static constexpr bool IS_EVEN = true;
   template <class Number>
@@ -91,22 +91,22 @@ struct Even {
   }
 };
 
-/// A part of a patch around (s, t); its sides are shares of the patch's.
+/// A part of a patch around (s, t); its sides are fractions of the patch's.
 template <class Share>
 struct DeltaOf {
   Share s, t, along, across;
 };
 using Delta = DeltaOf<double>;
 
-/// Where a delta area is looked at. Not quite the centre: in rooms full of symmetry lines between
-/// centres pass exactly through edges, of two mirrors above all, and rounding would say by which
-/// side.
+/// The point of a delta area that visibility rays aim at, slightly off its centre. In symmetric
+/// rooms lines between centres pass exactly through edges, above all of two mirrors. Rounding would
+/// then decide on the side.
 [[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
   constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
   return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
 }
 
-/// What a delta area measures at its middle.
+/// Size of a delta area at its middle.
 template <class Share>
 struct DeltaSize {
   [[gnu::always_inline]] DeltaSize(const Quad& quad, const DeltaOf<Share>& delta)
@@ -117,19 +117,19 @@ struct DeltaSize {
         square_b(delta.across * delta.across *
                  (quad.bb + delta.s * (2.0 * quad.bc + delta.s * quad.cc))) {}
   Share density, area;
-  Share square_a, square_b;  ///< of the lengths of its sides
+  Share square_a, square_b;  ///< squared lengths of its sides
 };
 
-/// How the patch's sides rise along a viewpoint's normal: its products with Quad's a, b and c.
+/// Components of the patch's sides along a viewpoint's normal: its products with Quad's a, b and c.
 template <class Number>
 struct Rise {
   Number a, b, c;
 };
 
-/// The term of a delta area whose sides are shorter than its distance, exact to the second order in
-/// side over distance, times `source.eval(s, t)`. `way` leads there, `square` is its length's,
-/// `here` and `there` are as in eval_delta(). Share is of one delta area or of several, Vector
-/// and Number of one viewpoint or of several.
+/// The term of a delta area with sides shorter than its distance, times `source.eval(s, t)`. It is
+/// exact to second order in side over distance. `way` leads there; `square` is its squared length;
+/// `here` and `there` are as in eval_delta(). Share is for one delta area or several, Vector and
+/// Number are for one viewpoint or several.
 template <class Share, class Vector, class Number, class Source>
 [[gnu::always_inline]] inline auto eval_far(const Quad& quad, const DeltaOf<Share>& delta,
                                             const DeltaSize<Share>& size, const Rise<Number>& rise,
@@ -137,7 +137,7 @@ template <class Share, class Vector, class Number, class Source>
                                             const Number& here, const Number& there,
                                             const Source& source) {
   const auto [s, t, along, across] = delta;
-  // Divisions are what costs here.
+  // Divisions dominate the cost here.
   const Number per_square = 1.0 / square, per_here = 1.0 / here;
   const Share per_density = 1.0 / size.density;
   const Number way_c = dot(way, quad.c);
@@ -154,22 +154,22 @@ template <class Share, class Vector, class Number, class Source>
   return term * source.eval(at_s, at_t);
 }
 
-/// How a patch is cut: into samples x samples delta areas, each of them halved up to `halvings`
-/// times while it is wider than its distance times the root of `enough`.
+/// Subdivision of a patch into samples x samples delta areas. Each is halved up to `halvings` times
+/// while it is wider than its distance times the root of `enough`.
 struct Cut {
   int samples, halvings;
   double enough;
 };
 
-/// How a viewpoint sees a delta area that it faces, and that faces it.
+/// View of a delta area from a viewpoint if they face each other.
 struct Look {
   Vec point, way;      ///< find_aim(), and the way there
-  double square;       ///< of the distance
+  double square;       ///< squared distance
   double here, there;  ///< see eval_delta()
 };
 
 /// Calls `take(delta, look)` for each delta area that faces the viewpoint. `misses(point, radius)`
-/// says whether the viewpoint surely sees no point of the patch within the radius.
+/// returns true if the viewpoint certainly sees no point of the patch within the radius.
 template <class Misses, class Take>
 class Cutter {
  public:
@@ -206,7 +206,7 @@ class Cutter {
     if (look.here > 0 && look.there > 0) take_(delta, look);
   }
 
-  // The parts of a delta area that is halved along, across, or both.
+  // Adds the parts of a delta area, halved along, across, or both.
   void add_parts(const Delta& delta, bool along, bool across, int halvings) {
     const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
     const double width = along ? delta.along / 2 : delta.along;
@@ -224,18 +224,18 @@ class Cutter {
   renderer::Work& work_;
 };
 
-/// Whether Eq 3.8 is for a delta area: it is wider than it is far.
+/// True if a delta area is wider than its distance, so that Eq 3.8 applies.
 inline bool is_wide(const DeltaSize<double>& size, double square) {
   return std::max(size.square_a, size.square_b) > square;
 }
 
-/// What terms times `source.eval(s, t)` add up to: a number or a colour.
+/// Type of a sum of terms times `source.eval(s, t)`: a number or a colour.
 template <class Source>
 using SumOf = decltype(1.0 * std::declval<Source>().eval(0, 0));
 
-/// The term of a delta area that is seen: of Eq 3.8 where it is wide, else what is exact to the
-/// second order in side over distance (Eq 3.8 is for a disc that faces the viewpoint, and loses 0.3
-/// % of the light of a room); times `source.eval(s, t)`.
+/// The term of a visible delta area, times `source.eval(s, t)`: Eq 3.8 if it is wide, else exact to
+/// second order in side over distance. (Eq 3.8 holds for a disc that faces the viewpoint, and loses
+/// 0.3 % of the light of a room.)
 template <class Source>
 SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal, const Look& look,
                         const Source& source, renderer::Work& work) {
@@ -248,8 +248,8 @@ SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal,
   return eval_far(quad, delta, size, rise, look.way, look.square, look.here, look.there, source);
 }
 
-/// The sum over a patch of what is seen. `sight.sees(point)` says whether the viewpoint sees a
-/// point of the patch; see Cutter for `sight.misses(point, radius)`.
+/// The sum over the visible part of a patch. `sight.sees(point)` returns whether the viewpoint sees
+/// a point of the patch; see Cutter for `sight.misses(point, radius)`.
 template <class Sight, class Source>
 SumOf<Source> sum_deltas(const Cut& cut, const Viewpoint& eye, const Quad& quad, const Sight& sight,
                          const Source& source, renderer::Work& work) {

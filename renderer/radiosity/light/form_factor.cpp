@@ -10,7 +10,7 @@ using renderer::Work;
 
 namespace {
 
-// How a vertex sees a patch directly, for sum_deltas().
+// Direct view of a patch from a vertex, for sum_deltas().
 struct DirectSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -22,7 +22,7 @@ struct DirectSight {
   static bool misses(const Vec&, double) { return false; }
 };
 
-// What a vertex gets from a patch directly, for sum_deltas()'s `source`.
+// Direct light from a patch at a vertex, for sum_deltas()'s `source`.
 template <class Source>
 auto eval_direct(const Eye& eye, const Cut& cut, const Vertex& vertex, const Patch& patch,
                  const Quad& quad, const Source& source, Work& work) {

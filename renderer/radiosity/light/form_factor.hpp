@@ -22,7 +22,7 @@ struct FactorParams {
   /// Widest delta area that is not halved where it is seen in mirrors, a share of the narrowest of
   /// them as both are seen, > 0; not halved more than if spread were a quarter.
   double mirror_share = 0.5;
-  /// Pieces of a mirror along and across, 0 to 10000; 0: a piece for each delta area, through which
+  /// Pieces of a mirror along and across, 0 to 1000; 0: a piece for each delta area, through which
   /// that is seen (mirrors.hpp).
   int mirror_pieces = 0;
   renderer::Traversal traversal = renderer::Traversal::nearest;
@@ -38,8 +38,8 @@ inline Cut direct_cut(const FactorParams& params) {
   return {params.samples, params.halvings, params.spread * params.spread};
 }
 
-/// What visibility is found with: rays are cast against the blockers of `mesh`. `access`, unless
-/// null, is told of all that is read.
+/// Visibility queries: rays are cast against the blockers of `mesh`. `access`, unless null,
+/// receives every read.
 struct Eye {
   const Mesh& mesh;
   const FactorParams& params;
@@ -49,8 +49,8 @@ struct Eye {
 /// The share of the distance at which a ray ends, so that it does not meet the object it goes to.
 inline constexpr double NEARLY = 1 - 1e-9;
 
-/// Whether nothing blocks the way from a point on one object to a point on another. Inlined: the
-/// caller computes the way and its length too, and shares them.
+/// Returns true if nothing blocks the segment between points on two objects. Inlined, so that the
+/// caller shares the direction and its length.
 [[gnu::always_inline]] inline bool sees(const Eye& eye, const Vec& from, std::uint32_t object,
                                         const Vec& to, std::uint32_t other, renderer::Work& work) {
   if (object == other) return true;
@@ -76,7 +76,7 @@ struct Glow {
   [[gnu::always_inline]] auto eval(const Number& s, const Number& t) const {
     return at + s * along + t * (across + s * twist);
   }
-  /// Whether it is the same everywhere.
+  /// Returns true if it is constant over the patch.
   bool is_even() const { return along == Rgb{} && across == Rgb{} && twist == Rgb{}; }
   Rgb at, along, across, twist;
 };
@@ -111,21 +111,22 @@ inline Cut direct_cut(const Eye& eye, const Sender& sender) {
   return cut;
 }
 
-/// The sum of Eq 3.9 times A_2, without mirrors: the share of the vertex's hemisphere, weighted by
-/// its cosine, in which the patch is seen, 0..1; B_1 = rho_1 B_2 times it. Adds to `work`.
+/// The sum of Eq 3.9 times A_2, without mirrors: the cosine-weighted share of the vertex's
+/// hemisphere that the visible patch covers, 0..1. B_1 is rho_1 B_2 times it. Adds to `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
-/// Whether there are mirrors by way of which light arrives.
+/// Returns true if light may arrive by mirrors.
 inline bool has_mirrors(const Eye& eye) {
   return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
 }
 
-/// The light that arrives at a vertex, also by way of mirrors, each colour times their reflectance.
-/// Where the patch glows evenly, that is its form factors, direct and over mirrors, times the glow.
-/// Adds to `work`.
+/// The light from a patch that arrives at a vertex, directly and by mirrors, with each colour
+/// scaled by their reflectance. For an even glow it is the form factors times the glow. Adds to
+/// `work`.
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);
 
-/// Whether a part of the patch is in front of the viewpoint, and the viewpoint in front of it.
+/// Returns true if part of the patch is in front of the viewpoint and the viewpoint in front of the
+/// patch.
 inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
   for (const Vec& corner : patch.at)

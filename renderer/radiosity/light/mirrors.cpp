@@ -11,30 +11,30 @@ using renderer::Work;
 
 namespace {
 
-// The way of light over a chain of mirrors, made straight: what looks is mirrored instead of what
-// is seen (figures 3.11 and 3.12). images[0] is the vertex's viewpoint, images[j] is mirrored by
-// the chain's first j mirrors.
+// The unfolded path of light over a chain of mirrors, with images of the viewpoint instead of the
+// visible surface (figures 3.11 and 3.12). The first of `images` is the vertex's viewpoint, and
+// images[j] is its reflection by the chain's first j mirrors.
 struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
 
-  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // the first is the one the vertex looks into
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // the first is the one nearest to the vertex
   List<Viewpoint, MOST_REFLECTIONS + 1> images;
   Rgb reflectance{1, 1, 1};  // product of the mirrors'
-  // Angle under which the narrowest of them is seen, rad, about.
+  // Approximate visual angle of the narrowest mirror, rad.
   double width = std::numeric_limits<double>::infinity();
 
   explicit Chain(const Viewpoint& eye) : images{eye} {}
   const Viewpoint& last() const { return images.back(); }
-  // Whether the chain's end can look into the mirror.
+  // True if the mirror is visible from the chain's end.
   bool can_meet(const Mirror& mirror) const;
-  // Whether the last mirror may show any of a convex polygon: no edge of it divides them.
+  // True if the last mirror may show part of a convex polygon: none of its edges separates them.
   bool may_show(std::span<const Vec> corners) const;
-  // The chain with one mirror more, of this reflectance.
+  // The chain with another mirror of this reflectance.
   Chain extend(const Mirror& mirror, const Rgb& by) const;
 };
 
-// Where a way meets a chain's mirrors, in the chain's order.
+// A path's points on a chain's mirrors, in the chain's order.
 using Path = std::array<Vec, MOST_REFLECTIONS>;
 
 Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
@@ -45,7 +45,7 @@ Vec mirror_point(const Mirror& mirror, const Vec& point) {
   return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
 }
 
-// Whether a point in a convex polygon's plane is inside, or outside by no more than the margin.
+// True if a point in a convex polygon's plane is inside, or outside by at most the margin.
 bool is_within(std::span<const Vec> c, const Vec& normal, const Vec& point, double margin = 0) {
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec edge = c[(i + 1) % c.size()] - c[i];
@@ -86,7 +86,7 @@ Chain Chain::extend(const Mirror& mirror, const Rgb& by) const {
   return longer;
 }
 
-// The way from the vertex to a point; none if it misses a mirror.
+// The path from the vertex to a point; none if it misses a mirror.
 std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   Path points;
   Vec from = to;
@@ -103,8 +103,8 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   return points;
 }
 
-// Whether every way to the points within a radius of `to` surely misses a mirror. The ways form a
-// cone with its tip at the vertex's image; a mirror cuts it in an ellipse.
+// True if every path to the points within a radius of `to` certainly misses a mirror. The paths
+// form a cone with its tip at the vertex's image; a mirror cuts it in an ellipse.
 bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   Vec from = to;
   const double whole = length(to - chain.last().at);
@@ -114,10 +114,10 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
     const Vec way = chain.images[j + 1].at - from;
     const double before = dot(mirror.normal, from - mirror.corners[0]);
     const double along = -dot(mirror.normal, way), left = length(way);
-    if (!(before > radius && along > radius)) return false;  // no telling
+    if (!(before > radius && along > radius)) return false;  // undecided
     const Vec point = from + before / along * way;
     gone += before / along * left;
-    const double slope = (along - radius) / left;  // the least cosine of the cone's lines, about
+    const double slope = (along - radius) / left;  // approximate least cosine of the cone's lines
     const double margin = 2 * radius * (whole - gone) / whole / slope;
     if (!is_within(mirror.corners, mirror.normal, point, margin)) return true;
     from = point;
@@ -125,7 +125,7 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   return false;
 }
 
-// How a vertex sees a patch over a chain, for sum_deltas().
+// View of a patch from a vertex over a chain, for sum_deltas().
 struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -134,7 +134,7 @@ struct MirroredSight {
   const Chain& chain;
   Work& work;
 
-  // Whether nothing blocks a way that meets the mirrors along `path`.
+  // True if nothing blocks the path over the mirrors at `path`.
   bool is_free(const Path& path, const Vec& to) const {
     Vec from = vertex.lit;
     std::uint32_t on = vertex.object;
@@ -157,7 +157,7 @@ struct MirroredSight {
   }
 };
 
-// The rectangle around a mirror along its first edge, cut into n x n pieces.
+// The bounding rectangle of a mirror, aligned with its first edge, cut into n x n pieces.
 struct Pieces {
   Pieces(const Mirror& mirror, int n) : n(n) {
     const Vec along = normalize(mirror.corners[1] - mirror.corners[0]);
@@ -180,21 +180,21 @@ struct Pieces {
   Vec origin, u, v;  // u and v: the sides of a piece
 };
 
-// The least solid angle of the pieces that a path meets, and the index of its mirror in the chain.
+// The least solid angle of the pieces on a path, and the index of its mirror in the chain.
 struct Least {
   double angle = std::numeric_limits<double>::infinity();
   std::size_t mirror = 0;
 };
 
-// A way from the vertex over a chain to the patch's plane.
+// A path from the vertex over a chain to the patch's plane.
 struct Way {
   Path path;
   Vec end;
   Least least;
 };
 
-// The sum of Eq 3.17 over the patch's delta areas (samples x samples, not halved) and the pieces
-// of the chain's mirrors (FactorParams::mirror_pieces).
+// The sum of Eq 3.17 over the patch's delta areas (samples x samples, not halved) and the pieces of
+// the chain's mirrors (FactorParams::mirror_pieces).
 template <class Source>
 class PieceSum {
  public:
@@ -217,7 +217,7 @@ class PieceSum {
   }
 
  private:
-  // The delta area within `half` of (s, t).
+  // Adds the delta area within `half` of (s, t).
   double add_delta(double s, double t, double half) {
     seen_.work[Op::delta_area] += 1;
     const Quad& quad = seen_.quad;
@@ -234,7 +234,7 @@ class PieceSum {
       for (int j = 0; j < pieces_[k].n; ++j)
         for (int i = 0; i < pieces_[k].n; ++i) {
           seen_.work[Op::light_mirrored] += 1;
-          // A way is found over the pieces of each of its mirrors: where these are the least.
+          // Pieces of each mirror on the path find it; only the mirror with the least ones counts.
           const auto way = follow(k, pieces_[k].centre(i, j));
           if (!way || way->least.mirror != k) continue;
           const double whole = solid_angle(area, way->end);
@@ -252,8 +252,8 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // The way from the vertex over the chain, through a piece's centre at the k-th mirror, if it ends
-  // in the delta area.
+  // The path from the vertex over the chain, through a piece's centre at the k-th mirror, if it
+  // ends in the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
     if (!is_within(chain.mirrors[k]->corners, chain.mirrors[k]->normal, centre))
@@ -280,7 +280,7 @@ class PieceSum {
     return area * -dot(seen_.quad.normal, line) / (square * std::sqrt(square));
   }
 
-  // The minimum of Eq 3.18 over the pieces that a path meets.
+  // The minimum of Eq 3.18 over the pieces on a path.
   Least least_angle(const Path& path) const {
     Least least;
     double distance = 0;
@@ -303,12 +303,12 @@ class PieceSum {
   std::array<Vec, 4> corners_;  // of the delta area
 };
 
-// What arrives over one chain, without its reflectance.
+// The light that arrives over one chain, without its reflectance.
 template <class Source>
 auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;
   if (params.mirror_pieces > 0) return PieceSum(sight, source).sum();
-  // Little light comes through a mirror that looks very narrow: it deserves no more care.
+  // A mirror that appears very narrow transmits little light: limit its extra effort.
   constexpr double LEAST = 0.25;
   const double spread =
       std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
@@ -319,7 +319,7 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
 template <class Source>
 constexpr bool KEEPS = std::is_same_v<Source, Recorder>;
 
-// The sum over all chains that begin with that of `sight`, without its own.
+// The sum over all chains that extend the one of `sight`, without that one.
 template <class Source>
 auto sum_chains(const MirroredSight& sight, const Source& source) {
   const auto& [eye, vertex, patch, quad, chain, work] = sight;

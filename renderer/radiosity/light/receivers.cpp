@@ -16,7 +16,7 @@ using renderer::Work;
 
 namespace {
 
-// The receivers in lanes. One that is missing is where the first is, and not `present`.
+// The receivers in lanes. A missing one copies the first's position, and is not `present`.
 struct Points {
   [[gnu::always_inline]] explicit Points(const Receivers& receivers) {
     const Vertex& first = *receivers[0];
@@ -38,14 +38,14 @@ struct Points {
   Mask object, present;
 };
 
-// As face_each_other() of each.
+// face_each_other() for each lane.
 [[gnu::always_inline]] inline Mask find_facing(const Points& points, const Patch& patch) {
   Mask before{};
   for (const Vec& corner : patch.at) before |= dot(corner - points.at, points.normal) > 0.0;
   return points.present & before & (dot(points.at - patch.centre, patch.normal) > 0.0);
 }
 
-// Which of the ways to a point of the patch nothing blocks: as sees() of each.
+// The unblocked ways to a point of the patch: sees() for each lane.
 [[gnu::always_inline]] inline Mask find_seeing(const Eye& eye, const Points& points,
                                                const Patch& patch, const Mask& looking,
                                                const Vecs& way, const Lanes& square, Work& work) {
@@ -60,7 +60,7 @@ struct Points {
   return looking & ~rays.blocked;
 }
 
-// Delta areas that are looked at, one in each lane or one by all.
+// Visible delta areas: one for each lane, or one for all lanes.
 template <class Share>
 struct Looks {
   DeltaOf<Share> delta;
@@ -69,7 +69,7 @@ struct Looks {
   Mask looking;
 };
 
-// As Recorder, in lanes.
+// Recorder in lanes.
 struct TermLanes {
   Lanes share, s, t;
 };
@@ -83,13 +83,13 @@ struct LaneRecorder {
   [[gnu::always_inline]] Place eval(const Lanes& s, const Lanes& t) const { return {s, t}; }
 };
 
-// The receivers' lights; or, where these are kept, their terms.
+// The receivers' lights, or their terms if these are kept.
 struct Sum {
   Lights lights{};
   TermsLanes* kept = nullptr;
 };
 
-// Adds to the lights the terms of what is seen, as eval_seen() of each delta area that is not wide.
+// Adds the visible terms to the lights, as eval_seen() for each delta area that is not wide.
 // `receiver(k)`: that of lane k.
 template <class Share, class Receiver>
 [[gnu::always_inline]] inline void add_terms(const Eye& eye, const Sender& sender,
@@ -122,8 +122,8 @@ template <class Share, class Receiver>
     if (seeing[k]) sum.lights[receiver(k)] += Rgb{terms.r[k], terms.g[k], terms.b[k]};
 }
 
-// Adds what arrives directly at those that see the patch as one delta area. `near`: those that do
-// not, or to which it is wide.
+// Adds the direct light at receivers that see the patch as a single, not wide delta area. Sets
+// `near` for the others.
 TLAB_WIDE_REGISTERS
 void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
                     Mask& near, Work& work) {
@@ -155,7 +155,7 @@ void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& se
         eye, sender, points, looks, [](std::size_t k) { return k; }, sum, work);
 }
 
-// A delta area that a receiver looks at.
+// A delta area seen by a receiver.
 struct Seen {
   const Vertex* vertex;
   std::size_t receiver;
@@ -187,13 +187,13 @@ void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender
       eye, sender, points, looks, [&](std::size_t k) { return seen[k].receiver; }, sum, work);
 }
 
-// Collects delta areas that receivers look at until there is one for each lane.
+// Collects delta areas seen by receivers until all lanes are full.
 class Near {
  public:
   Near(const Eye& eye, const Sender& sender, Sum& sum, Work& work)
       : eye_(eye), sender_(sender), sum_(sum), work_(work) {}
 
-  // Adds what arrives directly at the vertex, which the patch faces; the last of it in flush().
+  // Adds the direct light at the vertex, which the patch faces; the rest of it in flush().
   void add(const Vertex& vertex, std::size_t receiver) {
     const Viewpoint view{vertex.lit, vertex.normal};
     const auto misses = [](const Vec&, double) { return false; };
@@ -217,7 +217,7 @@ class Near {
 
  private:
   void add_wide(const Vertex& vertex, std::size_t receiver, const Delta& delta, const Look& look) {
-    flush();  // terms are added in their order
+    flush();  // keeps the order of the terms
     const auto& [patch, quad, glow, is_even] = sender_;
     if (!sees(eye_, vertex.lit, vertex.object, look.point, patch.object, work_)) return;
     const auto eval = [&](const auto& source) {

@@ -1,7 +1,7 @@
 #pragma once
-// The light that patches send to points, kept from one shot of a patch to its next. A point's light
-// is a sum of terms share * glow(s, t), and of these only the glow changes between shots: no ray is
-// cast again. In a room of light walls every patch sends some 20 times.
+// Form factors kept between the shots of a patch. A point's light is a sum of terms share * glow(s,
+// t); only the glow changes between shots, so that no ray is cast again. In a room with light walls
+// every patch shoots some 20 times.
 
 #include <unordered_map>
 #include <vector>
@@ -11,17 +11,17 @@
 
 namespace radiosity {
 
-/// The rows of form factors of a mesh's patches to points, as many as there is room for.
+/// The rows of form factors from a mesh's patches to points, as far as they fit into memory.
 class Rows {
  public:
-  /// `room`: bytes that may still be used; several Rows may share it. Both must outlive the object.
+  /// `room`: bytes left, possibly shared with other Rows. `eye` and `room` must outlive the object.
   Rows(const Eye& eye, std::vector<Vertex> points, std::size_t& room);
-  /// The lights at all points if the patch sends, bit for bit those of eval_lights(); adds the same
-  /// work, also for rays that were not cast again. Valid until the next call.
+  /// The lights at all points if the patch shoots, bit for bit those of eval_lights(). Adds the
+  /// same work, also for rays that are not cast again. Valid until the next call.
   std::span<const Rgb> eval(std::uint32_t patch, const Sender& sender, renderer::Work& work);
 
  private:
-  struct Lit {  // a point that receives any light, and where its terms and chains end
+  struct Lit {  // a lit point, and the ends of its terms and chains
     std::uint32_t point, terms, chains;
   };
   struct Row {

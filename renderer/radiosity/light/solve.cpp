@@ -16,10 +16,10 @@ using renderer::Work;
 
 namespace {
 
-// Units of one patch, of which a million can be added.
+// Maximum units of one patch; a million such can be added.
 constexpr double MOST_UNSHOT = 0x1p42;
 
-// Bytes of form factors that a solution may keep.
+// Maximum bytes of form factors kept by a solution.
 constexpr std::size_t MOST_KEPT = std::size_t{1} << 30;
 
 std::vector<std::uint32_t> count_up(std::size_t n) {
@@ -28,14 +28,14 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
-// Calls f with as many indices as there are lanes, at last with those that are left.
+// Calls f with LANES indices at a time, finally with the rest.
 template <class F>
 void for_lanes(std::span<const std::uint32_t> all, const F& f) {
   for (std::size_t begin = 0; begin < all.size(); begin += LANES)
     f(all.subspan(begin, std::min(LANES, all.size() - begin)));
 }
 
-// The mean of what arrived at a patch in the last shot.
+// The mean light that arrived at a patch in the last shot.
 Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
   Rgb corners;
   for (const auto corner : mesh.patches[p].corners) corners += state.received[corner];
@@ -43,11 +43,11 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
   return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
 }
 
-// The share of a patch's area that is a corner's, by the bilinear weights.
+// Fractions of a patch's area that belong to its corners, by the bilinear weights.
 std::array<double, 4> eval_shares(const Patch& patch) {
   const Quad quad(patch);
   const auto eval = [&](double s, double t) {
-    // Weights of a line's ends, and of their products with its parameter.
+    // Integrals of the weight of a line's end, and of its product with the parameter.
     const double of_s = (1 + s) / 6, of_t = (1 + t) / 6;
     return (quad.density / 4 + quad.by_s * of_s / 2 + quad.by_t * of_t / 2) /
            (quad.density + quad.by_s / 2 + quad.by_t / 2);
@@ -55,8 +55,8 @@ std::array<double, 4> eval_shares(const Patch& patch) {
   return {eval(0, 0), eval(1, 0), eval(1, 1), eval(0, 1)};
 }
 
-// A patch's corners' unsent light, changed so that its mean over the patch is `mean`: what is
-// missing is added everywhere, what is too much is taken from each in proportion.
+// Changes the unsent light at a patch's corners so that its mean over the patch is `mean`. A
+// deficit is added equally; an excess is removed from each in proportion.
 Glow fit_glow(const Patch& patch, std::array<Rgb, 4> corners, const Rgb& mean) {
   const auto shares = eval_shares(patch);
   for (double Rgb::*colour : {&Rgb::r, &Rgb::g, &Rgb::b}) {
@@ -81,7 +81,7 @@ std::vector<Vertex> make_centres(const Mesh& mesh) {
   return centres;
 }
 
-// What receive() does with the lights of all vertices.
+// Applies the lights of all vertices, like receive().
 void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& work) {
   for (std::size_t v = 0; v < lights.size(); ++v) {
     state.received[v] = lights[v];
@@ -230,7 +230,7 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
     const Rgb power = unit * state.areas[p] * state.unshot[p];
-    // Half away from zero, as std::llround(), which takes longer than all else here.
+    // Rounds half away from zero like std::llround(), which would dominate the cost here.
     const auto round = [](double share) {
       return static_cast<std::int64_t>(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT) +
                                        std::copysign(0.5, share));
@@ -298,7 +298,7 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
   if (params.senders == 0) return solve(mesh, params.solve, step);
   MeshParams coarse = params.mesh;
   coarse.refine = params.senders;
-  Room even = room;  // those that send are not halved near lights
+  Room even = room;  // senders are not halved near lights
   even.fine_near_lights = false;
   return solve(make_mesh(even, coarse), params.solve, step, &mesh);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The light that a patch sends to a point as a sum of terms.
+// Terms of the light that a patch sends to a point.
 
 #include <cstdint>
 #include <vector>
@@ -15,15 +15,15 @@ struct Term {
   double share, s, t;
 };
 
-/// A chain of mirrors. The terms from `begin` on, up to the next chain's, arrive over it.
+/// A chain of mirrors, with the terms from `begin` up to the next chain's.
 struct ChainTerms {
   std::uint32_t begin;   ///< index of a Term
   std::uint32_t length;  ///< number of mirrors, >= 1
   Rgb reflectance;       ///< product of the mirrors'
 };
 
-/// The light that a patch sends to one point, apart from the patch's glow: direct terms, and then
-/// those over mirrors. A chain is followed by the longer ones that begin with it.
+/// The light that a patch sends to one point, without the patch's glow: direct terms, and then
+/// those over mirrors. Longer chains follow the chain that they extend.
 struct Terms {
   std::vector<Term> terms;
   std::vector<ChainTerms> chains;
@@ -45,8 +45,8 @@ struct Recorder {
     }
   };
   Place eval(double s, double t) const { return {kept.terms, s, t}; }
-  /// Returns the chain's index for end(), which drops it if no term arrived over it or a longer
-  /// one.
+  /// Returns the chain's index for end(), which drops the chain if neither it nor a longer one has
+  /// a term.
   std::size_t begin(std::size_t length, const Rgb& reflectance) const {
     kept.chains.push_back({static_cast<std::uint32_t>(kept.terms.size()),
                            static_cast<std::uint32_t>(length), reflectance});

@@ -12,19 +12,19 @@ namespace radiosity {
 
 namespace {
 
-// Least sine of the angles at a cell's corners after a point has moved.
+// Minimum sine of the angles at a cell's corners after a point has moved.
 constexpr double WELL_SHAPED = 0.3;
-// A corner is straight where the sine of its turn is less.
+// A corner is straight if the sine of its turn is smaller.
 constexpr double STRAIGHT = 0.17;
-// Shares of the touch of a crease: a cell that it cuts off is no flatter than FLAT, but where the
-// cell before was almost as flat, and never flatter than FLATTEST. Heights below ROUNDING are 0.
+// Relative to a crease's touch: a cell that it cuts off is at least FLAT wide, or half as wide as a
+// flat cell was before, but at least FLATTEST. Heights below ROUNDING are 0.
 constexpr double FLAT = 0.25, FLATTEST = 0.02, ROUNDING = 1e-6;
-// The least sine at which a cell is cut at a straight corner.
+// Minimum sine of a cut through a cell at a straight corner.
 constexpr double TOO_NARROW = 1e-3;
 
 using Loop = std::vector<std::uint32_t>;
 
-// The two parts of a loop that is cut from one of its points to another, each with both points.
+// The two parts of a loop that is cut between two of its points; both parts contain both points.
 std::pair<Loop, Loop> cut_loop(Loop loop, std::uint32_t from, std::uint32_t to) {
   std::ranges::rotate(loop, std::ranges::find(loop, from));
   const auto at = std::ranges::find(loop, to);
@@ -60,7 +60,7 @@ struct Quads {
   Vec at(std::uint32_t point) const { return division.points[point]; }
 };
 
-// The sine of the angle from one way to another.
+// The sine of the angle between two directions.
 double eval_sine(const Vec& a, const Vec& b, const Vec& normal) {
   return dot(normal, cross(a, b)) / std::sqrt(dot(a, a) * dot(b, b));
 }
@@ -72,7 +72,7 @@ bool is_straight(const Quads& quads, const Loop& loop, std::size_t i, const Vec&
   return dot(ahead, behind) > 0 && eval_sine(behind, ahead, normal) < STRAIGHT;
 }
 
-// The least sine of the four angles that the way from corner i to corner k makes with the border.
+// The least sine of the four angles between the border and the line from corner i to corner k.
 double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t k,
                 const Vec& normal) {
   double least = 1;
@@ -85,8 +85,8 @@ double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t
   return least;
 }
 
-// Cuts a cell from a straight corner to the other corner that makes the best angles, and so on with
-// its parts; adds these to `parts`.
+// Cuts a cell from a straight corner to the other corner with the best angles, recursively; adds
+// the parts to `parts`.
 void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& normal,
                           std::vector<Loop>& parts) {
   std::uint32_t from = 0, to = 0;
@@ -109,8 +109,8 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
   cut_straight_corners(quads, left, normal, parts);
 }
 
-// The centre of gravity of a convex polygon. From any corner it lies beyond the middles of the
-// edges there, which the mean of the corners need not.
+// The centroid of a convex polygon. From any corner it lies beyond the middles of the adjacent
+// edges, unlike, possibly, the mean of the corners.
 Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
   Vec sum;
   double total = 0;
@@ -136,7 +136,7 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& n
   }
 }
 
-// Cells may have straight corners where a neighbour is cut and they are not.
+// Cells have a straight corner where a neighbour was cut and they were not.
 class Cells {
  public:
   // Cells are the quads of a division; equal points become one, the others keep their order.
@@ -162,10 +162,10 @@ class Cells {
       }
   }
 
-  // The point will not be moved.
+  // Keeps the point where it is.
   void fix(std::uint32_t point) { line_[point] = FIXED; }
 
-  // Points move to the lines first..last, no nearer than `apart` to each other.
+  // Moves points to the lines first..last, but not nearer than `apart` to each other.
   void move_points(std::span<const Line> lines, std::size_t first, std::size_t last, double reach,
                    double apart) {
     for (std::size_t k = first; k < last; ++k)
@@ -179,7 +179,7 @@ class Cells {
         const double height = dot(across, here - crease.a);
         if (std::abs(height) >= reach) continue;
         Vec to = here - height * across;
-        if (line_[i] != FREE) {  // along the crease that it is on
+        if (line_[i] != FREE) {  // along its present crease
           const Crease& other = lines[static_cast<std::size_t>(line_[i])].crease;
           const Vec way = normalize(other.b - other.a);
           const double slope = dot(across, way);
@@ -193,8 +193,8 @@ class Cells {
     }
   }
 
-  // Cuts all cells that the crease crosses for more than its touch. Returns whether all could be
-  // cut.
+  // Cuts all cells that the crease crosses for more than its touch. Returns false if some could not
+  // be cut.
   bool cut(const Line& line) {
     const Crease& crease = line.crease;
     const double size = length(crease.b - crease.a), touch = line.touch;
@@ -209,7 +209,7 @@ class Cells {
     for (std::size_t cell = 0; cell < count; ++cell) {
       const auto chord = find_chord(cell, heights);
       if (!chord) continue;
-      // Places on the crease, from 0 to its size, at which the chord begins and ends.
+      // Positions on the crease, from 0 to its size, of the chord's ends.
       double t[2];
       for (std::size_t i = 0; i < 2; ++i) {
         const auto& [point, next, share] = chord->ends[i];
@@ -228,7 +228,7 @@ class Cells {
       const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
       if (!cut_cell(cell, p, q, touch)) kept = false;
     }
-    // The crease's ends become points of the edges that it lies on.
+    // The crease's ends become points of the edges that they lie on.
     for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
     return kept;
   }
@@ -253,7 +253,7 @@ class Cells {
       owner_[{loop[i], loop[(i + 1) % loop.size()]}] = cell;
   }
 
-  // Moves a point unless a cell becomes ill-shaped, or an edge shorter than `apart` and than it is.
+  // Moves a point unless a cell becomes ill-shaped, or an edge < `apart` becomes shorter.
   bool move(std::uint32_t point, const Vec& to, double apart) {
     const Vec back = std::exchange(points_[point], to);
     for (const auto cell : around_[point]) {
@@ -294,7 +294,7 @@ class Cells {
       least = std::min(least, find_height(loop, loop[i], loop[(i + 1) % loop.size()]));
     return least;
   }
-  // How far the points of a loop are off the line from a to b, at most.
+  // Maximum distance of a loop's points from the line from a to b.
   double find_height(const Loop& loop, std::uint32_t a, std::uint32_t b) const {
     const Vec across = cross(normal_, normalize(points_[b] - points_[a]));
     double most = 0;
@@ -304,7 +304,7 @@ class Cells {
   }
 
   // Cuts a cell between two of its points. False if a part would be too flat, unless the crease
-  // runs along the cell's edges: these are on it then.
+  // runs along the cell's edges, which then lie on it.
   bool cut_cell(std::size_t cell, std::uint32_t p, std::uint32_t q, double touch) {
     if (p == q) return true;
     const auto [right, left] = cut_loop(cells_[cell], p, q);
@@ -326,13 +326,13 @@ class Cells {
     if (start == count) return std::nullopt;
     Chord chord;
     std::size_t found = 0;
-    std::uint32_t last = loop[start];  // that is not on the line
+    std::uint32_t last = loop[start];  // the last point off the line
     for (std::size_t i = 1; i <= count; ++i) {
       const std::uint32_t before = loop[(start + i - 1) % count], here = loop[(start + i) % count];
       if (heights[here] == 0) continue;
       if ((heights[here] > 0) != (heights[last] > 0)) {
         if (found == 2) return std::nullopt;
-        // The last point on the line, if there is one between.
+        // The last point on the line, if any lies between.
         const double share = before == last ? heights[last] / (heights[last] - heights[here]) : 0;
         chord.ends[found++] = {before, here, share};
       }
@@ -358,8 +358,8 @@ class Cells {
     return point;
   }
 
-  // Puts a point at the distance `end` from `origin` on every edge that lies on the line `along`:
-  // where both heights are within touch.
+  // Inserts a point at the distance `end` from `origin` into every edge on the line `along`. Both
+  // ends of such an edge are within `touch` of the line.
   void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
                       std::vector<double>& heights) {
     const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };

@@ -12,26 +12,26 @@ namespace radiosity {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6;  // share of a face's size
-// Least and largest height, as shares of a patch's width, of an edge beside which patches are
-// graded. What hangs nearer touches the face; without strips, also what hangs within half of it.
+constexpr double OFF_PLANE = 1e-6;  // relative to a face's size
+// Height limits, relative to a patch's width, of edges beside which patches are graded. Edges below
+// LEAST_GAP touch the face; without strips, so do those up to TOUCHING_GAP.
 constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
-// Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, and so
-// on to WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, 15 % of the light is missing.
+// Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, up to
+// WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, 15 % of the light is missing.
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
-// Least cosine between the normals of a face and of what hangs over it.
+// Minimum cosine between the normals of a face and of a face that hangs over it.
 constexpr double PARALLEL = 0.8;
-// Pairs of faces that may touch: in any room, and for each of its faces.
+// Limits of the pairs of faces that may touch: a constant plus a number for each face.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
 struct Flat {
   const Face* face;
   Plane plane;
-  std::vector<Plane> edges;  // their insides are above
+  std::vector<Plane> edges;  // with the inside above
   renderer::Bounds bounds;
   double size;
-  double width;        // the least
-  double patch_width;  // as if it were divided evenly
+  double width;        // minimum
+  double patch_width;  // for an even division
 
   double gap() const { return GAP * patch_width; }
   double reach() const { return std::max(OFF_PLANE * size, gap()); }
@@ -80,7 +80,7 @@ int choose_axis(std::span<const Flat> flats) {
   return std::ranges::min({0, 1, 2}, {}, share);
 }
 
-// Whether the bounds touch within a distance.
+// True if the bounds touch within a distance.
 bool touch(const Flat& a, const Flat& b, double distance) {
   for (int axis = 0; axis < 3; ++axis)
     if (b.bounds.lo[axis] > a.bounds.hi[axis] + distance ||
@@ -89,12 +89,12 @@ bool touch(const Flat& a, const Flat& b, double distance) {
   return true;
 }
 
-// Whether one face is large enough to hang over the other, see hangs_over().
+// True if one face is large enough to hang over the other, see hangs_over().
 bool may_hang(const Flat& other, const Flat& on) {
   return other.width >= on.patch_width && touch(other, on, on.gap());
 }
 
-// By face, the others that may touch it. BadInput where they are too many.
+// By face, the others that may touch it. BadInput if they are too many.
 std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
   const int axis = choose_axis(flats);
   std::vector<std::uint32_t> order(flats.size());
@@ -122,7 +122,7 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
   return neighbours;
 }
 
-// The part of a segment that is at least `margin` inside the face's edges, if it has a length.
+// The part of a segment at least `margin` inside the face's edges, if it has a length.
 std::optional<Crease> clip_to(const Flat& flat, const Crease& segment, double margin,
                               double tolerance) {
   const auto part = clip_segment(segment.a, segment.b, flat.edges, margin);
@@ -137,7 +137,7 @@ bool are_coplanar(const Pair& pair) {
   });
 }
 
-// Whether faces in one plane have an area in common.
+// True if faces in one plane have an area in common.
 bool overlap(const Pair& pair) {
   std::vector<Vec> part = pair.on.face->corners;
   for (const Plane& edge : pair.other.edges) {
@@ -147,7 +147,7 @@ bool overlap(const Pair& pair) {
   return length(eval_area_normal(part)) > 4 * pair.tolerance * pair.on.size;
 }
 
-// The segment at which the other face meets the plane of the first, in front of it.
+// The segment where the other face meets the plane of the first, in front of it.
 std::optional<Crease> find_touch(const Pair& pair) {
   const auto& corners = pair.other.face->corners;
   std::vector<double> heights;
@@ -168,8 +168,8 @@ std::optional<Crease> find_touch(const Pair& pair) {
   return Crease{points[0], points[1]};
 }
 
-// How far the corners of the other face are in front of the first; of a two-sided one, before the
-// side that they are on.
+// Heights of the other face's corners in front of the first face; for a two-sided one, in front of
+// the side that they are on.
 struct Heights {
   double low, high;
 };
@@ -182,7 +182,7 @@ Heights find_heights(const Pair& pair) {
   return pair.on.face->two_sided && found.high < 0 ? Heights{-found.high, -found.low} : found;
 }
 
-// Whether the other face hangs so near to the first, and is so wide, that patches of the first
+// True if the other face hangs so near to the first, and is so wide, that patches of the first
 // cannot show how light fades under its edges.
 bool hangs_over(const Pair& pair) {
   const auto [low, high] = find_heights(pair);
@@ -197,9 +197,9 @@ bool lies_on(const Flat& flat, const Vec& point, double tolerance) {
              flat.edges, [&](const Plane& edge) { return eval_height(edge, point) >= -tolerance; });
 }
 
-// Whether light does not come in under an edge of what hangs over a face: something goes down from
-// the edge, or goes on beyond it and hangs as near. `outward`: away from what hangs, in the plane;
-// `neighbours`: of what hangs.
+// True if no light enters under an edge of a face that hangs over another. Some face then descends
+// from the edge, or continues it and hangs as near. `outward`: away from the hanging face, in the
+// plane; `neighbours`: those of the hanging face.
 bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
              std::span<const Flat> flats, std::span<const std::uint32_t> neighbours) {
   const Vec middle = 0.5 * (edge.a + edge.b);
@@ -216,7 +216,7 @@ bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
-// The planes, upright on a face, through the edges of what hangs over it; its inside is above them.
+// Planes through the edges of a hanging face, upright on the face below; the inside is above them.
 std::vector<Plane> make_shape(const Pair& pair) {
   std::vector<Vec> below;
   for (const Vec& corner : pair.other.face->corners)
@@ -224,7 +224,7 @@ std::vector<Plane> make_shape(const Pair& pair) {
   return make_edge_planes(below, normalize(eval_area_normal(below)));
 }
 
-// An open edge of what hangs over a face.
+// An open edge of a face that hangs over another.
 struct OpenEdge {
   const Pair pair;
   Crease below;                  // on the face's plane
@@ -232,7 +232,7 @@ struct OpenEdge {
   Vec inward;                    // unit, in the face's plane
 };
 
-// Adds the open edges of what hangs over a face. `neighbours`: of what hangs.
+// Adds the open edges of a hanging face. `neighbours`: those of the hanging face.
 void find_open_edges(const Pair& pair, std::span<const Flat> flats,
                      std::span<const std::uint32_t> neighbours, std::vector<OpenEdge>& open) {
   const Plane& plane = pair.on.plane;
@@ -250,8 +250,8 @@ void find_open_edges(const Pair& pair, std::span<const Flat> flats,
   }
 }
 
-// The segment so many heights of the edge inside it, or outside if negative; there it is as much
-// longer, so that those of neighbouring edges meet.
+// The segment moved inwards by so many heights of the edge, or outwards if negative. Outside it is
+// longer by as much at both ends, so that neighbouring segments meet.
 Crease shift(const OpenEdge& edge, double heights) {
   const Vec along = normalize(edge.below.b - edge.below.a);
   const double longer = std::max(0.0, -heights);
@@ -259,14 +259,14 @@ Crease shift(const OpenEdge& edge, double heights) {
           edge.below.b + edge.height[1] * (heights * edge.inward + longer * along)};
 }
 
-// The edge is so near that no strips show how light fades: it touches the face.
+// For an edge too near for strips to show how light fades: it touches the face.
 void add_touching(const OpenEdge& edge, const Crease& line, Contacts& contacts) {
   contacts.lines.push_back(line);
   contacts.hanging.push_back({line, edge.inward, edge.pair.other.plane});
 }
 
-// Adds the strips beside an edge in which the light fades: of a long edge of height h, the share
-// (1 + x / sqrt(x^2 + h^2)) / 2 arrives at the distance x outside it.
+// Adds the strips of fading light beside an edge. At the distance x outside a long edge of height
+// h, the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
 void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   const Pair& pair = edge.pair;
   const auto shape = make_shape(pair);
@@ -285,8 +285,8 @@ void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   }
 }
 
-// Adds what the edges that hang over a face make on it. `most_strips`: beside all of them, on each
-// of their sides; with many edges there are few or none.
+// Adds the contacts of a face with edges that hang over it. All edges together share `most_strips`
+// on each of their sides; with many edges there are few or none.
 void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Contacts& contacts) {
   const std::size_t most = most_strips / std::max<std::size_t>(1, edges.size());
   for (const OpenEdge& edge : edges) {
@@ -304,7 +304,7 @@ void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Conta
   }
 }
 
-// Whether the surface of a face goes on beyond a segment of its border, in another face.
+// True if another face continues the surface of a face beyond a segment of its border.
 bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
              std::span<const std::uint32_t> neighbours) {
   return std::ranges::any_of(neighbours, [&](std::uint32_t i) {
@@ -314,7 +314,7 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
   });
 }
 
-// Whether the first face, which touches the other by its border, stands on its front.
+// True if the first face, whose border touches the other, stands on the other's front.
 bool stands_on(const Pair& pair, const Crease& border) {
   constexpr double MOST_COSINE = 0.5;
   const bool is_upright =
@@ -324,7 +324,7 @@ bool stands_on(const Pair& pair, const Crease& border) {
          clip_to(pair.other, border, pair.tolerance, pair.tolerance);
 }
 
-// `neighbours`: of what the first face stands on.
+// `neighbours`: those of the face below the first one.
 Ledge make_ledge(const Pair& pair, const Crease& foot, std::span<const Flat> flats,
                  std::span<const std::uint32_t> neighbours) {
   const Vec &normal = pair.on.plane.normal, &up = pair.other.plane.normal;

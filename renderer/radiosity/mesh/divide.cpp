@@ -68,7 +68,7 @@ std::vector<double> make_lines(const std::vector<double>& given, Row row) {
   std::vector<double> lines{0, 1};
   for (const auto* some : {&row.contacts, &row.creases, &row.ends})
     for (Wanted wanted : *some) {
-      // What is off a given line by rounding only is that line to the last bit.
+      // A position within rounding of a given line becomes that line, bit for bit.
       for (const double line : given)
         if (std::abs(wanted.at - line) < 1e-9) wanted.at = line;
       if (wanted.at > 0 && wanted.at < 1 && !is_near(lines, wanted)) lines.push_back(wanted.at);

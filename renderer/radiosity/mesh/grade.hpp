@@ -5,12 +5,11 @@
 
 namespace radiosity {
 
-/// The room with finer grids (Face::grid, from what the faces have with `refine`) on faces of 4
-/// corners that reflect. Rows of patches are halved where the illumination from the lights, if
-/// nothing were between, is in the middle of a side of a patch off the mean of its two ends by more
-/// than a fifth of the mean illumination that the room would have if it were closed: a light that
-/// is narrower than a patch and near its middle may not be noticed. Twice at most; where the room
-/// had more than twice as many patches, or 10 million, it is not halved.
+/// Refines grids (Face::grid, from the faces' grids with `refine`) on reflecting faces of 4
+/// corners. Halves a row of patches if the unoccluded illumination at the middle of a patch's side
+/// deviates too much from the mean of its ends. The limit is a fifth of the room's mean
+/// illumination, as if it were closed. Lights near the middle and narrower than a patch may be
+/// missed. It halves at most twice, and never to more than twice as many patches, or 10 million.
 Room make_graded(Room room, int refine);
 
 }  // namespace radiosity

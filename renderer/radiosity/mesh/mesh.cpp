@@ -66,7 +66,7 @@ Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> bef
   return renamed;
 }
 
-// Whether a point of a patch's plane lies on the patch; its border is within rounding.
+// Returns true if a point of the patch's plane lies on the patch or, within rounding, its border.
 bool is_on(const Patch& patch, const Vec& point) {
   const double tolerance = 1e-9 * patch.area;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -76,15 +76,15 @@ bool is_on(const Patch& patch, const Vec& point) {
   return true;
 }
 
-// What vertices on a face's border, or at a contact, are lit beyond.
+// The creases and contacts beyond which border vertices of a face are lit.
 struct Fringe {
   std::vector<Crease> creases;  // of the face
   const Contacts& contacts;
   double width;  // of a patch
 };
 
-// The share of the way from a point at which it crosses a crease that runs so near that no patch
-// keeps it, no further than `width` times CREASE_TOUCH; 0 if it does not, or at a low angle.
+// The share of `way` at which it crosses a crease too near to be kept, at most `width` times
+// CREASE_TOUCH away; 0 if it crosses none, or at a low angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
   constexpr double STEEP = 0.3;  // sine of the angle
@@ -97,11 +97,10 @@ double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Cre
   return place >= 0 && place <= 1 ? off / across : 0;
 }
 
-// How far from its border a patch is to be lit there, if light comes in by a gap along the border
-// and fades behind it; that and the gap's width in lengths of the patch. A long gap of width w lets
-// in f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z, much at the border and, if it is
-// narrow, little behind. With what is found at the distance z0 that is returned, the mean of the
-// patch's two ends, (f(z0) + f(1)) / 2, is that of f over the patch.
+// The distance z0 from its border at which to light a patch behind a gap along the border, and the
+// gap's width w, both in lengths of the patch. A long gap gives f(z) = (1 - z / sqrt(z^2 + w^2)) /
+// 2 at the distance z. z0 is chosen so that (f(z0) + f(1)) / 2, the mean of the patch's ends,
+// equals the mean of f over the patch.
 double eval_lit_place(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
@@ -160,9 +159,9 @@ std::vector<double> find_angles(const Mesh& mesh) {
   return angles;
 }
 
-// The vertices at which a contact turns, and more than half a plane is around it: the feet of
-// edges. The shadow of an upright edge narrows to a point at its foot, so that light there depends
-// on the side from which one comes.
+// The feet of edges: vertices at which a contact turns, with more than a half-plane around them.
+// The shadow of an upright edge narrows to a point at its foot, so the limit of the light there
+// depends on the direction of approach.
 std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
   constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;  // a contact may bend by rounding
   const auto angles = find_angles(mesh);
@@ -323,7 +322,7 @@ class Builder {
     return std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
   }
 
-  // Leaves out strips and creases until the room has no more patches than it may.
+  // Leaves out strips and creases until the room has at most its limit of patches.
   void limit_cuts() {
     growth_ = MOST_FACE_GROWTH;
     const std::size_t most = find_most_patches();
@@ -356,7 +355,7 @@ class Builder {
     }
   }
 
-  // What cuts a face of the room.
+  // The lines that cut a face of the room.
   Cuts make_cuts(std::uint32_t face) const {
     const Contacts& contacts = contacts_[face];
     return {room_.creases, contacts.lines, contacts.folds, contacts.strips, growth_};

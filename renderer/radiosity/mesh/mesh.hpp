@@ -62,27 +62,27 @@ struct Mesh {
 };
 
 struct MeshParams {
-  int refine = 1;         ///< factor of the divisions of every face, 1 to 1000
-  int crease_growth = 4;  ///< times as many patches as without creases (after halving near lights)
-                          ///< that the room may have with them, or 2000 patches if that is more, 1
-                          ///< to 1000; beyond, strips below what hangs are fewer, until they leave
-                          ///< half of it, and creases of the faces that grow most are left out, on
-                          ///< each the last first
-  double inset = 0.01;    ///< distance inside the border at which its vertices are lit, a share of
-                          ///< the way to the mean centre of their patches, 0..0.5; if that is not
-                          ///< on them, to the centre of the largest. Further, to half the way,
-                          ///< beyond creases that are too near to be kept; and where light falls in
-                          ///< by a gap along the border, under what hangs over it or over a narrow
-                          ///< ledge, as far as makes the mean of the patch right; 0: none of this
+  int refine = 1;  ///< factor of the divisions of every face, 1 to 1000
+  /// Limit of the patches with creases, as a multiple of those without (after halving near lights),
+  /// 1 to 1000; at least 2000 patches. Above the limit strips below hanging faces are coarsened, to
+  /// half of the limit at most, and creases are left out: first on the faces that grow most, and on
+  /// each the last one first.
+  int crease_growth = 4;
+  /// Distance inside the border at which border vertices are lit, a share of the way to the mean
+  /// centre of their patches (or, if that is outside of them, to the centre of the largest), 0 to
+  /// 0.5. Larger, up to half the way, beyond creases too near to be kept. Behind a gap along the
+  /// border, such as under a hanging face or over a narrow ledge, it is the distance that makes the
+  /// patch's mean right. 0: none of this.
+  double inset = 0.01;
 };
 
 /// The fields refine and crease_growth.
 base::Fields<MeshParams> mesh_fields();
 
-/// The room must pass check(). Where faces touch each other (find_contacts) is a crease by itself,
-/// and the illumination on its two sides is found apart; where it turns, at the foot of an edge,
-/// between any two creases that go out from there. If Room::fine_near_lights, the room's patches
-/// are those of make_graded(). BadInput beyond 10 million patches.
+/// Builds the mesh of a room, which must pass check(). Contacts of faces (find_contacts) are
+/// creases, with separate illumination on their two sides. At the foot of an edge, where a contact
+/// turns, the illumination is separate between any two creases. If Room::fine_near_lights, the
+/// patches are those of make_graded(). BadInput beyond 10 million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
 
 /// The patches around every vertex, in order: those of vertex v are `patches` from first[v] to

@@ -1,5 +1,5 @@
 #pragma once
-// Points at the same place, of the same material and with the same normal are one.
+// Merges points at the same place with the same normal and material.
 
 #include <array>
 #include <boost/functional/hash.hpp>
@@ -20,7 +20,7 @@ class Welder {
     unit_ = std::ldexp(1.0, exponent);
   }
 
-  /// The number of the point; a point unlike all before gets the next, from 0.
+  /// The number of the point; a new point gets the next number, from 0.
   std::uint32_t weld(const Vec& at, const Vec& normal, std::uint32_t material) {
     const auto cell = [&](double x) { return std::llround(x / unit_); };
     const auto turn = [](double x) { return std::llround(x * (1 << 24)); };
@@ -31,8 +31,7 @@ class Welder {
 
  private:
   using Key = std::array<std::int64_t, 7>;
-  double unit_ = 1;  // width of a cell of places, a power of two, so that binary fractions are in
-                     // a cell's middle
+  double unit_ = 1;  // width of a cell of places: a power of two centres binary fractions in a cell
   std::unordered_map<Key, std::uint32_t, boost::hash<Key>> known_;
 };
 

@@ -12,13 +12,13 @@ using renderer::require;
 
 namespace {
 
-constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;  // shares of the face's size, and of its square
-constexpr double OFF_PLANE = 1e-6;                 // share of the face's size
+constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;  // relative to the face's size, and to its square
+constexpr double OFF_PLANE = 1e-6;                 // relative to the face's size
 constexpr double NO_TURN = 1e-6;                   // sine of the angle between two edges
 
 std::string show(const Vec& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
-// Numbers must be so small that products stay finite. A NaN compares false.
+// Limits numbers so that products remain finite. A NaN compares false.
 void require_finite(const Vec& v, const std::string& what) {
   const double max = renderer::MAX_NUMBER;
   require(std::abs(v.x) <= max && std::abs(v.y) <= max && std::abs(v.z) <= max,

@@ -26,10 +26,10 @@ inline Plane make_plane(const Vec& normal, const Vec& point) {
   return {normal, dot(normal, point)};
 }
 inline Vec lerp(const Vec& a, const Vec& b, double t) { return a + t * (b - a); }
-/// How far a point is from the segment from a to b, which may have no length.
+/// Distance of a point from the segment from a to b, which may have zero length.
 double eval_distance(const Vec& point, const Vec& a, const Vec& b);
 Vec eval_mean(std::span<const Vec> corners);
-/// The mean, too, but of other rounding: each corner is divided before it is added.
+/// The mean with different rounding: each corner is divided before it is added.
 Vec eval_centre(std::span<const Vec> corners);
 /// The normal of the polygon's front, by Newell's method; its length is twice the area.
 Vec eval_area_normal(std::span<const Vec> corners);
@@ -38,20 +38,20 @@ Vec eval_area_normal(std::span<const Vec> corners);
 /// it. Empty unless a corner lies above.
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance);
 
-/// The two points at which the polygon's border passes the plane; none if it does not.
+/// The two points where the polygon's border crosses the plane; none if it does not.
 std::optional<std::array<Vec, 2>> cut(std::span<const Vec> polygon, const Plane& plane);
 
-/// A part of a segment, as shares of its length.
+/// A part of a segment, in fractions of its length.
 struct Interval {
   double from = 0, to = 1;
 
-  /// Cuts off where a linear function is negative that is `here` at 0 and `there` at 1. False if
-  /// it is negative throughout.
+  /// Cuts off the part with negative values of a linear function, `here` at 0 and `there` at 1.
+  /// False if it is negative throughout.
   bool keep_positive(double here, double there);
 };
 
-/// Planes across the polygon through its edges; above them is its inside. Edges of no length have
-/// none.
+/// Planes across the polygon through its edges, with its inside above them. Edges of zero length
+/// have none.
 std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& normal);
 
 /// The part of the segment that is at least `margin` above all planes.

@@ -1,5 +1,5 @@
 #pragma once
-// What radiosity works on: flat faces that emit and reflect diffusely, and mirrors (thesis, 1.2.2).
+// Input of radiosity: flat faces that emit and reflect diffusely, and mirrors (thesis, 1.2.2).
 
 #include <string>
 
@@ -18,31 +18,31 @@ struct Material {
   std::string name;
   Rgb reflectance;      ///< rho of Eq 1.8, 0 <= rho < 1; a mirror's is 0..1
   Rgb emission;         ///< E of Eq 1.8, >= 0; a mirror emits nothing
-  bool mirror = false;  ///< whether it is purely specular (3.2)
+  bool mirror = false;  ///< purely specular (3.2)
   bool operator==(const Material&) const = default;
 };
 
-/// Lines between patches, shares of the first edge of a face and of the next, from 0 to 1, rising.
+/// Increasing lines between patches, in fractions (0 to 1) of a face's first edge and of the next.
 struct Grid {
   std::vector<double> along, across;
 };
 
-/// A convex flat polygon of 3 corners or more, counter-clockwise as seen from its front. Light
-/// leaves and reaches its front only; it blocks both ways.
+/// A convex flat polygon of 3 corners or more, counter-clockwise as seen from its front. Only its
+/// front emits and receives light; it blocks both ways.
 struct Face {
   std::vector<Vec> corners;
-  std::vector<Vec> normals;    ///< one for each corner if it stands for a curved surface, else none
+  std::vector<Vec> normals;    ///< one for each corner of a face on a curved surface, else none
   std::uint32_t material = 0;  ///< index into Room::materials
-  bool two_sided = false;      ///< whether its back is a second face
+  bool two_sided = false;      ///< its back is a second face
   /// Patches along the first edge and across it, before MeshParams::refine. A face with other than
   /// 4 corners has along x along of them in each of the quads between a corner and the centre.
   int along = 1, across = 1;
-  Grid grid;          ///< of 4 corners, in place of even lines; or none
+  Grid grid;          ///< for 4 corners, replaces even lines; or empty
   std::string where;  ///< "room.txt:12", for errors; may be empty
 };
 
-/// A straight line that the mesh keeps: a border of a penumbra, across which the illumination is
-/// continuous and its slope is not (3.1.4.2), or a line within one, where its curvature is not.
+/// A straight line that the mesh keeps. At the border of a penumbra the illumination is continuous,
+/// but not its slope (3.1.4.2); at a line within one, its curvature is not.
 struct Crease {
   Vec a, b;
 };
@@ -51,8 +51,8 @@ struct Room {
   std::vector<Material> materials;
   std::vector<Face> faces;
   std::vector<Crease> creases;
-  bool fine_near_lights = false;  ///< whether make_mesh() halves patches there
-  bool fine_shadows = false;      ///< whether penumbrae have small steps, see Mesh::most_at_once
+  bool fine_near_lights = false;  ///< make_mesh() halves patches there
+  bool fine_shadows = false;      ///< penumbrae have small steps, see Mesh::most_at_once
   renderer::View view;
 };
 

@@ -74,8 +74,8 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
   return errors;
 }
 
-// The patches in whose middles the light, with what is unsent, is off by more than MOST_OFF_HERE;
-// those first that add most to the mean square.
+// Patches whose light in the middle, unsent light included, is off by more than MOST_OFF_HERE, in
+// descending order of their part of the mean square.
 std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& solution) {
   const Illumination illumination = reconstruct(mesh, solution.vertices, {});
   std::vector<std::pair<double, std::uint32_t>> found;
@@ -158,7 +158,7 @@ struct Marks {
   std::vector<bool> along, across;
 };
 
-// The directions of its face in which a patch's rows are halved.
+// Directions of a face in which the rows of a patch are halved.
 struct Ways {
   bool along = false, across = false;
 };
@@ -171,7 +171,7 @@ Ways find_long_ways(const Face& face, const Patch& patch) {
   return {LONG * wide > high, LONG * high > wide};
 }
 
-// The direction in which the light of a patch's corners differs most, or both.
+// The direction of the steepest light between a patch's corners, or both.
 Ways find_steep_ways(const Face& face, const Patch& patch, const Solution& solution) {
   const Vec u = normalize(face.corners[1] - face.corners[0]);
   const Vec v = normalize(face.corners[3] - face.corners[0]);

@@ -6,7 +6,7 @@ namespace radiosity {
 
 namespace {
 
-// Sums of squares, of the difference and of the reference.
+// Sums of squares of the difference and of the reference.
 struct Squares {
   double difference = 0, reference = 0;
   void add(double found, double expected) {
@@ -21,7 +21,7 @@ struct LineError {
   int shift = 0;
 };
 
-// Compares value(pixel, false), of the picture, with value(pixel, true), of the reference.
+// Compares value(pixel, false) of the picture with value(pixel, true) of the reference.
 template <class Value>
 LineError compare_lines(int width, const Compared& where, const Value& value) {
   Squares squares;

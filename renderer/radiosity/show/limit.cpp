@@ -9,12 +9,12 @@ namespace {
 
 constexpr double Rgb::*COLOURS[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
-// How far beyond the range of the illumination around it a surface may go, as a share of it.
+// Overshoot of a surface beyond the range of the illumination around it, relative to the range.
 constexpr double OVERSHOOT = 0.25;
-// By how many times as much an edge may bend at one end as at the other.
+// Maximum ratio of an edge's bends at its two ends.
 constexpr double MOST_BEND = 2;
-// An edge may in any case swing beyond its ends by a change of this share of the darker of them: a
-// bulge of 4/27 of that, 2 % of the illumination.
+// An edge may always overshoot its ends by a change of this fraction of the darker end: a bulge of
+// 4/27 of that, 2 % of the illumination.
 constexpr double FREE = 0.15;
 
 }  // namespace

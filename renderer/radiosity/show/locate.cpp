@@ -27,7 +27,7 @@ struct Box {
   }
 };
 
-// The numbers, along u and v, of the cell of a side's grid that a point is in or nearest to.
+// Indices, along u and v, of the cell of a side's grid that contains a point or is nearest.
 std::array<int, 2> find_cell(const Side& side, const Corner& at) {
   const auto find = [&](double from_lo, double cell) {
     return static_cast<int>(std::clamp(from_lo / cell, 0.0, side.across - 1.0));
@@ -57,8 +57,8 @@ void make_grid(const Mesh& mesh, Side& side, const renderer::Polygon& polygon) {
 
 }  // namespace
 
-// Q = s E + t F + s t G; without s: cross(Q - t F, E + t G) = a t^2 + b t + c = 0. In a quad that
-// runs counter-clockwise the quadratic grows at the root within, as the map's Jacobian is positive.
+// Q = s E + t F + s t G; without s: cross(Q - t F, E + t G) = a t^2 + b t + c = 0. In a
+// counter-clockwise quad the quadratic grows at the root inside, as the map's Jacobian is positive.
 Corner invert_bilinear(const std::array<Corner, 4>& corners, const Corner& point) {
   const Corner e = corners[1] - corners[0], f = corners[3] - corners[0];
   const Corner g = corners[2] - corners[1] - f, q = point - corners[0];
@@ -102,8 +102,8 @@ Spot locate(const Mesh& mesh, const Side& side, std::uint32_t object, const Vec&
   const auto [x, y] = find_cell(side, at);
   const auto& near = side.cells[static_cast<std::size_t>(y * side.across + x)];
   Spot best;
-  double least = renderer::NO_HIT;  // how far outside
-  // (A cell that no patch touches is beyond the border of a face that is no rectangle.)
+  double least = renderer::NO_HIT;  // distance outside
+  // (A cell without patches is beyond the border of a face that is not a rectangle.)
   for (const auto patch : near.empty() ? side.patches : near) {
     work[renderer::Op::polygon_edges] += 1;
     const auto [s, t] = invert_bilinear(project(mesh.patches[patch], polygon), at);

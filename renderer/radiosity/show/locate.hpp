@@ -1,5 +1,5 @@
 #pragma once
-// Which patch of a face a point lies on, and where on it.
+// Finds a point's patch on a face, and its position on the patch.
 
 #include <array>
 
@@ -14,19 +14,19 @@ struct Spot {
   double s = 0, t = 0;
 };
 
-/// Points and corners in the two coordinates that a face's plane projects to.
+/// Points and corners, projected along an axis from a face's plane.
 using Corner = renderer::Corner;
 
-/// The (s, t) at which bilinear interpolation between the corners of a convex quad, in their order,
-/// gives the point; outside 0..1 where it lies outside.
+/// Inverse bilinear interpolation: the (s, t) of a point in a convex quad with these corners, in
+/// order. Points outside have values outside 0..1.
 Corner invert_bilinear(const std::array<Corner, 4>& corners, const Corner& point);
 
-/// What a side of one of a mesh's blockers is. A point's patch is found by a grid of as many cells
-/// as patches, each with those that touch it by their bounds.
+/// Content of a side of one of a mesh's blockers. A grid finds a point's patch. It has as many
+/// cells as patches; each cell lists the patches with bounds that touch it.
 struct Side {
   enum class Kind : std::uint8_t { nothing, patches, mirror };
   Kind kind = Kind::nothing;
-  std::uint32_t material = 0;  ///< a mirror's, index into Mesh::materials
+  std::uint32_t material = 0;  ///< of a mirror, index into Mesh::materials
   std::vector<std::uint32_t> patches;
   Corner lo, cell;  ///< the grid's corner, and the size of a cell
   int across = 0;   ///< cells along each coordinate
@@ -41,8 +41,8 @@ inline const Side& get_side(const Sides& sides, std::uint32_t object, bool back)
   return sides[2 * object + (back ? 1 : 0)];
 }
 
-/// The patch of the side (of Kind::patches) that a point of the object lies on, or next to. Counts
-/// the patches looked at as Op::polygon_edges.
+/// The patch of the side (of Kind::patches) at or nearest to a point of the object. Counts the
+/// patches examined as Op::polygon_edges.
 Spot locate(const Mesh& mesh, const Side& side, std::uint32_t object, const Vec& point,
             renderer::Work& work);
 

@@ -16,7 +16,7 @@ std::optional<renderer::Hit> meet(const Mesh& mesh, const renderer::Ray& ray) {
   return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
 }
 
-// Blockers are in the order of the faces.
+// Blockers have the order of the faces.
 bool is_front(const Room& room, const renderer::Hit& hit) {
   return !hit.inside || room.faces[hit.object].two_sided;
 }
@@ -26,7 +26,7 @@ std::string name_face(const Room& room, std::size_t face) {
   return where.empty() ? fmt::format("face {}", face + 1) : where;
 }
 
-// Says how much of the picture shows backs, where that is most of what it shows.
+// Reports the visible share of backs if they fill most of the visible surface.
 std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
   constexpr int SIDE = 32;  // rays along each side of the picture
   const renderer::View view = make_image_plane(room.view);
@@ -48,10 +48,10 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
       100.0 * backs / (fronts + backs));
 }
 
-// Whether a lamp lights something straight ahead of its centre, on the side of this normal: the
-// front of a face that is not right before it.
+// True if a lamp lights something straight ahead of its centre, on the side of this normal: the
+// front of a face that is not directly before it.
 bool lights_something(const Room& room, const Mesh& mesh, std::size_t face, const Vec& normal) {
-  constexpr double NEAR = 0.1;  // of the lamp's size
+  constexpr double NEAR = 0.1;  // relative to the lamp's size
   const auto& corners = room.faces[face].corners;
   const auto bounds = renderer::make_bounds(corners);
   renderer::Ray ray;

@@ -1,5 +1,5 @@
 #pragma once
-// Faces that probably look the wrong way: the commonest mistake with the order of corners.
+// Faces that probably point the wrong way, mostly because of the order of their corners.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace radiosity {
 
-/// A sentence for each: a camera that sees more backs of one-sided faces, which are black, than
-/// fronts; and one-sided lamps that shine into a wall or out of the room, while behind them is
-/// something to light. `mesh` is made of the room.
+/// A sentence for each problem. One is a camera that sees more (black) backs of one-sided faces
+/// than fronts. Others are one-sided lamps that shine into a wall or out of the room, with
+/// something to light behind them. `mesh` is made from the room.
 std::vector<std::string> find_turned_faces(const Room& room, const Mesh& mesh);
 
 }  // namespace radiosity

@@ -20,7 +20,7 @@ renderer::Params make_params(const PictureParams& params) {
   return made;
 }
 
-// What a ray sees, and what mirrors leave of its colour.
+// The patch point that a ray sees, with the influence factor after mirrors.
 struct Seen {
   Spot spot;
   Rgb influence;
@@ -37,8 +37,8 @@ struct Tracer {
     return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
   }
 
-  // What the ray meets, if there is something on that side of it. Two faces may lie back to back:
-  // where the first shows nothing, another is looked for a little further on.
+  // The hit of the ray, if its side shows something. Two faces may lie back to back: if the first
+  // shows nothing, searches for another slightly further on.
   std::optional<renderer::Hit> meet_side(const renderer::Ray& ray) {
     const auto is_nothing = [&](const renderer::Hit& hit) {
       return get_side(sides, hit.object, hit.inside).kind == Side::Kind::nothing;
@@ -79,9 +79,9 @@ struct Fragment {
   double nearness = 0;  // 1 over the distance ahead
   double s = 0, t = 0;
 
-  // Takes the other in its place if that is nearer; of what coincides a front replaces a back.
+  // Keeps the nearer fragment; if they coincide, a front replaces a back.
   void put(const Fragment& other) {
-    constexpr double COINCIDENT = 1e-9;  // share of the nearness by which a front is preferred
+    constexpr double COINCIDENT = 1e-9;  // preference of a front, in relative nearness
     if (!(other.nearness > 0)) return;
     const bool over = kind == Kind::back && other.kind != Kind::back,
                under = other.kind == Kind::back && kind != Kind::back;
@@ -90,7 +90,7 @@ struct Fragment {
   }
 };
 
-// A z-buffer of convex polygons with two parameters, seen from a view that has its image plane.
+// A z-buffer of convex polygons with two parameters, for a view with its image plane.
 class ZBuffer {
  public:
   struct Point {
@@ -104,9 +104,9 @@ class ZBuffer {
         scanner_(renderer::make_raster(view, params), renderer::get_area(params)),
         fragments_(width_ * static_cast<std::size_t>(params.height)) {}
 
-  // Draws a convex polygon of 3 corners or more, either side. The nearest wins; of what coincides
-  // the first, but any other kind before a back. In each triangle from the first corner s and t
-  // are linear in space.
+  // Draws both sides of a convex polygon of 3 corners or more. The nearest wins; of coincident ones
+  // the first, but any other kind before a back. In each triangle from the first corner s and t are
+  // linear in space.
   void draw(Fragment::Kind kind, std::uint32_t patch, const std::vector<Point>& points) {
     const auto corner = [&](std::size_t i) -> renderer::Scanner<2>::Corner {
       return {renderer::to_eye(view_, points[i].at), {points[i].s, points[i].t}};
@@ -129,7 +129,7 @@ class ZBuffer {
   std::vector<Fragment> fragments_;
 };
 
-// The mean of the patches, by area.
+// The area-weighted mean of the patches.
 Rgb make_grey(const Mesh& mesh, const Illumination& illumination) {
   double sum = 0, area = 0;
   for (std::uint32_t i = 0; i < mesh.patches.size(); ++i) {

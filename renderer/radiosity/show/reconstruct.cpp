@@ -9,11 +9,11 @@
 namespace radiosity {
 namespace {
 
-// The parameters of a patch's corners, in their order.
+// The parameters of a patch's corners, in order.
 constexpr std::size_t S[] = {0, 1, 1, 0}, T[] = {0, 0, 1, 1};
 
-// Indices of the value and the derivatives of a corner (s, t), each 0 or 1, in G_H, by rows
-// (Eq 3.4).
+// Indices of the value and the derivatives of a corner (s, t), each 0 or 1, in G_H, by rows (Eq
+// 3.4).
 struct Slots {
   std::size_t value, by_s, by_t, by_st;
 };
@@ -39,7 +39,7 @@ std::array<double, 4> eval_hermite_basis(double s) {
   return {2 * s3 - 3 * s2 + 1, 3 * s2 - 2 * s3, s3 - 2 * s2 + s, s3 - s2};
 }
 
-// Its derivative by s.
+// Derivative of the basis by s.
 std::array<double, 4> eval_hermite_slopes(double s) {
   const double s2 = s * s;
   return {6 * s2 - 6 * s, 6 * s - 6 * s2, 3 * s2 - 4 * s + 1, 3 * s2 - 2 * s};
@@ -113,7 +113,7 @@ class Bicubic {
     });
   }
 
-  // Those corners of a patch that are the vertex.
+  // Sets the corners of a patch at the vertex.
   void set_corners(std::span<Rgb> g, std::uint32_t vertex, const Wedge& wedge,
                    const Slopes<Slopes<Rgb>>& bend) const {
     const auto& corners = mesh_.patches[wedge.patch].corners;
@@ -144,7 +144,7 @@ class Bicubic {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Rgb> fixed_;  // changes along seams' edges
 };
 
-// The illumination at the vertices, but linear along seams.
+// The illumination at the vertices, made linear along seams.
 std::vector<Rgb> close_seams(const Mesh& mesh, std::span<const Rgb> vertices) {
   std::vector<Rgb> closed(vertices.begin(), vertices.end());
   const auto twins = find_twins(mesh);

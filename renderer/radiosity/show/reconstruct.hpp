@@ -1,6 +1,6 @@
 #pragma once
-// Illumination between vertices: bilinear, or by Hermite's bicubic surfaces, one for each colour
-// (thesis, 3.1).
+// Interpolation of illumination between vertices: bilinear, or by Hermite's bicubic surfaces, one
+// for each colour (thesis, 3.1).
 
 #include "base/fields.hpp"
 #include "renderer/radiosity/mesh/mesh.hpp"
@@ -9,22 +9,22 @@ namespace radiosity {
 
 enum class Reconstruction : std::uint8_t {
   flat,      ///< the mean of a patch's corners
-  bilinear,  ///< Gouraud's
-  bicubic    ///< Hermite's, Eq 3.1 to 3.4
+  bilinear,  ///< Gouraud's interpolation
+  bicubic    ///< Hermite's interpolation, Eq 3.1 to 3.4
 };
 
 /// The mixed derivatives of Eq 3.4.
 enum class Twist : std::uint8_t {
   zero,
-  diagonal,  ///< the slope along s + t, as the thesis says (below Eq 3.7): a first derivative in
-             ///< place of a second, C1 on even grids of one orientation only
-  estimated  ///< how the slopes along s change along t and the other way round
+  diagonal,  ///< the slope along s + t, as in the thesis (below Eq 3.7): a first derivative instead
+             ///< of a second, C1 only on even grids of one orientation
+  estimated  ///< change of slopes along s in direction t, and vice versa
 };
 
 struct ReconstructionParams {
   Reconstruction kind = Reconstruction::bilinear;
   Twist twist = Twist::estimated;
-  /// Whether bicubic surfaces stay near the illumination around them (limit.hpp).
+  /// Keeps bicubic surfaces near the illumination around them (limit.hpp).
   bool limited = true;
 };
 
@@ -37,11 +37,11 @@ struct Illumination {
   std::vector<Rgb> values;
 };
 
-/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are continuous wherever
-/// patches share vertices or a crease has split these; where none is limited (limit.hpp), they are
-/// linear in the values, and C1 across inner borders on grids of parallel lines. Linear functions
-/// stay so: with estimated twists on any quads, with none on parallelograms. BadInput if there are
-/// more or fewer values than vertices.
+/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are continuous if patches
+/// share vertices or a crease has split these. If not limited (limit.hpp), they are linear in the
+/// values, and C1 across inner borders on grids of parallel lines. They reproduce linear functions:
+/// with estimated twists on any quads, with zero twists on parallelograms. BadInput for a wrong
+/// number of values.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 

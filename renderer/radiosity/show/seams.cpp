@@ -11,7 +11,7 @@ namespace radiosity {
 
 namespace {
 
-// By vertex, of twins the first of them.
+// By vertex, the first of its twins.
 std::vector<std::uint32_t> find_firsts(std::span<const std::uint32_t> twins) {
   std::vector<std::uint32_t> firsts(twins.size(), ~0u);
   for (std::uint32_t v = 0; v < twins.size(); ++v)
@@ -23,7 +23,7 @@ class SeamFinder {
  public:
   SeamFinder(const Mesh& mesh, std::span<const std::uint32_t> twins)
       : mesh_(mesh), firsts_(find_firsts(twins)), beside_(mesh.vertices.size()) {
-    // Edges that belong to one patch only, between the first of twins.
+    // Edges of a single patch, between the first of twins.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (const Patch& patch : mesh.patches)
       for (std::size_t i = 0; i < 4; ++i)
@@ -44,7 +44,7 @@ class SeamFinder {
   }
 
  private:
-  // Those on which others end come before these; in a circle the longest is first.
+  // Puts seams before those that end on them; in a cycle the longest comes first.
   std::vector<Seam> sort(std::vector<Seam> seams) const {
     std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
       return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
@@ -64,7 +64,7 @@ class SeamFinder {
     return sorted;
   }
 
-  // The seam along an edge, if shorter ones lead from its one end to its other.
+  // The seam along an edge, if shorter edges connect its ends.
   std::optional<Seam> follow(std::uint32_t from, std::uint32_t to) const {
     const Vec way = mesh_.vertices[to].at - mesh_.vertices[from].at;
     Seam seam{from, to, {}};
@@ -84,9 +84,9 @@ class SeamFinder {
     return std::nullopt;
   }
 
-  // How far along the way from a vertex another lies, if it is on it.
+  // Position of a vertex on the way from another, as a fraction, if it lies there.
   std::optional<double> find_share(std::uint32_t from, const Vec& way, std::uint32_t vertex) const {
-    constexpr double NEAR = 1e-7;  // of the way
+    constexpr double NEAR = 1e-7;  // relative to the length of the way
     const Vec to = mesh_.vertices[vertex].at - mesh_.vertices[from].at;
     const double share = dot(to, way) / dot(way, way);
     return length(to - share * way) < NEAR * length(way) ? std::optional(share) : std::nullopt;

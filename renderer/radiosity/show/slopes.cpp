@@ -11,7 +11,7 @@ namespace radiosity {
 namespace {
 
 // The neighbours on the border through a vertex: seen from `after`, the patches are on the left.
-// There is none inside, nor where several borders meet.
+// None for an inner vertex, or if several borders meet.
 struct Border {
   std::uint32_t after = 0, before = 0;
 };
@@ -45,20 +45,20 @@ Wedge make_wedge(const Mesh& mesh, std::uint32_t patch, std::uint32_t vertex) {
   return wedge;
 }
 
-// Marks inner edges. Patches run counter-clockwise: what is next in one is previous in another.
+// Marks inner edges. Patches run counter-clockwise: next in one patch is previous in another.
 void mark_inner(std::span<Wedge> wedges) {
   for (Wedge& a : wedges)
     for (Wedge& b : wedges)
       if (a.next == b.prev) a.next_inner = b.prev_inner = true;
 }
 
-// Whether one way goes on from the other, within 8 degrees.
+// True if one direction continues the other, within 8 degrees.
 bool is_straight(const Vec& a, const Vec& b) {
   return dot(a, b) < -0.99 * std::sqrt(dot(a, a) * dot(b, b));
 }
 
-// 1; for an edge less than a third as long as the one that it continues, or that continues it,
-// (3 |edge| / |other|)^2. A small error at the end of a short edge makes a steep slope there, and a
+// Weight of an edge: 1, or (3 |edge| / |other|)^2 if the edge is less than a third as long as its
+// continuation `other`. A small error at the end of a short edge makes a steep slope there, and a
 // large error within the long one's patches.
 double find_trust(double edge, double other) {
   const double share = other > 0 ? std::min(1.0, 3 * edge / other) : 1.0;
@@ -96,8 +96,8 @@ auto sort_key(const Vertex& v) {
                     v.normal.z, v.material);
 }
 
-// Whether a crease has split the vertices: they have one place, also that at which they are lit,
-// one normal and one material, and so the same illumination.
+// True if a crease has split the vertices: they share place, lit point, normal and material, and so
+// the illumination.
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
 }  // namespace
@@ -147,8 +147,8 @@ Fans make_fans(const Mesh& mesh) {
 
 namespace {
 
-// The mean of the planes in which a vertex's patches lie; change(neighbour, inner) is the change
-// towards a neighbour, along an inner edge or a border.
+// The mean of the planes of a vertex's patches; change(neighbour, inner) is the change towards a
+// neighbour, along an inner edge or a border.
 template <class T, class Change>
 Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vertex,
                           const Change& change) {
@@ -165,7 +165,7 @@ struct SlopeFinder {
   const Mesh& mesh;
   const Fans& fans;
   std::span<const Rgb> vertices;
-  std::vector<Slopes<Rgb>> slopes;  // so far
+  std::vector<Slopes<Rgb>> slopes;  // found so far
 
   Rgb difference(std::uint32_t from, std::uint32_t to) const {
     return vertices[to] + -1.0 * vertices[from];
@@ -178,14 +178,14 @@ struct SlopeFinder {
   // at the far one: 2 (B_1 - B_0) - m. `back` is -m, the slope towards here.
   static Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
 
-  // The change along an edge that leads inside, at its beginning.
+  // The change at the beginning of an edge that leads inside.
   Rgb find_inner_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     const Rgb whole = difference(vertex, neighbour);
     if (fans.places[neighbour] >= fans.places[vertex]) return whole;
     return bend(whole, along(slopes[neighbour], way(neighbour, vertex)));
   }
 
-  // The change along a border to a neighbour, if it passes the vertex, or a twin of it, straight.
+  // The change along a border to a neighbour, if it passes straight through the vertex or a twin.
   std::optional<Rgb> find_straight_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     const Vertex& to = mesh.vertices[neighbour];
     std::uint32_t v = vertex;
@@ -220,7 +220,7 @@ struct SlopeFinder {
     at = at + Slopes<Rgb>{whole.x * missing, whole.y * missing, whole.z * missing};
   }
 
-  // Replaces the slopes at a corner by those along its two borders, if these can tell.
+  // Replaces the slopes at a corner by those along its two borders, if their angle allows it.
   void follow_borders(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
     const Vec& normal = mesh.vertices[vertex].normal;
     const Vec a = way(vertex, border.after), b = way(vertex, border.before);
@@ -259,7 +259,7 @@ std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
 
 namespace {
 
-// Slopes across the unit normal `from`, after the shortest turn that takes it to `to`.
+// Applies to slopes the shortest rotation that takes the unit normal `from` to `to`.
 Slopes<Rgb> turn(const Slopes<Rgb>& slopes, const Vec& from, const Vec& to) {
   const double cosine = dot(from, to);
   if (!(cosine > -0.5)) return {};  // no surface turns so far within a patch

@@ -1,5 +1,5 @@
 #pragma once
-// What to do at an event.
+// Callbacks of events.
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -7,8 +7,8 @@
 
 namespace machine {
 
-/// A small function object, copied as plain bytes (std::function costs an allocation or a call to
-/// move, millions of times).
+/// A small function object, copied as plain bytes (std::function would need an allocation or a call
+/// for each move, millions of times).
 class Callback {
  public:
   Callback() = default;
@@ -21,8 +21,8 @@ class Callback {
     new (body_) Body(body);
   }
   void operator()() { call_(body_); }
-  /// Asks the host to fetch the object that the body is about, if it begins with a pointer. (If
-  /// not, something else is fetched, or nothing.)
+  /// Prefetches the object that the body's first member points to. (If that is no pointer, the
+  /// prefetch is useless but harmless.)
   void prefetch() const {
     std::uintptr_t at = 0;
     std::memcpy(&at, body_, sizeof at);

@@ -13,14 +13,13 @@ namespace machine {
 
 namespace {
 
-constexpr int PLACE_BITS = 24;   // of the events in the heap at one time
-constexpr std::size_t FEW = 64;  // events to come, of a machine that the host's caches hold
+constexpr int PLACE_BITS = 24;   // 2^24 events in the heap at one time
+constexpr std::size_t FEW = 64;  // pending events of a machine that fits the host's caches
 
 __extension__ using Key = unsigned __int128;
 
-// Its date, then the order of being asked for, then its callback's place, in one number: to compare
-// two, the host does not have to guess a branch. (A date is not negative, and -0 is made 0: its
-// bits are in the order of its values.)
+// Date, order of scheduling and place of the callback in one number: comparisons need no branch
+// prediction. (Dates are not negative, and -0 becomes 0, so their bits sort like their values.)
 struct Event {
   Key key;
   Event(double date, std::uint64_t order, std::size_t place)
@@ -33,7 +32,7 @@ struct Event {
   bool operator<(const Event& o) const { return key > o.key; }  // the next event is on top
 };
 
-std::atomic<bool> stop_requested = false;  // a signal handler sets it
+std::atomic<bool> stop_requested = false;  // set by a signal handler
 
 }  // namespace
 
@@ -73,8 +72,8 @@ void Events::handle_next() {
   next_ = heap_->empty() ? NEVER : heap_->top().date();
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date();
-  // On a large machine the next event's processor is in none of the host's near caches: to fetch it
-  // ahead saves 8 % of the time of meshes from 8 x 8 on.
+  // On a large machine the next event's processor is outside the host's near caches. Prefetching it
+  // saves 8 % of the time on meshes of 8 x 8 and more.
   if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }
@@ -94,7 +93,7 @@ void Events::handle(Callback callback) {
 
 void Events::finish() {
   for (std::size_t i = 0; i < soon_.size() && !stopped_; ++i) {
-    Callback then = soon_[i];  // which may ask for more
+    Callback then = soon_[i];  // it may schedule more
     then();
   }
   soon_.clear();

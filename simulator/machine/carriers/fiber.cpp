@@ -7,7 +7,7 @@
 
 #include "simulator/machine/carriers/coroutine.hpp"
 
-// The sanitizers must be told when the stack changes; no effect on any result.
+// The sanitizers need a call at each change of stack; no effect on any result.
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/common_interface_defs.h>
 #endif
@@ -19,11 +19,11 @@ namespace machine {
 
 namespace {
 
-// The host's, as the sanitizer has told it.
+// The host thread's stack, as reported by the sanitizer.
 thread_local const void* scheduler_stack = nullptr;
 thread_local std::size_t scheduler_stack_size = 0;
 
-// A stack as the thread sanitizer knows it.
+// A stack registered with the thread sanitizer.
 class KnownStack {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -56,10 +56,10 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 #endif
 }
 
-// Stacks are used again, since the branches of a PAR come and go. They lie side by side in blocks
-// of the host's address space, of which memory is taken page by page when it is touched: most
-// bodies stay on one page. The tops of neighbours lie at different places of their pages, or the
-// frames of all processes that wait would compete for the same few places of the host's caches.
+// Pool of stacks for reuse, since the branches of a PAR come and go. Stacks lie side by side in
+// blocks of the host's address space; the host assigns memory by page at first use, and most bodies
+// need one page. Neighbouring stacks start at different offsets within their pages. Otherwise the
+// frames of all waiting processes would compete for the same few cache sets.
 class StackPool {
  public:
   boost::context::stack_context allocate() {
@@ -78,8 +78,8 @@ class StackPool {
   }
 
  private:
-  static constexpr std::size_t STACKS = 64;               // of a block
-  static constexpr std::size_t PLACES = 16, APART = 128;  // bytes
+  static constexpr std::size_t STACKS = 64;               // per block
+  static constexpr std::size_t PLACES = 16, APART = 128;  // offsets of stacks; bytes between them
 
   void add_block() {
     void* block = mmap(nullptr, STACKS * Coroutine::STACK_BYTES, PROT_READ | PROT_WRITE,

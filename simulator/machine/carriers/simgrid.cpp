@@ -4,7 +4,11 @@
 #include <simgrid/version.h>
 #include <simgrid/kernel/Timer.hpp>
 #include <simgrid/s4u.hpp>
+#if __has_include(<simgrid/simcall.hpp>)
+#include <simgrid/simcall.hpp>
+#else
 #include <simgrid/simix.hpp>
+#endif
 
 #include <algorithm>
 #include <csignal>
@@ -30,8 +34,46 @@ std::string simgrid_version() {
 
 namespace {
 
-// SimGrid takes some signals, and what is done with an uncaught exception, for itself when it
-// starts: here they stay the program's.
+// Calls with different names in SimGrid 3 and 4. They are templates so that only the existing one
+// is compiled.
+auto make_zone(auto& engine, const auto& name) {
+  if constexpr (requires { engine.get_netzone_root()->add_netzone_full(name); })
+    return engine.get_netzone_root()->add_netzone_full(name);
+  else
+    return s4u::create_full_zone(name);
+}
+
+s4u::Host* add_host(auto& zone, const std::string& name) {
+  if constexpr (requires { zone.add_host(name, "1f"); })
+    return zone.add_host(name, "1f")->seal();
+  else
+    return zone.create_host(name, "1f")->seal();
+}
+
+s4u::Link* add_link(auto& zone, const std::string& name, double rate) {
+  if constexpr (requires { zone.add_link(name, rate); })
+    return zone.add_link(name, rate);
+  else
+    return zone.create_link(name, rate);
+}
+
+void add_route(auto& zone, const s4u::Host* from, const s4u::Host* to, const s4u::Link* link) {
+  const std::vector<s4u::LinkInRoute> links{s4u::LinkInRoute(link)};
+  if constexpr (requires { zone.add_route(from, to, links); })
+    zone.add_route(from, to, links);
+  else
+    zone.add_route(from->get_netpoint(), to->get_netpoint(), nullptr, nullptr, links, true);
+}
+
+void add_actor(auto& engine, const std::string& name, s4u::Host* host, auto body) {
+  if constexpr (requires { engine.add_actor(name, host, body); })
+    engine.add_actor(name, host, body);
+  else
+    s4u::Actor::create(name, host, body);
+}
+
+// Restores the program's signal handlers and terminate handler, which SimGrid replaces at its
+// start.
 class KeptSignals {
  public:
   KeptSignals() {
@@ -44,30 +86,30 @@ class KeptSignals {
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  // At one that comes before they are the program's again SimGrid would end it.
+  // Holds signals back meanwhile: SimGrid's handlers would end the program.
   const base::HeldSignals held_{SIGNALS};
   struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
-// What the callback of a deadlock throws, see Engine::run.
+// Thrown by the deadlock callback, see run().
 struct AllWait {};
 
 class ActorCoroutine;
 
-// An actor of SimGrid that runs bodies, one after the other: the branches of a PAR come and go, and
-// SimGrid frees actors that have ended only when its clock advances.
+// A SimGrid actor, reused for one body after another: the branches of a PAR come and go, and
+// SimGrid frees ended actors only when its clock advances.
 struct Hand {
   s4u::SemaphorePtr own_turn = s4u::Semaphore::create(0), others_turn = s4u::Semaphore::create(0);
   ActorCoroutine* works_for = nullptr;
 };
 using Hands = std::vector<std::shared_ptr<Hand>>;
 
-// A body on an actor. Actors go on when SimGrid's maestro lets them, one after the other; a
-// semaphore for each side makes the two run by turns.
+// A body on an actor. SimGrid's maestro resumes actors one after the other; a semaphore for each
+// side makes the body and its caller alternate.
 class ActorCoroutine final : public Coroutine {
  public:
-  // `idle` are the host's. The actor has the name of the first body that it runs.
+  // `idle`: idle actors of this SimGrid host. An actor keeps the name of its first body.
   ActorCoroutine(s4u::Engine& engine, s4u::Host* host, Hands& idle, std::string name, Body body)
       : engine_(engine), host_(host), idle_(idle), name_(std::move(name)), body_(std::move(body)) {}
 
@@ -77,7 +119,7 @@ class ActorCoroutine final : public Coroutine {
     } else if (idle_.empty()) {
       hand_ = std::make_shared<Hand>();
       hand_->works_for = this;
-      s4u::Actor::create(name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
+      add_actor(engine_, name_, host_, [hand = hand_, &idle = idle_] { work(hand, idle); });
     } else {
       hand_ = std::move(idle_.back());
       idle_.pop_back();
@@ -114,10 +156,10 @@ class ActorCoroutine final : public Coroutine {
   std::shared_ptr<Hand> hand_;
 };
 
-// There are two sorts of events: ours, and the ends of SimGrid's communications. A round of SimGrid
-// costs more than most of our events, so we run ahead of its clock as far as no communication can
-// end (conservative look-ahead), and ask it to wake us where we must stop, unless a communication
-// surely ends before. The forecast never decides when a message ends.
+// There are two kinds of events: ours, and the ends of SimGrid's communications. A round of SimGrid
+// costs more than most of our events. We therefore run ahead of its clock while no communication
+// can end (conservative lookahead), then set a timer unless a communication surely ends before it.
+// The forecast never decides when a message ends.
 class OnSimGrid final : public Carrier {
  public:
   OnSimGrid(Events& events, Processes processes);
@@ -130,7 +172,7 @@ class OnSimGrid final : public Carrier {
   }
 
   void add_processor(const std::string& name) override {
-    hosts_.push_back(zone_->create_host(name, "1f")->seal());
+    hosts_.push_back(add_host(*zone_, name));
     idle_.emplace_back();
   }
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) override;
@@ -157,14 +199,14 @@ class OnSimGrid final : public Carrier {
   [[noreturn]] static void throw_in_parts() {
     throw base::InvariantBroken("SimGrid runs a machine in one part, expected the direct engine");
   }
-  // By the numbers of the forecast and of SimGrid's communications.
+  // A direction; index as in the forecast and in the data of SimGrid's communications.
   struct Direction {
     s4u::Host *from, *to;
     s4u::CommPtr comm = {};  // under way
     std::uint64_t bytes = 0;
     double since = 0;
     Callback arrived = {};
-    bool cut = false;  // what SimGrid still tells of it is ignored
+    bool cut = false;  // later callbacks of SimGrid are ignored
   };
 
   template <class Call>
@@ -181,22 +223,22 @@ class OnSimGrid final : public Carrier {
   void end(std::size_t number);
   void check_end(const Direction& direction, double date, const Forecast::End& expected) const;
 
-  Events& events_;  // their clock may be ahead of SimGrid's
+  Events& events_;  // the clock may be ahead of SimGrid's
   std::unique_ptr<s4u::Engine> engine_;
   s4u::NetZone* zone_ = nullptr;
   std::vector<s4u::Host*> hosts_;              // of the processors
-  std::map<std::pair<int, int>, int> joined_;  // links between two processors
-  double wake_up_ = Events::NEVER;             // a SimGrid timer is set for then
+  std::map<std::pair<int, int>, int> joined_;  // number of links between two processors
+  double wake_up_ = Events::NEVER;             // date of the SimGrid timer
   std::vector<Direction> directions_;
   Forecast forecast_;
-  std::deque<std::pair<double, std::size_t>> starts_;  // to come: date, direction
+  std::deque<std::pair<double, std::size_t>> starts_;  // pending: date, direction
   s4u::CommPtr last_ended_;
 
-  // With actors our scheduler is an actor, too, since it has to wait for their turns to end: it
-  // does what SimGrid calls back for.
+  // With actors our scheduler is an actor, too, because it waits for the end of their turns. It
+  // executes the callbacks of SimGrid.
   bool has_actors_;
   std::deque<Hands> idle_;    // by processor
-  s4u::SemaphorePtr called_;  // as often as there are calls; once more to end it
+  s4u::SemaphorePtr called_;  // released once per call, and once more to end the scheduler
   std::deque<Callback> calls_;
   std::exception_ptr failure_;  // of a call
 };
@@ -211,15 +253,16 @@ OnSimGrid::OnSimGrid(Events& events, Processes processes)
     const KeptSignals kept;
     engine_ = std::make_unique<s4u::Engine>(&argc, argv);
   }
-  // Plain fluid links: no TCP corrections, no cross traffic. Time is resolved to a picosecond.
+  // Plain fluid links: no TCP corrections, no cross traffic. Time resolution is one picosecond.
   for (const char* setting :
        {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
         "network/crosstraffic:0", "network/TCP-gamma:0", "surf/precision:1e-12"})
     s4u::Engine::set_config(setting);
-  zone_ = s4u::create_full_zone("machine");
-  s4u::Activity::on_completion_cb([this](const s4u::Activity& activity) {
-    call(
-        [this, number = reinterpret_cast<std::size_t>(activity.get_data<void>())] { end(number); });
+  zone_ = make_zone(*engine_, std::string("machine"));
+  s4u::Comm::on_completion_cb([this](const auto& comm) {
+    call([this, number = reinterpret_cast<std::size_t>(comm.template get_data<void>())] {
+      end(number);
+    });
   });
   if (!has_actors_) return;
   const auto stack = fmt::format("contexts/stack-size:{}", Coroutine::STACK_BYTES / 1024);
@@ -233,16 +276,14 @@ std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates, std::size_t rank)
     return messages > 1 ? rates.both_ways : rates.one_way;
   };
   const auto name = fmt::format("{}-{}-{}", a, b, joined_[std::minmax(a, b)]++);
-  auto* link = zone_->create_link(name, rates.both_ways)
+  auto* link = machine::add_link(*zone_, name, rates.both_ways)
                    ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
                    ->seal();
-  // SimGrid has one route between two hosts: one more link between two processors begins at a host
-  // of its own.
+  // SimGrid has one route between two hosts. A further link between two processors therefore starts
+  // at an extra host.
   const bool is_first = joined_[std::minmax(a, b)] == 1;
-  auto *from = is_first ? hosts_[a] : zone_->create_host("port " + name, "1f")->seal(),
-       *to = hosts_[b];
-  zone_->add_route(from->get_netpoint(), to->get_netpoint(), nullptr, nullptr,
-                   {s4u::LinkInRoute(link)}, true);
+  auto *from = is_first ? hosts_[a] : add_host(*zone_, "port " + name), *to = hosts_[b];
+  add_route(*zone_, from, to, link);
   directions_.push_back({from, to});
   directions_.push_back({to, from});
   return forecast_.add_link(rates.one_way, rates.both_ways, rank);
@@ -270,14 +311,14 @@ void OnSimGrid::run() {
   call([this] { run_ahead(); });
   try {
     engine_->run();
-  } catch (const AllWait&) {  // actors that wait when nothing can happen: SimGrid would end them
+  } catch (const AllWait&) {  // all actors wait for ever: SimGrid would end them
   }
   if (failure_) std::rethrow_exception(failure_);
 }
 
 void OnSimGrid::start_scheduler() {
   called_ = s4u::Semaphore::create(0);
-  s4u::Actor::create("scheduler", hosts_.front(), [this] {
+  add_actor(*engine_, "scheduler", hosts_.front(), [this] {
     for (called_->acquire(); !calls_.empty(); called_->acquire()) {
       Callback next = calls_.front();
       calls_.pop_front();
@@ -291,14 +332,14 @@ void OnSimGrid::start_scheduler() {
   });
 }
 
-// Handles our events up to where a communication might end first. What SimGrid's clock has reached
-// is certain: communications that end there have ended.
+// Handles our events up to the earliest possible end of a communication. Events up to SimGrid's
+// clock are always safe: communications that end by then have ended.
 void OnSimGrid::run_ahead() {
   const double clock = s4u::Engine::get_clock();
   while (!events_.stopped() && events_.next() < Events::NEVER &&
          (events_.next() < forecast_.next().earliest() || events_.next() <= clock))
     events_.handle_next();
-  // A communication that surely ends before our next event brings us back here in time.
+  // No timer needed: a communication that surely ends before our next event calls back in time.
   if (events_.stopped() || events_.next() == Events::NEVER ||
       forecast_.next().latest() < events_.next())
     return;
@@ -315,7 +356,7 @@ void OnSimGrid::run_ahead() {
   }
 }
 
-// SimGrid tells the end of a communication if its maestro has started it.
+// Starts the communication in SimGrid's maestro: only then does SimGrid report its end.
 void OnSimGrid::start_now(std::size_t number) {
   if (directions_[number].cut) return;
   simgrid::kernel::actor::simcall_answered([&, &direction = directions_[number]] {
@@ -326,14 +367,14 @@ void OnSimGrid::start_now(std::size_t number) {
   });
 }
 
-// Starts what was to start at that date, once.
+// Starts the communications due at `date`, once.
 void OnSimGrid::start_all(double date) {
   for (; !starts_.empty() && starts_.front().first == date; starts_.pop_front())
     start_now(starts_.front().second);
 }
 
-// Starts it when SimGrid's clock has come so far; those of one date in the order they were asked
-// for.
+// Starts the communication when SimGrid's clock reaches our date; those of one date in order of
+// request.
 void OnSimGrid::start_later(std::size_t number) {
   const double date = events_.now();
   const bool timer_set = !starts_.empty() && starts_.back().first == date;
@@ -344,7 +385,7 @@ void OnSimGrid::start_later(std::size_t number) {
 
 void OnSimGrid::end(std::size_t number) {
   Direction& direction = directions_[number];
-  last_ended_ = std::move(direction.comm);  // SimGrid still uses it when we return
+  last_ended_ = std::move(direction.comm);  // SimGrid still uses it after our return
   if (events_.stopped() || direction.cut) return;
   const double clock = s4u::Engine::get_clock();
   check_end(direction, clock, forecast_.end_of(number));

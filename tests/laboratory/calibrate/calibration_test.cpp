@@ -1,4 +1,4 @@
-// Entries of a model from measurements, and models of one's own.
+// Calibration of model entries from measurements, and users' own models.
 #include "experiments/laboratory/calibrate/calibration.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ double value_of(const machine::Model& model, const std::string& key) {
   return std::ranges::find(model.entries, key, &machine::Entry::key)->value;
 }
 
-// Twenty messages over a link of 1.7 MB/s whose ends take 254 cycles each, with 1 % of noise: the
-// closed form of a message, not the machine.
+// Twenty messages over a link of 1.7 MB/s; each end takes 254 cycles; 1 % noise. Computed from a
+// message's closed form, not simulated.
 std::string make_measurements(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0, 0.01);
@@ -43,8 +43,8 @@ std::string make_measurements(std::uint64_t seed) {
   return text;
 }
 
-// A mean of sixteen with 1 % of noise is sure to 0.25 %: of the rate that is the standard error,
-// and of the set-up, which four measurements tell, 0.5 %.
+// The mean of sixteen measurements with 1 % noise has a standard error of 0.25 %, here that of the
+// rate. The set-up rests on four measurements: 0.5 %.
 TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   constexpr int SEEDS = 4;
   const TemporaryFolder folder;
@@ -68,7 +68,7 @@ TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   EXPECT_LT(std::sqrt(squares[1]), 0.03);
 }
 
-// Wherever temporary files are.
+// In any folder for temporary files.
 TEST(Calibration, LeavesNothingBehind) {
   const TemporaryFolder folder;
   const auto file = (folder.path / "m.csv").string();
@@ -86,7 +86,7 @@ TEST(Calibration, LeavesNothingBehind) {
     unsetenv("TMPDIR");
 }
 
-// What is written is a model: of these numbers, on its base, calibrated, with its interval.
+// The written file is a model: calibrated from these numbers, on its base, with its interval.
 TEST(Calibration, TheFittedModelIsRead) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "m.csv") << make_measurements(1);
@@ -128,7 +128,7 @@ TEST(Calibration, RefusesWhatCannotBeFitted) {
   EXPECT_TRUE(contains(told("bytes,latency_s\n-4,1\n8,2\n", "link.one_way_20"), "bytes"));
 }
 
-// A fit changes an entry by a factor.
+// A fit scales an entry by a factor, so an entry of zero cannot be fitted.
 TEST(Calibration, AnEntryThatIsNothingCannotBeFitted) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "m.csv") << make_measurements(1);
@@ -143,7 +143,7 @@ TEST(Calibration, AnEntryThatIsNothingCannotBeFitted) {
       << run.err;
 }
 
-// Entries of one section stand together, in whatever order they were asked for.
+// Entries of one section stand together, in whatever order the command names them.
 TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
   Calibration fitted;
   fitted.column = "latency_s";
@@ -157,8 +157,7 @@ TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
   for (const auto& entry : fitted.entries) EXPECT_EQ(value_of(model, entry.key), entry.value);
 }
 
-// Wherever the fit begins, and however bad the measurements are: entries stay above 0, and what is
-// written is a model.
+// From any start and with any measurements, entries stay above 0 and the written file is a model.
 TEST(Calibration, FarStartsAndBadMeasurements) {
   const TemporaryFolder folder;
   const auto fit = [&](const std::string& csv, const std::string& entries) {
@@ -178,7 +177,7 @@ TEST(Calibration, FarStartsAndBadMeasurements) {
   EXPECT_FALSE(std::filesystem::exists(folder.path / "mine.toml"));
 }
 
-// As it begins it is its base; with every # taken away, too.
+// A new model equals its base, even with every # removed.
 TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   const TemporaryFolder folder;
   const auto begun = tlab(folder.path, {"model", "mine", "--new", "--base", "t800-20"});
@@ -198,7 +197,7 @@ TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   EXPECT_EQ(tlab(folder.path, {"model", "mine", "--new"}).exit_code, 2) << "it is there";
   for (const std::string name : {"", "t805-25", "a\nb", "a b"})
     EXPECT_EQ(tlab(folder.path, {"model", name, "--new"}).exit_code, 2) << name;
-  // On a base in another folder.
+  // With a base in another folder.
   std::filesystem::create_directory(folder.path / "sub");
   ASSERT_EQ(tlab(folder.path, {"model", "sub/ours", "--new", "--base", "mine.toml"}).exit_code, 0);
   const auto read = tlab(folder.path, {"model", "sub/ours.toml"});

@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-// What `tlab run e.toml` says on a terminal, with these settings of the environment.
+// Output of `tlab run e.toml` on a terminal, with these environment variables.
 std::string run_on_terminal(const std::filesystem::path& folder,
                             const std::vector<std::pair<const char*, const char*>>& settings) {
   const auto program = ::test::in_build("tlab");
@@ -20,7 +20,7 @@ std::string run_on_terminal(const std::filesystem::path& folder,
   });
 }
 
-// Of colours and bold letters, not of progress bars.
+// Finds colours and bold letters; progress bars do not count.
 bool has_colour(const std::string& text) { return contains(text, "\x1b[0m"); }
 
 TEST_F(Sweep, ColourIsForTerminalsThatWantIt) {

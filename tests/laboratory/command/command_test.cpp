@@ -1,4 +1,4 @@
-// The command as its users meet it: exit codes, files, and the same bytes every time.
+// The command from a user's view: exit codes, files, and identical bytes in every run.
 #include "experiments/laboratory/command/commands.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The main job at reduced size.
+// The farm experiment at reduced size.
 const std::vector<std::string> SMALL = {"run",   ::test::in_sources("experiments/farm.toml"),
                                         "--set", "image.width=16",
                                         "--set", "image.height=12",
@@ -47,7 +47,7 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
   for (const char* name : {"run.json", "plots/speedup.svg", "plots/speedup.png", "plots/time_s.svg",
                            "plots/efficiency.png"})
     EXPECT_TRUE(fs::exists(folder.path / "r1" / name)) << name;
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"r1", "r3"}));  // nothing else is left
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"r1", "r3"}));  // no other files remain
 
   const Table table = parse_csv(read_file(folder.path / "r1/results.csv"), "results.csv");
   ASSERT_EQ(table.rows.size(), 4u);
@@ -71,7 +71,7 @@ TEST(ExperimentsCommand, AsManyJobsAsTheHostHasProcessors) {
   EXPECT_EQ(options.jobs, std::max(1u, std::thread::hardware_concurrency()));
 }
 
-// A line for each point below the title.
+// A line for each point, below the title.
 TEST(ExperimentsCommand, ProfileShowsTheHostsTimeOfEachPoint) {
   const TemporaryFolder folder;
   const auto done = tlab(folder.path, small({"-o", "r", "--profile"}));
@@ -108,7 +108,7 @@ TEST(ExperimentsCommand, PreviewsAreThereBeforeTheFirstRay) {
   const auto flat = stats("flat"), shadows = stats("shadows");
   EXPECT_EQ(flat["work"]["ray_intersected"], 0);
   EXPECT_GE(flat["preview"]["pixels_drawn"], 16 * 12 / 2);
-  // A feeler to each of three lights from each pixel that shows an object.
+  // One feeler to each of three lights from each pixel with an object.
   EXPECT_EQ(shadows["work"]["ray_intersected"].get<int>() % 3, 0);
   EXPECT_GT(shadows["work"]["ray_intersected"], 0);
   EXPECT_NE(read_file(folder.path / "flat.png"), read_file(folder.path / "shadows.png"));
@@ -124,7 +124,7 @@ TEST(ExperimentsCommand, OlderResultsAreReplacedButNeverSomethingElse) {
   const auto refused = tlab(folder.path, small({"-o", "mine"}));
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "mine/thesis.txt"), "years of work");
-  // Nor beside results.
+  // Foreign files beside results are safe too.
   std::ofstream(folder.path / "r/thesis.txt") << "years of work";
   EXPECT_EQ(tlab(folder.path, run).exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "r/thesis.txt"), "years of work");
@@ -187,7 +187,7 @@ TEST(ExperimentsCommand, OnlyOnePointOfCountedCostsIsShownLive) {
   for (const auto& [setting, message] :
        {std::pair("sweep.workers=[1, 2]", "the experiment has 2 points, expected one"),
         std::pair("run.cost=timed", "found cost = \"timed\", expected \"counted\"")}) {
-    // The recording's name is wrong too: whatever is refused, no page is shown.
+    // The recording's name is wrong too: no page opens for any refused command.
     const auto refused = tlab(
         folder.path, {"live", "e.toml", "--no-browser", "--record", "e.txt", "--set", setting});
     EXPECT_EQ(refused.exit_code, 2) << setting;

@@ -1,4 +1,4 @@
-// tlab convert: formats, what is left out, and what is refused.
+// tlab convert: formats, dropped content, and refused input.
 #include "tests/laboratory/support/tlab.hpp"
 
 namespace laboratory {
@@ -17,7 +17,7 @@ struct Convert : testing::Test {
   Outcome convert(const std::string& from, const std::string& to) {
     return tlab(folder.path, {"convert", from, "-o", to});
   }
-  // The bytes of a small picture.
+  // Renders a small picture and returns its bytes.
   std::string render(const std::string& scene) {
     EXPECT_EQ(tlab(folder.path, {"render", scene, "-o", "p.png", "--size", "24x18"}).exit_code, 0);
     return read_file(folder.path / "p.png");
@@ -70,7 +70,7 @@ TEST_F(Convert, ASceneInTheDarkStaysDarkAndProseStaysProse) {
   EXPECT_EQ(render("again.nff"), render("dark.nff"));
 }
 
-// A triangle whose corners have colours, and a line.
+// A triangle with coloured corners, and a line.
 TEST_F(Convert, WhatIsLeftOutOfAMeshIsNamed) {
   write_file(folder.path / "c.ply",
              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -91,7 +91,7 @@ TEST_F(Convert, AMeshInCapitals) {
   EXPECT_EQ(render("t.obj").substr(1, 3), "PNG");
 }
 
-// Brackets within brackets, a megabyte of them, are deeper than Assimp's stack.
+// A megabyte of nested brackets exceeds Assimp's stack.
 TEST_F(Convert, AMeshHasTimeByItsSize) {
   write_file(folder.path / "deep.gltf", std::string(1 << 20, '['));
   const auto done = convert("deep.gltf", "deep.obj");

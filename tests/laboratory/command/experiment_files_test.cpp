@@ -1,4 +1,4 @@
-// Every experiment below experiments/, in a reduced size: its checks hold, and the engines agree.
+// Every experiment below experiments/, at reduced size: its checks hold, and the engines agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is left out of those that would take long.
+// Settings that reduce the long experiments.
 const std::map<std::string, std::vector<std::string>>& reductions() {
   static const std::map<std::string, std::vector<std::string>> all{
       {"formulas/both-ways", {"program.messages=200", "sweep.bytes=[16, 4096]"}},
@@ -117,7 +117,7 @@ const std::map<std::string, std::vector<std::string>>& reductions() {
   return all;
 }
 
-// "formulas/soft", ...: those with checks, not the machine models beside them.
+// Names such as "formulas/soft" of files with checks; excludes the machine models beside them.
 std::vector<std::string> find_experiments() {
   const fs::path root = ::test::in_sources("experiments");
   std::vector<std::string> found;
@@ -145,7 +145,7 @@ TEST(ExperimentFiles, HaveNamesOfTheirOwn) {
   }
 }
 
-// tlab verify or run, of an experiment in its reduced size.
+// Runs tlab verify or run on an experiment at reduced size.
 Outcome tlab_reduced(const fs::path& folder, const std::string& command,
                      const std::string& experiment, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments{command,
@@ -167,7 +167,7 @@ class Experiments : public testing::TestWithParam<std::string> {};
 
 constexpr double ROUNDING = 1e-9;
 
-// Numbers may differ by what dates are rounded, all else not at all.
+// Numbers may differ by the rounding of dates; all else must be equal.
 void expect_near(const Table& table, const Table& expected) {
   ASSERT_EQ(table.columns, expected.columns);
   ASSERT_EQ(table.rows.size(), expected.rows.size());
@@ -181,8 +181,8 @@ void expect_near(const Table& table, const Table& expected) {
     }
 }
 
-// Their like, figure 4.19 and table 4.2, is compared on both engines, and these take long on
-// SimGrid's.
+// These take long on SimGrid's engine. Both engines run similar experiments: figure 4.19 and table
+// 4.2.
 bool is_on_one_engine(const std::string& experiment) {
   return experiment == "thesis/figure-4.18" || experiment == "thesis/figure-4.20";
 }

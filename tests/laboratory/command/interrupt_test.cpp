@@ -1,5 +1,5 @@
-// Signals that come where nothing is simulated: the program ends with one sentence and leaves
-// nothing behind, neither files nor programs that it has started.
+// Signals outside a simulation: the program ends with one sentence. It leaves neither files nor
+// running programs behind.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -22,8 +22,8 @@ bool comes_true(const Holds& holds) {
   return holds();
 }
 
-// Programs in a folder that is first on PATH: each writes its number into the file that STARTED
-// names and then sleeps. Every tlab has another file: a program of the one before may be late.
+// Programs in a folder that is first on PATH. Each writes its process id into the file named by
+// STARTED, then sleeps. Every tlab has its own file: an earlier tlab's program may be late.
 struct Interrupt : Sweep {
   Interrupt() {
     fs::create_directory(bin);
@@ -45,7 +45,7 @@ struct Interrupt : Sweep {
     setenv("STARTED", started.c_str(), 1);
   }
 
-  // Starts tlab and sends the signal when it waits for one of the programs.
+  // Starts tlab and sends the signal while it waits for one of the programs.
   Outcome interrupt_drawing(int signal, const Arguments& arguments) {
     next_tlab();
     const pid_t tlab = start_tlab(folder.path, arguments);
@@ -93,7 +93,7 @@ TEST_F(Interrupt, OlderResultsStay) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// Nothing can be said or tidied then; but the programs end, and the next run tidies.
+// A killed tlab cannot report or tidy; but its programs end, and the next run tidies.
 TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
   EXPECT_EQ(interrupt_drawing(SIGKILL, {"run", "e.toml", "-o", "r"}).exit_code, -1);
   EXPECT_EQ(folder.names().size(), 4u);
@@ -112,7 +112,7 @@ TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
   }
 }
 
-// The scene comes through a pipe: who has opened it knows that it is being read.
+// The scene comes through a pipe: once the pipe is open, tlab is reading it.
 TEST_F(Sweep, ReadingIsInterrupted) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -127,7 +127,7 @@ TEST_F(Sweep, ReadingIsInterrupted) {
   }
 }
 
-// nohup, and jobs that a script puts into the background.
+// As with nohup, and with jobs that a script puts into the background.
 TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -144,7 +144,7 @@ TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
   EXPECT_TRUE(fs::exists(folder.path / "x.png"));
 }
 
-// Standard error is a pipe that is full and that nobody reads.
+// Standard error is a full pipe without a reader.
 TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
   const auto pipe = folder.path / "scene.nff", err = folder.path / ".err";
   for (const auto& path : {pipe, err}) ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -164,12 +164,12 @@ TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
   };
   std::ofstream scene;
   EXPECT_EQ(end_of({"render", "scene.nff", "-o", "x.png"}, [&] { scene.open(pipe); }), 130);
-  // An error is waiting to be told.
+  // An error message waits to be written.
   EXPECT_EQ(end_of({"render", "none.nff", "-o", "x.png"}, [] { usleep(200'000); }), 130);
   close(full);
 }
 
-// Images that would take long. Where the signal comes before the first ray, it is sent later.
+// Slow images. A signal before the first ray has no picture to save: the test then retries later.
 TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
            {{"--pixel-samples", "64"}, "x.png has the picture after "},
@@ -194,7 +194,7 @@ TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   }
 }
 
-// A second signal does not wait for what the first one has left to be written.
+// A second signal does not wait for the writing that the first one started.
 TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
@@ -214,7 +214,7 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// A signal to one simulation's process is not the user's wish to end the run.
+// A signal to a simulation's process alone is not the user's request to end the run.
 TEST_F(Sweep, ASimulationThatIsEndedAloneIsAFailure) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 4000\nheight = 200\n[sweep]\nworkers = [1]\n"

@@ -1,4 +1,4 @@
-// tlab render in an order of pixels: stopped, gone on with, refused.
+// tlab render with an order of pixels: stopping, resuming, refusals.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -23,7 +23,7 @@ Arguments join(Arguments all, const Arguments& more) {
   return all;
 }
 
-// A rendering of 9600 samples, slow enough to be hit on its way.
+// A rendering of 9600 samples, slow enough for a signal to arrive before its end.
 Arguments slow(const Arguments& more) {
   return join({"render", "spheres:300", "-o", "i.png", "--size", "40x30", "--traversal", "linear",
                "--pixel-samples", "8"},
@@ -64,7 +64,7 @@ TEST(RefinedCommand, StoppedByABudgetItGoesOnToTheSameImage) {
       const auto ask = [&](const Arguments& more) { return quick(join(sampling, more)); };
       const auto one = render(folder, ask({"--budget", percent, "--state", "s"}));
       EXPECT_EQ(render(folder, ask({"--budget", percent, "--threads", "3"})), one);
-      // What is asked for is there already.
+      // The requested samples exist already.
       EXPECT_EQ(render(folder, ask({"--budget", percent, "--resume", "s"})), one);
       EXPECT_EQ(render(folder, ask({"--resume", "s", "--threads", "2"})), plain);
       EXPECT_EQ(render(folder, ask({"--resume", "s"})), plain);
@@ -82,14 +82,14 @@ TEST(RefinedCommand, StoppedByItsTimeItGoesOnToTheSameImage) {
   EXPECT_EQ(render(folder, quick({"--pixel-samples", "3", "--budget", "1000s"})), plain);
 }
 
-// What a file is, so that it is known when another takes its place.
+// Identity of a file: it changes when another file takes its place.
 std::pair<ino_t, std::int64_t> identity_of(const fs::path& path) {
   struct stat found {};
   if (stat(path.c_str(), &found) != 0) return {};
   return {found.st_ino, found.st_mtim.tv_nsec};
 }
 
-// Starts tlab, and sends it a signal when it has written so many states more, or has ended.
+// Starts tlab; sends a signal after it has written `states` more states, unless it ends first.
 Outcome stop_after(const TemporaryFolder& folder, const Arguments& arguments, int states,
                    int signal) {
   auto before = identity_of(folder.path / "s");
@@ -108,7 +108,7 @@ Outcome stop_after(const TemporaryFolder& folder, const Arguments& arguments, in
   return wait_for_tlab(folder.path, pid);
 }
 
-// Stops renderings until there have been enough stops on the way, and goes on each time.
+// Stops and resumes renderings until there have been enough stops before the end.
 void expect_same_after_stops(int signal, std::uint64_t seed) {
   const TemporaryFolder folder;
   const auto plain = render(folder, slow({}));
@@ -120,9 +120,9 @@ void expect_same_after_stops(int signal, std::uint64_t seed) {
     for (Arguments more = {"--state", "s"};; more = {"--resume", "s"}) {
       more = join(more, {"--threads", random.below(2) ? "1" : "2"});
       const auto stopped = stop_after(folder, slow(more), 1 + random.below(6), signal);
-      if (stopped.exit_code == 0) break;  // it was done before the signal came
+      if (stopped.exit_code == 0) break;  // ended before the signal
       if (stopped.err == fmt::format("tlab: {}\n", INTERRUPTED))
-        break;  // all but the exit was done
+        break;  // only the exit was missing
       ++stops;
       if (signal == SIGKILL) continue;
       ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
@@ -151,7 +151,7 @@ TEST(RefinedCommand, KeyImagesShowHowItGrows) {
     EXPECT_EQ(
         render(folder, quick({"--pixel-samples", "4", "--budget", std::string(percent) + "%"})),
         key(percent));
-  // In parts: each is written by the run that reaches it.
+  // In parts: each file is written by the run that reaches it.
   fs::remove_all(folder.path / "k");
   render(folder, quick(join(sampling, {"--budget", "5%", "--state", "s"})));
   EXPECT_TRUE(fs::exists(folder.path / "k/percent-5.png"));
@@ -181,7 +181,7 @@ TEST(RefinedCommand, StatsSayHowFarItIs) {
   EXPECT_LE(resumed["queue_peak"], 15 * 11 / 2);
 }
 
-// Resuming from the file "s" fails, with a message that begins so; nothing is written.
+// Resuming from the file "s" fails with a message that begins with `message`; writes nothing.
 void expect_refused(const TemporaryFolder& folder, const Arguments& arguments,
                     const std::string& message) {
   fs::remove(folder.path / "i.png");
@@ -232,7 +232,7 @@ TEST(RefinedCommand, AStateOfAChangedSceneIsRefused) {
   write("way.csv", "0 0 0 0\n1 1 0 0\n");
   write("a.nff", scene + "s 1 1 1 1\n");
   expect_refused(folder, arguments, "the state of another rendering: found hash of the scene");
-  // The name does not matter.
+  // The file's name does not matter.
   write("a.nff", scene);
   fs::rename(folder.path / "a.nff", folder.path / "b.nff");
   auto renamed = arguments;

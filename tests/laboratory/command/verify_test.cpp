@@ -1,4 +1,4 @@
-// tlab verify, and the checks of tlab run: exit codes, what is printed, what is run again.
+// tlab verify, and the checks of tlab run: exit codes, output, points that run again.
 #include <fstream>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -66,11 +66,11 @@ TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {
   EXPECT_FALSE(verify({"--set", "sweep.bytes=[2, 3]"}));
   EXPECT_FALSE(verify({"--set", "model.cpu.clock=20e6"}));
   EXPECT_TRUE(verify({"--set", "model.cpu.clock=20e6"}));
-  EXPECT_TRUE(verify());                                           // from the first time
-  EXPECT_FALSE(verify({"--set", "sweep.bytes=[1, 100, 10001]"}));  // one is missing
+  EXPECT_TRUE(verify());                                           // reuses the first results
+  EXPECT_FALSE(verify({"--set", "sweep.bytes=[1, 100, 10001]"}));  // one point is missing
   std::ofstream(folder.path / "results/e/results.csv") << "bytes,latency_s\n1,1.0\n";
   std::ofstream(folder.path / "results/e/run.json") << "{";
-  EXPECT_TRUE(verify());  // written again
+  EXPECT_TRUE(verify());  // repairs the files
   EXPECT_EQ(parse_csv(read_file(folder.path / "results/e/results.csv"), "csv").rows.size(), 3u);
 }
 
@@ -121,7 +121,7 @@ TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
   EXPECT_EQ(lines({"--all"}) - lines({}), 25 - 10 - 1);  // a line says that there are more
 }
 
-// Of a name that only the columns tell, the first point's record is there: it is valid.
+// Only results show which columns exist: hence the first point's record is present and valid.
 TEST(ExperimentsVerify, MistakesAreFoundBeforeResultsAreWritten) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "name.toml")

@@ -1,4 +1,4 @@
-// tlab compare: what it says of results, and what it refuses.
+// tlab compare: its findings on results, and its refusals.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -59,7 +59,7 @@ TEST_F(Compare, SeedsAreSamples) {
   EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "run", "value", "first",
                                                      "ratio", "low", "high"}));
   ASSERT_EQ(table.rows.size(), 4u);  // two results at two points
-  // One worker has no network: the same times for each seed, and the interval is a point.
+  // One worker has no network: times are equal for all seeds, and the interval is a point.
   for (std::size_t column = 5; column < 8; ++column)
     EXPECT_EQ(as_number(table.rows[0][column]), 1.0);
 }
@@ -74,7 +74,7 @@ TEST_F(Compare, RunsThatAreTheSameAreSaidToBe) {
   EXPECT_FALSE(contains(outcome.out, "differ")) << outcome.out;
 }
 
-// Parameters are settings, also those that [report] shows.
+// Parameters are settings, even those that [report] shows.
 TEST_F(Compare, SettingsAreNoResults) {
   write_file(folder.path / "e.toml",
              "[program]\nname = \"message\"\n[report]\ncolumns = [\"bytes\", \"latency_s\"]\n");
@@ -97,19 +97,19 @@ TEST_F(Compare, SettingsAreNoResults) {
   EXPECT_TRUE(contains(refused.err, "bytes is a setting")) << refused.err;
 }
 
-// Points that were cut short are no results.
+// Points that were cut short are not results.
 TEST_F(Compare, LeavesOutWhatDidNotComeToItsEnd) {
   ASSERT_EQ(run({"-o", "a"}).exit_code, 0);
   const auto table = parse_csv(read_file(folder.path / "a/results.csv"), "a");
   const auto time = *as_number(table.rows[1][*table.find("time_s")]);
-  run({"-o", "b", "--until", fmt::format("{}", 1.5 * time)});  // enough for three workers alone
+  run({"-o", "b", "--until", fmt::format("{}", 1.5 * time)});  // enough only for three workers
   const auto outcome = compare({"a", "b"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "left out: 1 of 2 rows of b")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "the same in all runs: time_s")) << outcome.out;
 }
 
-// A sweep over models has the point of a run with one model.
+// A sweep over models contains the point of a run with one model.
 TEST_F(Compare, AnAxisOfOneRunIsASettingOfAnother) {
   ASSERT_EQ(run({"-o", "one"}).exit_code, 0);
   ASSERT_EQ(run({"-o", "two", "--set", "sweep.model=[\"t805-25\",\"t805-30\"]"}).exit_code, 0);

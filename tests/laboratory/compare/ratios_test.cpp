@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// t over workers 1 to `workers` and `seeds`, from number `first` on.
+// Values of t over workers 1 to `workers` and over `seeds` seeds, starting with seed `first`.
 NamedTable make_run(const std::string& name, int workers, int seeds, int first,
                     const std::function<double(int worker, int seed)>& t) {
   NamedTable run{name, {.columns = {"workers", "farm_seed", "t"}, .axes = 2, .rows = {}}};
@@ -20,7 +20,7 @@ NamedTable make_run(const std::string& name, int workers, int seeds, int first,
   return run;
 }
 
-// The share of trials whose interval holds the ratio of the distributions, 1.3.
+// The share of trials whose interval contains the true ratio of the distributions, 1.3.
 double find_coverage(int first_seed_of_b, double common_noise) {
   constexpr int TRIALS = 3000;
   std::mt19937_64 random(7);
@@ -74,7 +74,7 @@ TEST(Ratios, PointsOfOneRunAloneAreLeftOut) {
   EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
 }
 
-// What has no ratio is told of, and never called the same.
+// Values without a ratio are reported, never called equal.
 TEST(Ratios, NothingIsDividedByNothing) {
   for (const double nothing : {0.0, -1.0, double(NAN), double(INFINITY)}) {
     const auto matched =
@@ -112,7 +112,7 @@ TEST(Ratios, AreListedAsNumbers) {
     if (i < 2) {
       for (std::size_t column = 4; column < 7; ++column) EXPECT_EQ(to_string(row[column]), "");
     } else {
-      const double ratio = i == 2 ? 2 : 3;  // of every pair, and so surely
+      const double ratio = i == 2 ? 2 : 3;  // the same for all pairs, hence exact
       EXPECT_NEAR(*as_number(row[2]), ratio * std::cbrt(6), 1e-12);
       EXPECT_NEAR(*as_number(row[3]), std::cbrt(6), 1e-12);
       for (std::size_t column = 4; column < 7; ++column)
@@ -121,7 +121,7 @@ TEST(Ratios, AreListedAsNumbers) {
   }
 }
 
-// What two runs are to each other does not depend on a third one.
+// The comparison of two runs does not depend on a third one.
 TEST(Ratios, AreThoseOfTwoRuns) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> noise(0, 0.1);
@@ -137,7 +137,7 @@ TEST(Ratios, AreThoseOfTwoRuns) {
   }
 }
 
-// An axis with one value in each run tells no points apart, whatever the values are.
+// An axis with one value in each run distinguishes no points, whatever the values.
 TEST(Matching, AnAxisWithOneValueIsNoPoint) {
   auto a = make_run("a", 2, 1, 1, [](int, int) { return 1.0; });
   auto b = a;
@@ -175,7 +175,7 @@ TEST(Matching, RunsOverOtherAxesAreRefused) {
             "expected some");
 }
 
-// Crossed seeds would count a sample several times; coupled ones are samples like others.
+// Crossed seeds would count a sample several times; coupled ones are ordinary samples.
 TEST(Matching, OneSeedTellsSamplesApart) {
   auto run = make_run("a", 1, 2, 1, [](int, int) { return 1.0; });
   run.table.columns.insert(run.table.columns.begin(), "seed");

@@ -1,4 +1,4 @@
-// Experiment files: what they say, and what is said about mistakes in them.
+// Experiment files: their contents, and messages about mistakes in them.
 #include "experiments/laboratory/file/experiment.hpp"
 
 #include <fmt/format.h>
@@ -98,7 +98,7 @@ TEST(ExperimentsFile, SetTakesKeysOfAsManyPartsAsAFile) {
   EXPECT_NE(told(16).find("unknown key"), std::string::npos) << told(16);
 }
 
-// Where a program's costs cannot be timed, they may still be said to be counted.
+// A program whose costs cannot be timed still accepts "counted".
 TEST(ExperimentsFile, CostsOfAnyProgramMayBeCounted) {
   const auto file =
       load("title = \"timed\"\n[program]\nname = \"message\"\n[run]\ncost = \"counted\"\n");
@@ -241,7 +241,7 @@ TEST(ExperimentsFile, TooManyPointsAreRefusedBeforeTheyAreMade) {
               std::string::npos);
 }
 
-// The resolved text gives the same experiment: its points in the same order, its numbers exact.
+// The resolved text gives the same experiment: points in the same order, exact numbers.
 TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
   const auto file = load(
       "title = \"a \\\"b\\\"\"\n[sweep]\n\"model.link.one_way_rate\" = [1.7e6, 1e6]\n"

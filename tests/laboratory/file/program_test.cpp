@@ -1,4 +1,4 @@
-// Experiments with a program of their own, and numbers of the machine that an experiment changes.
+// Experiments with programs other than the farm, and changes of machine constants.
 #include <fstream>
 
 #include "base/errors.hpp"

@@ -1,4 +1,4 @@
-// tlab list, help and init: that they name what is there, and that what they make works.
+// tlab list, help and init: they name what exists, and the files they make work.
 
 #include "base/text.hpp"
 #include "experiments/laboratory/guide/catalogue.hpp"
@@ -93,7 +93,7 @@ struct PainterParams {
   base::Source wall;
 };
 
-// What may be said of a key depends on its kind.
+// The permitted values of a key depend on its kind.
 TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
   using D = base::Declare<PainterParams>;
   using P = PainterParams;
@@ -124,7 +124,7 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
                 line("program.wall", "what is painted; a file"));
 }
 
-// The commands in a footer after "Examples:".
+// The commands in the footer after "Examples:".
 TEST(Guide, EveryCommandHasExamples) {
   const TemporaryFolder folder;
   const auto help = tlab(folder.path, {"--help"}).out;

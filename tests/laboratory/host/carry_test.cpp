@@ -1,4 +1,4 @@
-// Files that are carried over from older results.
+// Files carried over from older results.
 #include "experiments/laboratory/host/carry.hpp"
 
 #include <sys/stat.h>
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pictures may be large: what is carried is a second name of the file, in place of what was there.
+// Pictures may be large: a hard link to the older file replaces the file in place.
 TEST(Carry, AFileGetsASecondName) {
   const TemporaryFolder folder;
   write_file(folder.path / "a", "new");

@@ -1,4 +1,4 @@
-// Tasks in child processes: their results, their failures, and processes that are killed.
+// Tasks in child processes: their results, failures, and killed processes.
 #include "experiments/laboratory/host/jobs.hpp"
 
 #include <gtest/gtest.h>
@@ -54,8 +54,8 @@ TEST(ExperimentsJobs, AnExceptionEndsTheOthers) {
   }
 }
 
-// What a child that was asked to end has said is read only once it is known here that all were
-// asked: no other thread may take the signal, and count it when it is its turn.
+// The main thread reads a child's message only after counting the interrupt. Therefore no other
+// thread may take the signal and count it later.
 TEST(ExperimentsJobs, AnInterruptIsCountedByTheMainThread) {
   test::run_isolated([] {
     std::signal(SIGINT, SIG_DFL);  // the tests may have begun with it ignored

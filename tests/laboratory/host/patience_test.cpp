@@ -1,4 +1,4 @@
-// Signs of life on a terminal.
+// Signs of progress on a terminal.
 #include "experiments/laboratory/host/patience.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace laboratory {
 namespace {
 
-// Standard error is a terminal while it lives.
+// Makes standard error a terminal during its lifetime.
 class Terminal {
  public:
   Terminal() : stderr_(dup(STDERR_FILENO)) {
@@ -26,7 +26,7 @@ class Terminal {
     close(stderr_);
     close(master_);
   }
-  // Reads until a text has come.
+  // Reads until a text has arrived.
   std::string read_until(const std::string& text) const {
     std::string found;
     char part[256];
@@ -61,7 +61,7 @@ TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
 }
 
-// An earlier line could not be written: nobody knows why any more, and nothing is left to write.
+// An earlier line could not be written: its error code is lost, and nothing is left to write.
 TEST(Streams, AnEarlierErrorOfStandardOutputIsTold) {
   if (access("/dev/full", W_OK) != 0) GTEST_SKIP() << "no /dev/full";
   EXPECT_EQ(test::isolated([]() -> std::string {

@@ -28,7 +28,7 @@ pid_t dead_process() {
   return child;
 }
 
-// How the folders of a process begin: ".out.partial-HOST-", for "out.partial".
+// Prefix of a process's hidden folders: ".out.partial-HOST-" for "out.partial".
 std::string hidden(const std::string& what) {
   const auto dot = what.find('.');
   auto name = base::make_partial_name(what.substr(0, dot), what.substr(dot + 1), 0);
@@ -147,7 +147,7 @@ TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// Another process puts its results there between the first look and the exchange.
+// Another process stores its results between the first check and the exchange.
 TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out";
@@ -158,7 +158,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
     int looks = 0;
     const auto told = message_of<base::BadInput>([&] {
       results.commit([&](const fs::path& replaced) {
-        if (++looks == 1) {  // the other process is just here
+        if (++looks == 1) {  // the other process acts now
           fs::create_directories(out);
           write_file(out / "run.json", "another's");
         } else if (read_file(replaced / "run.json") == "another's") {
@@ -172,7 +172,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// Looks at results, and fails at the second look: the exchange stands by then.
+// Inspects results and fails the second time, after the exchange.
 class Look {
  public:
   explicit Look(std::function<void()> before_failing = [] {})
@@ -261,7 +261,7 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
                    ".out.partial-of-another-host-" + dead};
   fs::create_directories(folder.path / (partial + dead) / "plots");
   for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
-  const auto dead_too = hidden("out.old") + dead;  // nobody makes a file of that name
+  const auto dead_too = hidden("out.old") + dead;  // no process makes such a file
   write_file(folder.path / dead_too, "x");
   { ResultsFolder results(folder.path / "out"); }
   Names expected = kept;
@@ -270,7 +270,7 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
   EXPECT_EQ(folder.names(), expected);
 }
 
-// Records of points outlive whatever was done to the folder around them.
+// Records of points survive any change of the folder around them.
 TEST(ExperimentsResultsFolder, RecordsAreKept) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out", working = folder.path / hidden("out.partial");
@@ -283,7 +283,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     return fs::exists(out / "points/0123" / record) &&
            read_file(out / "points/0123" / record) == record;
   };
-  // Killed after it had put its results in place, and before.
+  // Processes killed after putting their results in place, and before.
   put(working.string() + dead, "a.json");
   fs::create_directories(working.string() + dead + "/points/lone");
   write_file(working.string() + dead + "/points/lone/x.json", "x");
@@ -299,13 +299,12 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
   }
   EXPECT_TRUE(has("b.json") && has("late.json"));
   EXPECT_EQ(folder.names(), Names{"out"});
-  // A folder of points that nobody carries over goes with the older results.
+  // A folder of points that no run carries over goes with the older results.
   put(out, "old.json");
   ResultsFolder(out).commit();
   EXPECT_FALSE(fs::exists(out / "points"));
 }
 
-// Where folders cannot be exchanged in one step, a crash may leave the old results aside.
 TEST(ExperimentsResultsFolder, LeavesNoParentsWhereItCannotBeMade) {
   const TemporaryFolder folder;
   const std::string name(250, 'x');  // the hidden one beside it is too long
@@ -334,6 +333,7 @@ TEST(ExperimentsResultsFolder, ErrorsOfTheHostNameTheUsersPath) {
             "/dev/full: cannot be written: No space left on device");
 }
 
+// Where folders cannot be exchanged in one step, a crash may leave the old results aside.
 TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   const TemporaryFolder folder;
   const auto aside = folder.path / (hidden("out.old") + std::to_string(dead_process()));
@@ -344,12 +344,12 @@ TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// As when a signal comes while a drawing is being written.
+// As when a signal arrives while a drawing is being written.
 TEST(ExperimentsResultsFolder, IsRemovedWhileSomebodyWritesThere) {
   for (int time = 0; time < 20; ++time) {
     const TemporaryFolder folder;
     test::run_isolated([&] {
-      // Neither goes: whoever leaves a section would wait for the end of the program.
+      // Both are leaked: leaving a section would wait for the end of the program.
       const auto* results = new ResultsFolder(folder.path / "out");
       new std::thread([from = results->working() / "new", to = results->working() / "renamed"] {
         for (int i = 0; i < 2000; ++i) {

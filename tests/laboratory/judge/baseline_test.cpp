@@ -1,4 +1,4 @@
-// [[baseline]]: how many times as fast each row is as another.
+// [[baseline]]: the speed ratio of each row to another row.
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/sweep.hpp"

@@ -1,4 +1,4 @@
-// [[best]]: which of some is best for each of others.
+// [[best]]: the best of some values for each of others.
 #include "experiments/laboratory/judge/best.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace laboratory {
 namespace {
 
-// The mesh is faster than the line from 4 workers on, and stops gaining after 8.
+// The mesh is faster than the line from 4 workers on, and gains nothing beyond 8.
 struct BestCase {
   ExperimentFile file;
   Table table{.columns = {"topology", "workers", "objects", "time_s"}, .axes = 3, .rows = {}};

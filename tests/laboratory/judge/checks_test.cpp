@@ -1,4 +1,4 @@
-// Checks: a table of results against formulas and references.
+// Checks: a table of results compared with formulas and references.
 #include <fstream>
 
 #include "base/errors.hpp"
@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-// Three points whose results are as given here, whatever the program would say.
+// Three points with the results given here, in place of a program's.
 struct ChecksCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -171,7 +171,7 @@ TEST(ExperimentsChecks, ReferencesAreMatchedByTheirKeys) {
   const ChecksCase test(check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwithin = 0.2\n"));
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.verdict, Verdict::holds);
-  ASSERT_EQ(result.points.size(), 2u);  // the empty cell is none
+  ASSERT_EQ(result.points.size(), 2u);  // the empty cell does not count
   EXPECT_EQ(result.points[1].expected, 2);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("1 row(s)"), std::string::npos);

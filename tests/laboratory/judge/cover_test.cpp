@@ -7,7 +7,7 @@
 namespace laboratory {
 namespace {
 
-// Student's interval: of points that the errors' own distribution gives, nine of ten are in it.
+// Student's interval: it contains nine of ten further points from the errors' distribution.
 TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   constexpr int TRIALS = 20'000;
   for (const std::size_t count : {3, 5, 18}) {
@@ -25,7 +25,7 @@ TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   EXPECT_FALSE(find_own_error({0.1, 0.2}));
 }
 
-// A column t over workers. On nine of ten machines it is between `low` and `high` times what it is.
+// A column t over workers. On nine of ten machines t is between `low` and `high` times its value.
 struct Sure {
   explicit Sure(std::vector<double> expected, double low = 0.9, double high = 1.1) {
     Sureness sureness;
@@ -53,7 +53,7 @@ TEST(Cover, CountsWhatIsInItsInterval) {
   EXPECT_EQ(sure.covered().inside, 4u);
 }
 
-// What is a fifth more everywhere is out of every interval; five others tell it of the sixth.
+// References a fifth higher lie outside every interval; a point's own error comes from the others.
 TEST(Cover, OwnErrorMovesTheInterval) {
   const Sure sure({1.2, 1.2, 1.2, 1.2, 1.2, 1.2});
   EXPECT_EQ(sure.covered().inside, 0u);
@@ -63,7 +63,7 @@ TEST(Cover, OwnErrorMovesTheInterval) {
   EXPECT_NEAR(own.mean, 0.2, 1e-9);
 }
 
-// Two errors that have nothing to do with each other are added in squares.
+// Independent errors add in quadrature.
 TEST(Cover, OwnErrorIsAddedInSquares) {
   const std::vector<double> others = {0.95, 1.05, 0.95, 1.05, 0.95, 1.05};
   const auto own = find_own_error({0.05, -0.05, 0.05, -0.05, 0.05}).value();
@@ -72,16 +72,15 @@ TEST(Cover, OwnErrorIsAddedInSquares) {
               1e-9);
 }
 
-// Machines that are all above the model as it stands make its interval no wider than they are
-// apart.
+// All machines lie above the unchanged model: the interval is no wider than their spread.
 TEST(Cover, MachinesBesideTheModelAreNoWiderThanTheyAre) {
   const Sure sure({1, 1, 1, 1}, 1.2, 1.4);
   EXPECT_EQ(sure.covered().inside, 0u);
   EXPECT_NEAR(sure.covered().with_own_error.value().half_width, 0.1, 1e-9);
 }
 
-// A point among others is judged by them alone: the one that is twice as much stays outside, and
-// does not make its own interval wider.
+// A point is judged by the other points alone: the one of twice the value stays outside and does
+// not widen its own interval.
 TEST(Cover, APointTellsNothingOfItself) {
   const Sure sure({1.01, 0.99, 1.0, 2.0, 1.01, 0.99});
   EXPECT_EQ(sure.covered().inside, 5u);

@@ -1,4 +1,4 @@
-// What pages are told of a machine: how busy it was, and what it did.
+// State of a machine as pages receive it: loads and activities.
 #include "experiments/laboratory/live/portrait.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ struct Portrait : testing::Test {
   occam::Lab lab{occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct}};
 };
 
-// Loads are in thousandths of the time: one processor computes for a quarter of the run, the other
-// for a half, and the link sends for a quarter.
+// Loads are in thousandths of the time. One processor computes for a quarter of the run, the other
+// for a half; the link sends for a quarter.
 TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   start_two_processors(lab);
   RecentLoads loads;
@@ -31,7 +31,7 @@ TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   EXPECT_EQ(describe(), ended) << "no time has passed";
 }
 
-// Spans that follow each other are one, unless the first has been taken.
+// Adjacent spans merge, unless the first has already been taken.
 TEST_F(Portrait, SpansThatAreTakenAreToldOnce) {
   auto& first = lab.cpu();
   auto& second = lab.cpu();

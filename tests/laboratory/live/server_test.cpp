@@ -1,4 +1,4 @@
-// Who may talk to the live page's server, and what it does with those who may not.
+// Access to the live page's server, and its reaction to clients without access.
 #include "experiments/laboratory/live/server.hpp"
 
 #include <sys/resource.h>
@@ -27,7 +27,7 @@ using Socket = beast::websocket::stream<tcp::socket>;
 constexpr const char* SMALL_FARM =
     "[network]\nworkers = 2\n[scene]\nobjects = 10\n[image]\nwidth = 16\nheight = 12\n";
 
-// A server, and what its address says.
+// A server, and the parts of its address.
 struct Served {
   test::TemporaryFolder folder;
   ExperimentFile file = read(SMALL_FARM, folder.path.string());
@@ -65,7 +65,7 @@ struct Served {
     return response;
   }
 
-  // Throws beast::system_error if it is refused.
+  // Throws beast::system_error if the server refuses.
   Socket open(const std::string& origin, const std::string& host) {
     Socket socket(connect());
     socket.set_option(
@@ -77,7 +77,7 @@ struct Served {
   }
   Socket open() { return open("http://" + host(), host()); }
 
-  // To its end.
+  // Runs the point to its end.
   PointResult run() {
     RunOptions options;
     options.file = "e.toml";
@@ -93,7 +93,7 @@ std::string hear(Socket& socket) {
 
 void say(Socket& socket, const std::string& text) { socket.write(asio::buffer(text)); }
 
-// Shows the token and returns what it is told first: the outline.
+// Sends the token and returns the first reply, the outline.
 std::string enter(const Served& served, Socket& socket) {
   say(socket, "{\"token\": \"" + served.token() + "\"}");
   return hear(socket);
@@ -156,7 +156,7 @@ TEST(LiveServer, WithoutTheTokenNothingIsTold) {
   }
 }
 
-// Tells a page's commands to a run that goes on in this thread.
+// The page sends commands while the run goes on in another thread.
 TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   test::run_isolated([] {
     Served served;
@@ -171,7 +171,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     EXPECT_EQ(nlohmann::json::parse(enter(served, second)).at("steers"), false);
     say(second, "{\"do\": \"pause\", \"id\": 1}");
     EXPECT_NE(hear(second).find("another page steers"), std::string::npos);
-    // The end of the interactive phase may be asked for before it has begun: then again.
+    // The command to end the interactive phase may come before the phase begins: send it again.
     for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {
       say(socket, "{\"do\": \"order\", \"order\": {\"non_interactive\": true}, \"id\": 2}");
       reply = hear(socket);
@@ -190,7 +190,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   });
 }
 
-// Takes the wheel again and again, and reads nothing.
+// The page requests control again and again, and reads nothing.
 TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   test::run_isolated([] {
     Served served;
@@ -209,7 +209,7 @@ TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   });
 }
 
-// However many connect and say nothing, a page that comes finds room, and one that is there stays.
+// Many silent clients neither keep new pages out nor displace an existing page.
 TEST(LiveServer, StrangersLeaveRoomForPages) {
   test::run_isolated([] {
     Served served;
@@ -219,7 +219,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     const auto bring_strangers = [&] {
       for (int i = 0; i < 150; ++i) strangers.push_back(served.connect());
       for (int i = 0; i < 80; ++i) silent.push_back(served.open());
-      EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);  // all are accepted
+      EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);  // accepts all
     };
     bring_strangers();
     auto page = served.open();
@@ -238,7 +238,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
   });
 }
 
-// Paths may be no UTF-8.
+// Paths need not be UTF-8.
 TEST(LiveServer, AnyTextCanBeTold) {
   test::run_isolated([] {
     Served served;
@@ -258,7 +258,7 @@ std::string random_bytes(base::Random& random, int most) {
   return bytes;
 }
 
-// A request with something wrong in it.
+// A request with an error in it.
 std::string random_request(base::Random& random, const std::string& host) {
   std::string request = "GET /live HTTP/1.1\r\nHost: " + host +
                         "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nOrigin: http://" + host +
@@ -287,7 +287,7 @@ long memory_kb() {
   return usage.ru_maxrss;
 }
 
-// TLAB_HOSTILE=100000 for as many clients.
+// TLAB_HOSTILE=100000 sets the number of clients.
 TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   const char* asked = std::getenv("TLAB_HOSTILE");
   const int clients = asked ? std::atoi(asked) : 2000;
@@ -313,7 +313,7 @@ TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   }
   half_open.clear();
   EXPECT_LT(memory_kb() - before_kb, 32 * 1024);
-  for (int tries = 0; tries < 100; ++tries) {  // until the half-open ones are gone
+  for (int tries = 0; tries < 100; ++tries) {  // until half-open connections are gone
     try {
       EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
       return;

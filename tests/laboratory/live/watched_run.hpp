@@ -1,4 +1,4 @@
-// A run that is watched, with commands at given moments; and the run of its recording.
+// A live run with commands at given moments, and the run of its recording.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace laboratory {
 
-// Passes everything on to a session, which is asked for something when it has been called so often,
-// or when nothing happens unless it is; in the end the user leaves the interactive phase.
+// Forwards all calls to a session, and gives each command at its number of calls, or as soon as the
+// run waits. In the end it leaves the interactive phase.
 struct Driven : observe::Spectator {
   Driven(Session& session, std::multimap<int, Session::Command> commands)
       : session(session), commands(std::move(commands)) {}
@@ -43,7 +43,7 @@ struct Driven : observe::Spectator {
   int calls = 0;
 };
 
-// What two runs have to have in common: rows and notes, and the images by their content.
+// The parts that must agree in two runs: rows, notes, and the contents of images.
 inline std::string text_of(PointResult result) {
   auto json = to_json(result);
   json.erase("host");
@@ -54,7 +54,7 @@ inline ExperimentFile read(const std::string& text, const std::string& folder) {
   return read_experiment(text, "e.toml", folder, {"run.engine=direct"});
 }
 
-// The same point as tlab run has it.
+// The same point, run by tlab run.
 inline std::string run_alone(const std::string& text, const std::string& folder,
                              double until_s = std::numeric_limits<double>::infinity()) {
   const auto file = read(text, folder);

@@ -1,4 +1,4 @@
-// Options that several commands have: what they take, and what the help says of that.
+// Options shared by several commands: their values, and their help.
 #include "experiments/laboratory/options/options.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Where the processors of a machine are drawn.
+// Positions of a machine's processors in drawings.
 #include "experiments/laboratory/places/places.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST_F(PlacesOf, ANetworkAreThoseOfItsDrawing) {
   expect_place(places[0], drawn[0].x, drawn[0].y + 1);
 }
 
-// Above as long as that is free; also where the distance of 1 is rounded to less.
+// Above, if that position is free; also if rounding makes the distance less than 1.
 TEST_F(PlacesOf, OthersAreBesideThoseThatTheyAreJoinedTo) {
   auto& root = lab.cpu();
   lab.neighbour(root);

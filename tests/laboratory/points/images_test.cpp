@@ -1,5 +1,4 @@
-// Images of programs: saved by content, placed once, shown; and what sets them apart in their
-// names.
+// Images of programs: saved by content, placed once, shown; and their distinguishing names.
 #include "experiments/laboratory/points/images.hpp"
 
 #include "experiments/laboratory/points/point_store.hpp"
@@ -32,7 +31,7 @@ TEST(ExperimentsImages, AreFilesNamedByContent) {
   EXPECT_EQ(folder.names().size(), 3u) << "and nothing else is left behind";
 }
 
-// A record whose images are not all there is none: the point is run again.
+// A record with a missing image does not count: the point runs again.
 TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
   const TemporaryFolder folder;
   const auto records = folder.path / records_folder();
@@ -53,7 +52,7 @@ TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
   }
 }
 
-// Points of four, whose images depend on x alone but for the third's: names say so.
+// Images of four points that depend on x alone, except the third's: names show this.
 TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";
@@ -79,8 +78,8 @@ TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
 }
 
-// Key images of a stage say how far each machine was: their names say which, by the axes that
-// change them; one that is the same for all keeps its own name.
+// Key images of a stage show each machine's progress. Their names contain the axes that change
+// them; an image that is the same for all keeps its own name.
 TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";

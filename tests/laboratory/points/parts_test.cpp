@@ -35,7 +35,7 @@ TEST(ExperimentsChoices, AreTextsInTheFile) {
   }
 }
 
-// Three processors in a line or a ring; all or root: six rows, three a point.
+// Three processors in a line or a ring, with pairs all or root: six rows, three a point.
 struct Parts : Sweep {
   Parts() {
     std::ofstream(folder.path / "ref.csv")

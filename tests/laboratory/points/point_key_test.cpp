@@ -1,4 +1,4 @@
-// Keys of points: equal where the results are.
+// Keys of points: equal if the results are equal.
 #include "experiments/laboratory/points/point_store.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// A key changes with what changes the result, and with nothing else.
+// A key changes with everything that changes the result, and with nothing else.
 TEST(ExperimentsPointKey, DependsOnWhatAPointDoes) {
   const double never = std::numeric_limits<double>::infinity();
   const auto key = [&](const std::string& text, double until_s = 1e300) {

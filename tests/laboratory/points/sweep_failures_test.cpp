@@ -1,4 +1,4 @@
-// Sweeps whose points fail, results of another experiment, mistakes, and disks that fill.
+// Sweeps with failing points, results of another experiment, mistakes, and full disks.
 #include <signal.h>
 #include <sys/resource.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The second point deadlocks, or is out of memory.
+// The second point deadlocks, or runs out of memory.
 const char* const SOME_FAIL =
     "[image]\nwidth = 16\nheight = 12\n[[check]]\nname = \"c\"\nof = \"rays\"\nwithin = 1e-9\n"
     "formula = \"rays\"\n[sweep]\n"
@@ -51,7 +51,7 @@ TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
   EXPECT_EQ(json["complete"], false);
   EXPECT_TRUE(contains(json["points"][0]["message"], "out of memory"));
   EXPECT_TRUE(json["points"][1].contains("use"));
-  // Those that failed are tried again; a point alone has its own exit code.
+  // Failed points run again; a single point has its own exit code.
   EXPECT_TRUE(contains(run({"-o", "r1", "--list"}).out, "workers = 2\tthere"));
   const auto again = run({"-o", "r1"});
   EXPECT_EQ(again.exit_code, 3);
@@ -80,7 +80,7 @@ TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// The first point of equal images fails: another one has the key images, and the report.
+// The first point with these images fails: another provides the key images and the report.
 TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
   write_file(folder.path / "e.toml",
@@ -92,7 +92,7 @@ TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   EXPECT_TRUE(contains(visible("r")["report.html"], "spheres-20-stage1, after"));
 }
 
-// Images without records may be another process's, whose records are still to come.
+// Images without records may belong to another process that has not yet written its records.
 TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   write_file(folder.path / "e.toml", SOME_FAIL);
   ASSERT_EQ(run({"-o", "r", "--point", "1"}).exit_code, 0);
@@ -106,7 +106,7 @@ TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   EXPECT_EQ(count(), before);
 }
 
-// A defect of tlab says more than a fault of the simulated program, wherever it stands.
+// A defect of tlab outweighs a fault of the simulated program, whatever their order.
 TEST(ExperimentsFailures, OfSeveralTheLowestExitCodeCounts) {
   const auto file = load("[sweep]\nworkers = [1, 2, 3]\n");
   const auto code_of = [&](const std::vector<int>& codes) {
@@ -158,7 +158,7 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
       EXPECT_TRUE(contains(refused.err, told)) << refused.err;
       EXPECT_EQ(visible("r"), before);
     }
-  // Another title of the same file is the same experiment; so are results without a name.
+  // Another title in the same file is the same experiment; so are results without a name.
   EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
   fs::remove_all(folder.path / "r/points");
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 2);
@@ -166,7 +166,7 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
-// All its points are there, so that it would write no record that is refused.
+// All its points exist, so the run would write no record that could be refused.
 TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
@@ -177,7 +177,7 @@ TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   EXPECT_EQ(visible("r"), before);
 }
 
-// A folder that the user has made stays; one that the run has made goes with what it leaves.
+// A folder that the user made stays; a folder that the run made is removed on failure.
 TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
   fs::create_directory(folder.path / "made");
@@ -185,7 +185,7 @@ TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   EXPECT_EQ(folder.names(), (Arguments{"e.toml", "made"}));
 }
 
-// Whoever writes the first record has the folder; the others are told at their first one.
+// The process that writes the first record owns the folder; others fail at their first record.
 TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   for (int i = 0; i < 5; ++i) {
@@ -207,7 +207,7 @@ TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   for (const auto& name : folder.names()) EXPECT_FALSE(name.starts_with('.')) << name;
 }
 
-// What killed processes have left among the records goes; what others are writing does not.
+// Partial records of killed processes are removed; those of live processes stay.
 TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   ASSERT_EQ(run({"-o", "r", "--point", "0-5"}).exit_code, 0);
   const auto store = records("r")[0].parent_path();
@@ -219,7 +219,7 @@ TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   EXPECT_TRUE(fs::exists(alive));
 }
 
-// Puts a program of this name, which fails, first on PATH while it lives.
+// Puts a failing program of this name first on PATH during its lifetime.
 class Failing {
  public:
   Failing(const fs::path& folder, const char* name) {
@@ -263,7 +263,7 @@ TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   }
 }
 
-// A check that does not hold says more than a drawing that fails; but that is told too.
+// A failed check outweighs a failed drawing; both are reported.
 TEST_F(Sweep, ADrawingThatFailsHidesNoCheck) {
   const Failing failing(folder.path / "bin", "gnuplot");
   const auto failed = run({"-o", "r", "--set", "check=[{name=\"c\", of=\"rays\", at_most=1}]"});
@@ -289,7 +289,7 @@ TEST_F(Sweep, ARecordThatCannotBeReadCostsItsDrawingAlone) {
   EXPECT_EQ(visible("r").size(), networks - 1);
 }
 
-// A name that no column has is found when the first point has ended, and costs no point.
+// An unknown column name is found after the first point, and loses no point.
 TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
   const auto mistaken = run({"-o", "r", "--jobs", "1", "--set", "let={half=\"rayz / 2\"}", "--set",
                              "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
@@ -329,7 +329,7 @@ TEST_F(Sweep, MistakesAreNamed) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// JSON could not hold it: found out before anything runs.
+// JSON cannot hold the name: refused before anything runs.
 TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
   const std::string name = "e\xff.toml", folder_name = "f\xff";
   fs::copy(folder.path / "e.toml", folder.path / name);
@@ -344,7 +344,7 @@ TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
   EXPECT_FALSE(fs::exists(folder.path / "r"));
 }
 
-// A disk that fills: no file may be longer than this.
+// Simulates a full disk: no file may exceed `bytes`.
 Outcome run_with_limit(const fs::path& folder, const Arguments& arguments, rlim_t bytes) {
   rlimit old{};
   getrlimit(RLIMIT_FSIZE, &old);

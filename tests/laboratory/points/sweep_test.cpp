@@ -1,4 +1,4 @@
-// Sweeps in parts: records of points, runs that are resumed, merged, or larger than before.
+// Sweeps in parts: records of points; resumed, merged and extended runs.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -41,7 +41,7 @@ TEST_F(Sweep, AnyHistoryGivesTheSameBytes) {
   EXPECT_EQ(visible("resumed"), expected);
 }
 
-// The folder of the experiment is known, whatever the current one is.
+// The experiment's folder is known in any current folder.
 TEST_F(Sweep, ItIsMergedFromAnyFolder) {
   write_file(folder.path / "s.nff",
              "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\n"

@@ -1,4 +1,4 @@
-// What people are shown first of a table of results.
+// Columns of a table of results that are shown first.
 #include "experiments/laboratory/points/view.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +9,8 @@
 namespace laboratory {
 namespace {
 
-// Two points of a program with a parameter that is no axis, and results: one is asked about by way
-// of [let], one is the same everywhere, one does not apply, one is left to the width.
+// Two points of a program, with a parameter that is no axis. One result is used by [let], one is
+// constant, one does not apply, and the others are shown if the width permits.
 const Table OF_RADIOSITY = {.columns = {"refine", "processors", "mean", "sends", "time_s", "rays",
                                         "speedup", "useful", "ended"},
                             .axes = 1,
@@ -37,7 +37,7 @@ TEST(TableView, AxesThenWhatIsAskedThenOtherResults) {
   EXPECT_EQ(view.constants, constants);
 }
 
-// However long the chain of definitions by which a check asks for a column.
+// A check asks for a column through an arbitrarily long chain of definitions.
 TEST(TableView, WhatIsAskedByWayOfManyDefinitions) {
   auto file = read("[let]\nd0 = \"useful\"\n[[check]]\nname = \"c\"\nof = \"d0\"\nat_most = 3\n");
   constexpr int LENGTH = 50'000;
@@ -65,7 +65,7 @@ TEST(TableView, NamedColumns) {
             OF_RADIOSITY.columns);
 }
 
-// However wide: the first columns are there, nothing is cut, and no line is wider than asked where
+// At any width the first columns are present and nothing is cut. No line is wider than asked if
 // they leave room.
 TEST(TableView, FitsTheWidth) {
   const auto view = choose_view(read(""), OF_RADIOSITY);

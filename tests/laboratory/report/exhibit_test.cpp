@@ -11,8 +11,8 @@
 namespace laboratory {
 namespace {
 
-// Speed-ups as Amdahl's law has them with a twentieth, or a fifth, of serial work; with 32 workers
-// those of the second fall.
+// Speed-ups by Amdahl's law with serial fractions of 1/20 and 1/5; with 32 workers those of the
+// second fall.
 struct LawsCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -56,7 +56,7 @@ std::vector<std::string> names(const Plot& plot) {
   return names;
 }
 
-// Its intervals are looked up by that.
+// The column finds the curve's intervals.
 TEST(ExperimentsExhibits, ACurveKnowsTheColumnThatItShows) {
   const auto shown = LawsCase(plot("")).make();
   ASSERT_FALSE(shown[0].plot.series.empty());
@@ -140,7 +140,7 @@ TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
             "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, of 1 points.");
 }
 
-// Efficiencies about a mean of 1 with four points, or about one of more.
+// Efficiencies around a mean of 1 with four points, or around a mean above 1.
 TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
   for (const auto& [mean, told] : std::vector<std::pair<std::string, std::string>>{
            {"1", ": the points do not determine it."},

@@ -1,4 +1,4 @@
-// What a report says about its plots, and about its points.
+// Findings of a report about its plots and its points.
 #include "experiments/laboratory/report/findings.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// Speed-ups of three sizes: the smallest goes as the root of the workers from 4 on, and from 8 on
-// the coordination limits it; the largest is ideal.
+// Speed-ups of two sizes. The smaller grows as the square root of the workers from 4 on, and
+// coordination limits it from 8 on; the larger is ideal.
 struct Sweep {
   Table table{.columns = {"workers", "objects", "speedup"}, .axes = 2, .rows = {}};
   std::vector<PointLoads> points;

@@ -1,4 +1,4 @@
-// Plots as the page's script reads them.
+// Plots in the form that the page's script reads.
 #include "experiments/laboratory/report/plot_data.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// Two curves of speed-ups, Amdahl's with a tenth of serial work and Gustafson's with a fifth.
+// Two curves of speed-ups: Amdahl's with a tenth of serial work, Gustafson's with a fifth.
 Plot make_example() {
   Plot plot;
   plot.name = "p";
@@ -88,7 +88,7 @@ TEST(ExperimentsPlotData, SpeedUpsHaveBothLaws) {
       {.name = "Amdahl's law (± 95 %)", .x = {1}, .y = {1}, .kind = SeriesKind::law});
   EXPECT_TRUE(serials("Amdahl's law").empty()) << "it is drawn already";
   EXPECT_EQ(serials("Gustafson's law").size(), 2u);
-  for (double& y : plot.series[1].y) y *= 4;  // faster than ideal: no share of the work
+  for (double& y : plot.series[1].y) y *= 4;  // faster than ideal: not a serial fraction
   EXPECT_EQ(serials("Gustafson's law").size(), 1u);
 }
 

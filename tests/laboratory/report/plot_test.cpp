@@ -15,7 +15,7 @@ using Names = std::vector<std::string>;
 
 Value integer(int value) { return std::int64_t{value}; }
 
-// A sweep with the workers in no order: t = objects / workers.
+// A sweep with unordered workers: t = objects / workers.
 Table make_sweep(const Names& topologies, const std::vector<int>& objects,
                  const std::vector<int>& workers) {
   Table table{
@@ -246,7 +246,7 @@ TEST(ExperimentsDrawing, DrawsEveryKindOfAxis) {
       }
 }
 
-// Whatever the lengths of the names, the key ends above the drawing's lower edge.
+// For names of any length, the key ends above the drawing's lower edge.
 TEST(ExperimentsDrawing, TheKeyFitsIntoTheDrawing) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
   const TemporaryFolder folder;
@@ -284,7 +284,7 @@ TEST(ExperimentsDrawing, ASecondPanelShowsDifferences) {
   EXPECT_NO_THROW(draw_plots({plot, plot}, folder.path));
 }
 
-// 1, 2 or 5 times a power of ten, so that no more than five steps fit.
+// Steps of 1, 2 or 5 times a power of ten, at most five in the range.
 TEST(ExperimentsDrawing, DifferencesHaveRoundSteps) {
   Plot plot;
   plot.series = {{.name = "s", .x = {1, 2}, .y = {1, 2}}};

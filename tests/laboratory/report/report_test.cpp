@@ -48,7 +48,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-// The page without what its script is and knows.
+// The page without its scripts and their data.
 std::string without_scripts(const std::string& html) {
   auto text = html;
   for (auto at = text.find("<script"); at != std::string::npos; at = text.find("<script"))
@@ -184,7 +184,7 @@ TEST(ExperimentsReport, TagsAreBalanced) {
   EXPECT_GT(closed, 50);
 }
 
-// Of the element that the page's script reads.
+// Data of the element that the page's script reads.
 nlohmann::json read_data(const std::string& html) {
   const std::string begin = "<script type=\"application/json\"";
   const auto from = html.find('>', html.find(begin)) + 1;
@@ -210,8 +210,7 @@ TEST(ExperimentsReport, ThePageKnowsItsPlotsAndPoints) {
   EXPECT_EQ(count(html, "<tr data-point="), 2u) << "rows of points that are not told";
 }
 
-// Only these scripts run: the policy names them by a number that nobody can know who writes texts
-// into the page.
+// Only these scripts run: the policy names them by a nonce unknown to authors of texts in the page.
 TEST(ExperimentsReport, NoOtherScriptRuns) {
   const TemporaryFolder folder;
   auto report = make_example(folder);

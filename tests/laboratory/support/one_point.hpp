@@ -1,4 +1,4 @@
-// A run that takes no time.
+// A run that takes almost no time.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace laboratory {
 
 /// Arguments that run the farm of experiments/farm.toml with three workers, 16 x 12 pixels and 20
-/// spheres; and `more`.
+/// spheres; `more` is appended.
 inline std::vector<std::string> one_point(const std::vector<std::string>& more) {
   std::vector<std::string> all{"run",   ::test::in_sources("experiments/farm.toml"),
                                "--set", "image.width=16",

@@ -1,4 +1,4 @@
-// A small sweep in a folder of its own, and what its runs leave there.
+// A small sweep in its own folder, and the files that its runs leave there.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct Sweep : testing::Test {
     more.insert(more.begin(), {"run", "e.toml"});
     return tlab(folder.path, more);
   }
-  // Everything in a folder of results that people look at: name -> bytes.
+  // All user-visible files of a folder of results: name -> bytes.
   std::map<std::string, std::string> visible(const std::string& name) const {
     std::map<std::string, std::string> files;
     const auto root = folder.path / name;

@@ -1,4 +1,4 @@
-// A terminal that a part of a test runs on.
+// Runs a part of a test on a terminal.
 #pragma once
 
 #include <pty.h>
@@ -11,7 +11,7 @@
 
 namespace laboratory {
 
-/// What `body` shows on a terminal, in a process of its own; lines end with "\r\n" there.
+/// Terminal output of `body`, run in its own process; lines end with "\r\n".
 inline std::string on_terminal(const std::function<void()>& body) {
   std::fflush(nullptr);
   int terminal = -1;

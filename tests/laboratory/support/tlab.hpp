@@ -1,4 +1,4 @@
-// The command in a process of its own.
+// The command in its own process.
 #pragma once
 
 #include <sys/wait.h>
@@ -19,8 +19,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Starts tlab with `folder` as its current folder, and with this done for the signals that ask it
-/// to end; what it prints goes to the files .out and .err there.
+/// Starts tlab with `folder` as its current folder and `handler` for the signals that ask it to
+/// end. Its output goes to the files .out and .err there.
 inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments,
                         void (*handler)(int) = SIG_DFL) {
   arguments.insert(arguments.begin(), "tlab");
@@ -37,7 +37,7 @@ inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::st
   _exit(code);
 }
 
-/// Waits for what start_tlab() started in `folder`; the files go.
+/// Waits for the process that start_tlab() started in `folder`; removes the files.
 inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
   int status = 0;
   waitpid(pid, &status, 0);

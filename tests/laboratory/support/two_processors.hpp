@@ -1,11 +1,11 @@
 #pragma once
-// A run of one second, of which it is known when each processor and the link are busy.
+// A run of one second with known busy times of each processor and of the link.
 #include "tests/support/lab.hpp"
 
 namespace laboratory {
 
-/// At 2^24 cycles and 2^20 bytes a second: one processor computes for a quarter of a second and
-/// sends for another quarter; then the one that has received computes for half a second.
+/// At 2^24 cycles and 2^20 bytes a second: one processor computes for a quarter of a second, then
+/// sends for another quarter. Then the receiver computes for half a second.
 inline void start_two_processors(occam::Lab& lab) {
   auto& first = lab.cpu();
   auto& second = lab.neighbour(first);

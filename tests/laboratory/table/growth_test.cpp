@@ -1,4 +1,4 @@
-// Where curves bend: broken power laws, with noise and without.
+// Bends of curves: broken power laws, with noise and without.
 #include "experiments/laboratory/table/growth.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(ExperimentsGrowth, PowersHaveNoBend) {
   }
 }
 
-// Half of Amdahl's largest speed-up is reached with about 1/s processors.
+// About 1/s processors reach half of Amdahl's largest speed-up.
 TEST(ExperimentsGrowth, AmdahlsLawBendsNearOneOverItsSerialFraction) {
   Values x, y;
   for (int n = 1; n <= 1024; n *= 2) x.push_back(n);

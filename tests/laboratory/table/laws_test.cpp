@@ -1,4 +1,4 @@
-// The laws of speed-up on data whose serial fraction is known.
+// The laws of speed-up on data with known serial fractions.
 #include "experiments/laboratory/table/laws.hpp"
 
 #include <gtest/gtest.h>
@@ -67,8 +67,8 @@ TEST(ExperimentsLaws, FitsFindWhatMadeTheData) {
   EXPECT_NEAR(log->parameters.at(1).value, 2, 1e-12);
 }
 
-// With noise of one spread in the quantity that is minimised, 95 % of the intervals hold the truth;
-// of 1000 the deviation is 0.7 %.
+// The minimised quantity has noise of one spread: 95 % of the intervals contain the truth. Over
+// 1000 repeats the deviation is 0.7 %.
 TEST(ExperimentsLaws, NineteenOfTwentyIntervalsHoldTheTruth) {
   constexpr int REPEATS = 1000;
   constexpr std::uint32_t SEED = 20241;

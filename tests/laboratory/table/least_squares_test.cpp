@@ -28,7 +28,7 @@ Residuals line_residuals(const std::vector<double>& y, double grain = 0) {
   };
 }
 
-// Nineteen of twenty intervals hold the number that the measurements were made with.
+// Nineteen of twenty intervals contain the number behind the measurements.
 TEST(LeastSquares, IntervalsHoldTheirNumber) {
   constexpr int TRIALS = 2000;
   std::mt19937_64 random(20261125);
@@ -45,7 +45,7 @@ TEST(LeastSquares, IntervalsHoldTheirNumber) {
   for (const int count : inside) EXPECT_NEAR(count / double(TRIALS), 0.95, 0.015);
 }
 
-// A model that rounds is a flight of stairs: steps that are wider than its treads see the slope.
+// A model that rounds is a step function: difference steps wider than its treads see the slope.
 TEST(LeastSquares, StepsAreWiderThanARoundingModels) {
   std::vector<double> y;
   for (const double x : X) y.push_back(20 + x / 1.7);

@@ -1,4 +1,4 @@
-// Machines drawn from what the numbers of a model may be.
+// Machines drawn from the ranges of a model's entries.
 #include "experiments/laboratory/uncertain/draw.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace laboratory {
 namespace {
 
-const machine::Entry& entry_of(const machine::Model& model, const std::string& key) {
+const machine::Entry& entry_of(const machine::Model& model, std::string_view key) {
   return *std::ranges::find(model.entries, key, &machine::Entry::key);
 }
 
@@ -48,7 +48,7 @@ TEST(Draw, SharesAreEvenInTheirLogarithm) {
   EXPECT_EQ(find_in(number, 0.25), 15);
 }
 
-// At the middle of all ranges, in shares that are even about 1, the model is as it stands.
+// Every entry with a range is drawn once, except entries that were set.
 TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
   const Entries set = {{"scheduler.return_to_low", "20"}};
   const auto drawn = draw_machine("t805-25", set, [](const std::string&) { return 0.9; });
@@ -60,13 +60,13 @@ TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
     EXPECT_EQ(std::ranges::count(drawn, entry.key, &Entries::value_type::first),
               entry.range ? 1 : 0)
         << entry.key;
-  // A formula stays one, of what others are.
+  // A formula stays a formula of other entries.
   EXPECT_NE(entry_of(after, "operation.box_test").formula.find("instruction.add"),
             std::string::npos);
 }
 
-// Whatever the operations cost, what a calibrated cell fixes stays, once the share is taken away
-// that the entry itself is drawn with.
+// A calibrated cell keeps its value for any cost of operations, once the entry's own drawn share is
+// removed.
 TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   const auto before = machine::load_model("t805-25");
   for (std::size_t machine = 0; machine < 16; ++machine) {
@@ -89,7 +89,7 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   }
 }
 
-// What else is in the cell may not exceed it, whatever the entry.
+// Other costs in the cell may not exceed it, for any value of the entry.
 TEST(Draw, WhatCannotBeHeldIsRefused) {
   const auto draw = [](const std::string& holds) {
     const test::TemporaryFolder folder;

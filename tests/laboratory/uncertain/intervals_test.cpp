@@ -1,4 +1,4 @@
-// The method, on formulas whose answers are known.
+// The method for intervals, on formulas with known answers.
 #include "experiments/laboratory/uncertain/intervals.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ bool has(const std::vector<Influence>& all, const std::string& entry) {
   return std::ranges::find(all, entry, &Influence::entry) != all.end();
 }
 
-// y = 3 x1 + x2 exactly: swings are 0.9 times the factors, and the third is not named.
+// y = 3 x1 + x2 exactly: swings are 0.9 times the factors, and the third entry is not named.
 TEST(Influences, OfASumAreItsFactors) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto s = sample(3, 64, seed, [](const auto& x) { return 3 * x[0] + x[1]; });
@@ -67,8 +67,8 @@ TEST(Influences, OfASumAreItsFactors) {
   }
 }
 
-// The same with noise, among 100 entries that do nothing: the factors within their errors, and
-// seldom one of the others.
+// The same with noise, among 100 entries without effect: factors within their errors, and seldom
+// one of the others.
 TEST(Influences, AreFoundAmongMany) {
   int others = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -87,7 +87,7 @@ TEST(Influences, AreFoundAmongMany) {
   EXPECT_LE(others, 4);
 }
 
-// Of a product the slopes at the middle: y = exp(2 x1) exp(x2) grows from one to twenty times.
+// Slopes of a product at the middle: y = exp(2 x1) exp(x2) grows from 1 to 20.
 TEST(Influences, OfAProductNameItsFactors) {
   const auto s =
       sample(4, 256, 3, [](const auto& x) { return std::exp(2 * x[0]) * std::exp(x[1]); });
@@ -99,8 +99,8 @@ TEST(Influences, OfAProductNameItsFactors) {
   EXPECT_NEAR(all[0].swing, 0.9 * 6 * (std::exp(1) - 1), 4 * all[0].error);
 }
 
-// Ishigami and Homma 1990, a = 7, b = 0.1: the plane sees x1 with the slope
-// E[x y] / E[x x], where E[x sin x] = 1; x2 and x3 have none.
+// Ishigami and Homma 1990, a = 7, b = 0.1: over x1 the plane has the slope E[x y] / E[x x], with
+// E[x sin x] = 1; over x2 and x3 it has none.
 TEST(Influences, OfIshigamisFunction) {
   constexpr double PI = std::numbers::pi, A = 7, B = 0.1;
   const auto s = sample(3, 4096, 11, [](const auto& q) {
@@ -111,13 +111,13 @@ TEST(Influences, OfIshigamisFunction) {
   const auto all = find_influences(s.results, s.entries, s.quantiles);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].entry, "x1");
-  const double slope = (1 + B * std::pow(PI, 4) / 5) / (PI * PI / 3) * 2 * PI;  // of the quantile
+  const double slope = (1 + B * std::pow(PI, 4) / 5) / (PI * PI / 3) * 2 * PI;  // per quantile
   EXPECT_NEAR(all[0].swing, 0.9 * slope, 4 * all[0].error);
   EXPECT_LT(all[0].error, 0.03 * slope);
 }
 
-// Of a uniform result the interval is that of the uniform distribution; and of fresh results nine
-// of ten lie in it.
+// A uniform result gives the interval of the uniform distribution; it contains nine of ten fresh
+// results.
 TEST(Intervals, CoverWhatTheyClaim) {
   const auto y = [](const auto& x) { return x[0] + x[1]; };
   int inside = 0, all = 0;
@@ -154,7 +154,7 @@ TEST(Intervals, RowsAreMatchedByTheirAxesAndWhatIsTheSameEverywhereIsLeftOut) {
   EXPECT_EQ(intervals[1].machines, (std::vector{20., 21., 22.}));
   const auto lines = to_csv(make_intervals_table(table, intervals));
   EXPECT_EQ(lines.substr(0, lines.find('\n')), "n,column,value,p5,p50,p95");
-  machines[2].rows.pop_back();  // one that lacks the row says nothing of it
+  machines[2].rows.pop_back();  // a machine without the row does not count
   EXPECT_EQ(find_intervals(table, machines).size(), 1u);
 }
 

@@ -1,4 +1,4 @@
-// What is said and drawn of machines that were drawn.
+// Texts and drawings about drawn machines.
 #include "experiments/laboratory/uncertain/sureness.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace laboratory {
 namespace {
 
-// The data of the bars, a line for each.
+// The data of the bars, one line each.
 std::vector<std::string> bars(const std::string& script) {
   const auto from = script.find("<< END\n") + 7, to = script.find("END\nset border");
   std::vector<std::string> lines;

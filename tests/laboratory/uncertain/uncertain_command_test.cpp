@@ -1,4 +1,4 @@
-// tlab run --uncertain: what it leaves, and what it refuses.
+// tlab run --uncertain: its files, and its refusals.
 #include <fmt/format.h>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two points, with a check of a number that is met only by some machines.
+// Two points, with a check of a number that only some machines meet.
 const std::string TWO_POINTS =
     "[network]\n[scene]\nobjects = 20\n[image]\nwidth = 16\nheight = 12\n[run]\nengine = "
     "\"direct\"\n[sweep]\nworkers = [1, 3]\n";
@@ -73,7 +73,7 @@ TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
 
 TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
   ASSERT_EQ(run({"--uncertain", "6", "-o", "a"}).exit_code, 0);
-  const auto count_records = [&] {  // finished ones: they are never taken away
+  const auto count_records = [&] {  // finished records, which are never removed
     std::size_t count = 0;
     const auto points = folder.path / "b/points";
     if (!fs::exists(points)) return count;
@@ -96,7 +96,7 @@ TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
     EXPECT_EQ(read("a/" + std::string(file)), read("b/" + std::string(file))) << file;
 }
 
-// Three workers are quicker than one on any machine; two networks of one worker are the same.
+// Three workers are faster than one on any machine; two networks of one worker are equal.
 TEST_F(Uncertain, SaysOnHowManyMachinesARankingHolds) {
   write_file(folder.path / "e.toml",
              TWO_POINTS +

@@ -1,4 +1,4 @@
-// Statements that NFF has no word for, in comments.
+// Statements in comments, beyond the vocabulary of NFF.
 
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ TEST(NffComments, EveryKindOfObjectMoves) {
   EXPECT_GT(hits, 200);
 }
 
-// Files as they were before there were statements in comments.
+// Files from before statements in comments existed.
 TEST(NffComments, ProseIsNoStatement) {
   const Scene plain = parse(COMMENTED_VIEW + COMMENTED_SURFACE + "s 0 0 0 1\nl 1 1 1\n");
   const Scene scene =

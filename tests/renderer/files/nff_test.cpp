@@ -1,4 +1,4 @@
-// NFF: every statement, and what is wrong with files that are wrong.
+// NFF: every statement, and messages about errors in files.
 
 #include <gtest/gtest.h>
 

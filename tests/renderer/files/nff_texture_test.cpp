@@ -20,7 +20,7 @@ class NffTexture : public testing::Test {
 
   std::string path(const std::string& name) const { return (folder_.path / name).string(); }
   Scene parse(const std::string& text) const { return parse_scene(CAMERA + text, path("s.nff")); }
-  // What is wrong, without the folder.
+  // The error message, without the folder.
   std::string error_of(const std::string& text) const {
     const auto message = ::test::message_of<base::BadInput>([&] { parse(text); });
     const std::string folder = folder_.path.string() + "/";
@@ -38,7 +38,7 @@ TEST_F(NffTexture, IsOfTheSurfaceSetLast) {
   const Scene scene =
       parse(WHITE + SQUARE + WHITE + "# texture a.png planar 1 2 3  2 0 0  0 4 0\n" + SQUARE +
             "# texture a.png spherical 0 0 0 axis 0 1 0\n" + SQUARE + WHITE + SQUARE);
-  // A surface that has objects stays what it is for them.
+  // A surface with objects remains unchanged for them.
   ASSERT_EQ(scene.surfaces.size(), 4u);
   EXPECT_EQ(scene.surfaces[0].texture, NO_TEXTURE);
   EXPECT_EQ(scene.surfaces[1].texture, 0u);
@@ -83,9 +83,9 @@ TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
                            "# shutter 0 0.5\n# move 4 0 0\n" + SQUARE;
   for (const int frame : {0, 3}) {
     const Scene scene = parse_scene(text, path("s.nff"), frame);
-    // A quarter of a frame later it is another unit away.
+    // A quarter of a frame later the object is one unit further.
     Ray ray;
-    ray.origin = {4.0 * frame + 1 + 0.25, 0.5, 5};  // as 0.25, 0.5 at time 0
+    ray.origin = {4.0 * frame + 1 + 0.25, 0.5, 5};  // equals 0.25, 0.5 at time 0
     ray.direction = {0, 0, -1};
     ray.time = 0.5;
     Work work;

@@ -22,7 +22,7 @@ class ObjScene : public ::testing::Test {
     return (folder_.path / name).string();
   }
 
-  // The OBJ of a scene, saved as NAME.obj with its library.
+  // The OBJ text of a scene, saved as NAME.obj with its library.
   std::string save_obj(const std::string& name, const auto& tell) {
     ObjText obj(folder_.path.string(), name + ".mtl");
     NffAsObj nff(obj, left_out_);
@@ -44,7 +44,7 @@ std::vector<Samples::Sums> render_small(const Scene& scene) {
   return render(scene, make_params(40, 30, 4)).samples.sums;
 }
 
-// What OBJ can carry: polygons with normals or none, surfaces of all kinds, lights of all kinds.
+// Content that OBJ can carry: polygons with and without normals, all kinds of surfaces and lights.
 void tell_random(Random& random, NffTarget& target) {
   target.set_view(make_image_plane({.from = random.point(1) + Vec{0, 0, 6},
                                     .up = {0.1, 1, 0},
@@ -202,7 +202,7 @@ TEST_F(ObjScene, WhatIsWrongIsRejectedWithItsLine) {
     EXPECT_EQ(error_of(text).substr(0, expected.size()), expected) << error_of(text);
 }
 
-// A material that has been there is used again.
+// An earlier material is used again.
 TEST_F(ObjScene, MaterialsOfAnNffAreNumberedFromOne) {
   const auto path = save_obj("scene", [&](NffTarget& nff) {
     const std::string triangle = "p 3 0 0 0 1 0 0 0 1 0\n";

@@ -1,4 +1,4 @@
-// Animations, read again.
+// Animations, decoded again.
 #include "renderer/image/animation.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace renderer::test {
 namespace {
 
-// What is shown from `from_ms` (included) to `to_ms`.
+// The picture shown from `from_ms` (included) to `to_ms` (excluded).
 struct Shown {
   int from_ms, to_ms;
   Bitmap bitmap;
@@ -24,7 +24,7 @@ std::vector<Shown> decode(const std::string& bytes) {
   return all;
 }
 
-// Each frame is the one before with some rectangles of colour, or with none.
+// Each frame equals the previous one, except for up to three rectangles.
 std::vector<Frame> make_frames(Random& random, int count) {
   const int width = 1 + random.below(60), height = 1 + random.below(60);
   Bitmap bitmap{width, height, std::vector<std::uint8_t>(std::size_t(3 * width * height))};
@@ -59,7 +59,7 @@ TEST(Animation, ShowsTheFramesToTheBit) {
       while (now + 1 != shown.end() && now->to_ms <= time_ms) ++now;
       EXPECT_TRUE(now->bitmap == frame.bitmap) << "at " << time_ms << " ms";
       time_ms += frame.duration_ms;
-      // An animation of one picture only is a file of one picture, without a duration.
+      // An animation of a single picture is a still picture, without a duration.
       if (shown.size() > 1) {
         EXPECT_GE(now->to_ms, time_ms);
       }

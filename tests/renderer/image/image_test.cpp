@@ -1,4 +1,4 @@
-// Fixed point and files.
+// Fixed-point numbers and files.
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -113,7 +113,7 @@ TEST_F(Png, WhatCannotBeWrittenIsAnError) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/full"));
 }
 
-// A picture of one row, as libpng's own functions write it; of a taller one the header, and bytes
+// A picture of one row, written by libpng. For a taller picture the header is followed by bytes
 // that are no picture.
 void save_row(const std::string& path, int width, int height, int bits, int type,
               const std::vector<std::uint8_t>& row) {
@@ -152,7 +152,7 @@ TEST_F(Png, LoadsAnyKind) {
   EXPECT_EQ(load(8, PNG_COLOR_TYPE_GRAY, {77}), (Bytes{77, 77, 77}));
   EXPECT_EQ(load(1, PNG_COLOR_TYPE_GRAY, {0x80}), (Bytes{255, 255, 255}));
   EXPECT_EQ(load(16, PNG_COLOR_TYPE_RGB, {0, 0, 0x80, 0x80, 255, 255}), (Bytes{0, 128, 255}));
-  // Opaque, and where there is nothing: white.
+  // Opaque pixels are kept; transparent ones become white.
   EXPECT_EQ(load(8, PNG_COLOR_TYPE_RGB_ALPHA, {9, 8, 7, 255}), (Bytes{9, 8, 7}));
   EXPECT_EQ(load(8, PNG_COLOR_TYPE_GRAY_ALPHA, {9, 0}), (Bytes{255, 255, 255}));
 }
@@ -175,10 +175,10 @@ TEST_F(Png, WhatCannotBeLoadedIsAnErrorThatNamesTheFile) {
   EXPECT_PRED1(names, refused("P6 1 1 255 abc"));
   save_png(file, make_image());
   const std::string whole = read(file);
-  // (The last 12 bytes are the end's mark.)
+  // (The last 12 bytes are the end marker.)
   for (std::size_t size = 0; size + 12 < whole.size(); size += 37)
     EXPECT_PRED1(names, refused(whole.substr(0, size))) << size;
-  // Bytes changed anywhere: an error, or a picture, but the program goes on.
+  // Changed bytes give an error or a picture, but never a crash.
   Random random{8};
   for (int i = 0; i < 300; ++i) {
     std::string bytes = whole;

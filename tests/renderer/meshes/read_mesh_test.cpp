@@ -1,4 +1,4 @@
-// Meshes of other formats.
+// Meshes in other formats.
 #include "renderer/meshes/read_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace renderer::test {
 namespace {
 
-// Keeps the triangles.
+// Collects the triangles.
 struct Triangles : ObjTarget {
   std::vector<std::vector<Vec>> faces;
   std::vector<std::vector<Corner>> coordinates;
@@ -37,13 +37,13 @@ class ReadMesh : public ::testing::Test {
   LeftOut left_out_;
 };
 
-// A tetrahedron's corners and faces, which PLY and OFF list alike.
+// A tetrahedron's corners and faces; PLY and OFF list them alike.
 const std::string LISTS = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 const std::string PLY_HEAD =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
     "z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n";
 
-// Six times the volume that faces enclose.
+// Six times the volume enclosed by the faces.
 double eval_volume(const std::vector<std::vector<Vec>>& faces) {
   double sum = 0;
   for (const auto& face : faces) sum += dot(face[0], cross(face[1], face[2]));
@@ -73,7 +73,7 @@ TEST_F(ReadMesh, ATetrahedronOfThreeFormats) {
   EXPECT_EQ(left_out_.describe(), "");
 }
 
-// One triangle of a material in a node. Numbers are 0, 0, 0; 1, 0, 0; 0, 1, 0.
+// One triangle with a material in a node. Its corners are 0, 0, 0; 1, 0, 0; 0, 1, 0.
 std::string make_gltf(const std::string& material, const std::string& moved = "") {
   return R"({"asset": {"version": "2.0"},
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
@@ -92,7 +92,7 @@ std::string make_gltf(const std::string& material, const std::string& moved = ""
     "scenes": [{"nodes": [0]}], "scene": 0})";
 }
 
-// The node is moved and twice as large.
+// The node is moved and scaled by two.
 TEST_F(ReadMesh, AMeshIsWhereItsNodeIsAndHasItsColours) {
   const auto path = save("t.gltf", make_gltf(R"({"name": "blue", "pbrMetallicRoughness":
                                                  {"baseColorFactor": [0.125, 0.25, 0.5, 1]}})",
@@ -156,7 +156,7 @@ TEST_F(ReadMesh, AMaterialHasItsColoursAndNumbers) {
   EXPECT_EQ(glass->ior, 1.5);
 }
 
-// STL and PLY say nothing of materials.
+// STL and PLY contain no materials.
 TEST_F(ReadMesh, WithoutAMaterialATriangleIsOpaque) {
   Triangles triangles;
   read_mesh(save("t.ply", fmt::format(fmt::runtime(PLY_HEAD), 4) + LISTS), triangles, left_out_);
@@ -165,7 +165,7 @@ TEST_F(ReadMesh, WithoutAMaterialATriangleIsOpaque) {
   EXPECT_EQ(triangles.materials[0].ior, 1);
 }
 
-// A triangle with one that is too large has none.
+// A triangle with one coordinate that is too large has none.
 TEST_F(ReadMesh, CoordinatesAreKeptUpToAMillion) {
   Triangles triangles;
   read_mesh(save("t.ply",
@@ -202,7 +202,7 @@ TEST_F(ReadMesh, WhatIsReadButHasNoMeshIsRefused) {
             path + ": found none, expected a mesh of triangles");
 }
 
-// The library's reason is quoted.
+// The message quotes the library's reason.
 TEST_F(ReadMesh, WhatIsNoMeshIsRefused) {
   for (const char* name : {"a.stl", "a.ply", "a.off", "a.dae", "a.3ds", "a.gltf", "a.glb"}) {
     const auto path = save(name, "no mesh\n");

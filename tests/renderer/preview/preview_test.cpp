@@ -1,4 +1,4 @@
-// Previews against the ray tracer, and by hand.
+// Previews, compared with the ray tracer and with values calculated by hand.
 #include "renderer/preview/preview.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace renderer::test {
 namespace {
 
-// By pixel, the object that its primary ray hits.
+// For each pixel, the object hit by its primary ray.
 std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params) {
   std::vector<std::uint32_t> objects;
   Work work;
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params
   return objects;
 }
 
-// Whether a pixel around (x, y), itself included, has another object than that of (x, y).
+// True if a pixel within one of (x, y) shows another object than (x, y) does.
 bool is_at_silhouette(const std::vector<std::uint32_t>& objects, const Params& p, int x, int y) {
   const auto at = [&](int i, int j) { return objects[static_cast<std::size_t>(j * p.width + i)]; };
   for (int j = std::max(0, y - 1); j <= std::min(p.height - 1, y + 1); ++j)
@@ -36,7 +36,7 @@ struct Compared {
   int pixels = 0, other_object = 0, off_silhouette = 0, other_sums = 0;
 };
 
-// A preview with the rendering of the same scene and trees of `depth` levels.
+// Compares a preview with the rendering of the same scene with trees of `depth` levels.
 void compare(const Scene& scene, Params params, int depth, Compared& all) {
   const Preview preview = make_preview(scene, params, PreviewStep::shadows);
   const auto objects = find_objects(scene, params);
@@ -68,7 +68,7 @@ TEST(Preview, ShadowsAreTheRayTracersButAtSilhouettes) {
   EXPECT_LE(all.other_object, all.pixels / 50);
 }
 
-// Whatever the unit of length: here the whole scene is nearer than a unit.
+// Any unit of length works: here the whole scene is nearer than one unit.
 TEST(Preview, OfATinySceneIsTheRayTracersToo) {
   Compared all;
   const auto parse_scaled = [](double s) {
@@ -121,8 +121,7 @@ TEST(Preview, PhongHasTheLightOfShadowsWhereNothingIsInTheWay) {
             make_preview(scene, params, PreviewStep::shadows).samples);
 }
 
-// The view of a 4 x 4 image, at z = 4, in which (x, y, 0) is pixel (2 + x, 2 - y) of those whose
-// samples are corners.
+// View of a 4 x 4 image at z = 4. With samples at corners, (x, y, 0) is pixel (2 + x, 2 - y).
 const std::string SQUARE_VIEW =
     "v from 0 0 4 at 0 0 0 up 0 1 0 angle 53.13010235415598 resolution 4 4\n"
     "b 0 0 0.5\n";
@@ -133,7 +132,7 @@ Params make_centred() {
   return params;
 }
 
-// One colour of each pixel, as they are looked at.
+// One colour component of each pixel, in the layout of the image.
 std::string show(const Preview& preview, double Rgb::*colour) {
   std::string text;
   for (std::uint32_t i = 0; i < preview.samples.sums.size(); ++i) {
@@ -144,7 +143,7 @@ std::string show(const Preview& preview, double Rgb::*colour) {
 }
 
 TEST(Preview, FlatHasTheColourOfTheMiddle) {
-  // A light straight before the middle of the square, two away; ka * Ia = 0.1 * 0.5.
+  // A light in front of the square's middle, at distance 2; ka * Ia = 0.1 * 0.5.
   const Scene scene = parse(SQUARE_VIEW +
                             "l 0 0 2 0.8 0.8 0.8\nf 1 0 0 0.5 0 0 0 0\n"
                             "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
@@ -155,7 +154,7 @@ TEST(Preview, FlatHasTheColourOfTheMiddle) {
   EXPECT_EQ(preview.work[Op::feeler_made], 1u);
 }
 
-// The eye is not straight before the square: it is where the light is mirrored to.
+// The eye is not in front of the square but in the light's mirror direction.
 TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
   const Scene scene = parse(SQUARE_VIEW +
                             "l 2 0 4 0.8 0.8 0.8\nf 1 0 0 0 0.5 20 0 0\n"
@@ -165,7 +164,7 @@ TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
 }
 
 TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
-  // The light is at right angles over the left edge's middle, as far away as the corners.
+  // The light stands on the normal of the left edge's middle, at the distance of the corners.
   const Scene scene = parse(SQUARE_VIEW +
                             "l -1 0 1 1 1 1\nf 1 0.5 0.25 1 0 0 0 0\n"
                             "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
@@ -183,7 +182,7 @@ TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
 }
 
 TEST(Preview, PointsAreTheCornersAndFade) {
-  // At the farthest, a quarter of the colour is left on the background.
+  // At the greatest distance a quarter of the colour remains on the background.
   const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\np 3 -1 -1 0 1 -1 0 -2 2 -4\n");
   const Preview preview = make_preview(scene, make_params(4, 4, 1), PreviewStep::points);
   EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.25 0 0\n0 0 0 0\n0 1 0 1\n");
@@ -195,7 +194,7 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
     const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\n" + triangle);
     return show(make_preview(scene, make_params(4, 4, 1), PreviewStep::points), &Rgb::r);
   };
-  // One corner is in the image, then two, of which the second is half a unit farther away.
+  // One corner is in the image, then two; the second is half a unit farther away.
   EXPECT_EQ(red("p 3 -1 -1 0 50 -1 0 -1 50 0\n"), "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0\n");
   EXPECT_EQ(red("p 3 -1 -1 0 1.125 -1.125 -0.5 -1 50 0\n"),
             "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0.25\n");
@@ -203,20 +202,20 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
 
 TEST(Preview, EdgesAreThoseThatNothingHides) {
   const std::string back = "f 1 0 0 1 0 0 0 0\np 4 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n";
-  // Half as far, a wall before the right half of the image, without edges that are seen.
+  // At half the distance, a wall hides the right half of the image; none of its edges shows.
   const std::string front = "f 0 1 0 1 0 0 0 0\np 4 0.25 -9 2 9 -9 2 9 9 2 0.25 9 2\n";
   const Params params = make_params(4, 4, 1);
   const auto red = [&](const std::string& objects) {
     return show(make_preview(parse(SQUARE_VIEW + objects), params, PreviewStep::edges), &Rgb::r);
   };
-  // (The right and the lower edge are outside the image, whose last samples are at 1.)
+  // (The right and lower edges are outside the image: its last samples are at 1.)
   EXPECT_EQ(red(back), "1 1 1 1\n1 0 0 0\n1 0 0 0\n1 0 0 0\n");
   EXPECT_EQ(red(back + front), "0.25 0.25 0.25 0\n0.25 0 0 0\n0.25 0 0 0\n0.25 0 0 0\n");
 }
 
 TEST(Preview, OfAnAreaIsThatPartOfTheWhole) {
   for (const auto& [name, step] : preview_steps()) {
-    if (step == PreviewStep::points || step == PreviewStep::edges) continue;  // fade as they are
+    if (step == PreviewStep::points || step == PreviewStep::edges) continue;  // these fade anyway
     SCOPED_TRACE(name);
     const Scene scene = make_random_scene(7, 12);
     Params params = make_params(30, 20, 1);
@@ -251,7 +250,7 @@ TEST(Preview, NamesWhatIsWrong) {
             "size: found 0 x 5, expected 1 to 65536 pixels a side");
 }
 
-// Where a point is on the image, in pixels.
+// Projection of a point onto the image, in pixels.
 std::pair<double, double> project(const Scene& scene, const Raster& raster, const Vec& point) {
   const Vec way = point - scene.view.from;
   const double scale = 1 / (dot(way, scene.view.ahead) * raster.step);
@@ -259,7 +258,7 @@ std::pair<double, double> project(const Scene& scene, const Raster& raster, cons
           raster.top - dot(way, scene.view.above) * scale};
 }
 
-// A quarter for each direction in which an object is curved.
+// A quarter of a pixel for each direction of curvature.
 TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   double most_of_cylinder = 0, most_of_sphere = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -271,7 +270,7 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
     // Some cylinders are so near that their distance is far below that of their axis.
     const bool is_sphere = seed % 2, is_near = seed % 8 == 2;
     const double radius = random.range(is_near ? 0.5 : 0.01, 2), turn = random.range(0, 0.3);
-    // Some stand along an axis of space, of which one is as good as another.
+    // Some stand along a coordinate axis; all three are equivalent.
     const Vec axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     Vec base = random.point(1.5), axis = random.direction();
     if (seed % 4 == 0) axis = axes[seed / 4 % 3];
@@ -307,11 +306,11 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   }
   EXPECT_LE(most_of_sphere, 0.5);
   EXPECT_LE(most_of_cylinder, 0.25);
-  EXPECT_GE(most_of_sphere, 0.2);  // no finer than it must be
+  EXPECT_GE(most_of_sphere, 0.2);  // no finer than necessary
   EXPECT_GE(most_of_cylinder, 0.1);
 }
 
-// From pole to pole is half of the way around.
+// The way from pole to pole is half of the way around.
 TEST(Facets, OfASphereAreNoHigherThanWide) {
   int odd = 0;
   for (int i = 1; i <= 100; ++i) {

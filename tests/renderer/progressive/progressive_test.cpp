@@ -27,7 +27,7 @@ TEST(Cells, ContrastEq47) {
   EXPECT_EQ(eval_contrast(0, 0.1), 1);
   EXPECT_EQ(eval_contrast(0.3, 0.3), 0);
   EXPECT_EQ(eval_contrast(0, 0), 0);
-  EXPECT_EQ(eval_contrast({{0.5, 0.25, 0.1}, {0.5, 0.75, 0.2}}), 0.5);  // of green
+  EXPECT_EQ(eval_contrast({{0.5, 0.25, 0.1}, {0.5, 0.75, 0.2}}), 0.5);  // green
 }
 
 TEST(Cells, CoverAnyImageOnceDownToPixels) {
@@ -56,7 +56,7 @@ TEST(Cells, CoverAnyImageOnceDownToPixels) {
     }
 }
 
-// A cell of 8 steps, whose corners and one sample in the middle of its top are known.
+// A cell of 8 steps with known corners; tests may add a sample in the middle of its top.
 struct OneCell {
   Sampled sampled{9, 9};
   Cell cell{0, 0, 8, 8};
@@ -95,8 +95,8 @@ TEST(Cells, InterpolationPassesThroughEverySampleOnTheBorder) {
   one.set(4, 0, 0.8);
   EXPECT_NEAR(one.show(4, 0), 0.8, 1e-9);
   EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);            // halfway from 0.1 to 0.8
-  EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);             // the other side is as before
-  EXPECT_NEAR(one.show(4, 4), 0.45 + 0.6 / 2, 1e-9);  // bilinear, and half of what the top has more
+  EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);             // the other side is unchanged
+  EXPECT_NEAR(one.show(4, 4), 0.45 + 0.6 / 2, 1e-9);  // bilinear, plus half of the top's surplus
   const Range range = find_range(one.cell, one.sampled);
   EXPECT_NEAR(range.least.r, 0.1, 1e-9);
   EXPECT_NEAR(range.greatest.g, 1.8, 1e-9);
@@ -225,7 +225,7 @@ TEST(Progressive, OnlyTheAreaOfInterestIsMadeBetter) {
   EXPECT_LT(counts.samples + counts.deepened, 2u * 10 * 12);
 }
 
-// Small spheres before a wall of nearly their colour: no contrast tells that they are there.
+// Small spheres in front of a wall of nearly their colour: contrast does not reveal them.
 Scene make_small_objects(std::uint64_t seed, int objects) {
   Random random{seed};
   Scene scene;
@@ -245,7 +245,7 @@ Scene make_small_objects(std::uint64_t seed, int objects) {
   return scene;
 }
 
-// Objects that own a pixel of the full image.
+// Objects visible in a pixel of the full image.
 std::set<std::uint32_t> find_owners(const Scene& scene, const Params& params) {
   std::set<std::uint32_t> owners;
   Work work;
@@ -289,7 +289,7 @@ TEST(Pyramid, SavesSamplesWhereNothingHides) {
   EXPECT_LT(image.advance({.contrast = 1, .depth = 1, .area = {}}).samples, 128u * 128 / 20);
 }
 
-// Every ray between two corners is within: where it is, so is a small box.
+// A small box around a point of any ray between the four corners is within the pyramid.
 TEST(Pyramid, MeetsWhatARayWithinMeets) {
   Random random{9};
   for (int i = 0; i < 2000; ++i) {

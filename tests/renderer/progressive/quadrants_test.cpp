@@ -41,10 +41,10 @@ std::size_t find_peak(int width, int height) {
   return queue.peak();
 }
 
-// A picture on which each block has been drawn in its turn.
+// A picture in which each block is drawn in its turn.
 struct Drawn {
   Area area;
-  std::vector<Pixel> shown;  // of each pixel: whose colour it has
+  std::vector<Pixel> shown;  // for each pixel: the pixel that gave its colour
   std::vector<int> computed;
 
   explicit Drawn(const Area& a)
@@ -69,8 +69,8 @@ bool lies_within(const Area& inner, const Area& outer) {
          inner.y + inner.height <= outer.y + outer.height;
 }
 
-// Draws the whole area: every pixel is computed once, no pixel that is computed is drawn over, and
-// once the first block is drawn every pixel shows one of those that are computed.
+// Draws the whole area: every pixel is computed once, and no computed pixel is drawn over. After
+// the first block every pixel shows a computed one.
 void expect_whole(const Area& area) {
   SCOPED_TRACE(testing::Message() << testing::PrintToString(area));
   QuadrantQueue queue(area);
@@ -132,7 +132,7 @@ TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
   EXPECT_EQ(own_pixel(expected[2]), (Pixel{4, 7}));
 }
 
-// Right and upper parts are the larger ones; 5 x 3 at (10, 20).
+// The right and upper parts are the larger ones; 5 x 3 at (10, 20).
 TEST(Quadrants, OddSidesAreDividedAsInTheListing) {
   const std::vector<Area> expected = {
       {10, 20, 5, 3},                                  //
@@ -162,7 +162,7 @@ TEST(Quadrants, TheQueueIsNoLongerThanItsBound) {
   }
 }
 
-// The paper's bound for any size, N / 3, holds for squares only.
+// The paper's bound for all sizes, N / 3, holds only for squares.
 TEST(Quadrants, APictureOf1920x1080NeedsMoreThanAThird) {
   const double pixels = 1920.0 * 1080;
   EXPECT_NEAR(pixels / static_cast<double>(find_peak(1920, 1080)), 2.24, 0.005);

@@ -1,4 +1,4 @@
-// Two passes in an order of pixels, and what may come between.
+// Two passes in an order of pixels, and interruptions between them.
 #include "renderer/progressive/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
   }
 }
 
-// Whatever the steps: a step stops where it is asked to, and a copy of the state goes on.
+// For any steps: a step stops at its limit, and a copy of the state continues.
 TEST(Refinement, StoppedAnywhereItGoesOnToTheSamePicture) {
   const Scene scene = test::make_random_scene(7, 10);
   for (const auto& [samples, adaptive] : {std::pair{6, 0.0}, {20, 0.05}}) {
@@ -87,7 +87,7 @@ TEST(Refinement, ItStopsAtTheFirstPixelThatReachesTheNumber) {
   }
 }
 
-// So that no sample is taken twice.
+// No sample is taken twice.
 TEST(Refinement, EverySampleThatIsDoneWasOnePrimaryRay) {
   const Scene scene = test::make_random_scene(5, 8);
   Refinement image(scene, make_sampled(13, 7, 4), Order::quadrants);
@@ -116,7 +116,7 @@ TEST(Refinement, InTheFirstPassBlocksHaveTheColourOfTheirPixel) {
   EXPECT_TRUE(image.is_finished());
 }
 
-// In the second pass a pixel has the colour of its first sample until all of them are there.
+// In the second pass a pixel keeps the colour of its first sample until it has all samples.
 TEST(Refinement, InTheSecondPassPixelsChangeOneByOne) {
   const Scene scene = test::make_random_scene(6, 8);
   const int samples = 4;
@@ -161,7 +161,7 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
     Refinement resumed(scene, params, Order::scan, 1, state);
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
-  // The same number of samples, but it is not the most.
+  // An equal number of samples, but here it is not the maximum.
   Refinement fixed(scene, make_sampled(8, 8, 20), Order::scan);
   EXPECT_THROW(resume(make_sampled(8, 8, 20, 0.1), fixed.state()), base::BadInput);
   auto state = small.state();

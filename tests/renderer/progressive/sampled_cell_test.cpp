@@ -1,4 +1,4 @@
-// Cells with up to 13 samples: their points, triangles and daughters, and what is painted.
+// Cells with up to 13 samples: their points, triangles and daughters, and their pictures.
 #include "renderer/progressive/sampled_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using Place = std::pair<int, int>;
 
 constexpr int SIDES[] = {2, 4, 8, 16, 64};
 
-// Every cell that has samples, at each of its levels, away from the origin.
+// Calls `act` for every cell with samples, at each of its levels, away from the origin.
 template <class Act>
 void for_cells(Act act) {
   for (const int side : SIDES)
@@ -121,7 +121,7 @@ TEST(SampledCell, TrianglesOfALevelAreEqual) {
   });
 }
 
-// Points on a lattice three times seven times as fine, none of which is on an edge.
+// Points on a lattice 21 times as fine; none lies on an edge.
 TEST(SampledCell, TrianglesTileTheCell) {
   for_cells([](const SampledCell& cell) {
     const auto triangles = triangles_of(cell);
@@ -143,7 +143,7 @@ TEST(SampledCell, TrianglesTileTheCell) {
   });
 }
 
-// A side of 2 has two that belong to its neighbours alone: it needs no colour in between.
+// A cell of side 2 has two samples that belong to its neighbours: it needs no colour in between.
 TEST(SampledCell, TrianglesHaveSamplesAtTheirCorners) {
   for_cells([](const SampledCell& cell) {
     if (cell.side == 2 && cell.level == 2) return;
@@ -239,8 +239,8 @@ TEST(SampledCell, PaintsSamplesAsTheyAre) {
   });
 }
 
-// Interpolates in every triangle around a pixel: on an edge there are two or more, which have to
-// agree with the picture and so with each other.
+// Interpolates in every triangle around a pixel. On an edge there are two or more, which must agree
+// with the picture and thus with each other.
 TEST(SampledCell, PaintsWhatItsTrianglesSay) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -272,7 +272,7 @@ TEST(SampledCell, PaintsWhatItsTrianglesSay) {
   }
 }
 
-// What is beyond the image is left out, and nothing else changes.
+// Parts beyond the image are left out, and nothing else changes.
 TEST(SampledCell, PaintsWithinTheImageAlone) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

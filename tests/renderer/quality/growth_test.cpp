@@ -1,4 +1,4 @@
-// Curves of quality, by hand.
+// Curves of quality, calculated by hand.
 #include "renderer/quality/growth.hpp"
 
 #include <gtest/gtest.h>

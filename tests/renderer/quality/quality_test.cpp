@@ -1,4 +1,4 @@
-// Measures of pictures against cases computed by hand, and their properties on random pictures.
+// Measures of pictures: cases computed by hand, and properties on random pictures.
 #include "renderer/quality/quality.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Rmse, ByHand) {
 
 TEST(Ssim, ByHand) {
   EXPECT_DOUBLE_EQ(ssim(make_grey(1, 1, {0}), make_grey(1, 1, {255})), 6.5025 / (65025 + 6.5025));
-  // Both have mean 127.5 and variance 16256.25; their covariance is the negative of it.
+  // Both have mean 127.5 and variance 16256.25; their covariance is its negative.
   EXPECT_DOUBLE_EQ(ssim(make_grey(2, 1, {0, 255}), make_grey(2, 1, {255, 0})),
                    (-32512.5 + 58.5225) / (32512.5 + 58.5225));
   // Luminance of red, green and blue.
@@ -129,7 +129,7 @@ TEST(BorderEnergy, ByHand) {
   EXPECT_DOUBLE_EQ(border_energy(make_grey(1, 6, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
   // A bend at the border: 0, 0, 4, 0.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 0, 4, 8}), 3), 8.5 / 0.5);
-  // A step within a cell: -7 and 7 around the pixels 4 and 5 of 9, of which 3 lie inside.
+  // A step within a cell: -7 and 7 around pixels 4 and 5 of 9, of which 3 lie inside.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(9, 1, {9, 9, 9, 9, 2, 2, 2, 2, 2}), 3),
                    (49 / 4.0 + 0.5) / (49 / 3.0 + 0.5));
 }

@@ -1,13 +1,13 @@
 #pragma once
-// Random rooms with blocks: a closed box, lamps under its ceiling, blocks that are turned, stand,
-// hang in the air, lean on a wall or stand on each other.
+// Random rooms with blocks: a closed box with lamps under its ceiling. Blocks are turned; they
+// stand, hang in the air, lean on a wall or stand on each other.
 
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
 
 struct Block {
-  double x = 0, y = 0, low = 0, high = 1;     // its middle, bottom and top
+  double x = 0, y = 0, low = 0, high = 1;     // its centre, bottom and top
   double wide = 0.5, deep = 0.5, turned = 0;  // half sides; radians about z
 
   std::array<Vec, 4> ring(double z) const {
@@ -19,7 +19,7 @@ struct Block {
   }
 };
 
-/// Whether a point is over the block and further than `margin` inside its sides.
+/// True if a point is over the block and further than `margin` inside its sides.
 inline bool is_within(const Block& block, const Vec& p, double margin) {
   const auto ring = block.ring(p.z);
   return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&  // (the ring is at the point's height)
@@ -27,7 +27,7 @@ inline bool is_within(const Block& block, const Vec& p, double margin) {
                              [&](const Plane& edge) { return eval_height(edge, p) > margin; });
 }
 
-/// Adds the sides and the top, and the bottom if asked for.
+/// Adds the sides and the top, and on request the bottom.
 inline void add_block(Room& room, const Block& block, bool bottom, int n, int high) {
   const auto low = block.ring(block.low), top = block.ring(block.high);
   for (std::size_t i = 0; i < 4; ++i)
@@ -74,7 +74,7 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
   return block;
 }
 
-/// Material 0 is grey, 1 the lamps'. The first six faces are the box, floor first; then the lamps.
+/// Material 0 is grey, 1 the lamps'. Faces: the six of the box, floor first; then the lamps.
 struct BlocksRoom {
   Room room;
   Vec size;

@@ -1,5 +1,5 @@
 #pragma once
-// Rooms for tests: small ones, random ones, and rooms written as text.
+// Rooms for tests: small ones, random ones, and rooms as text.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace radiosity::test {
 
 using renderer::test::Random;
 
-/// One lit square and a wall around nothing: the least that passes check().
+/// One lit square and a wall around nothing: the smallest room that passes check().
 inline Room make_small_room() {
   Room room;
   room.materials = {{"wall", {0.5, 0.5, 0.5}, {}, false}, {"lamp", {0, 0, 0}, {1, 1, 1}, false}};
@@ -76,7 +76,7 @@ inline Room make_random_room(std::uint64_t seed) {
 inline std::string write(const Vec& v) { return fmt::format(" {} {} {}", v.x, v.y, v.z); }
 inline std::string write(const Rgb& c) { return fmt::format(" {} {} {}", c.r, c.g, c.b); }
 
-/// The text that read_room reads; it uses all statements that a face may have.
+/// The room as text for read_room, with all statements that a face may have.
 inline std::string write(const Room& room) {
   std::string text = "# a room\n";
   for (const Material& m : room.materials) {

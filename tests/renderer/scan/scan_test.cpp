@@ -1,4 +1,4 @@
-// The scan conversion of polygons against rays through the same samples.
+// Scan conversion of polygons, compared with rays through the same samples.
 #include "renderer/scan/scan.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Eye {
 
 using Corners = std::vector<Scanner<1>::Corner>;
 
-// Corners with the value that `value` has at them.
+// Corners, each with its result of `value`.
 template <class Value>
 Corners make_corners(const View& view, const std::vector<Vec>& points, const Value& value) {
   Corners corners;
@@ -84,7 +84,7 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     const Eye eye(SamplePosition::corner);
-    // Triangles around a point, which lies on a sample's way as often as not; they cover all.
+    // A fan of triangles around a point, often on a sample's ray; the fan covers everything.
     const Vec middle = seed % 2 ? Vec{0, 0, -1} : Vec{random.range(-1, 1), random.range(-1, 1), -1};
     std::vector<Vec> ring;
     const double start = random.unit();
@@ -103,7 +103,7 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
 }
 
 TEST(Scan, ValuesAreLinearInSpace) {
-  // From 0 to 1 along a floor that runs away from the eye, at heights of -1.
+  // From 0 to 1 along a floor that recedes from the eye, one unit below it.
   const Eye eye;
   Scanner<1> scanner(eye.raster, ALL);
   int count = 0;

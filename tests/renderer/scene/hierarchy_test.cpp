@@ -1,4 +1,4 @@
-// What must hold of a hierarchy, whatever the objects.
+// Invariants of a hierarchy, for any objects.
 
 #include <gtest/gtest.h>
 

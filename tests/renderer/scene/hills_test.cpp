@@ -1,4 +1,4 @@
-// The landscape: its triangles one by one, the net they make, and what its view shows.
+// The landscape: its triangles, their net, and its view.
 
 #include "renderer/scene/hills.hpp"
 
@@ -29,7 +29,7 @@ std::vector<Triangle> get_triangles(const Scene& scene) {
   return triangles;
 }
 
-// What neighbours store of a corner is the same but for rounding.
+// Neighbours store equal corners, except for rounding.
 std::array<std::int64_t, 3> round_point(const Vec& p) {
   return {std::llround(p.x * 1e8), std::llround(p.y * 1e8), std::llround(p.z * 1e8)};
 }
@@ -72,7 +72,7 @@ TEST(Hills, AreOneNetWithoutCracks) {
     }
     EXPECT_EQ(points.size() + triangles.size(), sides.size() + 1);  // Euler, of a disc
     const double depth = back - FRONT;
-    EXPECT_NEAR(area, depth * SLOPE * (2 * (FRONT + 1.4) + depth), 1e-6);  // none covers another
+    EXPECT_NEAR(area, depth * SLOPE * (2 * (FRONT + 1.4) + depth), 1e-6);  // no overlaps
   }
 }
 
@@ -110,7 +110,7 @@ TEST(Hills, TheViewIsAboveTheGround) {
   }
 }
 
-// The same numbers on every machine and with every compiler.
+// Equal numbers on every machine and with every compiler.
 TEST(Hills, ThePicture) {
   Params params;
   params.width = params.height = 64;

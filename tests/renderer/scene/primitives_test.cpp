@@ -1,4 +1,4 @@
-// Each primitive against an independent way to find where a ray meets it.
+// Each primitive, compared with an independent intersection method.
 
 #include <gtest/gtest.h>
 
@@ -24,13 +24,13 @@ std::optional<Hit> meet(const Scene& scene, const Vec& origin, const Vec& direct
                    Traversal::nearest, work);
 }
 
-// A surface as the zeros of `value`, where `exists`.
+// A surface: the zeros of `value`, limited to places where `exists` holds.
 struct Implicit {
   std::function<double(const Vec&)> value;
   std::function<bool(const Vec&)> exists = [](const Vec&) { return true; };
 };
 
-// The first sign change along the ray, by small steps and bisection.
+// The first sign change along the ray, found by small steps and bisection.
 std::optional<double> march(const Implicit& f, const Vec& origin, const Vec& direction) {
   constexpr double STEP = 0.004, END = 12;
   for (double t = 0; t < END; t += STEP) {
@@ -108,7 +108,7 @@ TEST(Primitives, ConeAndCylinder) {
   }
 }
 
-// The angle that the corners turn around `p`: 2 pi inside, 0 outside.
+// The angle of the corners around `p`: 2 pi inside, 0 outside.
 double eval_winding(const std::vector<Vec>& corners, const Vec& p, const Vec& n) {
   double sum = 0;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
@@ -144,7 +144,7 @@ TEST(Primitives, PolygonsConvexAndConcave) {
 }
 
 TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
-  // A fan of triangles around a shared corner covers the polygon they make up.
+  // A fan of triangles around a shared corner covers their union.
   Random random{5};
   const Scene scene = make_scene_of([&](Scene& s) {
     for (int i = 0; i < 7; ++i) {
@@ -192,7 +192,7 @@ TEST(Primitives, PatchNormalsAreInterpolated) {
 
 TEST(Primitives, PatchNormalsAtEdgesAndCorners) {
   const std::vector<Vec> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  // They say that the front is below, whatever the order of the corners.
+  // The normals say that the front is below, for any order of the corners.
   const std::vector<Vec> normals = {{0, 0, -2}, normalize({1, 0, -1}), normalize({0, 1, -1})};
   const Scene scene = make_scene_of([&](Scene& s) { add_patch(s, corners, normals); });
   const auto at = [&](double x, double y) { return meet(scene, {x, y, -1}, {0, 0, 1}); };
@@ -224,7 +224,7 @@ TEST(Primitives, ARayDoesNotMeetWhereItStarts) {
   }
 }
 
-// Rounding grows with the largest number: wherever the eye begins or ends its way.
+// Rounding grows with the largest coordinate: the eye's farthest position counts.
 TEST(Scene, ToleranceFollowsTheFarthestPlaceOfTheEye) {
   const auto epsilon = [](const Vec& from, const Vec& move) {
     Scene scene;

@@ -1,4 +1,4 @@
-// Pictures in levels, and which of their points a point of the scene shows.
+// Image pyramids, and the texture point for a point of the scene.
 #include "renderer/scene/texture.hpp"
 
 #include <gtest/gtest.h>
@@ -30,23 +30,23 @@ TEST(Texture, ABytesFullIsOne) {
 
 TEST(Texture, BilinearBetweenTheMiddlesOfTexels) {
   const Pyramid four = make_four();
-  // In the middles of the texels, (0, 0) below on the left.
+  // At texel centres; (0, 0) is at the lower left.
   EXPECT_EQ(at(four, 0.25, 0.75), 0);
   EXPECT_EQ(at(four, 0.75, 0.75), 1);
   EXPECT_EQ(at(four, 0.25, 0.25), 0.2);
   EXPECT_EQ(at(four, 0.75, 0.25), 0.4);
-  // Halfway between two of them, and between all.
+  // Halfway between two texels, and between four.
   EXPECT_DOUBLE_EQ(at(four, 0.5, 0.75), 0.5);
   EXPECT_DOUBLE_EQ(at(four, 0.25, 0.5), 0.1);
   EXPECT_DOUBLE_EQ(at(four, 0.5, 0.5), 0.4);
-  // A quarter of the way to the right, three quarters up: 0.25 (0.75 * 0.2 + 0.25 * 0.4)
-  // + 0.75 (0.75 * 0 + 0.25 * 1).
+  // A quarter of the way to the right, three quarters up: 0.25 (0.75 * 0.2 + 0.25 * 0.4) + 0.75
+  // (0.75 * 0 + 0.25 * 1).
   EXPECT_DOUBLE_EQ(at(four, 0.375, 0.625), 0.25 * 0.25 + 0.75 * 0.25);
 }
 
 TEST(Texture, RepeatsOnAllSides) {
   const Pyramid four = make_four();
-  // On the left edge: half of the texel there, half of the one at the right edge.
+  // On the left edge: half of its texel, half of the one at the right edge.
   EXPECT_DOUBLE_EQ(at(four, 0, 0.75), 0.5);
   EXPECT_DOUBLE_EQ(at(four, 0, 0), 0.4);
   Random random{3};
@@ -157,7 +157,7 @@ TEST(Texture, ATurnIsTheLibrarysAngle) {
   EXPECT_LT(eval_turn(-1e-300, 1), 1);
 }
 
-// The gradients that a mapping states are what its coordinates do between neighbouring points.
+// A mapping's stated gradients equal the differences of its coordinates at neighbouring points.
 void check_gradients(const Mapping& mapping, const Vec& point) {
   constexpr double STEP = 1e-6;
   const TexturePoint here = eval_mapping(mapping, point);
@@ -195,7 +195,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   const double r = 5;
   EXPECT_EQ(find({r, 0, 0}).u, 0);
   EXPECT_EQ(find({r, 0, 0}).v, 0.5);
-  EXPECT_EQ(find({0, r, 0}).u, 0.25);  // to the right of x, seen from outside with z upwards
+  EXPECT_EQ(find({0, r, 0}).u, 0.25);  // to the right of x, seen from outside with z up
   EXPECT_EQ(find({-r, 0, 0}).u, 0.5);
   EXPECT_EQ(find({0, -r, 0}).u, 0.75);
   EXPECT_EQ(find({0, 0, r}).v, 1);
@@ -203,7 +203,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   EXPECT_NEAR(find({r, 0, r}).v, 0.75, 1e-15);
   EXPECT_NEAR(find({r, r, -r * std::sqrt(2)}).v, 0.25, 1e-15);
   EXPECT_NEAR(find({r, r, 0}).u, 0.125, 1e-15);
-  // The seam is at longitude 0, and nothing is beyond it.
+  // The seam is at longitude 0; coordinates never pass it.
   EXPECT_GT(find({r, -1e-9, 0}).u, 0.99999);
   EXPECT_LT(find({r, -1e-9, 0}).u, 1);
   EXPECT_EQ(find({}).v, 0.5);  // the middle itself
@@ -223,7 +223,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   }
 }
 
-// A scene with one surface whose texture is a mesh's, of `rgb8`.
+// A scene with one surface; its texture is a mesh's, with the pixels `rgb8`.
 Scene make_scene(int width, int height, const std::vector<std::uint8_t>& rgb8) {
   Scene scene;
   scene.pyramids.push_back(make_pyramid(width, height, rgb8));
@@ -281,7 +281,7 @@ TEST(Texture, AMeshOnAQuadrangleMeetsCornersAndEdges) {
   EXPECT_DOUBLE_EQ(find(1, 0).u, 0.25);
   EXPECT_DOUBLE_EQ(find(4, 1.5).v, 0.75);
   EXPECT_DOUBLE_EQ(find(2, 1).u, 0.5);
-  // Affine coordinates stay what they are inside of any polygon.
+  // Affine coordinates are preserved inside any polygon.
   EXPECT_NEAR(find(3, 0.5).u, 0.75, 1e-14);
   EXPECT_NEAR(find(3, 0.5).v, 0.25, 1e-14);
   EXPECT_NEAR(find(3, 0.5).grow_u.x, 0.25, 1e-14);

@@ -1,4 +1,4 @@
-// Who wants to know is told of all that is read, and of nothing else; what is found is the same.
+// An Access object receives every read of the scene, and nothing else; hits are unchanged.
 
 #include <gtest/gtest.h>
 

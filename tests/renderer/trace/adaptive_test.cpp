@@ -1,4 +1,4 @@
-// More samples where they are called for.
+// More samples in pixels that need them.
 #include "renderer/trace/adaptive.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ SquarePoint sample(const Params& params, int pass, Dimension dimension, std::uin
   return sample_square(params.sampling, {pixel, pass}, dimension);
 }
 
-// Which of columns x rows rectangles a point lies in.
+// The rectangle that contains a point, of columns x rows.
 int find_part(const SquarePoint& at, int columns, int rows) {
   return static_cast<int>(at.v * rows) * columns + static_cast<int>(at.u * columns);
 }
@@ -40,7 +40,7 @@ TEST(Adaptive, RoundsDoubleTheSamples) {
   EXPECT_EQ(ends, (std::vector<int>{16, 32, 64, 100}));
 }
 
-// The sample's point of its group's square: in the pixel, that is a quarter.
+// The sample's point in the unit square of its group; in the pixel, a group's square is a quarter.
 SquarePoint sample_in_group(const Params& params, int group, int place, Dimension dimension,
                             std::uint32_t pixel) {
   const auto at = sample(params, GROUPS * place + group, dimension, pixel);
@@ -48,7 +48,7 @@ SquarePoint sample_in_group(const Params& params, int group, int place, Dimensio
   return {2 * at.u - std::floor(2 * at.u), 2 * at.v - std::floor(2 * at.v)};
 }
 
-// Of each group, in the pixel for any power of two, in other dimensions after whole rounds.
+// In the pixel, for any power of two in each group; in other dimensions, after whole rounds.
 TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
   const Params params = make_adaptive(1, 0.1, 1000);
   for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})
@@ -117,7 +117,7 @@ TEST(Adaptive, TimesAreSpreadEvenlyToo) {
 }
 
 TEST(Adaptive, EachSampleIsAnywhereInItsSquare) {
-  // The mean of a pixel's samples is that of the pixel, whatever their number.
+  // The mean of a pixel's samples is the pixel's mean, for any number of samples.
   const Params params = make_adaptive(1, 0.1, 64);
   for (const int pass : {0, 1, 7, 40}) {
     double u = 0, v = 0, uv = 0;
@@ -158,20 +158,20 @@ TEST(Adaptive, ABorderHasASecondRound) {
 }
 
 TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
-  // Half of the quarters white, half black, none of them mixed: no error.
+  // Half of the quarters are white, half black, none mixed: no error.
   std::vector<TracedSample> samples;
   for (int i = 0; i < 16; ++i) samples.push_back(make_sample(group_of(i) % 2));
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
-  // One white and three black in each: four quarters of variance 1 / 4, of which the mean's is a
+  // One white and three black in each: four quarters of variance 1 / 4. The mean's variance is a
   // 16th of a quarter's, 0.125 squared.
   samples.clear();
   std::set<int> seen;
   for (int i = 0; i < 16; ++i)
     samples.push_back(make_sample(seen.insert(group_of(i)).second ? 1 : 0));
-  // Of 16 samples half of what 64 may leave is allowed.
+  // With 16 samples half of the error for 64 is allowed.
   EXPECT_EQ(find_wanted(0.252, samples, 7), 16);
   EXPECT_EQ(find_wanted(0.248, samples, 7), 32);
-  // What is brighter than white is white.
+  // Values brighter than white count as white.
   for (TracedSample& s : samples) s = make_sample(s.sums.r > 0 ? 50 : 1);
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
 }
@@ -188,7 +188,7 @@ TEST(Adaptive, AGroupIsFinishedByTheOthers) {
   samples.resize(64, make_sample(0, NO_OBJECT));
   EXPECT_EQ(find_kept(sampling, samples, nothing), (Kept{64, 16, 64, 64}));
   EXPECT_EQ(find_wanted(sampling, samples, nothing), 64);
-  // One of the four samples that the group keeps hits.
+  // One of the four samples kept by the group is a hit.
   EXPECT_EQ(to_rgb(eval_estimate(sampling, samples, nothing)).r, 1.0 / 16);
 }
 
@@ -207,7 +207,7 @@ double eval_rmse(const Samples& a, const Samples& b, const Area& area) {
 }
 
 TEST(Adaptive, SavesRaysAtTheSameError) {
-  // A part of a larger image that is full of borders. (Of whole images docs/manual says more.)
+  // A part of a larger image, full of borders. (docs/manual covers whole images.)
   const Scene scene = make_spheres(200);
   Params params = make_adaptive(512, 0);
   params.area = {200, 210, 32, 32};
@@ -221,7 +221,7 @@ TEST(Adaptive, SavesRaysAtTheSameError) {
   EXPECT_LT(found.rays.total(), 0.7 * uniform.rays.total());
 }
 
-// Pixels in which a grid of rays meets more than one object, or some and none.
+// Pixels whose grid of rays meets several objects, or an object and the background.
 std::vector<bool> find_borders(const Scene& scene, const Params& params, int grid) {
   Params fine = params;
   fine.sampling = {};
@@ -243,7 +243,7 @@ std::vector<bool> find_borders(const Scene& scene, const Params& params, int gri
   return borders;
 }
 
-// Borders, and those of them whose pixels have at most so many samples.
+// Number of border pixels, and of those with at most `most` samples.
 std::pair<int, int> count_borders(const Scene& scene, const Params& params, int most) {
   const auto borders = find_borders(scene, params, 10);
   const Rendering found = render(scene, params);
@@ -259,7 +259,7 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   Random random{12};
   int borders = 0;
   for (int round = 0; round < 20; ++round) {
-    // Half a plane, black on black: its border alone calls for more.
+    // A half plane, black on black: only its border requires more samples.
     Scene scene;
     scene.view.from = {0, 0, 8};
     scene.surfaces.push_back({.colour = {}, .kd = 0});
@@ -278,7 +278,7 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   EXPECT_GT(borders, 500);
 }
 
-// Balls that are smaller than a pixel, or touch one between its corners and samples, may escape.
+// Balls smaller than a pixel, or that touch one between its corners and samples, may be missed.
 TEST(Adaptive, HardlyABallsBorderIsWithoutExtraSamples) {
   for (const int spheres : {200, 3200}) {
     const Params params = make_adaptive(32, 0.01);

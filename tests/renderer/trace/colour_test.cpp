@@ -1,4 +1,4 @@
-// Textures as rays see them.
+// Textures seen by rays.
 #include <gtest/gtest.h>
 
 #include "tests/renderer/support.hpp"
@@ -76,11 +76,11 @@ TEST(Colour, ACheckerboardFarAwayIsGrey) {
     }
   EXPECT_NEAR(find_spread(filtered).mean, 0.5, 0.005);
   EXPECT_LT(find_spread(filtered).variance, 1e-4);
-  EXPECT_GT(find_spread(unfiltered).variance, 0.15);  // that of black and white is 0.25
+  EXPECT_GT(find_spread(unfiltered).variance, 0.15);  // for black and white it is 0.25
 }
 
 TEST(Colour, ACheckerboardNearbyIsSharp) {
-  // A pixel is 1 / 100 of a period, a texel 1 / 64: as unfiltered.
+  // A pixel is 1 / 100 of a period, a texel 1 / 64: unfiltered.
   const Scene scene = make_floor({0.3, 0.2, 1}, {0.3, 0.21, 0});
   Params params = make_ambient(64, 64);
   params.height = params.width = 83;
@@ -130,7 +130,7 @@ TEST(Colour, TimesTheSurfacesInAmbientAndDiffuseLight) {
   Params params = make_ambient(1, 1);
   params.ambient = 0.1;
   const Rendering found = render(scene, params);
-  // Seen and lit from right above.
+  // Viewed and lit from directly above.
   const Rgb colour = found.samples.get(0);
   EXPECT_NEAR(colour.r, 0.8 * 1.1 * 0.5, 1e-9);
   EXPECT_NEAR(colour.g, 0.8 * 1.1 * 0.5 * 0.2, 1e-9);

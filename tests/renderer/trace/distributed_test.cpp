@@ -1,5 +1,5 @@
-// Distributed rays against what optics and geometry say: the circle of confusion, the penumbra, the
-// length of blur, and an edge seen in a rough surface.
+// Distributed rays, compared with optics and geometry: circle of confusion, penumbra, length of
+// motion blur, and an edge seen in a rough surface.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int DISC_SIDE = 64;
 
-// What glows by itself: ambient light alone, no lights.
+// Objects that glow by themselves: ambient light alone, no lights.
 Params make_glow(int samples) {
   Params params = make_params(DISC_SIDE, DISC_SIDE, 1);
   params.sample = SamplePosition::center;
@@ -21,7 +21,7 @@ Params make_glow(int samples) {
   return params;
 }
 
-// The variances of where an image is bright, across and up, on the image plane at distance 1.
+// Horizontal and vertical variance of an image's brightness, on the image plane at distance 1.
 struct Spread {
   double across = 0, up = 0;
 };
@@ -57,10 +57,9 @@ Scene make_glowing_sphere(double depth, double radius, double half_height) {
   return scene;
 }
 
-// M. Potmesil and I. Chakravarty: a lens of focal length F that is focused on distance s has its
-// film at v = F s / (s - F), where a point at distance d is a disc of diameter
-// c = A |d - s| / d * v / s. The image plane here is at distance 1 from the lens, not at v: what
-// has the size c on the film has the size c / v on it.
+// M. Potmesil and I. Chakravarty: a lens of focal length F focused on distance s has its film at v
+// = F s / (s - F). There a point at distance d is a disc of diameter c = A |d - s| / d * v / s. The
+// image plane here is at distance 1 from the lens, not at v: a size c on the film is c / v on it.
 TEST(Distributed, CircleOfConfusion) {
   constexpr double A = 0.5, S = 5, F = 0.05, V = F * S / (S - F);
   for (const double d : {2.5, 3.5, 4.2, 7.0, 12.0, 40.0}) {
@@ -69,8 +68,7 @@ TEST(Distributed, CircleOfConfusion) {
     Scene scene = make_glowing_sphere(d, radius, 0.7 * on_plane);
     scene.view.lens = {A, S};
     finish(scene);
-    // A disc of diameter D has the variance D^2 / 16; the sphere's own image is another, which adds
-    // to it.
+    // A disc of diameter D has the variance D^2 / 16; the sphere's own image adds its variance.
     const Spread found = eval_spread(scene, make_glow(256));
     const double own = radius * radius / (d * d) / 4;
     EXPECT_NEAR(V * 4 * std::sqrt(found.across - own), c, 0.02 * c) << "distance " << d;
@@ -90,7 +88,7 @@ TEST(Distributed, WhatIsInFocusIsSharp) {
   EXPECT_NEAR(lens.up, pinhole.up, 0.02 * pinhole.up);
 }
 
-// Blur is as long as what moves goes while the shutter is open, seen from its distance.
+// Motion blur is as long as the movement while the shutter is open, seen from its distance.
 TEST(Distributed, BlurIsSpeedTimesShutter) {
   constexpr double DEPTH = 10, RADIUS = 0.3, SPEED = 3;
   for (const bool is_camera : {false, true})
@@ -100,7 +98,7 @@ TEST(Distributed, BlurIsSpeedTimesShutter) {
         scene.view.from_move = scene.view.at_move = {SPEED, 0, 0};
       else
         scene.moves = {{SPEED, 0, 0}};
-      // Its way is in the middle of the picture.
+      // The movement is centred in the picture.
       scene.view.from.x = scene.view.at.x = (is_camera ? -0.5 : 0.5) * SPEED * shutter;
       finish(scene);
       Params params = make_glow(96);
@@ -115,7 +113,7 @@ TEST(Distributed, BlurIsSpeedTimesShutter) {
     }
 }
 
-// The width for which `shape`, which goes from 0 to 1 over 1 from -0.5 to 0.5, fits best.
+// The width that fits `shape` best; `shape` rises from 0 to 1 between -0.5 and 0.5.
 double fit_width(const std::vector<double>& at, const std::vector<double>& found, double expected,
                  const std::function<double(double)>& shape) {
   double best = 0, least = 1e300;
@@ -133,14 +131,14 @@ double fit_width(const std::vector<double>& at, const std::vector<double>& found
   return best;
 }
 
-// The part of a disc of diameter 1 that lies below a line at `x`, -0.5..0.5.
+// The part of a disc of diameter 1 below a line at `x`, -0.5..0.5.
 double eval_segment(double x) {
   const double q = std::clamp(2 * x, -1.0, 1.0);
   return 1 - (std::acos(q) - q * std::sqrt(1 - q * q)) / std::numbers::pi;
 }
 
-// The share of a light that a floor at z = 0 sees at `x`, under an edge that hides what is to the
-// right of x = 0 at z = `edge`.
+// The share of a light that a floor at z = 0 sees at `x`. An edge at z = `edge` hides everything to
+// the right of x = 0.
 double eval_lit(const Scene& scene, double x, int samples) {
   Params params = make_params(1000, 1000, 1);
   params.sampling.pixel_samples = samples;
@@ -160,7 +158,7 @@ double eval_lit(const Scene& scene, double x, int samples) {
   return 1.0 * lit / samples;
 }
 
-// A light of width L at distance d1 from an edge, which is d2 above the floor: w = L d2 / d1.
+// A light of width L at distance d1 from an edge that is d2 above the floor: w = L d2 / d1.
 double measure_penumbra(const std::string& light, double above, double edge, double expected,
                         const std::function<double(double)>& shape) {
   const Scene scene = parse(fmt::format(
@@ -184,7 +182,7 @@ TEST(Distributed, PenumbraOfARectangle) {
     const double expected = l * d2 / d1;
     const auto light = fmt::format("rect 0 0 {{}} {} 0 0 0 0.3 0", l / 2);
     EXPECT_NEAR(measure_penumbra(light, d1 + d2, d2, expected, ramp), expected, 0.02 * expected);
-    // Turned upside down it is the same light.
+    // The same light, turned upside down.
     const auto turned = fmt::format("rect 0 0 {{}} 0 -0.3 0 {} 0 0", -l / 2);
     EXPECT_NEAR(measure_penumbra(turned, d1 + d2, d2, expected, ramp), expected, 0.02 * expected);
   }
@@ -199,9 +197,9 @@ TEST(Distributed, PenumbraOfASphere) {
   }
 }
 
-// The share of rays that a surface sends to the far side of an edge. Directions run over a disc of
-// radius S at distance 1 across the axis; an edge, e from the axis in a plane across it at distance
-// D, cuts a segment off that disc, at q = e / (D S) of its radius.
+// The share of rays that a surface sends beyond an edge. Directions fill a disc of radius S at
+// distance 1, across the axis. An edge, e from the axis in a plane across it at distance D, cuts
+// off a segment at q = e / (D S) of the disc's radius.
 double eval_beyond(const std::string& surface, bool is_mirror, double angle, double edge,
                    double distance, int samples) {
   const Vec in{std::sin(angle), 0, -std::cos(angle)};
@@ -253,7 +251,7 @@ TEST(Distributed, AnEdgeBehindATranslucentPlate) {
     expect_segments(fmt::format("f 0 0 0 0 0 1 1 1\n# translucent {}\n", radius), false, radius);
 }
 
-// Rays that would go through the surface are turned back.
+// Rays that would pass through the surface are turned back.
 TEST(Distributed, GlossStaysOnItsSide) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 1 1 1 1.2\n# gloss 1\n# translucent 1\n"
@@ -275,7 +273,7 @@ TEST(Distributed, GlossStaysOnItsSide) {
   }
 }
 
-// A white furnace: everything that a ray can meet is white, and no surface absorbs.
+// A white furnace: everything that a ray can meet is white, and no surface absorbs light.
 Scene make_white_furnace(double ks, double ior, double roughness) {
   return parse(
       fmt::format("b 1 1 1\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 24\n"
@@ -283,7 +281,7 @@ Scene make_white_furnace(double ks, double ior, double roughness) {
                   ks, 1 - ks, ior, roughness, roughness));
 }
 
-// The light that a ray brings back, and the influence of rays that the depth has cut.
+// The light returned by a ray, and the influence of rays cut off by the depth.
 struct Furnace {
   double light = 0, cut = 0;
 };
@@ -299,7 +297,7 @@ void follow(const Scene& scene, const Params& params, const Ray& ray, Furnace& f
   for (const Ray& child : rays) follow(scene, params, child, found);
 }
 
-// The mean of 100 samples at a place of the sphere's disc: 0 is its middle, 1 its rim.
+// The mean of 100 samples at a place on the sphere's disc: 0 is its middle, 1 its rim.
 Furnace look_at_disc(const Scene& scene, double place, int depth) {
   constexpr int SAMPLES = 100;
   Params params = make_params(10, 10, depth);
@@ -314,8 +312,8 @@ Furnace look_at_disc(const Scene& scene, double place, int depth) {
   return {sum.light, sum.cut / SAMPLES};  // each sample's light is weighted already
 }
 
-// Light is lost by the depth alone: rough glass that cannot let a ray out reflects it. At the rim
-// that happens many times to a few rays.
+// Only the depth loses light: rough glass reflects a ray that cannot leave. At the rim this happens
+// many times to a few rays.
 TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
   for (const double roughness : {0.0, 0.1, 0.3, 1.0})
     for (const double place : {0.0, 0.5, 0.9, 0.98, 0.999}) {
@@ -331,7 +329,7 @@ TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
     }
 }
 
-// The thesis's rays: what clear glass reflects in total is lost.
+// The thesis's rays: clear glass loses totally reflected light.
 TEST(Distributed, TotalInternalReflectionInClearGlassLeavesNoRay) {
   for (const bool is_rough : {false, true}) {
     const Scene scene =
@@ -354,7 +352,7 @@ TEST(Distributed, TotalInternalReflectionInClearGlassLeavesNoRay) {
   }
 }
 
-// The light of a rectangle is even over its area, that of a sphere over the disc that is seen.
+// A rectangle emits evenly over its area, a sphere over its visible disc.
 TEST(Distributed, LightsShineFromAllTheirPoints) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 1 0 0 0 0\n"
@@ -386,7 +384,7 @@ TEST(Distributed, LightsShineFromAllTheirPoints) {
     square += (1 - way.z) / 900;
   }
   EXPECT_LT(length(mean - Vec{1, 2, 3}), 0.005);
-  // Even in solid angle: 1 - cosine is from 0 to 1 - sqrt(15 / 16), on average half of it.
+  // Uniform in solid angle: 1 - cosine ranges from 0 to 1 - sqrt(15 / 16), with half of it as mean.
   EXPECT_NEAR(square, (1 - std::sqrt(15.0 / 16)) / 2, 1e-4);
 }
 

@@ -1,5 +1,5 @@
-// The incremental sum of influenced contributions (thesis, Eq 4.19) equals Whitted's recursion
-// (Eq 4.8), which is written out here.
+// The incremental sum of influenced contributions (thesis, Eq 4.19) equals Whitted's recursion (Eq
+// 4.8), implemented here.
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(Incremental, OneSphereByHand) {
   EXPECT_NEAR(found.b, 0.25 + 0.125, 1e-9);
 }
 
-// The direction of such a light is that of the normal.
+// The direction to such a light is the normal.
 TEST(Incremental, ALightOnTheSurfaceShinesFromAbove) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nl 0 0 0 1 1 1\nf 0.5 1 0 0.5 0 8 0 0\n"

@@ -1,5 +1,5 @@
-// Objects that move while the shutter is open: hits are those of a scene in which they stand still
-// where they are at that time.
+// Objects that move while the shutter is open: a ray's hit equals that in a scene at rest, at the
+// time of the ray.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
   return scene;
 }
 
-// The same scene as it is at a time.
+// The same scene at rest, at a time.
 Scene stop(Scene scene, float time) {
   for (std::uint32_t i = 0; i < object_count(scene); ++i)
     translate(scene, i, eval_shift(scene, i, time));
@@ -83,7 +83,7 @@ TEST(Motion, AllTraversalsFindTheSameImage) {
   }
 }
 
-// What a closed object sends back into itself starts on it, wherever it has moved.
+// A ray from a closed object into itself starts on the object, wherever that has moved.
 TEST(Motion, ARayThatLeavesAMovingObjectDoesNotMeetItsOrigin) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -158,7 +158,7 @@ TEST(Motion, AnyNumberOfThreadsAndAnyOrderGiveTheSameBits) {
   }
 }
 
-// Tells of every box and object that is read.
+// Records every box and object that is read.
 struct Reads : Access {
   std::vector<std::uint32_t> boxes, objects;
   void box(std::uint32_t index, const Work&) override { boxes.push_back(index); }

@@ -1,4 +1,4 @@
-// Noise falls with the number of samples, for whatever they are distributed over.
+// Noise falls with the number of samples, whatever they are distributed over.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ double eval_slope(const std::vector<std::pair<int, double>>& errors) {
 
 struct Effect {
   const char* name;
-  const char* scene;  // after the view
+  const char* scene;  // text after the view
 };
 class Noise : public testing::TestWithParam<Effect> {};
 

@@ -1,4 +1,4 @@
-// Ray counts: those behind the thesis's tables 4.2 and 4.7, and those published with the SPD.
+// Ray counts: those behind the thesis's tables 4.2 and 4.7, and the published ones of the SPD.
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(RayCounts, PublishedBalls) {
 }
 
 TEST(RayCounts, InfluenceEndsTreesAsDepthDoes) {
-  // All reflection is 0.5: level 10 has influence 0.5^9.
+  // All reflectances are 0.5: level 10 has influence 0.5^9.
   Params params = make_params(40, 40, 10);
   const Scene scene = make_spheres(91);
   const RayCounts by_depth = render(scene, params).rays;

@@ -63,7 +63,7 @@ TEST(Render, AreaOfInterestIsACutOut) {
 }
 
 TEST(Render, RaysInAnyOrderGiveTheSameBits) {
-  // A depository of rays that hands out the newest, the oldest or any.
+  // A ray store that returns the newest, the oldest or a random ray.
   const Scene scene = make_random_scene(23, 30);
   const Params params = make_params(12, 12, 5);
   const Samples expected = render(scene, params).samples;
@@ -95,7 +95,7 @@ TEST(Render, EmptySceneIsItsBackground) {
 TEST(Render, SamplePositions) {
   const Scene scene = parse("v from 0 0 1 at 0 0 0 up 0 1 0 angle 90\n");
   Params params = make_params(4, 4, 1);
-  // Where the ray meets the image plane, which spans -1..1.
+  // The point where the ray meets the image plane, which spans -1..1.
   const auto at = [&](SamplePosition position, int x, int y) {
     params.sample = position;
     const Vec d = make_primary(scene.view, params, x, y).direction;

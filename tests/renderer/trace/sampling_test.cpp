@@ -1,4 +1,4 @@
-// Where samples lie: one in every region, whatever their number.
+// Positions of samples: one in every region, for any number.
 
 #include "renderer/trace/sampling.hpp"
 
@@ -31,7 +31,7 @@ TEST(Sampling, PermuteIsAPermutation) {
     }
 }
 
-// Every element comes at every place about as often: 5 standard deviations.
+// Every element is equally frequent at every place, within 5 standard deviations.
 TEST(Sampling, PermuteIsNotPartialToAnyPlace) {
   for (const int count : {2, 3, 5, 8, 13}) {
     constexpr int TIMES = 20000;
@@ -97,8 +97,8 @@ TEST(Sampling, EveryRegionHasOneSample) {
   }
 }
 
-// Which regions a sample has of two dimensions, and in two pixels, has nothing to do with each
-// other: of all pairs of regions each comes about as often, 5 standard deviations.
+// A sample's regions in two dimensions, or in two pixels, are independent. All pairs of regions are
+// equally frequent, within 5 standard deviations.
 TEST(Sampling, RegionsArePairedAtRandom) {
   constexpr int COUNT = 5, PIXELS = 20000;
   Sampling sampling;

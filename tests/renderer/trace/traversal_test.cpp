@@ -1,4 +1,4 @@
-// The hit does not depend on how it is searched for.
+// The hit does not depend on the search.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
   int hits = 0;
   for (int i = 0; i < 5000; ++i) {
     SCOPED_TRACE(testing::Message() << "ray " << i);
-    // Some along the axes, where a slab of a box is never left.
+    // Some rays run along the axes and never leave a slab of a box.
     const Vec axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     Ray ray{.origin = random.point(2), .direction = random.direction(), .influence = {}};
     if (i % 4 == 0) ray.direction = axes[i / 4 % 3];
@@ -51,8 +51,8 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
   EXPECT_GT(hits, 1000);
 }
 
-// Rectangles in one plane, of sizes and in places that the hierarchy sorts otherwise than the file.
-// (With sides that are powers of two, distances have no rounding.)
+// Coplanar rectangles whose sizes and places make the hierarchy's order differ from the file's.
+// (Sides are powers of two, so that distances have no rounding.)
 TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
   Random random{11};
   struct Rectangle {

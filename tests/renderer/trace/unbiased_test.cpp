@@ -1,4 +1,4 @@
-// The mean of adaptive images over many seeds is that of plain sampling.
+// The mean of adaptive images over many seeds equals that of plain sampling.
 #include <gtest/gtest.h>
 
 #include "tests/renderer/support.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr int SIDE = 16;  // pixels
 
-// The view from the origin along y; at distance 100 a pixel has the size 1.
+// The view from the origin along y; a pixel has size 1 at distance 100.
 Scene make_view() {
   Scene scene;
   scene.view.from = {0, 0, 0};
@@ -19,13 +19,13 @@ Scene make_view() {
   return scene;
 }
 
-// What is beyond x, at distance 100.
+// The half plane beyond x, at distance 100.
 void add_half_plane(Scene& scene, double x) {
   add_polygon(scene,
               std::vector<Vec>{{x, 100, -500}, {999, 100, -500}, {999, 100, 500}, {x, 100, 500}});
 }
 
-// Half a plane behind the plane in focus: its edge is blurred over 6.4 pixels.
+// A half plane behind the plane in focus: its edge is blurred over 6.4 pixels.
 Scene make_blurred_edge() {
   Scene scene = make_view();
   scene.view.lens = {.aperture = 6.4, .focus = 50};
@@ -44,7 +44,7 @@ Scene make_dots() {
   return scene;
 }
 
-// In every row of pixels a slanted cylinder that is an eighth of a pixel wide.
+// In every row of pixels a slanted cylinder, an eighth of a pixel wide.
 Scene make_hairs() {
   Scene scene = make_view();
   for (int i = 0; i < SIDE; ++i) {
@@ -66,7 +66,7 @@ Scene make_lines() {
   return scene;
 }
 
-// A wall with the shadow of half a plane that is out of view, before a light as wide as 4 pixels.
+// The shadow, on a wall, of a half plane out of view; the light is 4 pixels wide.
 Scene make_shadow_edge() {
   Scene scene = make_view();
   add_half_plane(scene, -500);

@@ -1,4 +1,4 @@
-// Image cells, their orders, and the display's picture against a plain oracle.
+// Image cells, their orders, and the display's picture, compared with a plain oracle.
 #include "simulator/farm/rays/cells.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Cells random_cells(std::mt19937_64& random) {
   return {.width = WIDTH, .max_cell = 1 << random() % 5};
 }
 
-// The samples of some pixels, in any order, with several contributions each.
+// Samples of random pixels in random order, with several contributions each.
 std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::mt19937_64& random) {
   std::vector<std::pair<std::uint32_t, renderer::Rgb>> all;
   const auto share = random() % 100;
@@ -45,7 +45,7 @@ std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::m
   return all;
 }
 
-// What the sample of the smallest cell around a pixel shows, of those that are there.
+// The expected picture: each pixel shows the sample of the smallest cell that has one.
 std::vector<std::uint8_t> constant_picture(const renderer::Samples& samples,
                                            const std::set<std::uint32_t>& there,
                                            const Cells& cells) {
@@ -88,7 +88,7 @@ TEST(FrameBuffer, PointsLightOnePixelEach) {
   EXPECT_EQ(work[renderer::Op::pixel_drawn], 3u);
 }
 
-// What is shown does not depend on the order in which contributions came.
+// The picture does not depend on the order of contributions.
 TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
   for (const auto light : {CellLight::constant, CellLight::point, CellLight::smooth})
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -109,7 +109,7 @@ TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
     }
 }
 
-// A cell may lose two halves at once: samples 2 pixels away came before those 4 away.
+// A cell may be halved twice at once: samples 2 pixels away came before those 4 away.
 TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   const auto paint = [](std::vector<std::uint32_t> samples) {
     FrameBuffer picture(16, 16, {.width = 16, .max_cell = 8}, CellLight::smooth);
@@ -121,7 +121,7 @@ TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   EXPECT_EQ(paint({0, 2, 32, 34, 4, 64, 68}), paint({4, 64, 68, 0, 2, 32, 34}));
 }
 
-// Cells end where what is rendered ends.
+// Cells end at the border of the rendered area.
 TEST(FrameBuffer, PaintsNothingOutsideItsArea) {
   const Area area{5, 3, 10, 9};
   for (const auto light : {CellLight::constant, CellLight::smooth}) {
@@ -165,9 +165,7 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
   EXPECT_GT(work[renderer::Op::pixel_interpolated], 16u);
 }
 
-// A cell's samples are told apart by their size and place; those that a cell is divided into make
-// up all samples but the largest ones', once each.
-// A pixel shows the mean of its samples that have begun, and at the end their sum.
+// A pixel shows the mean of the samples that have begun, and finally their sum.
 TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 4;
@@ -177,7 +175,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
     renderer::Ray ray = ray_of(5);
     ray.pass = static_cast<std::uint16_t>(pass);
     picture.add(ray, {0.12 * (pass + 1) / 4, 0, 0}, work);
-    ray.level = 2;  // what the sample's other rays contribute
+    ray.level = 2;  // contribution of the sample's other rays
     picture.add(ray, {0, 0.2 / 4, 0}, work);
     const double mean = 0.12 * (pass + 2) / 2;
     EXPECT_EQ(picture.rgb8()[15], renderer::make_rgb8(renderer::Rgb{mean, 0, 0})[0]) << pass;
@@ -196,7 +194,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   EXPECT_EQ(means.rgb8()[9], 153);
 }
 
-// Quadrants whose samples come in any order: each pixel has the colour of the latest in the queue.
+// Samples of quadrants come in any order: each pixel has the colour of the latest in the queue.
 TEST(FrameBuffer, PaintsQuadrants) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -228,6 +226,8 @@ TEST(FrameBuffer, PaintsQuadrants) {
   }
 }
 
+// A cell's size and place identify its samples. Division yields every sample exactly once, except
+// those of the largest cells.
 TEST(Cells, AreDividedIntoAllSamples) {
   for (const int max_cell : {1, 2, 8, 32}) {
     const Cells cells{.width = WIDTH, .max_cell = max_cell, .order = CellOrder::adaptive};
@@ -262,7 +262,7 @@ TEST(Cells, ComeInTheirOrder) {
   EXPECT_EQ(take().size(), 4u);
 }
 
-// With an area, cells begin at its corner: every pixel of it has one.
+// Cells begin at the corner of the area: every pixel of the area belongs to one.
 TEST(Cells, BeginAtTheArea) {
   const Cells cells{.width = WIDTH, .max_cell = 8, .x = 5, .y = 3};
   EXPECT_EQ(cells.size_of(3 * WIDTH + 5), 8);

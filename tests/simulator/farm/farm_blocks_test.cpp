@@ -1,4 +1,4 @@
-// The farm with blocks of pixels as tasks, and what is said to limit it.
+// The farm with blocks of pixels as tasks, and its bottleneck.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(FarmBlocks, ImageAndRaysEqualTheSequentialRenderers) {
   }
 }
 
-// The blocks tile the area: every pixel is in one of them.
+// The blocks tile the area: every pixel is in exactly one.
 TEST(FarmBlocks, TileTheArea) {
   const std::uint64_t seed = 42;
   std::mt19937_64 random(seed);
@@ -59,8 +59,8 @@ TEST(FarmBlocks, TileTheArea) {
   }
 }
 
-// The centre of a farm of rays does in turn what a worker does with a block: one worker is nearly
-// as fast, without the messages of every ray.
+// A worker performs on a block the work that the centre of a farm of rays shares out. One worker is
+// therefore nearly as fast, without messages for every ray.
 TEST(FarmBlocks, OneWorkerTakesTheTreesCycles) {
   const auto scene = renderer::make_spheres(100);
   run_isolated([&] {
@@ -80,7 +80,7 @@ TEST(FarmBlocks, WithWholePixelsThereAreNoStagesOrOrders) {
   EXPECT_THROW(check(block_params(0, 8)), base::BadInput);
 }
 
-// Every link of the tree carries the whole scene once; the image is the same.
+// Every link of the tree carries the whole scene once; the image is unchanged.
 TEST(FarmScene, IsSentDownEveryLink) {
   const auto scene = renderer::make_spheres(60);
   for (const bool blocks : {false, true}) {
@@ -104,8 +104,8 @@ std::string limit_of(const Params& params, const std::string& topology, int sphe
   });
 }
 
-// One worker is always busy; seven with cheap rays wait for the centre; many with few blocks wait
-// for the last of them.
+// One worker is always busy; twelve with cheap rays wait for the centre; many with few blocks wait
+// for the last block.
 TEST(FarmBottleneck, IsWhatOthersWaitFor) {
   EXPECT_EQ(limit_of(small_params(), "tree:1", 60), "workers");
   EXPECT_EQ(limit_of(small_params(), "tree:12", 60), "coordination");
@@ -113,8 +113,7 @@ TEST(FarmBottleneck, IsWhatOthersWaitFor) {
   EXPECT_EQ(limit_of(block_params(8, 9), "tree:40", 60), "tasks");
 }
 
-// A process's waits and its CPU's idle time tell the same: the database's only process waits
-// whenever its CPU is idle.
+// Waiting time and CPU idle time agree: the database's only process waits whenever its CPU is idle.
 TEST(FarmBottleneck, WaitsFillTheTimeThatTheCpuDoesNot) {
   const auto sum = isolated([&] {
     const auto use = run(small_params(), "tree:5", renderer::make_spheres(60)).use;

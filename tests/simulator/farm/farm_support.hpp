@@ -1,5 +1,5 @@
 #pragma once
-// What the farm's tests share.
+// Shared by the farm's tests.
 #include <random>
 #include <sstream>
 #include <string>
@@ -14,7 +14,7 @@ using test::isolated;
 using test::make_glass_scene;
 using test::run_isolated;
 
-// Limits that let some rays through and not others.
+// Limits that admit some rays and exclude others.
 inline Limits random_limits(std::mt19937_64& random) {
   Limits limits;
   limits.min_influence = static_cast<double>(random() % 4) / 4;

@@ -1,4 +1,4 @@
-// The farm: whatever the machine, the picture is the sequential renderer's.
+// The farm: on any machine, the picture equals the sequential renderer's.
 #include "simulator/farm/farm.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace farm {
 namespace {
 
-// Runs the farm and says how it differs from the sequential renderer; "" if it does not.
+// Runs the farm; returns its difference from the sequential renderer, or "".
 std::string compare(const std::string& topology, const renderer::Scene& scene,
                     const Params& params) {
   return isolated([&]() -> std::string {
@@ -38,7 +38,7 @@ TEST(Farm, ImageEqualsTheSequentialRenderersOnEveryTopology) {
   }
 }
 
-// Workers of two models on a board with double links: who is quicker does more, in proportion.
+// Workers of two models on a board with double links: faster workers do proportionally more.
 TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
   EXPECT_EQ(
       isolated([]() -> std::string {
@@ -59,14 +59,14 @@ TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
           of[cpu.model] += cpu.role == Role::worker ? static_cast<double>(cpu.tasks.value()) : 0;
         }
         if (sum != farm.tasks) return fmt::format("{} tasks, not {}", sum, farm.tasks);
-        // Two workers of each, and a slow one passes on the rays of all others.
+        // Two workers of each model; a slow one passes on the rays of all others.
         const double ratio = of["t805-30"] / of["t800-20"];
         return ratio > 1.45 && ratio < 1.75 ? "" : fmt::format("{} times as much", ratio);
       }),
       "");
 }
 
-// What the user asks for changes the order in which rays are processed, never the picture.
+// User settings change the order of rays, never the picture.
 TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   const auto scene = make_glass_scene();
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
@@ -102,7 +102,7 @@ TEST(Farm, OrdersCountFromTheFirstTask) {
   });
 }
 
-// The second order is obeyed; the others come to nothing.
+// The second order is obeyed; the others have no effect.
 TEST(Farm, OrdersWithoutAnEffectAreNamed) {
   run_isolated([] {
     Params params = small_params();
@@ -135,7 +135,7 @@ TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
   EXPECT_EQ(run(), run());
 }
 
-// What is measured begins with the first task: the scene that was sent before is not in it.
+// Measurement begins with the first task and excludes the transfer of the scene.
 TEST(Farm, UseDoesNotCountTheScene) {
   const auto bytes_with = [](std::uint32_t scene_message) {
     return isolated([&] {
@@ -152,7 +152,7 @@ TEST(Farm, UseDoesNotCountTheScene) {
   EXPECT_EQ(bytes_with(64), bytes_with(0));
 }
 
-// A task is a ray; its answer is the ray, and what it hits if it hits anything.
+// A task is a ray; its answer is the ray, with the hit if there is one.
 TEST(Farm, MissesAreShorterThanHits) {
   run_isolated([] {
     const auto scene = renderer::parse_scene(
@@ -177,9 +177,9 @@ TEST(Farm, MissesAreShorterThanHits) {
   });
 }
 
-// Eq 4.24 and 4.25: no more rays are in the farm than it has buffers, and no more feelers wait than
-// their descendants. A worker buffers a ray in its router, in each sender, before and in its
-// application and in its results router; the coordinator in its sender.
+// Eq 4.24 and 4.25: rays in the farm never exceed its buffers, nor waiting feelers their
+// descendants. A worker buffers a ray in its router, in each sender, before and in its application
+// and in its results router; the coordinator in its sender.
 TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   for (int workers : {1, 2, 5, 13}) {
     const std::size_t buffers = 1 + static_cast<std::size_t>(workers) * 4 +
@@ -195,7 +195,7 @@ TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   }
 }
 
-// More workers are never slower as long as the centre is not the bottleneck, and never faster than
+// More workers are never slower while the centre is not the bottleneck. The speed-up never exceeds
 // their number.
 TEST(Farm, SpeedUpGrowsAndStaysBelowTheNumberOfWorkers) {
   const auto scene = renderer::make_spheres(400);
@@ -252,7 +252,7 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// Nothing is sent another way: the farm waits for what is cut off.
+// Messages take no other route: the farm waits for the part cut off.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {
@@ -275,7 +275,7 @@ TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   }
 }
 
-// The initial rays fit, their descendants do not.
+// The initial rays fit into memory, their descendants do not.
 TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {
@@ -294,7 +294,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   }
 }
 
-// Those of the picture itself are looked at as well.
+// Areas of the picture itself are checked too.
 TEST(Farm, AreasOfStagesAndOrdersAreWithinThePicture) {
   const auto error_of = [](const Params& params) {
     try {

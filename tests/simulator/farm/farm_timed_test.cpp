@@ -1,4 +1,4 @@
-// The farm with kernels that are timed: what is timed, and that repeating them changes nothing.
+// The farm with timed kernels: which kernels are timed, and that repetition changes nothing.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +22,7 @@ std::map<std::string, std::uint64_t> calls_of(const Result& result) {
   for (const auto& kernel : result.kernels) {
     calls[kernel.name] = kernel.calls;
     EXPECT_GT(kernel.counted.value, 0) << kernel.name;
-    // A cycle a nanosecond; each call is rounded.
+    // One cycle a nanosecond; each call is rounded.
     EXPECT_NEAR(double(kernel.charged.value), kernel.host_s * 1e9, double(kernel.calls))
         << kernel.name;
   }
@@ -42,7 +42,7 @@ TEST(FarmTimed, RaysShadingAndDisplayAreTimed) {
     EXPECT_TRUE(farm.rays == oracle.rays);
     const auto hits = oracle.work[renderer::Op::surface_shaded];
     auto calls = calls_of(farm);
-    EXPECT_GE(calls["shading"], hits);  // feelers that hit leave no rays: no surface is shaded
+    EXPECT_GE(calls["shading"], hits);  // occluded feelers leave no rays: no surface is shaded
     calls.erase("shading");
     EXPECT_EQ(calls, (Calls{{"ray", oracle.rays.total()}, {"display", oracle.rays.total()}}));
   });
@@ -61,7 +61,7 @@ TEST(FarmTimed, BlocksAreTimed) {
   });
 }
 
-// A block that waits for data is charged the time of one that has all data, as it goes on.
+// A block that waits for data is charged, as it continues, the time of a block with all data.
 TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {

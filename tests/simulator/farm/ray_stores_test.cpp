@@ -1,4 +1,4 @@
-// The ray database's stores against a plain oracle.
+// The ray database's stores, compared with a plain oracle.
 #include "simulator/farm/rays/ray_stores.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ double largest_factor(const renderer::Ray& ray) {
   return std::max({ray.influence.r, ray.influence.g, ray.influence.b});
 }
 
-// The keys of 4.3.4, of which smaller ones go first: each decides where those before it are equal.
+// The keys of 4.3.4, smaller ones first: each key decides if all before it are equal.
 std::tuple<int, double, int, int> keys_of(const renderer::Ray& ray) {
   return {ray.pass, -largest_factor(ray), ray.level, -cell_size(ray) * (ray.is_urgent ? 4 : 1)};
 }
@@ -55,7 +55,7 @@ bool is_within(const renderer::Ray& ray, const Limits& limits) {
          largest_factor(ray) >= limits.min_influence && size >= limits.min_cell && is_seen;
 }
 
-// A list that is searched: what the stores must do, without their structure.
+// A searched list: the behaviour of the stores without their structure.
 struct Oracle {
   std::vector<renderer::Ray> rays;
   Limits limits;
@@ -64,7 +64,7 @@ struct Oracle {
   int rank(const renderer::Ray& r) const {
     return r.kind == renderer::RayKind::shadow ? 0 : is_within(r, limits) ? 1 : 2;
   }
-  // Whether `taken` may come first, and removes one like it.
+  // True if `taken` may come first; removes an equal ray.
   bool take(const renderer::Ray& taken) {
     const auto same = std::ranges::find_if(rays, [&](const renderer::Ray& r) {
       return r.sample == taken.sample && r.kind == taken.kind && r.through == taken.through &&
@@ -111,7 +111,7 @@ TEST(RayStores, GiveEveryRayOnceByPriority) {
   }
 }
 
-// Whatever the influence, the level and the weights.
+// For any influence, level and weights.
 TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   renderer::Ray first, second;
   first.influence = {0.001, 0, 0};
@@ -124,8 +124,8 @@ TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   }
 }
 
-// The weighted sum of the largest factor, of 1 over the level, and of the cell's logarithm over
-// that of the largest cell; the sums of two rays that are nearly equal may go either way.
+// The weighted sum of the largest factor, 1 / level, and log(cell size) / log(largest cell). Two
+// rays with nearly equal sums may come in either order.
 TEST(Priority, IsTheWeightedSumOfItsKeys) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -157,7 +157,7 @@ TEST(RayStores, CountTheirWork) {
   EXPECT_EQ(stores.peaks().heap, 2u);
 }
 
-// A heap of n rays is deep log2(n): no operation takes more steps.
+// A heap of n rays has depth log2(n): no operation takes more steps.
 TEST(RayStores, HeapStepsAreLogarithmic) {
   std::mt19937_64 random(7);
   RayStores stores(CELLS, {});

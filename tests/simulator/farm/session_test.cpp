@@ -1,4 +1,4 @@
-// What a user sees while the picture grows, and what orders do.
+// The user's view of the growing picture, and the effects of orders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,14 +41,14 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
   return n;
 }
 
-// The first rays are done from the top, where two mirrors are, and the last ones hit nothing: none
-// comes to the database any more that would have it asked again.
+// The first rays come from the top, with two mirrors, and the last ones miss everything. No ray
+// returns to the database that would make it ask again.
 TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   const auto scene = renderer::parse_scene(
       "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
       "b 0.2 0.4 0.7\nf 1 1 1 0.1 0.9 20 0 1\ns -0.4 0 1 0.4\ns 0.4 0 1 0.4\n",
       "mirrors");
-  // The whole time, and the interactive phase's.
+  // The total time, and that of the interactive phase.
   const auto run_with = [&](std::vector<Order> script) {
     return test::isolated_numbers([&]() -> std::vector<double> {
       Params params = small_params();
@@ -70,7 +70,7 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   }
 }
 
-// Whatever the order, the cells, the weights and the session: the sequential renderer's image.
+// Any order, cells, weights and session give the sequential renderer's image.
 TEST(Session, EndsWithTheImage) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -101,7 +101,7 @@ TEST(Session, EndsWithTheImage) {
   }
 }
 
-// The same with several samples a pixel, a lens, lights with a size and rough surfaces.
+// The same with several samples a pixel, a lens, area lights and rough surfaces.
 TEST(Session, EndsWithTheImageOfSeveralSamples) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -128,7 +128,7 @@ TEST(Session, EndsWithTheImageOfSeveralSamples) {
   }
 }
 
-// Key images: nothing is black that is not black in the scene, and their level is the last one's.
+// Key images: only pixels that are black in the scene are black; their level is the last one's.
 TEST(Session, KeyImagesAreWholePictures) {
   for (const auto light : {CellLight::constant, CellLight::smooth}) {
     const std::string told = isolated([light] {
@@ -159,7 +159,7 @@ TEST(Session, PointsAreDark) {
   EXPECT_EQ(told, "9 108 true");  // 3 x 3 cells of 8 pixels; 12 x 9 of 2
 }
 
-// The first limits leave nothing to do long before the order comes: the farm waits for it.
+// The first limits are exhausted long before the order comes: the farm waits for it.
 TEST(Session, TheNullModeWaitsForTheNextOrder) {
   const std::string told = isolated([] {
     Params params = staged_params();
@@ -207,7 +207,7 @@ TEST(Session, AnAbortEndsWithThePictureAsItIs) {
       << told;
 }
 
-// The first picture is there before the first ray, and is painted over.
+// The preview appears before the first ray, and is painted over.
 TEST(Session, APreviewComesFirst) {
   const std::string told = isolated([] {
     Params params = small_params();
@@ -221,7 +221,7 @@ TEST(Session, APreviewComesFirst) {
   EXPECT_EQ(told, "preview true true");
 }
 
-// What the user orders while the last rays come in changes nothing.
+// Orders while the last rays come in have no effect.
 TEST(Session, NothingIsOrderedAfterAnAbort) {
   const std::string told = isolated([] {
     Params params = small_params();
@@ -235,7 +235,7 @@ TEST(Session, NothingIsOrderedAfterAnAbort) {
             "had been aborted 3");
 }
 
-// Every classification is a pause, the longer the more rays there are.
+// Every classification is a pause that grows with the number of rays.
 TEST(Session, ReorderingTakesItsTime) {
   const auto pause_s = [](int factor) {
     return test::isolated_numbers([&] {
@@ -251,7 +251,7 @@ TEST(Session, ReorderingTakesItsTime) {
   EXPECT_LT(ratio, 5);
 }
 
-// Looking changes nothing, and the last look is the image.
+// Observation changes nothing, and the last observed picture is the image.
 TEST(Session, LookingCostsNothing) {
   const double blind_s =
       test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];

@@ -1,4 +1,4 @@
-// The farm whose workers hold a part of the scene each: what it computes, and what it takes.
+// The farm with a scene shared among its workers: its results and its times.
 #include "simulator/farm/shared_farm.hpp"
 #include "base/errors.hpp"
 
@@ -93,7 +93,7 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
       }
 }
 
-// With room for all of it a worker asks for no record twice, and the disk is read once for each.
+// If all records fit, a worker asks for none twice, and the disk reads each once.
 TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
   run_isolated([&] {
@@ -122,7 +122,7 @@ TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   expect_answers(false, false);
 }
 
-// One worker with all in its cache: kernel + accesses * data_access cycles, and little else.
+// One worker with everything in its cache: kernel + accesses * data_access cycles, and little else.
 TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {
@@ -140,8 +140,8 @@ TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   });
 }
 
-// A memory for program, buffers and 10 % of the scene is too small for the farm where every worker
-// holds it.
+// Memory for program, buffers and 10 % of the scene: too little for a farm in which every worker
+// holds the whole scene.
 TEST(SharedFarm, RendersWhatWorkersCannotHold) {
   const auto scene = renderer::make_spheres(800);
   auto params = small_block_params(8, 6);

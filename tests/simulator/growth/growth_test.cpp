@@ -1,4 +1,4 @@
-// When a growing picture is looked at, and the moving picture of it.
+// Sampling of a growing picture, and its animation.
 #include "simulator/growth/growth.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace growth {
 namespace {
 
-// What a display shows: the picture `at` place i until times_s[i], that instant included.
+// A display's content: picture `at` is at place i until times_s[i], inclusive.
 struct Display {
   std::vector<double> times_s;
 
@@ -34,7 +34,7 @@ struct Display {
   }
 };
 
-// Up to 200 instants on a grid that the times of looks lie on too.
+// Up to 200 instants on a grid that includes the times of the samples.
 Display random_display(std::mt19937_64& random) {
   std::set<double> times_s;
   for (auto n = 1 + random() % 200; n > 0; --n)
@@ -69,7 +69,7 @@ TEST(Recorder, TakesWhatIsShownAtEachTimeOnce) {
   }
 }
 
-// From 0 on in equal steps, as often as was asked for and less than twice as often; and at the end.
+// Equal steps from 0 on, at least as many as asked and less than twice as many; and the end.
 TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -103,7 +103,7 @@ std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   return test::durations_of_webp(base::read_text(path));
 }
 
-// As long as each picture was shown, on a scale that ends at 6 s; the last one for 2 s more.
+// Each picture lasts in proportion to its time, on a scale that ends at 6 s; the last 2 s more.
 TEST(Movie, ShowsPicturesInProportionToTheirTimes) {
   EXPECT_EQ(durations_of_movie({0, 1, 3, 4}), (std::vector{1500, 3000, 1500, 2000}));
   EXPECT_EQ(durations_of_movie({0, 0.02, 0.05}), (std::vector{2400, 3600, 2000}));

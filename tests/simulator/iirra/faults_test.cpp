@@ -1,5 +1,5 @@
-// Processors that stop and links that are cut: the right image, or a fault that names who; never a
-// wrong image, and never a run without an end.
+// Stopping processors and cut links: the right image, or a fault that names the culprit. Never a
+// wrong image, and never an endless run.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -8,9 +8,9 @@
 namespace iirra {
 namespace {
 
-constexpr unsigned LIMIT_S = 20;  // of the host; a run takes well under one
+constexpr unsigned LIMIT_S = 20;  // host time; a run takes well under one second
 
-// "right" or "wrong", the image; or what was thrown, "machine::Fault: ...".
+// "right" or "wrong" for the image, or the exception, such as "machine::Fault: ...".
 std::string outcome(const Params& params, const std::string& topology) {
   try {
     return isolated(
@@ -43,7 +43,7 @@ TEST(IirraFaults, AProcessorThatStopsIsNamed) {
     }
 }
 
-// Every method of balancing sends other messages, which have to find another way.
+// Each balancing method sends other messages, which must take another route.
 TEST(IirraFaults, ACutLinkIsGoneAround) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -70,7 +70,7 @@ TEST(IirraFaults, ACutLinkIsGoneAround) {
     }
 }
 
-// Without another way a part of the picture is missing, or the end is not told to all.
+// Without another route a part of the picture is missing, or some workers do not learn the end.
 TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {

@@ -1,4 +1,4 @@
-// What the tests of IIRRA share.
+// Shared by the tests of IIRRA.
 #pragma once
 
 #include <fmt/format.h>

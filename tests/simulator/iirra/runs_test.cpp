@@ -1,5 +1,5 @@
-// Whole runs of IIRRA on random machines, against the sequential renderer and a plain count of what
-// has to be computed.
+// Complete runs of IIRRA on random machines, compared with the sequential renderer and with a plain
+// count of the necessary work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -108,7 +108,7 @@ Case make_case(std::uint64_t seed) {
   const char* const scenes[] = {"own glass", "spheres", "glass.nff", "mirrors.nff"};
   made.scene = scenes[below(random, 4)];
   auto& params = made.params;
-  const bool is_shared = random() % 2;  // the scene: a cache that is too small takes its time
+  const bool is_shared = random() % 2;  // the scene: a cache that is too small slows the run
   params.image.width = 8 + below(random, is_shared ? 9 : 33);
   params.image.height = 8 + below(random, is_shared ? 9 : 33);
   params.image.limits.depth = 1 + below(random, is_shared ? 2 : 4);
@@ -151,7 +151,7 @@ renderer::Scene load(const std::string& scene) {
   return renderer::load_scene(::test::in_sources("experiments/scenes/" + scene));
 }
 
-// Of every third case about half the links that can be doubled are.
+// In every third case about half of the links that can be doubled are double.
 topologies::Topology make_board(const Case& c) {
   auto board = topologies::make_topology(c.topology);
   if (c.seed % 3 != 0) return board;
@@ -166,7 +166,7 @@ topologies::Topology make_board(const Case& c) {
   return board;
 }
 
-// Of every fourth case some processors are slower.
+// In every fourth case some processors are slower.
 programs::OtherModels make_others(const Case& c, int processors) {
   programs::OtherModels others;
   if (c.seed % 4 != 0) return others;
@@ -190,12 +190,12 @@ Result run_case(const Case& c) {
   return run(params, board, scene);
 }
 
-// --- what has to be computed --------------------------------------------------------------------
+// --- necessary work -----------------------------------------------------------------------------
 
-// Samples of the cells of a worker that keeps them all.
+// Samples that a worker needs if it keeps all its cells.
 struct Needed {
   std::set<std::pair<int, int>> points;
-  std::uint64_t asked = 0;    // samples of all levels, before those that are there are left out
+  std::uint64_t asked = 0;    // samples of all levels, including repeated ones
   std::uint64_t divided = 0;  // cells
 };
 
@@ -225,7 +225,7 @@ std::uint64_t count_outside(const Needed& needed, const renderer::Area& area) {
   }));
 }
 
-// Where no cell moves each worker needs what its own cells do, once.
+// If no cell moves, each worker computes the samples of its own cells once.
 void expect_exact_counts(const Case& c, const Result& result) {
   const auto area = get_area(c.params.image);
   const auto cells = make_cells(area, c.params.max_cell);
@@ -303,7 +303,7 @@ void expect_session(const Case& c, const Result& result) {
 
 void expect_messages(const Case& c, const Result& result) {
   const auto& counts = result.counts;
-  EXPECT_EQ(counts.samples, result.rays.primary);  // one of each tree
+  EXPECT_EQ(counts.samples, result.rays.primary);  // one for each tree
   EXPECT_EQ(counts.samples_outside, result.rays_outside.primary);
   if (c.params.balance == BalanceMethod::none) {
     EXPECT_EQ(counts.task_messages(), 0u);
@@ -324,8 +324,7 @@ void expect_messages(const Case& c, const Result& result) {
   }
 }
 
-// Every bit of what a run tells of times, counts and pictures.
-// With all digits of the times, or as many.
+// Every bit of a run's times, counts and pictures; times with `digits` digits.
 std::string tell(const Result& r, int digits = 17) {
   const auto& n = r.counts;
   std::string told =
@@ -367,7 +366,7 @@ TEST_P(IirraRuns, EndWithTheImageAndCountAllOfIt) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, IirraRuns, testing::Range<std::uint64_t>(1, 25));
 
-// Each method of balancing with each start, as the random cases may leave some out.
+// Every balancing method with every start: random cases may leave some out.
 TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
   for (int balance = 0; balance < 7; ++balance)
     for (int start = 0; start < 3; ++start) {
@@ -385,8 +384,8 @@ TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
     }
 }
 
-// SimGrid's actors in place of fibers: the same to the last bit; links without SimGrid: as far as
-// both add times up alike.
+// SimGrid's actors instead of fibers: equal to the last bit. Links without SimGrid: equal up to the
+// summation of times.
 TEST(IirraRun, EveryEngineDoesTheSame) {
   if (test::IS_SANITIZED) GTEST_SKIP() << "the sanitizer does not know the stacks of actors";
   Case c{"torus:2x4", "own glass", small_params(), {}};
@@ -401,7 +400,7 @@ TEST(IirraRun, EveryEngineDoesTheSame) {
   EXPECT_TRUE(told({}, 12) == told({.links = machine::Links::direct}, 12));
 }
 
-// Host time in place of counted work: other times, the same image.
+// Host time instead of counted work: other times, the same image.
 TEST(IirraRun, TimedKernelsGiveTheImage) {
   for (const bool is_shared : {false, true}) {
     Case c{"ring:5", "own glass", small_params(), {}};
@@ -420,7 +419,7 @@ TEST(IirraRun, TimedKernelsGiveTheImage) {
   }
 }
 
-// A picture of a large cell is longer than a message.
+// The picture of a large cell exceeds a message.
 TEST(IirraRun, LargeCellsAreShownInStrips) {
   for (const bool is_polled : {true, false}) {
     Case c{"mesh:2x3", "own glass", small_params(), {}};
@@ -437,7 +436,7 @@ TEST(IirraRun, LargeCellsAreShownInStrips) {
   }
 }
 
-// A worker alone computes every sample once; borders of two are computed by both.
+// A single worker computes every sample once; two workers both compute their common border.
 TEST(IirraRun, SamplesOnBordersAreSharedWithinAProcessor) {
   Case c{"line:3", "own glass", small_params(), {}};
   run_isolated([&] {

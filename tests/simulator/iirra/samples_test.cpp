@@ -1,4 +1,4 @@
-// Several samples of a pixel, over lens, lights and rough surfaces, against the sequential
+// Several samples a pixel, over lens, lights and rough surfaces, compared with the sequential
 // renderer.
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(IirraSamples, AreTheSequentialRenderers) {
       auto expected = render(scene, params.image, 1);
       EXPECT_EQ(result.samples, expected.samples);
       EXPECT_EQ(result.rgb8, make_rgb8(expected.samples));
-      // Corners are probed by each worker that needs them.
+      // Each worker probes the corners that it needs.
       EXPECT_GE(result.rays.probes, expected.rays.probes);
       expected.rays.probes = 0;
       EXPECT_EQ(result.rays_image, expected.rays);

@@ -1,4 +1,4 @@
-// What a user sees while the picture grows, and what orders do.
+// The user's view of the growing picture, and the effects of orders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::string notes(const Result& result) {
   return all;
 }
 
-// 16 processors, 800 spheres: the area that is pointed at changes at once.
+// 16 processors, 800 spheres: the selected area changes immediately.
 TEST(IirraSession, AnOrderReachesTheScreenWithinATenthOfASecond) {
   for (const double at_s : {0.3, 1.0}) {
     const double waited_s = test::isolated_numbers([&] {
@@ -60,7 +60,7 @@ TEST(IirraSession, KeyImagesHaveNames) {
   }
 }
 
-// The user's first limits are reached long before the next order comes: all wait for it.
+// The user's first limits are reached long before the next order: everything waits for it.
 TEST(IirraSession, TheNullModeWaitsForTheNextOrder) {
   for (const bool is_polled : {true, false}) {
     SCOPED_TRACE(is_polled);
@@ -99,7 +99,7 @@ TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
   });
 }
 
-// Those of stages, of [data] and of nodes of two processors come only where there are any.
+// Columns for stages, [data] and double nodes exist only if the run has these.
 TEST(IirraSession, MeasuresTheColumnsThatItDeclares) {
   run_isolated([] {
     Params params = small_params();
@@ -121,7 +121,7 @@ TEST(IirraSession, MeasuresTheColumnsThatItDeclares) {
   });
 }
 
-// The stage has been reached, and the user has had enough: nothing is begun any more.
+// The stage is complete and the user aborts: no new work begins.
 TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   run_isolated([] {
     Params params = small_params();
@@ -135,7 +135,7 @@ TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   });
 }
 
-// Limits come while pictures that nobody asked for are on their way: no worker waits for ever.
+// Limits arrive while unrequested pictures are on their way: no worker waits for ever.
 TEST(IirraSession, OrdersWhilePicturesAreSentLoseNothing) {
   for (int order = 0; order < 12; ++order)
     run_isolated([&] {
@@ -180,7 +180,7 @@ std::int64_t cell_of(const Result& result, const std::string& name) {
   throw std::runtime_error("no column " + name);
 }
 
-// Samples of pixels that are not finished are no double ones.
+// Samples of unfinished pixels are not double samples.
 TEST(IirraSession, OnlyAWholePictureTellsOfDoubleSamples) {
   run_isolated([] {
     Params params = small_params();
@@ -212,7 +212,7 @@ TEST(IirraSession, StagesThatWereNotNeededAreNoted) {
   EXPECT_EQ(told({coarse(8), Limits{}}), "");
 }
 
-// What the coordinator has been told is over changes nothing.
+// After the end is known to the coordinator, orders have no effect.
 TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   run_isolated([] {
     Params params = small_params();
@@ -226,7 +226,7 @@ TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   });
 }
 
-// Looking changes nothing, and the last look is the image.
+// Observation changes nothing, and the last observed picture is the image.
 TEST(IirraSession, LookingCostsNothing) {
   const double blind_s =
       test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];
@@ -242,7 +242,7 @@ TEST(IirraSession, LookingCostsNothing) {
   });
 }
 
-// Nothing else is begun while the user's area of interest is all that is within the limits.
+// No other work begins while the limits admit only the user's area of interest.
 TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   run_isolated([] {
     Params params = small_params();
@@ -270,7 +270,7 @@ TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   });
 }
 
-// When the last task is taken, there is still work to do until the last pixel.
+// Work remains between the last task's start and the last pixel.
 TEST(Columns, TheDrainIsTheEndOfTheTime) {
   run_isolated([] {
     const Measured measured(run(small_params()), {});

@@ -1,4 +1,4 @@
-// Where the roles are, and who has which cells first.
+// Placement of the roles, and the initial assignment of cells.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::vector<int> count_cells(const std::vector<int>& worker_of, int workers) {
   return counts;
 }
 
-// Where there are whole macro-cells. Cells that these have too many go round.
+// Whole macro-cells. Their surplus cells go to the workers in turn.
 TEST(IirraStart, EveryWorkerHasItsShare) {
   std::mt19937_64 random(20261123);
   for (int round = 0; round < 200; ++round) {
@@ -48,8 +48,8 @@ TEST(IirraStart, EveryWorkerHasItsShare) {
   }
 }
 
-// Macro-cells that are cut off at the image's borders leave some workers out of a row and a column
-// of them: at most so many cells.
+// Macro-cells cut off at the image's borders leave some workers out of one row and one column: at
+// most that many cells.
 TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   std::mt19937_64 random(20261124);
   for (int round = 0; round < 200; ++round) {
@@ -64,8 +64,8 @@ TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   }
 }
 
-// Blocks: equal numbers of cells, which touch each other. A run on the curve through quadrants of
-// quadrants is in at most two pieces within a square of a power of two.
+// Blocks: equal numbers of adjacent cells. A stretch of the quadrant curve has at most two pieces
+// within a square of a power of two.
 TEST(IirraStart, BlocksArePiecesOfTheImage) {
   for (const int side : {8, 16, 32})
     for (const int workers : {1, 2, 3, 4, 7, 13, 16, 33, 64}) {

@@ -1,4 +1,4 @@
-// The stores of a task manager against a plain list, and what is known of cells.
+// The stores of a task manager, compared with a plain list, and the properties of cells.
 #include "simulator/iirra/tasks.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace iirra {
 namespace {
 
-// No two are equal: each has a place of its own in the image.
+// No two tasks are equal: each has its own place in the image.
 Task random_task(std::mt19937_64& random, int number) {
   Task task{{2 * (number % 100), 2 * (number / 100), 2, 1}};
   task.next = random() % 4 == 0 ? Advance::none : Advance::sample;
@@ -22,7 +22,7 @@ auto rank(const Task& task) {
   return std::tuple(-task.importance.sum, task.importance.place, task.cell.y, task.cell.x);
 }
 
-// What the stores should hold.
+// The expected content of the stores.
 struct Oracle {
   std::vector<Task> active, parked;
 
@@ -49,7 +49,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const auto most_adds = 4 + random() % 5;  // of ten steps
+    const auto most_adds = 4 + random() % 5;  // in ten steps
     const auto may_go = [](const Task& task) { return !task.has_just_come; };
     TaskStores stores;
     TaskWork work;
@@ -94,7 +94,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   }
 }
 
-// Of few tasks any that may go is found; of many one that is not among the most important.
+// Among few tasks any that may go is found; among many one outside the most important.
 TEST(IirraTasks, OnlyTasksThatMayGoAreGivenAway) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -143,7 +143,7 @@ TEST(IirraTasks, WorkIsCounted) {
   EXPECT_EQ(work.record_stored, 9u);
 }
 
-// --- what is known of a cell --------------------------------------------------------------------
+// --- properties of a cell -----------------------------------------------------------------------
 
 renderer::Ray make_ray(int level, double influence, bool through = false) {
   renderer::Ray ray;
@@ -169,7 +169,7 @@ TEST(IirraTasks, QuantitiesAreThoseOfTheSamples) {
   samples.at({0, 0}).waiting = {make_ray(4, 0.2), make_ray(3, 0.1)};
   samples.at({4, 4}).waiting = {make_ray(2, 0.7, true)};
   const auto found = find_quantities(cell, samples, {}, work);
-  EXPECT_DOUBLE_EQ(found.contrast, 0.5);  // (0.75 - 0.25) / (0.75 + 0.25), of green alone
+  EXPECT_DOUBLE_EQ(found.contrast, 0.5);  // (0.75 - 0.25) / (0.75 + 0.25), green alone
   EXPECT_EQ(found.depth, 2);
   EXPECT_EQ(found.influence, 0.7);
   Limits limits;
@@ -181,7 +181,7 @@ TEST(IirraTasks, QuantitiesAreThoseOfTheSamples) {
   EXPECT_EQ(find_quantities(cell, samples, limits, work).influence, 0);
 }
 
-// Contrast is at most 1, whatever the sums are.
+// Contrast is at most 1, for any sums.
 TEST(IirraTasks, BlackHasNoContrast) {
   const SampledCell cell{0, 0, 8, 1};
   TaskWork work;
@@ -191,7 +191,7 @@ TEST(IirraTasks, BlackHasNoContrast) {
   EXPECT_EQ(find_quantities(cell, samples, {}, work).contrast, 1);
 }
 
-// Rays that wait at its right and lower border are another cell's.
+// Rays that wait at the right and lower border belong to another cell.
 TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   const SampledCell cell{4, 6, 2, 2};
   auto samples = grey_samples(cell, 0.5);
@@ -209,8 +209,8 @@ TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   EXPECT_EQ(points_to_deepen(large).size(), 13u);
 }
 
-// Of rays that wait, those of the earliest samples are told of; they wait for cells that are finer,
-// and for all tasks that are of first samples.
+// A cell reports its waiting rays of the earliest samples only. These wait for finer cells, and for
+// all tasks of first samples.
 TEST(Quantities, FirstSamplesOfPixelsComeFirst) {
   const SampledCell cell{4, 6, 4, 3};
   auto samples = grey_samples(cell, 0.5);

@@ -1,4 +1,4 @@
-// How kernels are timed, with a clock that only moves as these tests say.
+// Timing of kernels, with a clock that only these tests advance.
 #include "simulator/kernels/kernel_timer.hpp"
 
 #include <gtest/gtest.h>
@@ -15,14 +15,14 @@ constexpr double INTERVAL_S = 0.7e-6;
 
 constexpr double CALL_S = 3e-9, YARDSTICK_S = 40e-6;
 
-// Every reading takes the clock's own interval. Other programs make all else slower.
+// Every reading takes the clock's own interval. Other programs slow down everything else.
 struct FakeHost {
   double at_s = 0, slowness = 1;
   int readings = 0;
   Host host{[this] { return ++readings, at_s += INTERVAL_S; },
             [this] { at_s += slowness * YARDSTICK_S; }, INTERVAL_S, CALL_S, YARDSTICK_S};
 
-  // A call that takes so long.
+  // A call that takes `s` seconds.
   std::function<void()> take(double s) {
     return [this, s] { at_s += slowness * (s + CALL_S); };
   }
@@ -44,7 +44,7 @@ TEST(KernelTimer, WhatOtherProgramsAddNowAndThenIsMetByRepetition) {
   for (int i = 0; i < 10; ++i) EXPECT_NEAR(timer.eval(replay, 1), 3e-3, 1e-12);
 }
 
-// What slows the host for long slows the yardstick, too.
+// Long disturbances slow the yardstick too.
 TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -54,7 +54,7 @@ TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   }
 }
 
-// Calls shorter than a reading of the clock: their sum is right, for fewer readings than calls.
+// Calls shorter than a clock reading: their sum is right, with fewer readings than calls.
 TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -67,7 +67,7 @@ TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   EXPECT_NEAR(timer.longest_batch_s(), KernelTimer::MOST_CALLS * 0.1e-6, 1e-9);
 }
 
-// A call is a share of its batch by its weight; a batch ends when it lasts long enough.
+// A batch's time is shared among its calls by weight; a batch ends when it is long enough.
 TEST(KernelTimer, CallsOfABatchShareItByWeight) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -83,8 +83,8 @@ TEST(KernelTimer, CallsOfABatchShareItByWeight) {
   EXPECT_LT(timer.longest_batch_s(), KernelTimer::BATCH_S + 120e-6);
 }
 
-// Calls take less and less beside their weight: what a batch was charged too much is taken off the
-// next one's calls, each of which pays its part.
+// The time per weight falls: an overcharge of a batch is deducted from the next one's calls, a
+// share from each.
 TEST(KernelTimer, ChargesAllThatBatchesTook) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -100,7 +100,7 @@ TEST(KernelTimer, ChargesAllThatBatchesTook) {
   EXPECT_NEAR(sum_s / taken_s, 1, 1e-5);
 }
 
-// What a batch was charged too much comes back in parts: no call is charged less than nothing.
+// A batch's overcharge is returned in parts: no call is charged less than zero.
 TEST(KernelTimer, GivesBackInParts) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -108,7 +108,7 @@ TEST(KernelTimer, GivesBackInParts) {
     ASSERT_GT(timer.eval(host.take(i % 2000 < 1000 ? 60e-6 : 2e-6), 1), 0) << i;
 }
 
-// Calls that begin to take twice as long are noticed within a batch.
+// A doubling of the calls' time is noticed within a batch.
 TEST(KernelTimer, FollowsWhatCallsTake) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -118,7 +118,7 @@ TEST(KernelTimer, FollowsWhatCallsTake) {
   EXPECT_NEAR(s, 2e-6, 1e-12);
 }
 
-// Too few calls for a batch that lasts as long as the clock needs: measured all the same.
+// Too few calls for the batch length that the clock needs: they are measured nevertheless.
 TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -127,7 +127,7 @@ TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   EXPECT_NEAR(timer.longest_batch_s(), 16e-6, 1e-9);
 }
 
-// As many calls as a batch may have are enough, were it ever so short.
+// The maximum number of calls makes a batch long enough, however short it is.
 TEST(KernelTimer, AWholeBatchIsNotTooShort) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -155,7 +155,7 @@ TEST(KernelUse, ThoseTooShortAreNamed) {
   EXPECT_TRUE(notes[0].starts_with("timed: the kernel \"settle\", 4 calls of 2 us, is too short"))
       << notes[0];
   EXPECT_NE(notes[0].find("the longest batch of calls took 6 us"), std::string::npos) << notes[0];
-  std::smatch reading;  // of any host's clock less than a second
+  std::smatch reading;  // for any host clock below a second
   ASSERT_TRUE(std::regex_search(notes[0], reading, std::regex("[(]([0-9.e+-]+) us a reading[)]")));
   EXPECT_LT(std::stod(reading[1]), 1e6);
 }

@@ -1,4 +1,4 @@
-// What kernels' records take in the simulated memory.
+// Sizes of the kernels' records in simulated memory.
 #include "simulator/kernels/kernels.hpp"
 
 #include <gtest/gtest.h>

@@ -12,11 +12,11 @@ struct Burst {
 };
 
 struct Load {
-  std::int64_t low;  // cycles of one low process
+  std::int64_t low;  // cycles of a low process
   std::vector<Burst> bursts;
 };
 
-// Dates are ticks; low lengths are odd, so that nothing ends on one.
+// Dates are ticks; low lengths are odd, so that none ends on a tick.
 inline Load make_load(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto blocked = make_exact_model().channel.blocked.value;
@@ -36,7 +36,7 @@ struct Recorded {
 };
 
 // Each burst's process then waits for a message that never comes, so that it leaves the CPU ahead
-// of the clock; its start is part of the burst.
+// of the clock. Its start is part of the burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {
@@ -51,7 +51,7 @@ inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& rec
     };
     cpu.start("burst", Priority::high, body).set_server();
   }
-  lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });  // when all is over
+  lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });  // after all else
   cpu.start("low", Priority::low, [&load, &recorded] {
     compute(load.low);
     this_process().sync();

@@ -1,4 +1,4 @@
-// Two processors on one memory, and soft channels between them.
+// Two processors sharing a memory, and soft channels between them.
 #include <random>
 
 #include "tests/simulator/machine/failures.hpp"
@@ -16,8 +16,8 @@ struct Pair {
   Channel<Words>&to_second, &to_first;
 };
 
-// Who comes first pays `blocked`, whatever its priority; who comes second, on its own CPU, the copy
-// and the event that wakes the other. Then both go on, and neither waits for the other's CPU.
+// The first process pays `blocked`, at any priority. The second pays, on its own CPU, the copy and
+// the event that wakes the first. Then both go on, and neither waits for the other's CPU.
 TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
   constexpr std::int64_t date = 100'000;
   const Model model = make_exact_model();
@@ -60,8 +60,8 @@ TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
         }
 }
 
-// Both come at once: each finds nobody; the one that learns first that the other came meanwhile
-// does what is left of the work of the second.
+// Both come simultaneously and find no partner. The one that first learns of the other completes
+// the second's work.
 TEST(Companion, TwoThatComeAtOnceMeet) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {
@@ -83,7 +83,7 @@ TEST(Companion, TwoThatComeAtOnceMeet) {
   EXPECT_EQ(found, (Numbers{met, met}));
 }
 
-// A process in an ALT is woken by one of the other CPU, at either priority.
+// An output on one CPU wakes an ALT on the other, at either priority.
 TEST(Companion, AnOutputWakesAnAltOfTheOther) {
   for (const auto priority : BOTH_PRIORITIES)
     test::run_isolated([&] {
@@ -107,8 +107,8 @@ TEST(Companion, AnOutputWakesAnAltOfTheOther) {
     });
 }
 
-// Messages there and back, between computations of any length: each arrives, in order, not before
-// it was sent; and both CPUs are busy for no more than the time that passes.
+// Messages in both directions between random computations arrive in order, and not before they were
+// sent. Neither CPU is busy longer than the time that passes.
 TEST(Companion, AnyProgramOfTwoCpusKeepsItsOrder) {
   for (unsigned seed = 0; seed < 20; ++seed)
     test::run_isolated([&] {
@@ -166,7 +166,7 @@ TEST(Companion, BothComputeAtOnceAtTheShareThatTheModelLeaves) {
   }
 }
 
-// The memory is what the links' DMA takes cycles of.
+// The links' DMA takes cycles of the shared memory.
 TEST(Companion, LinksOfOneStealFromTheOther) {
   const auto found = isolated_numbers([] {
     Lab lab(make_stealing_model());

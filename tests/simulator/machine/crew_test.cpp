@@ -8,7 +8,7 @@
 namespace machine {
 namespace {
 
-// The shares of those called are done once a round, in their own threads, before work() returns.
+// Each thread called does its share once a round, before work() returns.
 TEST(Crew, DoesTheSharesOfThoseCalled) {
   for (const std::size_t size : {1, 2, 3, 8}) {
     std::vector<int> done(size);

@@ -1,10 +1,9 @@
-// An independent simulation of relayed messages beside DMA: a list of what is under way, and
-// nothing of the simulator.
+// An independent simulation of relayed messages beside DMA: a list of activities, without code of
+// the simulator.
 //
-// Every process is of high priority and relays the messages of one stream: it inputs, computes and
-// outputs. A CPU serves its processes first come, first served, and each keeps the CPU until it has
-// come to a link. Whatever a CPU does is slowed by the transfers on its links, from the instant
-// they start to the instant they end.
+// Every process has high priority and relays the messages of one stream: it inputs, computes and
+// outputs. A CPU serves its processes first come, first served; each keeps the CPU until it comes
+// to a link. Transfers on a CPU's links slow all its work, from their start to their end.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +45,7 @@ class Simulation {
     }
   }
 
-  // When the sinks of the streams have computed their messages.
+  // Dates at which the sinks of the streams have computed their messages.
   std::vector<std::vector<double>> run() {
     for (;;) {
       for (Cpu& cpu : cpus_)
@@ -66,7 +65,7 @@ class Simulation {
   enum class Step { comes_to_input, computes, comes_to_output };
   struct Process {
     const Stream* stream;
-    std::size_t number, place;  // of the stream, of the relay in it
+    std::size_t number, place;  // of the stream, and of the relay within it
     std::size_t message = 0;
     Step step{};
     double left = 0;  // cycles
@@ -80,7 +79,7 @@ class Simulation {
   };
   struct Direction {
     Process *writer = nullptr, *reader = nullptr;
-    double left = 0;  // bytes of the transfer under way
+    double left = 0;  // bytes of the current transfer
   };
 
   void spend(Process& process, Step step, double cycles) {
@@ -124,7 +123,7 @@ class Simulation {
     return step_s;
   }
 
-  // What ends within this hair of the step has ended: 1e-7 cycles or bytes.
+  // Activities that end within this tolerance of the step have ended: 1e-7 cycles or bytes.
   static constexpr double HAIR = 1e-7;
 
   void advance(double step_s) {

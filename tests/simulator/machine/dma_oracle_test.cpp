@@ -1,4 +1,4 @@
-// Dates of messages that processes relay beside DMA, against an independent simulation.
+// Dates of messages relayed beside DMA, compared with an independent simulation.
 #include "tests/simulator/machine/dma_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t MOST_COMPUTED = 1500;  // cycles a message: below and above LONG_DEBT
 constexpr double STOLEN = 10;                 // cycles a word: up to two thirds of a CPU
 
-// Rates without a common measure: events of one date are of one cause.
+// Rates without a common measure: simultaneous events have a common cause.
 Model make_slowed_model() {
   Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
   for (Cycles* beside : {&model.channel.operands, &model.channel.out_word}) *beside = {0};
@@ -107,9 +107,9 @@ TEST(DmaOracle, AgreesOnWhenRelayedMessagesArrive) {
   EXPECT_GT(messages, 1000u);
 }
 
-// Each stage is two processes: one inputs from the link, the other takes from it by an ALT on a
-// channel in memory, and both compute. Returns the dates of arrival in seconds, stream by stream.
-// `pays`: each pays what it owes before it communicates.
+// Each stage has two processes: one inputs from the link, the other takes the message by an ALT on
+// a soft channel, and both compute. Returns arrival dates in seconds, by stream. With `pays`, each
+// pays its debt before it communicates.
 Numbers run_pairs(const Plan& plan, bool pays) {
   return isolated_numbers([&] {
     Lab lab(make_slowed_model(), machine::Code::bare, {.links = machine::Links::direct});
@@ -160,7 +160,7 @@ Numbers run_pairs(const Plan& plan, bool pays) {
   });
 }
 
-// DMA slows work that is charged ahead as it slows work that is paid at once.
+// DMA slows work equally, whether it is charged ahead or paid at once.
 TEST(DmaOracle, DatesDoNotDependOnWhenAProcessPays) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     const Plan plan = make_relays(seed);

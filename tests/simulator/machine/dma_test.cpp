@@ -1,4 +1,4 @@
-// Links cost the CPU: the DMA's memory cycles.
+// Cost of links for the CPU: the DMA's memory cycles.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,8 +12,8 @@ double cycles_to_move(const Model& model, std::uint64_t bytes) {
   return static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
 }
 
-// Two processors and a message from 0 to 1, whose ends are of high priority; a low process computes
-// beside each. Returns when the two have computed, and the end of the run.
+// Two processors; high-priority processes send a message from 0 to 1, and a low one computes beside
+// each. Returns the ends of the two computations, and the end of the run.
 Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::uint64_t bytes) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -45,32 +45,32 @@ TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
   EXPECT_NEAR(found.at(2), blocked + cycles_to_move(model, 10'000), ROUNDING);
 }
 
-// blocked, then C and two cycles for each word, and the two switches when the message has come.
+// blocked, then C and two cycles a word, and two switches when the message has arrived.
 TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   const std::int64_t cycles = 200'000, words = 1000;
   for (const Model& model : {make_stealing_model(), machine::load_model("t805-25"),
                              machine::load_model("t414-20"), machine::load_model("t805-30")}) {
     const auto found = compute_beside_transfer(model, cycles, 4 * words);
     const auto& s = model.scheduler;
-    // At other rates than the exact model's the end of the message is resolved to a picosecond.
+    // At rates other than the exact model's, the end of the message is resolved to a picosecond.
     EXPECT_EQ(model.memory.steal_word, STEAL_WORD) << model.name;
     EXPECT_NEAR(found.at(0),
                 cost_first(model, Side::writer, 4 * words) + cycles + words * STEAL_WORD +
                     (s.preemption + s.return_to_low).value,
                 1e-3)
         << model.name;
-    // The reader came first: outword or not, the operands are the same here.
+    // The reader came first: with or without outword, the operands are equal here.
     EXPECT_NEAR(found.at(1), found.at(0), 1e-3) << model.name;
   }
 }
 
-// What a process owes when it comes to an ALT seems to take until after the ALT's tick, since a
-// message slows the CPU down by a quarter; but that ends early. The tick is waited for or, if
-// another guard is ready, not taken.
+// The debt at an ALT seems to last beyond the ALT's tick, since a message slows the CPU down by a
+// quarter. But the message ends early. The ALT waits for its tick or, if another guard is ready,
+// does not take it.
 TEST(Dma, EndsBeforeAnAltIsPaidFor) {
   constexpr double TICK = 1024;  // cycles
   constexpr std::int64_t MOST_OWED = 1000, BEFORE = 64;
-  constexpr double ALT = 200;  // the most that it takes, with the reader and its message
+  constexpr double ALT = 200;  // upper bound, with the reader and its message
   Model model = make_stealing_model();
   model.memory.steal_word = 16;
   for (const bool may_skip : {false, true})
@@ -112,8 +112,8 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
       }
 }
 
-// Messages on several links, in both directions, overlapping anyhow: every word takes its cycles
-// from both of its CPUs, whatever the order.
+// Overlapping messages on several links, in both directions: every word takes its cycles from both
+// its CPUs, in any order.
 TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
   struct Flow {
     int from, to;
@@ -181,9 +181,9 @@ TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
   EXPECT_EQ(found.at(0), 4096 + 32 * 100);
 }
 
-// When the message has come, in the middle of the computation, its cycles are no more taken. The
-// end is C and two cycles for each word, and at low priority the two switches; a sync before now()
-// changes nothing.
+// After the message has arrived, during the computation, its cycles are no longer taken. The end is
+// C and two cycles a word, and at low priority the two switches. A sync before now() changes
+// nothing.
 TEST(Dma, NowIsExactBesideIt) {
   const Model model = make_stealing_model();
   constexpr std::int64_t charges = 10, cycles = 20'000, words = 1000;
@@ -214,8 +214,8 @@ TEST(Dma, NowIsExactBesideIt) {
   }
 }
 
-// A process of lowest priority that only counts gets what neither processes nor DMA take, where
-// switches cost nothing.
+// With free switches, a counting process of lowest priority gets all cycles that processes and DMA
+// leave.
 TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   Model model = make_stealing_model();
   model.scheduler.preemption = model.scheduler.return_to_low = {0};
@@ -263,7 +263,7 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   }
 }
 
-// Random messages beside random computation: whatever interleaves, no cycle is lost or taken twice.
+// Random messages beside random computation: no cycle is lost or taken twice.
 TEST(Dma, ConservesCyclesUnderRandomTraffic) {
   const Model model = make_stealing_model();
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -309,7 +309,7 @@ TEST(Dma, ConservesCyclesUnderRandomTraffic) {
       const double n = found.at(2 * cpu + 1), stolen = static_cast<double>(words * STEAL_WORD);
       const auto there = static_cast<double>(s.preemption.value),
                  back = static_cast<double>(s.return_to_low.value);
-      // On its way back a low process may lose the CPU again.
+      // During its return a low process may lose the CPU again.
       EXPECT_GE(found.at(2 * cpu), stolen + n * there - ROUNDING);
       EXPECT_LE(found.at(2 * cpu), stolen + n * (there + back) + ROUNDING);
     }

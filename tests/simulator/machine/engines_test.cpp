@@ -1,5 +1,4 @@
-// Links by SimGrid or by rules of our own, processes on fibers or on SimGrid's actors: all the
-// same.
+// Links by SimGrid or by our own rules, processes on fibers or on SimGrid's actors: equal results.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -22,13 +21,13 @@ struct Engines : testing::Test {
   }
 };
 
-// A random machine: when messages came, how it ended, what was busy; in one part, how many events.
+// Runs a random machine; returns arrival dates, the end, busy times and, in one part, event counts.
 std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link,
                        bool is_different = false) {
   return isolated([&] {
     Plan plan = make_plan(seed);
     for (Stream& stream : plan.streams) stream.lengths.back() = 0;
-    if (!cuts_a_link) let_some_poll(plan, seed);  // they never come to a deadlock
+    if (!cuts_a_link) let_some_poll(plan, seed);  // they never deadlock
     if (is_different) make_different(plan, seed);
     Lab lab(make_stealing_model(), machine::Code::bare, engine);
     std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
@@ -69,11 +68,11 @@ TEST_F(Engines, RunRandomMachinesTheSame) {
   EXPECT_GE(deadlocks, 3);
 }
 
-// On 2 to 16 threads, whatever processors are in the parts.
+// On 2 to 16 threads, for any division into parts.
 TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     EngineParams one = DIRECT;
-    one.parts = {0};  // events are not counted: between parts there are more
+    one.parts = {0};  // events are not counted: several parts have more
     const std::string in_one[] = {run_random(seed, one, false), run_random(seed, one, false, true)};
     std::mt19937_64 random(seed);
     for (const int parts : {2, 3, 4, 8, 16}) {
@@ -88,7 +87,7 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   }
 }
 
-// Or else they would only take turns.
+// Otherwise the parts would only take turns.
 TEST_F(Engines, PartsShareWindows) {
   const Plan plan = make_plan(3);
   EngineParams engine = DIRECT;
@@ -104,8 +103,8 @@ TEST_F(Engines, PartsShareWindows) {
   EXPECT_GT(windows.shared, windows.all / 20) << windows.all << " windows";
 }
 
-// One waits for ever, one computes for ever, one waits in a PAR, one has not begun: at the limit
-// all are left, inside out, and of the last nothing but what its body holds.
+// One process waits for ever, one computes for ever, one waits in a PAR, one has not begun. At the
+// limit all are unwound, innermost objects first; the last one drops only what its body holds.
 TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
   for (const auto& engine : ALL_KINDS) {
     const auto log = isolated([&] {

@@ -1,4 +1,4 @@
-// Machines whose links are cut.
+// Machines with cut links.
 #pragma once
 
 #include "tests/support/lab.hpp"
@@ -9,7 +9,7 @@ inline machine::Seconds at_cycle(const Lab& lab, double cycle) {
   return {cycle / lab.machine.model().cpu.clock.value};
 }
 
-// Two joined processors, whose link is cut.
+// Two joined processors; their link is cut at `cycle`.
 struct CutPair {
   CutPair(double cycle, const Model& model = make_exact_model(), int switches = 0) : lab(model) {
     lab.machine.connect(a, b, switches);
@@ -20,7 +20,7 @@ struct CutPair {
   Processor& b = lab.cpu();
 };
 
-// A process that outputs or inputs one message, and what came of it: 1 if it was moved, and when.
+// A process that outputs or inputs one message. Result: 1 if the message was moved, and the time.
 struct Attempt {
   Processor& on;
   Priority priority;

@@ -9,8 +9,8 @@
 
 namespace occam {
 
-// Runs a machine that fails. The first line of the answer is the type of the exception, and the
-// place and the cycle of a fault; the rest is the message.
+// Runs a machine that fails. The first line of the result is the exception's type, with the place
+// and cycle of a fault; the rest is the message.
 inline std::string failure_of(const std::function<void(Lab&)>& body) {
   return isolated([&]() -> std::string {
     Lab lab;

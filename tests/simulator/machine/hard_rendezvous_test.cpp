@@ -1,4 +1,4 @@
-// Channels on a link: when a transfer starts and ends, and what arrives.
+// Channels on a link: start and end of a transfer, and its content.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -28,7 +28,7 @@ std::vector<HardCase> make_hard_cases(bool by_alt) {
 }
 
 // Both ends pay their operands and the start of their instruction; the later one starts the
-// transfer. An ALT sees the output at the turn of its guard, or of altwt, or is woken by it.
+// transfer. An ALT sees the output at its guard's turn or at altwt, or is woken by it.
 double expected_end(const Model& model, const HardCase& c) {
   const auto& alt = model.alternative;
   const auto written = c.writer_computes + cost_first(model, Side::writer, c.bytes);
@@ -94,14 +94,14 @@ TEST(HardRendezvous, StartsWhenBothEndsAreThereAndTakesBytesOverRate) {
   expect_hard_times(machine::load_model("t414-20"), make_hard_cases(false));
 }
 
-// Whether the guard was ready is a matter of simulated times, not of the order of creation.
+// Readiness of the guard depends on simulated times, not on the order of creation.
 TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
   expect_hard_times(make_exact_model(), make_hard_cases(true));
   expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));
 }
 
-// The output comes at any cycle of the ALT: before, while its guard is enabled, while altwt
-// executes, after. (In the same cycle as the instruction that looks, either may come first.)
+// The output comes at any cycle of the ALT: before, while its guard is enabled, during altwt,
+// after. (In the cycle of the instruction that checks, either order is possible.)
 TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   const Model model = make_complete_model();
   const auto& alt = model.alternative;
@@ -119,7 +119,7 @@ TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   expect_hard_times(model, cases);
 }
 
-// Whoever comes second: a writer waits in output, a reader in input, both until the transfer ends.
+// The second process: a writer waits in output, a reader in input, both until the transfer ends.
 TEST(HardRendezvous, EachEndWaitsInItsOwnDirection) {
   for (const bool writer_is_second : {false, true}) {
     const auto waited = isolated_numbers([&] {

@@ -1,4 +1,4 @@
-// The rows of the built-in models against the numbers of the published tables, everything on chip.
+// The rows of the built-in models, compared with the published tables, everything on chip.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -7,7 +7,7 @@
 namespace occam {
 namespace {
 
-// Loads of operands, on chip, and the prefix of an instruction of two bytes.
+// Loads of operands, on chip, and the prefix of a two-byte instruction.
 constexpr int LDLP = 1, LDL = 2, LDC = 1, PREFIX = 1;
 
 struct Row {
@@ -66,8 +66,7 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   }
 }
 
-// What the tables leave out: the fetch of a word of code, wherever the stream of instructions
-// breaks.
+// Absent from the tables: the fetch of a word of code at each break of the instruction stream.
 TEST(InstructionTable, BreaksOfTheStreamFetchTheNextInstructions) {
   const Model without_fetch = make_on_chip_model(),
               on_chip = machine::override_model(
@@ -105,7 +104,7 @@ TEST(InstructionTable, ClocksAndSlices) {
   }
 }
 
-// Bit times of a byte at the three link speeds; both directions together.
+// Bit times of a byte at the three link speeds, alone and with both directions together.
 TEST(InstructionTable, LinkRates) {
   struct Speed {
     const char *name, *bit_rate;

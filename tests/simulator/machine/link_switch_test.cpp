@@ -6,7 +6,7 @@
 namespace occam {
 namespace {
 
-// The n-th byte has come after n periods; each switch delays the first, and adds to the period.
+// The n-th byte arrives after n periods; each switch delays the first, and lengthens the period.
 double time_through(const Model& model, int switches, std::uint64_t bytes) {
   return isolated_numbers([&] {
            Lab lab(model);
@@ -66,7 +66,7 @@ TEST(LinkSwitch, MoreOfThemAreNeverFaster) {
     }
 }
 
-// Only words that move take cycles, not the delay of a switch before them.
+// Only moving words take cycles, not the delay of a switch before them.
 TEST(LinkSwitch, DelayTakesNoCyclesFromTheCpu) {
   Model model = make_stealing_model();
   model.link.switch_bits = 1e5;

@@ -1,4 +1,4 @@
-// Links: how long transfers take, alone, both ways, beside others and over several hops.
+// Links: transfer times alone, both ways, beside others and over several hops.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double HAIR_CYCLES = 1e-3;  // SimGrid resolves a picosecond
 
-// All start at once. Returns how many cycles after that each has arrived.
+// All flows start simultaneously. Returns each one's arrival, in cycles after the start.
 struct Flow {
   int from, to;
   std::uint64_t bytes;
@@ -57,7 +57,7 @@ TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
     EXPECT_NEAR(end, n / one, slack);
 }
 
-// Of a message that an opposite one meets and leaves again.
+// A message that an opposite one meets and leaves again.
 TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
@@ -100,7 +100,7 @@ TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   EXPECT_EQ(passed.back(), 0);  // it has arrived
 }
 
-// What is known of a date to come is what it is then, if nothing happens until then.
+// If nothing happens until a future date, its forecast comes true.
 TEST(Link, UseIsForeseen) {
   for (const auto priority : {Priority::high, Priority::low}) {
     const auto seen = isolated_numbers([&] {
@@ -135,7 +135,7 @@ TEST(Link, UseIsForeseen) {
   }
 }
 
-// Unloaded, over d links: every hop's sender starts (the reader waits already), then bytes/rate.
+// Unloaded, over d links: each hop takes its sender's start (the reader waits), then bytes/rate.
 TEST(Link, StoreAndForwardOverALine) {
   for (int hops : {1, 2, 7})
     for (std::uint64_t bytes : {1, 80, 3000}) {
@@ -165,7 +165,7 @@ TEST(Link, StoreAndForwardOverALine) {
     }
 }
 
-// The real models at every link speed: the slope is the rate of the table, a direction alone and
+// The real models at every link speed: the slope equals the table's rate, for one direction and for
 // both.
 TEST(Link, RatesOfTheModelsAtEverySpeed) {
   constexpr std::uint64_t bytes = 100'000;
@@ -194,7 +194,7 @@ TEST(Link, RatesOfTheModelsAtEverySpeed) {
       const double start =
           static_cast<double>(cost_first(model, Side::writer, bytes)) / model.cpu.clock.value;
       EXPECT_NEAR(found.at(0), start + bytes / model.link.one_way_rate, 1e-10) << name << speed;
-      for (int i : {1, 2})  // (the second of a processor's two starts a moment later)
+      for (int i : {1, 2})  // (a processor's second message starts slightly later)
         EXPECT_NEAR(found.at(i), start + 2 * bytes / model.link.both_ways_rate, 2 * start)
             << name << " at " << speed;
     }

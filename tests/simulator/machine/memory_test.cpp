@@ -1,4 +1,4 @@
-// Where a program's words are: wait states, workspaces off chip, and the models that differ.
+// Placement of a program's words: wait states, workspaces off chip, and the models that differ.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/random_machine.hpp"
@@ -20,7 +20,7 @@ Model make_waiting_model(int wait_states, bool off_chip) {
   return make_model(settings);
 }
 
-// The cycles of a rendezvous of w words on one processor: both ends.
+// Cycles of both ends of a rendezvous of `bytes` bytes on one processor.
 double time_rendezvous(const Model& model, std::uint64_t bytes) {
   return isolated_numbers([&] {
            Lab lab(model);
@@ -42,14 +42,14 @@ TEST(Memory, WaitStatesLengthenTheCopy) {
       EXPECT_NEAR(time_rendezvous(model, static_cast<std::uint64_t>(4 * w)),
                   (4 + 20) + (4 + 19) + w * 2 * (3 + s), ROUNDING);
       EXPECT_EQ(model.memory.steal_word, 3 + s - 1);
-      // A workspace on chip: nothing else changes.
+      // A workspace on chip: all other costs are unchanged.
       EXPECT_EQ(model.alternative.enable_not.value, 5 + 1 + 2 + 1);
       EXPECT_EQ(machine::get_instruction(model, "ldl").value, 2);
       EXPECT_EQ(machine::get_instruction(model, "load").value, 3 + (3 + s) - 1);
     }
 }
 
-// A variable takes 3 + s cycles instead of one, and an instruction that deschedules touches three.
+// A variable takes 3 + s cycles instead of one; a descheduling instruction touches three.
 TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
   for (int s : {0, 1, 2}) {
     SCOPED_TRACE(fmt::format("{} wait states", s));
@@ -76,7 +76,7 @@ TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
   }
 }
 
-// No operation of any model gets cheaper by slower memory.
+// Slower memory makes no operation of any model cheaper.
 TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
   for (const auto& name : machine::builtin_models())
     for (bool off_chip : {false, true}) {
@@ -95,7 +95,7 @@ TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
     }
 }
 
-// The run of a random program: its end, and what every CPU spent.
+// Runs a random program; returns its end, and the time spent by every CPU.
 Numbers run_plan(const Plan& plan, const Model& model) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -110,7 +110,7 @@ Numbers run_plan(const Plan& plan, const Model& model) {
   });
 }
 
-// One stream through a chain of processes, each of whose waits only delays others.
+// One stream through a chain of processes: each wait only delays others.
 TEST(Memory, MoreWaitStatesAreNeverFaster) {
   for (std::uint64_t seed = 400; seed < 416; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -140,8 +140,8 @@ TEST(Memory, OffChipIsNeverFasterThanOnChip) {
   }
 }
 
-// The four models and the three link speeds: a slower one is never faster, over random programs of
-// one stream.
+// The four models and the three link speeds: a slower one is never faster, over random programs
+// with one stream.
 TEST(Models, SlowerClocksAndLinksAreNeverFaster) {
   for (std::uint64_t seed = 500; seed < 508; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

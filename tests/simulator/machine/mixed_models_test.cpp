@@ -1,4 +1,4 @@
-// Processors of different models in one machine, and several links between two.
+// Processors of different models in one machine, and several links between two processors.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/failures.hpp"
@@ -14,7 +14,7 @@ std::shared_ptr<const Model> share(const char* name) {
   return std::make_shared<const Model>(load_model(name));
 }
 
-// The same instructions take as much longer as a clock is slower; compiled occam its own factor.
+// Instruction times scale with the clock; compiled occam has its own factor on each model.
 TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
   const auto slow = share("t800-20");
   Model quick = load_model("t805-30");
@@ -40,7 +40,7 @@ TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
   EXPECT_NEAR(found.at(1), 1000 * 6000 / 20e6 + slow->software.occam_factor * 600 / 20e6, 1e-9);
 }
 
-// A message between `a` and `b`, from either side: how long it takes after its start.
+// Duration of a message between `a` and `b`, in either direction, from its start.
 double time_between(const std::shared_ptr<const Model>& a, const std::shared_ptr<const Model>& b,
                     std::uint64_t bytes) {
   return isolated_numbers([&] {
@@ -71,7 +71,7 @@ TEST(MixedModels, ALinkIsAsFastAsItsSlowerEnd) {
   EXPECT_NEAR(time_between(t800, t414, bytes), slow, 1e-5);
 }
 
-// Both take the same cycles for a word, so that a slower clock gives up a larger share.
+// Both lose equally many cycles a word, hence the slower clock loses a larger share.
 TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
   const auto slow = share("t800-20"), quick = share("t805-30");
   const auto lost_per_s = isolated_numbers([&] {
@@ -85,7 +85,7 @@ TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
     cpus[1]->start("reader", Priority::high, [&] { channel.in(); });
     for (const bool is_quick : {false, true})
       cpus[is_quick]->start("work", Priority::low, [&found, is_quick] {
-        constexpr std::int64_t CYCLES = 2'000'000;  // they end before the message does
+        constexpr std::int64_t CYCLES = 2'000'000;  // ends before the message
         const double begun = this_process().now().value;
         this_process().charge(Cycles{CYCLES});
         const double took = this_process().now().value - begun;
@@ -112,7 +112,7 @@ TEST(MixedModels, LinksOfOneSpeedOnly) {
                  });
 }
 
-// Two messages one way, each on a link of its own or both on one.
+// Two messages one way, each on its own link or both on one.
 double time_of_two(int links, bool both_ways) {
   return isolated_numbers([&] {
            Lab lab(load_model("t805-25"));

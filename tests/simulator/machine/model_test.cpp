@@ -1,4 +1,4 @@
-// Model files: what they hold, what they inherit, and what is refused.
+// Model files: their content, inheritance and refusals.
 #include "simulator/machine/model.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What an observer is told, over random machines: spans that make up exactly what was counted.
+// An observer's notifications over random machines: the spans add up to the counts.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/bursts.hpp"
@@ -134,7 +134,7 @@ TEST(Observer, ChangesNothing) {
   }
 }
 
-// Pre-emptions that cut switches short, over several low processes that share the CPU by slices.
+// Pre-emptions cut switches short, over several low processes in time slices.
 TEST(Observer, SwitchesAndSlicesAddUpToo) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -155,7 +155,7 @@ TEST(Observer, SwitchesAndSlicesAddUpToo) {
   }
 }
 
-// A run that its limit ends in the middle of everything.
+// The limit ends the run in the middle of activities.
 TEST(Observer, IsToldUpToTheLimit) {
   for (std::int64_t limit : {1000, 4097, 20'000, 50'001}) {
     SCOPED_TRACE(fmt::format("limit {}", limit));

@@ -1,4 +1,4 @@
-// What must always hold, over random machines.
+// Invariants over random machines.
 #include <gtest/gtest.h>
 
 #include "simulator/observe/use.hpp"
@@ -7,7 +7,7 @@
 namespace occam {
 namespace {
 
-// What the plan costs, counted beside the simulator.
+// The cost of the plan, counted outside the simulator.
 struct Counts {
   std::vector<std::int64_t> cycles;  // a processor, without switches
   std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> links;  // messages, bytes

@@ -1,5 +1,5 @@
-// Random machines: random topologies, crossed by streams of messages that random chains of
-// processes relay.
+// Random machines: random topologies with streams of messages, relayed by random chains of
+// processes.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 
 namespace occam {
 
-// One processor on a stream's way. Two processes joined by a soft channel, or one.
+// One processor on a stream's route: two processes joined by a soft channel, or one.
 struct Stage {
   int processor;
   bool two;
   Priority priority[2];
-  std::int64_t computes;  // a message
-  int polls = 0;        // ticks that it waits for a message before it does something else; 0: ever
-  bool in_par = false;  // the two are branches of one process
-  bool by_companion = false;  // which relays what the one sends the other
+  std::int64_t computes;      // a message
+  int polls = 0;              // ticks of waiting for a message before other work; 0: for ever
+  bool in_par = false;        // the two are branches of one process
+  bool by_companion = false;  // the companion relays between the two
 };
 
 struct Stream {
@@ -32,8 +32,8 @@ struct Stream {
 
 struct Plan {
   topologies::Topology topology;
-  std::vector<Stream> streams;     // no two on one link direction
-  std::vector<bool> is_slow = {};  // by processor: half the clock; empty: none is
+  std::vector<Stream> streams;     // at most one on each link direction
+  std::vector<bool> is_slow = {};  // by processor: half the clock; empty: no slow ones
   std::vector<int> switches = {};  // by link; empty: none
 };
 
@@ -72,7 +72,7 @@ inline Plan make_plan(std::uint64_t seed) {
   return plan;
 }
 
-// Some processes wait for their messages in ALTs that have time-outs.
+// Some processes wait for their messages in ALTs with timeouts.
 inline void let_some_poll(Plan& plan, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (Stream& stream : plan.streams)
@@ -92,7 +92,7 @@ inline void make_different(Plan& plan, std::uint64_t seed) {
     for (Stage& stage : stream.stages) {
       stage.in_par = random() % 2 == 0;
       stage.by_companion = random() % 2 == 0;
-      // On a slow processor an ALT may last longer than few ticks: it would never wait.
+      // On a slow processor an ALT may take longer than a few ticks and would never wait.
       if (stage.polls > 0) stage.polls += 40;
     }
   }
@@ -107,7 +107,7 @@ inline Words poll(Channel<Words>& channel, int ticks) {
   return *message;
 }
 
-// Starts the processes of a stream. The sink notes what is wrong and when messages came.
+// Starts the processes of a stream. The sink records errors and arrival dates.
 inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::string& wrong) {
   const auto& cpus = lab.machine.processors();
   Channel<Words>* from = nullptr;

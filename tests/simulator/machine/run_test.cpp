@@ -1,4 +1,4 @@
-// How a run ends: when all is done, at its limit, at the user's wish.
+// Ends of a run: all processes have ended, the limit, the user's request.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ Seconds date_of_cycle(const Lab& lab, std::int64_t cycle) {
   return Cycles{cycle} / lab.machine.model().cpu.clock;
 }
 
-// Two processors that exchange messages for ever, and compute.
+// Two processors that compute and exchange messages for ever.
 void start_endless(Lab& lab) {
   Processor& a = lab.cpu();
   Processor& b = lab.neighbour(a);
@@ -58,7 +58,7 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// Whatever it waits for, and in any number of parts of the machine.
+// For any kind of wait, and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
   constexpr std::int64_t LIMIT = 100;  // cycles
   using Waits = void (*)(Channel<Words>&);
@@ -93,7 +93,7 @@ TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
         }
 }
 
-// It never syncs nor blocks.
+// The process neither syncs nor blocks.
 void start_computing(Processor& cpu, Priority priority, std::int64_t step) {
   cpu.start("busy", priority, [step] {
     for (;;) compute(step);
@@ -129,7 +129,7 @@ TEST(Run, WithoutALimitEndsThoughAProcessOnlyComputes) {
   EXPECT_EQ(found, (Numbers{1, 12'345, 12'345}));
 }
 
-// The same run, seen at a limit or beyond it: what has happened by then is the same.
+// The same run seen at a limit and beyond it: events up to the limit are equal.
 TEST(Run, LimitDoesNotChangeWhatHappensBefore) {
   const auto seen = [](std::int64_t limit, std::int64_t until) {
     return isolated([&] {
@@ -198,8 +198,8 @@ TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   });
 }
 
-// A computation that was pre-empted, a slice that was not needed, a timeout that did not fire: none
-// of their timers moves the clock at the end.
+// A pre-empted computation, an unneeded slice and a timeout that did not fire: none of their timers
+// moves the final clock.
 TEST(Run, EndsWithItsLastProcess) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {
@@ -218,7 +218,7 @@ TEST(Run, EndsWithItsLastProcess) {
   EXPECT_EQ(found.at(0), 0);
 }
 
-// What runs at a limit is unwound: destructors of what processes hold are called.
+// A limit unwinds running processes: objects they hold are destroyed.
 TEST(Run, UnwindsWhatHasNotEnded) {
   const auto found = isolated_numbers([] {
     double released = 0;

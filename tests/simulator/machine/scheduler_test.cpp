@@ -1,5 +1,5 @@
-// The two-priority scheduler, against rules and a small independent arithmetic. Every seed has a
-// processor of its own in one machine.
+// The two-priority scheduler, compared with rules and a small independent calculation. Every seed
+// has its own processor in one machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Outcome {
 };
 
 // Each burst's high process first waits for its date. A burst that finds the low process running
-// pre-empts it, one that comes back to it costs a return, which another burst may cut short.
+// pre-empts it. A return to the low process has a cost, and another burst may cut it short.
 Outcome predict(const Model& model, const Load& load) {
   const auto wait = model.timer.wait_future.value * static_cast<std::int64_t>(load.bursts.size());
   const auto there = model.scheduler.preemption.value, back = model.scheduler.return_to_low.value;
@@ -103,7 +103,7 @@ TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
   }
 }
 
-// What an observer sees at any instant: time that has passed was busy or idle, never negative.
+// An observer's view at any instant: past time was busy or idle, never negative.
 TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   for (int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -131,7 +131,7 @@ TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   }
 }
 
-// The end of a body is the last thing its process does: what it spent before has passed by then.
+// A process ends at the end of its body, after all its charged time.
 TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -145,8 +145,8 @@ TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
   }
 }
 
-// High processes in the order they became ready, by simulated time: a process that is made ready at
-// another's own time, ahead of the clock, comes after one that a link makes ready before.
+// High processes run in the order they became ready, by simulated time. One made ready ahead of the
+// clock comes after one that a link makes ready earlier.
 TEST(Scheduler, ReadyQueuesAreFirstComeFirstServedBySimulatedTime) {
   const auto found = isolated_numbers([] {
     Lab lab;

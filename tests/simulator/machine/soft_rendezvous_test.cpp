@@ -1,4 +1,4 @@
-// Channels of one processor: when a rendezvous is over, what it costs, and what arrives.
+// Channels on one processor: end, cost and content of a rendezvous.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -23,14 +23,14 @@ std::vector<SoftCase> make_soft_cases() {
   return cases;
 }
 
-// The first pays its operands and `blocked`; the second, which comes at `date`, its operands,
-// set-up and copy; then both go on, and a high one pre-empts a low one.
+// The first process pays its operands and `blocked`. The second, at `date`, pays its operands,
+// set-up and copy. Then both go on, and a high one pre-empts a low one.
 void expect_soft_times(const Model& model) {
   constexpr std::int64_t date = 102'400;  // a tick of every clock
   const auto cases = make_soft_cases();
   const auto found = isolated_numbers([&] {
     Lab lab(model);
-    std::deque<std::array<double, 3>> ends(cases.size());  // first, second, what was received
+    std::deque<std::array<double, 3>> ends(cases.size());  // first, second, received value
     for (std::size_t i = 0; i < cases.size(); ++i) {
       auto& channel = lab.soft();
       auto meet = [&, i](bool writes) {
@@ -86,8 +86,8 @@ TEST(SoftRendezvous, TakesTheOperandsSetupAndCopyOfTheSecondToCome) {
   expect_soft_times(machine::load_model("t414-20"));
 }
 
-// The published form, on chip: in and out 2w+19, outword 2 more; 20 for the first to come;
-// operands 4.
+// The published form, on chip: in and out 2w+19, outword 2 more; 20 for the first process; operands
+// 4.
 TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   const Model model = make_on_chip_model();
   for (auto bytes : SOFT_LENGTHS) {
@@ -143,12 +143,12 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
   });
   const auto blocked = static_cast<double>(model.channel.blocked.value);
   const auto setup = static_cast<double>(model.channel.soft_setup.value);
-  const auto copy = static_cast<double>(soft_cost(model, 8)) - setup;  // the microcode's own
+  const auto copy = static_cast<double>(soft_cost(model, 8)) - setup;  // the microcode's share
   EXPECT_EQ(found.at(0), std::round(2.5 * blocked) + std::round(2.5 * setup) + copy + 1000);
 }
 
-// On the machine `in` and `out` are one instruction each: whoever comes second copies. A high
-// process may come while a low one is at its instruction, and is then first or second.
+// On the machine `in` and `out` are single instructions: the second process copies. A high process
+// may come during a low one's instruction, and is then first or second.
 TEST(SoftRendezvous, IsCopiedWhenAHighProcessComesDuringTheInstructionOfALowOne) {
   constexpr std::uint64_t bytes = 4000;
   const Model model = make_exact_model();

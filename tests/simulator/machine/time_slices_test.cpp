@@ -1,4 +1,4 @@
-// Time slices: low-priority processes share the CPU by turns.
+// Time slices: low-priority processes share the CPU in turns.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -8,7 +8,7 @@
 namespace occam {
 namespace {
 
-// A stretch of a low process's computation during which no other one computed.
+// A low process's uninterrupted stretch of computation among the low processes.
 struct Stretch {
   std::size_t process;
   double begin, end;
@@ -56,7 +56,7 @@ std::string check_slices(std::uint64_t seed) {
       const auto next = queue.front();
       queue.pop_front();
       expect(s.process == next, "out of turn");
-      if (s.end == ends[s.process]) continue;  // it has ended
+      if (s.end == ends[s.process]) continue;  // has ended
       queue.push_back(s.process);
       expect(s.end - s.begin >= period, "gave way before one period");
       expect(s.end - s.begin <= 2 * period, "did not give way after two periods");
@@ -99,7 +99,7 @@ TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   EXPECT_EQ(found.at(3), 200'000 + model.timer.wait_future.value);
 }
 
-// Several low processes under random bursts: what is computed is computed, with switches on top.
+// Several low processes under random bursts: their computation, plus the switches.
 TEST(TimeSlices, AndPreemptionsTogetherConserveTime) {
   const Model model = make_exact_model();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -153,7 +153,7 @@ TEST(TimeSlices, EndDuringAPreemption) {
                                  .value);
 }
 
-// When each turn on the CPU begins, in seconds.
+// Starts of the turns on the CPU, in seconds.
 struct Turns : machine::Observer {
   void name_process(const Processor&, std::uint32_t, const std::string&) override {}
   void ran(const Processor&, std::uint32_t, Doing, machine::Seconds from,
@@ -165,8 +165,8 @@ struct Turns : machine::Observer {
   Numbers begins;
 };
 
-// Long computations of the real machine: each turn is exactly two periods, since it begins on a
-// tick. No tick is rounded away, however late.
+// Long computations of the real machine: each turn lasts exactly two periods, since it begins on a
+// tick. No late tick is lost to rounding.
 TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
   const Model model = machine::load_model("t805-25");
   const double period = 5120 / 5e6;
@@ -185,8 +185,8 @@ TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
     EXPECT_NEAR(found[i], 2 * period * static_cast<double>(i), 1e-9) << "turn " << i;
 }
 
-// A lone low process goes on; when another is ready after more than two periods, it gives way at
-// the next tick, and not before one period if it has just begun.
+// A lone low process continues. If another becomes ready after more than two periods, it yields at
+// the next tick, but never within its first period.
 TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -198,7 +198,7 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
       Processor& other = lab.neighbour(cpu);
       auto& channel = lab.hard(other, cpu);
       double begins = 0;
-      // It waits for its message first: the busy one begins after its 20 cycles.
+      // It waits for its message first: the busy process begins after its 20 cycles.
       cpu.start("late", Priority::low, [&] { channel.in(), begins = own_cycles(); });
       cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
       other.start("writer", Priority::high, [&] {
@@ -213,8 +213,8 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   }
 }
 
-// The tick passes, and the other becomes ready, while a high process has the CPU: the low one gives
-// way as soon as it is back.
+// The tick passes, and the other process becomes ready, during a high process: the low one yields
+// as soon as it returns.
 TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;

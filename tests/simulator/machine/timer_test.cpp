@@ -84,7 +84,7 @@ std::int64_t tick_cycles(const Model& model, Priority priority) {
   return std::llround(tick * model.cpu.clock.value);
 }
 
-// The cycle at which the ALT and its input are over, and whether the channel was taken.
+// The cycle at which the ALT and its input end, and whether the channel was chosen.
 std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
   const auto& alt = model.alternative;
   const auto date = c.tick * tick_cycles(model, c.priority);
@@ -109,8 +109,7 @@ std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
           true};
 }
 
-// For each case: when it is over, and whether the channel was taken. If it was not, the message is
-// taken later.
+// For each case: the end, and whether the channel was chosen. Otherwise the message is taken later.
 Numbers run_timeouts(const Model& model, const std::vector<Timeout>& cases) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -170,8 +169,8 @@ TEST(Timeout, FiresOrNotAtTheSumOfItsRows) {
   }
 }
 
-// The time comes at any cycle of the ALT: it is past, it passes while the guards are enabled, while
-// taltwt executes, or after.
+// The time comes at any cycle of the ALT: it is past, or passes while the guards are enabled,
+// during taltwt, or after.
 TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
   const Model model = make_complete_model();
   std::vector<Timeout> cases;
@@ -183,9 +182,8 @@ TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
   expect_timeouts(model, cases);
 }
 
-// The timer wakes the ALT; the output comes while the guards are disabled: it is taken if it is
-// there at its guard's own turn and no guard before it was ready. (In the same cycle, either may be
-// first.)
+// The timer wakes the ALT, and the output comes while the guards are disabled. It is chosen if it
+// is ready at its guard's turn and no earlier guard was. (In the same cycle either may be first.)
 TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   const Model model = make_complete_model();
   const auto date = 4096, turn = date + static_cast<int>(model.alternative.disable.value);
@@ -199,7 +197,7 @@ TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   expect_timeouts(model, cases);
 }
 
-// A timeout that did not fire leaves nothing behind: the run ends when its processes do.
+// A timeout that did not fire leaves nothing behind: the run ends with its processes.
 TEST(Timeout, ThatDoesNotFireDoesNotProlongTheRun) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -233,7 +231,7 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       Numbers seen;
       lab.cpu().start("waiter", priority, [&] {
         for (std::int64_t tick : {10, 20, 21, 1000}) {
-          if (tick == 21) wait_until(0);  // past: 7 cycles, and never a tick
+          if (tick == 21) wait_until(0);  // past: takes 7 cycles, and never a tick
           wait_until(tick);
           seen.push_back(this_process().now().value * 1e6);
           seen.push_back(static_cast<double>(read_timer()));
@@ -242,8 +240,8 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       lab.machine.run();
       return seen;
     });
-    // The third wait begins 3 cycles after tick 20, and takes 7 and 33: at high priority that is
-    // past tick 21 (25 cycles) when it looks no more.
+    // The third wait begins 3 cycles after tick 20, and takes 7 and 33. At high priority that
+    // ends after tick 21 (25 cycles), without another look at the clock.
     const double third = us == 1 ? 20 + (3 + 7 + 33) / 25.0 : 21 * us;
     const double dates[] = {10 * us, 20 * us, third, 1000 * us}, reads[] = {10, 20, 21, 1000};
     for (std::size_t i = 0; i < std::size(dates); ++i) {

@@ -1,4 +1,4 @@
-// Whole cycles.
+// Rounding to whole cycles.
 #include "simulator/machine/units.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace machine {
 namespace {
 
-// Halves of whole numbers, and what is just beside them, of all sizes that cycles have.
+// Halves of whole numbers, and their neighbours, at all magnitudes of cycles.
 TEST(Units, CyclesAreRoundedAsTheStandardLibraryDoes) {
   constexpr unsigned SEED = 20;
   std::mt19937_64 random(SEED);

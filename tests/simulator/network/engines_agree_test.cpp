@@ -1,4 +1,4 @@
-// Random machines of routers, saturated or with faults: both engines measure the same.
+// Random machines of routers, saturated or with faults: both engines give equal measurements.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -31,7 +31,7 @@ topologies::Topology make_network(std::uint64_t seed) {
   }
 }
 
-// Links and processors that fail while the soak runs.
+// Links and processors that fail during the soak.
 std::vector<programs::PlannedFault> plan_faults(const topologies::Topology& topology,
                                                 std::mt19937_64& random) {
   std::vector<programs::PlannedFault> faults;
@@ -46,7 +46,7 @@ std::vector<programs::PlannedFault> plan_faults(const topologies::Topology& topo
   return faults;
 }
 
-// A soak with faults, or a load between a light one and several times what routers can carry.
+// A soak with faults, or a load between light and several times the routers' capacity.
 Trial make_trial(const machine::Model& model, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Trial trial{"soak", {}, {model, make_network(seed)}};
@@ -71,7 +71,7 @@ Trial make_trial(const machine::Model& model, std::uint64_t seed) {
   return trial;
 }
 
-// What the program measures; of a deadlock its date.
+// The program's measurements; for a deadlock its date.
 Numbers measure(Trial trial, machine::Links links) {
   return isolated_numbers([&] {
     trial.setup.engine.links = links;
@@ -92,7 +92,7 @@ Numbers measure(Trial trial, machine::Links links) {
 
 TEST(EnginesAgree, OnRandomMachinesOfRouters) {
   const auto model = machine::load_model("t805-25");
-  // TLAB_MACHINES=200 tries as many; by default a few.
+  // TLAB_MACHINES=200 sets the number of machines; the default is small.
   const char* asked = std::getenv("TLAB_MACHINES");
   const int machines = asked ? std::stoi(asked) : 24;
   for (int seed = 1; seed <= machines; ++seed) {

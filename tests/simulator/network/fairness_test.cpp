@@ -1,4 +1,4 @@
-// Routers whose way out is the bottleneck serve their inputs in turns.
+// Routers with a saturated output serve their inputs in turns.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,8 +8,8 @@
 namespace network {
 namespace {
 
-// Processors 1 to 3 of a star send as fast as they can to the fourth, over the hub: the sender of
-// each message that came, in order.
+// Processors 1 to 3 of a star send to the fourth, over the hub, as fast as possible. Returns the
+// sender of each message, in order of arrival.
 std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   return test::isolated_numbers([&] {
     Params params;
@@ -26,8 +26,8 @@ std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   });
 }
 
-// While all three have something to send, none waits long. The hub has more inputs, and the turns
-// of those that are idle go to the next one that is not, so that shares differ.
+// While all three have messages to send, none waits long. The hub has more inputs; turns of idle
+// inputs go to the next active one, so that shares differ.
 TEST(RouterFairness, EveryLinkInHasItsTurn) {
   for (const Method method : {Method::chalmers, Method::green, Method::acyclic, Method::naive})
     for (const std::uint64_t bytes : {4, 100}) {

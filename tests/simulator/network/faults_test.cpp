@@ -1,4 +1,4 @@
-// What goes wrong says so: memory, failing processes, broken invariants.
+// Failures with a clear message: memory, failing processes, broken invariants.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"

@@ -1,4 +1,4 @@
-// Routers where several links join two neighbours.
+// Routers with several links between two neighbours.
 #include <gtest/gtest.h>
 
 #include "simulator/network/store_and_forward.hpp"
@@ -17,8 +17,8 @@ topologies::Topology pair_joined_by(int links) {
 constexpr int CLIENTS = 4;
 constexpr std::uint64_t BYTES = 100'000, MESSAGES = 8;
 
-// Seconds in which each of the processes of one processor sends one of the other its messages,
-// which must come in order.
+// Seconds in which each process of one processor sends its messages to one of the other. They must
+// arrive in order.
 std::string time_of(int links, Method method) {
   return isolated([&] {
     Params params;
@@ -52,9 +52,9 @@ std::string time_of(int links, Method method) {
   });
 }
 
-// The acyclic method's inputs work side by side: with the four streams on two links it takes half
-// the time, or three quarters where three of them share one. Chalmers' and Green's routers input
-// one message at a time, whatever the links.
+// The acyclic method's inputs work concurrently: four streams on two links take half the time, or
+// three quarters if three share one link. Chalmers' and Green's routers input one message at a
+// time.
 TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
   for (const Method method : METHODS) {
     const double one = std::stod(time_of(1, method)), two = std::stod(time_of(2, method));

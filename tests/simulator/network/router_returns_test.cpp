@@ -1,4 +1,4 @@
-// Messages to a process that does not exist come back, however many meet on a link.
+// Messages to a nonexistent process return, however many meet on a link.
 #include <gtest/gtest.h>
 
 #include "simulator/network/network.hpp"
@@ -9,8 +9,8 @@
 namespace network {
 namespace {
 
-// Every processor sends `each` messages to nobody on every other, then takes what comes back.
-// Returns how many have come back with the reason.
+// Every processor sends `each` messages to a nonexistent process on every other, then receives the
+// returns. The result is the number of messages returned with the reason.
 double send_to_nobody(Method method, const std::string& spec, int each) {
   const auto topology = topologies::make_topology(spec);
   machine::Machine machine(machine::load_model("t805-25"));

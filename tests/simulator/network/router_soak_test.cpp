@@ -1,4 +1,4 @@
-// Over random networks every message arrives once, at its place and in order, whatever the method.
+// On random networks every message arrives once, at its destination and in order, for any method.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -31,7 +31,7 @@ std::string to_text(const SoakOutcome& outcome) {
   return text;
 }
 
-// Whether every processor still reaches every other without the links that fail.
+// True if the network stays connected without the failing links.
 bool stays_joined(topologies::Topology topology,
                   const std::vector<programs::PlannedFault>& faults) {
   std::erase_if(topology.links, [&](const auto& link) {
@@ -88,7 +88,7 @@ TEST(RouterSoak, TheSameTwice) {
   }
 }
 
-// Between processors that run, all that is not delivered comes back, or is named as lost.
+// Between running processors every undelivered message returns, or is reported as lost.
 TEST(RouterSoak, FailuresLoseNothingUnsaid) {
   for (std::uint64_t seed = 1; seed <= 45; ++seed) {
     SCOPED_TRACE(seed);
@@ -119,7 +119,7 @@ TEST(RouterSoak, FailuresLoseNothingUnsaid) {
           get_number(row, "delivered") + get_number(row, "returned") + get_number(row, "lost"),
           get_number(row, "expected"));
       EXPECT_EQ(outcome.notes.empty(), get_number(row, "lost") == 0);
-      // With links alone that fail, only a message neither of whose ends is left within reach.
+      // If only links fail, only a message with both ends out of reach may be lost.
       const bool may_lose = !only_links || !stays_joined(topology, faults);
       EXPECT_TRUE(may_lose || get_number(row, "lost") == 0) << to_text(outcome);
       if (testing::Test::HasFailure()) throw std::runtime_error(to_text(outcome));

@@ -1,4 +1,4 @@
-// What the tests of routers share.
+// Shared by the tests of routers.
 #pragma once
 
 #include "simulator/network/network.hpp"
@@ -27,7 +27,7 @@ struct Bench {
     machine.processors()[id]->start("application", occam::Priority::low,
                                     [this, id, body] { body(network->client(id)); });
   }
-  // Takes what comes, for ever.
+  // Receives messages for ever.
   void start_sink(int id, const std::function<void(const Message&)>& taken = {}) {
     start(id, [taken](Client& client) {
       occam::this_process().set_server();

@@ -1,4 +1,4 @@
-// Addresses, GLOBAL, InPathTo, room, and what happens when links are cut.
+// Addresses, GLOBAL, InPathTo, room, and link cuts.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,7 +11,7 @@ namespace network {
 
 namespace {
 
-// Runs a body in a process of its own; it says what is wrong, or nothing.
+// Runs a body in a child process, which reports its errors.
 void expect_in_child(const std::function<void()>& body) {
   EXPECT_EQ(isolated([&] {
               body();
@@ -92,20 +92,20 @@ TEST(Router, GlobalReachesEveryOtherProcessorAlongEitherKindOfTree) {
           });
           bench.machine.run();
           for (int id = 0; id < n; ++id) EXPECT_EQ(times[id], id == sender ? 0 : 3) << id;
-          // A tree has a link less than processors, and each message takes each link once.
+          // A tree has one link fewer than processors, and each message takes each link once.
           std::uint64_t moved = 0;
           for (const auto& link : bench.machine.links()) moved += link->use().bytes;
           EXPECT_EQ(moved, 3u * static_cast<unsigned>(n - 1) * 24);
         });
 }
 
-// Each processor on the way that has the process is asked, nearest first, until one keeps it.
+// Each processor on the route with that process gets the offer, nearest first, until one keeps it.
 TEST(Router, InPathToIsOfferedOnTheWay) {
   for (const Method method : METHODS)
     expect_in_child([&] {
       Params params = with(method);
       params.processes.assign(6, {1});
-      params.processes[2] = {0b10};  // has no process 0: is passed without a question
+      params.processes[2] = {0b10};  // has no process 0: passed without an offer
       Bench bench(topologies::make_topology("line:6"), params);
       std::vector<int> asked;
       for (int id = 1; id < 6; ++id)
@@ -184,7 +184,7 @@ TEST(Router, GoesAroundACutLinkOrSaysThatNoWayIsLeft) {
     });
 }
 
-// Whatever is under way when a link is cut takes another way, long messages too.
+// Messages under way when a link is cut take another route, long ones too.
 TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
   for (const Method method : METHODS)
     for (int at_us = 300; at_us < 3000; at_us += 130)
@@ -208,9 +208,8 @@ TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
       });
 }
 
-// A message by pointer costs no copies: its time does not grow but by the links' and the CPUs'
-// part; copied it grows by three copies a byte: into the router, to the client's sender, to the
-// client.
+// A message by pointer costs no copies: its time grows only by the links' and the CPUs' part. A
+// copied one grows by three copies a byte: into the router, to the client's sender, to the client.
 TEST(Router, CopiesCostMemoryCyclesAByte) {
   const auto latency = [](bool pointers, std::uint64_t bytes) {
     return occam::isolated_numbers([&] {
@@ -233,7 +232,7 @@ TEST(Router, CopiesCostMemoryCyclesAByte) {
                                       model.cpu.clock.value;
   const double more_copied = latency(false, 4000) - latency(false, 0),
                more_pointed = latency(true, 4000) - latency(true, 0);
-  // Client to main, main to the client's sender, sender to client; the link in between.
+  // Copies: client to main, main to the client's sender, sender to client; plus the link.
   EXPECT_NEAR(more_copied - more_pointed, 3 * copy_s, 0.01 * copy_s);
   EXPECT_NEAR(more_pointed, 4000 / model.link.one_way_rate, 0.02 * more_pointed);
 }

@@ -1,8 +1,8 @@
-// A second opinion on store-and-forward networks: a plain event queue, and nothing of the
+// A second opinion on store-and-forward networks: a plain event queue, without code of the
 // simulator.
 //
-// Packets of one length pass from processor to processor. Each outgoing link is serial, and has a
-// queue without bound, first come first served. Nothing else takes time.
+// Packets of equal length pass from processor to processor. Each outgoing link is serial, with an
+// unbounded first-come-first-served queue. Nothing else takes time.
 #pragma once
 
 #include <cstddef>
@@ -21,16 +21,16 @@ struct Packet {
   int from, to;
 };
 
-// The next processor on the way from one to another, which are not the same.
+// The next processor on the route between two different processors.
 using NextHop = std::function<int(int from, int to)>;
 
 class Network {
  public:
-  // `service_s`: how long a packet takes on a link.
+  // `service_s`: time of a packet on a link.
   Network(const std::vector<Packet>& packets, double service_s, NextHop next)
       : packets_(packets), service_s_(service_s), next_(std::move(next)) {}
 
-  // When each packet arrives, in their order.
+  // Arrival of each packet, in the packets' order.
   std::vector<double> run() {
     arrived_s_.assign(packets_.size(), 0);
     for (std::size_t i = 0; i < packets_.size(); ++i)
@@ -50,7 +50,7 @@ class Network {
     bool busy = false;
     std::deque<std::size_t> waiting;
   };
-  // A packet comes to processor `at`, from its source or over a link, which is free again.
+  // A packet reaches processor `at`, from its source or over a link, which becomes free.
   struct Event {
     double at_s;
     std::uint64_t order;  // of events of one date

@@ -1,7 +1,7 @@
-// The machine's networks against an independent simulation, and both against queueing theory.
+// The machine's networks, compared with an independent simulation, and both with queueing theory.
 //
-// The machine's CPUs are so fast here that routing takes no time, and its links do not slow each
-// other down; what remains is store and forward over serial links.
+// The CPUs are so fast here that routing takes no time, and links do not slow each other down: only
+// store and forward over serial links remains.
 #include "tests/simulator/network/second_opinion.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 namespace programs {
 namespace {
 
-constexpr std::uint64_t BYTES = 97;  // of a packet; its service is no multiple of a microsecond
+constexpr std::uint64_t BYTES = 97;  // a packet; its service time is no multiple of 1 us
 
 machine::Model make_ideal_model() {
   return machine::override_model("t805-25",
@@ -68,7 +68,7 @@ double mean_of(std::span<const double> numbers) {
   return sum / static_cast<double>(numbers.size());
 }
 
-// What a processor may send, in packets/s, before the busiest link has no pause any more.
+// Packets a second from each processor that saturate the busiest link.
 double saturating_rate(const topologies::Topology& topology) {
   const auto busiest = eval_metrics(topology).all_to_all.messages;
   return (topology.processors - 1) / static_cast<double>(busiest) / service_of(make_ideal_model());
@@ -82,8 +82,8 @@ struct Case {
 
 class SecondOpinion : public testing::TestWithParam<Case> {};
 
-// The same packets at the same times by the same ways: what is left is the fraction of a nanosecond
-// that a processor takes.
+// The same packets at the same times on the same routes; the difference is the fraction of a
+// nanosecond that a processor takes.
 TEST_P(SecondOpinion, AgreesOnTheMeanLatencyOfUniformTraffic) {
   const auto& [name, share, window_us] = GetParam();
   const auto topology = topologies::make_topology(name);
@@ -120,7 +120,7 @@ TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
     auto arrivals = make_uniform_traffic(2, rho / service_s, 8e6, seed);
     std::erase_if(arrivals, [](const Arrival& a) { return a.from != 0; });
     const auto latencies = run_machine_on(topology, arrivals);
-    // The error of the mean from the means of long batches, which hardly depend on each other.
+    // The mean's error comes from the means of long batches, which are nearly independent.
     constexpr std::size_t BATCHES = 20;
     const std::size_t length = latencies.size() / BATCHES;
     std::vector<double> waits;
@@ -138,7 +138,7 @@ TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
   }
 }
 
-// The program says whether its queues grow without bound.
+// The program reports whether its queues grow without bound.
 TEST(QueueingTheory, ASaturatedNetworkSaysSo) {
   const auto model = make_ideal_model();
   const auto topology = topologies::make_topology("mesh:4x4");

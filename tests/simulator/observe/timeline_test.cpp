@@ -1,4 +1,4 @@
-// The SVG time line: what it adds up, and what it draws.
+// The SVG time line: its sums and its drawing.
 #include "simulator/observe/timeline.hpp"
 
 #include <gtest/gtest.h>
@@ -52,10 +52,10 @@ TEST(Timeline, LeavesIdleColumnsEmpty) {
   const auto& farmer = timeline.cpus[0].columns;
   EXPECT_NEAR(farmer[0][static_cast<std::size_t>(Trace::Doing::low)], 1, 1e-12);
   for (std::size_t i = 1; i < 10; ++i) EXPECT_LT(sum(farmer[i]), 1e-12);
-  EXPECT_TRUE(timeline.links[1].columns.empty());  // it carried nothing
+  EXPECT_TRUE(timeline.links[1].columns.empty());  // without messages
 }
 
-// A process that is interrupted for less than a column keeps its stretch; a longer gap ends it.
+// A process interrupted for less than a column keeps its stretch; a longer gap ends it.
 TEST(Timeline, JoinsWhatBelongsToOneProcess) {
   using enum Trace::Doing;
   Trace trace = make_small_trace();
@@ -75,7 +75,7 @@ TEST(Timeline, JoinsWhatBelongsToOneProcess) {
   }
 }
 
-// Elements that close in order, attributes in quotation marks, no stray & or <.
+// Checks that elements close in order, attributes are quoted, and no & or < is unescaped.
 void expect_well_formed(const std::string& xml) {
   static const std::regex token(
       R"re(<(/?)([a-z]+)((?: [a-zA-Z-]+="[^"<]*")*) ?(/?)>|[^<&\x01-\x08]|&(?:amp|lt|gt|quot);)re");
@@ -122,14 +122,14 @@ TEST(TimelineSvg, DrawsBarsWhereTimeIsBusy) {
   EXPECT_FALSE(contains(svg, "to farmer"));  // nothing was sent there
 }
 
-// Where a bar begins or ends within a column.
+// Bars may begin or end within a column.
 TEST(TimelineSvg, DrawsEdgesBetweenPixels) {
   Trace trace = make_small_trace();
   trace.spans = {{10.2 * 0.01 / 1380, 20.7 * 0.01 / 1380, 0, 0, Trace::Doing::low}};
   EXPECT_TRUE(contains(saved(save_timeline, trace), "d=\"M0 0H10.2V-26H20.7V0H1380V0Z\""));
 }
 
-// What is shorter than a pixel and alone is seen all the same.
+// An isolated span shorter than a pixel remains visible.
 TEST(TimelineSvg, DrawsTheShortestSpan) {
   Trace trace = make_small_trace();
   trace.spans = {{0.005, 0.005000001, 0, 0, Trace::Doing::high}};

@@ -20,7 +20,7 @@ struct Event {
   double time_s() const { return fields.contains("Time") ? std::stod(at("Time")) : 0; }
 };
 
-// Words, and texts in quotation marks, which stay on.
+// Words, and quoted texts with their quotation marks.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < line.size();) {
@@ -54,7 +54,7 @@ std::vector<Event> read(const std::string& text) {
   return events;
 }
 
-// What a viewer keeps while it reads: throws nothing, expects what every trace must hold.
+// A viewer's state during reading; checks the invariants of every trace.
 struct Viewer {
   std::set<std::string> types, values, containers;
   std::map<std::string, std::pair<std::string, double>> states;  // by container: value, since

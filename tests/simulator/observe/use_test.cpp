@@ -1,4 +1,4 @@
-// What was busy between two instants, by hand.
+// Busy times between two instants, calculated by hand.
 #include "simulator/observe/use.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 namespace observe {
 namespace {
 
-// Use of two processors, three link directions and two processes, in which no count is less than in
-// the one before.
+// Use of two processors, three link directions and two processes. No count is below its value in
+// `before`.
 Use make_use(std::mt19937_64& random, const Use& before) {
   const auto more = [&] { return static_cast<double>(random() % 100); };
   const auto count = [&] { return random() % 100; };

@@ -1,4 +1,4 @@
-// ALTs and deadlocks on links that are cut.
+// ALTs and deadlocks on cut links.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/failing_links.hpp"
@@ -7,8 +7,8 @@
 namespace occam {
 namespace {
 
-// A process waits for a message or a time-out. Returns whether it had the message (-1: neither, the
-// link failed in the middle), when, and whether the writer was told that it had.
+// A process waits for a message or a timeout. Returns whether it had the message (-1: neither, the
+// link failed in between), when, and whether the writer's output succeeded.
 struct AltCase {
   double cut;
   Priority writer, reader;
@@ -71,7 +71,7 @@ TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
         EXPECT_EQ(found.at(0) == 1, found.at(2) == 1) << cut;
         ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
       }
-  for (int times : seen) EXPECT_GT(times, 0);  // in the middle; never; before
+  for (int times : seen) EXPECT_GT(times, 0);  // in between; never; before
 }
 
 TEST(AltFailure, OtherGuardsGoOn) {
@@ -101,7 +101,7 @@ std::string deadlock_of(double cut, const std::function<void(Lab&, Processor&, P
   });
 }
 
-// It does not put off the date of a deadlock that it does not change.
+// A cut that does not affect a deadlock does not postpone its date.
 TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   const auto blocked = make_exact_model().channel.blocked.value;
   for (double cut : {0.0, 5000.0}) {
@@ -119,7 +119,7 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
-// Nor while the process is ahead of the clock.
+// The same while the process is ahead of the clock.
 TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {
@@ -129,7 +129,7 @@ TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   EXPECT_TRUE(report.starts_with("Deadlock of machine at 0\n")) << report;
 }
 
-// The end that may fail goes on, and the other blocks for ever; a server that inputs may.
+// The end with a failure alternative continues, the other blocks for ever; an inputting server may.
 TEST(FailureDeadlock, OfATransferThatWasCut) {
   const auto run = [](bool is_server, bool writer_may_fail) {
     return deadlock_of(500, [=](Lab& lab, Processor& a, Processor& b) {

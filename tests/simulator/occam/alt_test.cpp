@@ -1,4 +1,4 @@
-// ALT: which guard is taken, when, at what cost, and that nothing is lost.
+// ALT: the chosen guard, its time, its cost, and that nothing is lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,11 +14,11 @@ constexpr int CHANNELS = 3;
 constexpr std::int64_t LATE = 64 * 1024;  // by then every writer waits
 
 struct Choice {
-  unsigned waiting, open;  // a bit a channel
-  int skip;                // its place in the order, or -1
+  unsigned waiting, open;  // one bit a channel
+  int skip;                // place in the order, or -1
 };
 
-// Every set of writers that wait, under every set of conditions, with a SKIP in any place.
+// Every set of waiting writers, under every set of conditions, with a SKIP at any place.
 std::vector<Choice> make_choices() {
   std::vector<Choice> choices;
   for (unsigned waiting = 0; waiting < 1u << CHANNELS; ++waiting)
@@ -28,7 +28,7 @@ std::vector<Choice> make_choices() {
   return choices;
 }
 
-// The guards in order: the channels, with SKIP at its place. -1 stands for SKIP.
+// The guards in order: the channels, with SKIP at its place as -1.
 std::vector<int> make_order(const Choice& c) {
   std::vector<int> order;
   for (int i = 0; i < CHANNELS; ++i) order.push_back(i);
@@ -50,7 +50,7 @@ double expected_cost(const Model& model, const Choice& c, int taken) {
   return static_cast<double>(cost.value + (taken < 0 ? 0 : soft_cost(model, 4)));
 }
 
-// For each choice: the index chosen, and the cycles from before the ALT to after the input.
+// For each choice: the chosen index, and the cycles from before the ALT to after the input.
 Numbers run_choices(const std::vector<Choice>& choices, Priority priority) {
   return isolated_numbers([&] {
     Lab lab;
@@ -111,8 +111,8 @@ TEST(Alt, CostsItsInstructionsAndTheInput) {
   EXPECT_EQ(excess_of_input, std::set<double>{0});
 }
 
-// A waiting ALT is woken by the first output, soft or hard, ahead of the clock or not; a later
-// one waits for the next ALT. `dates`: of the two outputs, in cycles after LATE.
+// The first output wakes a waiting ALT, soft or hard, ahead of the clock or not; the second waits
+// for the next ALT. `dates` are those of the two outputs, in cycles after LATE.
 struct Wake {
   bool hard[2];
   Priority reader, writer;
@@ -144,7 +144,7 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
         channels[i] = wake.hard[i] ? &lab.hard(from, cpu) : &lab.soft();
         from.start("writer", wake.writer, [&wake, channel = channels[i], i] {
           wait_until_cycle(LATE);
-          compute(wake.dates[i]);  // its own time is ahead of the clock, if it is of high priority
+          compute(wake.dates[i]);  // ahead of the clock, if it has high priority
           out(*channel, {4, static_cast<std::uint64_t>(i)});
         });
       }
@@ -174,8 +174,8 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
   }
 }
 
-// Waits for an open guard though a closed one is ready; takes SKIP only while nothing before it
-// is ready.
+// Waits for an open guard although a closed one is ready; takes SKIP only if no earlier guard is
+// ready.
 TEST(Alt, WordsOfOccam) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -199,7 +199,7 @@ TEST(Alt, WordsOfOccam) {
   EXPECT_EQ(found, (Numbers{2, 1, -2}));
 }
 
-// A high process is ahead of the clock when it comes to its ALT; what came meanwhile is there.
+// A high process is ahead of the clock at its ALT; outputs of the meantime are ready.
 TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
   for (bool reader_first : {false, true})
     for (auto priority : BOTH_PRIORITIES) {
@@ -225,8 +225,8 @@ TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
     }
 }
 
-// Writers with random work between their messages; the reader's favourite is the one after the
-// last. Whoever waits is served within as many turns as there are channels.
+// Writers have random work between their messages; the reader favours the one after the last. Every
+// waiting writer is served within as many turns as there are channels.
 std::string check_fairness(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto n = 1 + random() % 8;
@@ -253,7 +253,7 @@ std::string check_fairness(std::uint64_t seed) {
     }
     std::string wrong;
     cpu.start("reader", reader_priority, [&] {
-      std::vector<std::uint64_t> next(n), turns(n);  // turns: since it has waited
+      std::vector<std::uint64_t> next(n), turns(n);  // turns: of waiting
       std::uint64_t left = 0;
       for (auto count : messages) left += count;
       for (std::size_t favourite = 0; left > 0; --left) {

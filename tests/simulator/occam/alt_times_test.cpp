@@ -1,4 +1,4 @@
-// What an ALT on one processor costs, for both orders of arrival: every time is a sum of rows.
+// Cost of an ALT on one processor, for both orders of arrival: every time is a sum of rows.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -9,8 +9,8 @@ namespace {
 struct Case {
   bool alt_first;
   Priority reader, writer;
-  int guards, chosen;  // channel guards, and which of them is written to
-  bool skip;           // a SKIP guard whose condition is false, in front
+  int guards, chosen;  // number of channel guards, and the one that is written to
+  bool skip;           // a SKIP guard with a false condition, in front
   std::uint64_t bytes;
 };
 
@@ -27,7 +27,7 @@ std::vector<Case> make_cases() {
   return cases;
 }
 
-constexpr std::int64_t DATE = 102'400;  // when the second comes
+constexpr std::int64_t DATE = 102'400;  // arrival of the second
 
 struct Times {
   double reader, writer, busy;
@@ -153,7 +153,7 @@ TEST(AltTimes, SkipIsNeverWaitedFor) {
       }
 }
 
-// The software factor multiplies each of an ALT's instructions, not what the machine does.
+// The software factor multiplies each of an ALT's instructions, not the machine's own work.
 TEST(AltTimes, SoftwareFactorMultipliesInstructionsOnly) {
   const Model model = make_complete_model();
   const auto cost = [&](double factor) {

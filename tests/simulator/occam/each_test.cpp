@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t INPUTS = 4;
 constexpr int MESSAGES = 6;  // of each writer
 
-// What a reader has seen: the input of each message, its content, and the cycle after it.
+// A reader's log: the input of each message, its content, and the cycle after it.
 using Reader = std::function<void(std::span<Channel<Words>* const>, Numbers&)>;
 
 void note(Numbers& seen, std::size_t input, const Words& message) {
@@ -63,8 +63,8 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
       pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
-// The same, guard by guard: each of the rest has the replicator's turn, and its channel's address
-// once more when it is taken; if the choice is fair, a division each time, and for the next
+// The same, guard by guard. Each of the rest takes the replicator's turn, and its channel's address
+// again when it is chosen. A fair choice takes a division each time, and one for the next
 // favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
@@ -114,7 +114,7 @@ TEST(Each, OfNoInputsLeavesTheOtherGuards) {
   EXPECT_EQ(taken, Numbers{1});
 }
 
-// An input of another kind: it adds its number to the content.
+// Another kind of input: it adds its number to the content.
 struct Numbered {
   Channel<Words>* channel;
   double number;

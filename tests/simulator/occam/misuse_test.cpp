@@ -1,4 +1,4 @@
-// What the machine refuses: who did it, to what, on which processor and when.
+// Misuse that the machine refuses: process, object, processor and time.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {
@@ -25,10 +25,10 @@ void try_to_input(Channel<Words>& channel) { static_cast<void>(in_or_fail(channe
 struct Twins {
   bool writes, hard;
   Use first, second;
-  bool partner_comes = true;  // before the second: a message is under way if the channel is hard
+  bool partner_comes = true;  // before the second: on a hard channel a message is under way
 };
 
-// Alice uses the channel from the start, Bob from COMES_AT on while she does.
+// Alice uses the channel from the start; Bob joins her at COMES_AT.
 void start_twins(Lab& lab, const Twins& twins, Priority priority) {
   auto& a = lab.cpu();
   auto& b = twins.hard ? lab.neighbour(a) : a;
@@ -76,8 +76,8 @@ TEST(Misuse, ASecondReaderIsRefused) {
     }
 }
 
-// A low-priority process can lose the CPU between its first instruction of an output and its last:
-// another that comes then must not change its message.
+// A low-priority process can lose the CPU between the first and last instruction of an output.
+// Another writer that comes then must not change its message.
 TEST(Misuse, ASecondWriterIsRefusedBeforeTheFirstWaits) {
   const std::string report = failure_of([](Lab& lab) {
     auto& cpu = lab.cpu();
@@ -97,7 +97,7 @@ TEST(Misuse, ASecondWriterIsRefusedBeforeTheFirstWaits) {
   EXPECT_NE(report.find("while Alice on cpu 0 does"), std::string::npos) << report;
 }
 
-// One after the other, whoever they are, is no misuse: by a PAR, or told by a message.
+// Use in succession is no misuse: by a PAR, or after a message.
 TEST(Misuse, AnEndMayBeHandedOver) {
   for (const bool hard : {false, true}) {
     const auto found = isolated_numbers([&] {
@@ -131,7 +131,7 @@ TEST(Misuse, AnEndMayBeHandedOver) {
   }
 }
 
-// The time of the process that comes second is long after the first has left.
+// By its own time the second process comes long after the first has left.
 TEST(Misuse, OneWhoComesLaterByItsOwnTimeIsNotRefused) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -247,7 +247,7 @@ TEST(Misuse, AProcessTellsItsTimeOnlyToItself) {
                  });
 }
 
-// Cycles are whole, a duration is in seconds, and a bare number is neither.
+// Cycles are whole numbers, a duration is in seconds, and a bare number is neither.
 template <class... Amount>
 concept CanCharge = requires(Process& process, Amount... amount) {
   process.charge({amount...});

@@ -1,4 +1,4 @@
-// PAR: what it costs, and when it joins.
+// PAR: its cost, and its join.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -22,8 +22,8 @@ Tree make_tree(std::mt19937_64& random, int depth) {
   return tree;
 }
 
-// The last branch runs in the parent; each other costs its set-up, startp and endp; and the parent
-// its own endp. On one CPU nothing overlaps.
+// The last branch runs in the parent. Each other one costs its set-up, startp and endp, and the
+// parent its own endp. On one CPU nothing overlaps.
 std::int64_t expected_time(const Model& model, const Tree& tree) {
   const auto& costs = model.scheduler;
   std::int64_t time = tree.cycles;
@@ -35,7 +35,7 @@ std::int64_t expected_time(const Model& model, const Tree& tree) {
   return time;
 }
 
-// Runs it; returns its own time at its end. A parent goes on after all its branches.
+// Runs the tree; returns its own time at its end. A parent continues after all its branches.
 double run_tree(const Tree& tree, Priority priority, std::string& wrong) {
   compute(tree.cycles);
   double last = 0;
@@ -83,7 +83,7 @@ TEST(Par, JoinsAfterTheLastBranchAtTheSumOfAllTimes) {
     }
 }
 
-// PRI PAR: a high branch computes first whatever its place, and the parent joins both.
+// PRI PAR: a high branch computes first, at any place, and the parent joins both.
 TEST(Par, BranchesOfBothPrioritiesJoin) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -101,7 +101,7 @@ TEST(Par, BranchesOfBothPrioritiesJoin) {
   EXPECT_LT(found.at(0), found.at(2));
   const Model model = make_exact_model();
   const auto& costs = model.scheduler;
-  // Two high branches are started by runp; the low one is the parent itself.
+  // runp starts two high branches; the low one is the parent itself.
   const Cycles branch = costs.par_branch + costs.run_process + costs.preemption +
                         costs.end_process + costs.return_to_low;
   EXPECT_EQ(found.at(2),
@@ -136,7 +136,7 @@ TEST(Par, CostsItsRows) {
   EXPECT_EQ((s.start_process + 2 * s.end_process).value, 12 + 2 * 13);
 }
 
-// A PRI PAR: the high branch has the CPU as soon as it is started, and until it blocks or ends.
+// PRI PAR: the high branch gets the CPU at its start, and keeps it until it blocks or ends.
 TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -159,7 +159,7 @@ TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   EXPECT_EQ(found.at(3), started.value + 500 + (2 * s.end_process + s.return_to_low).value);
 }
 
-// What a process without debts is told of its time is exact: it has paid for the CPU's loss.
+// The time of a process without debts is exact: it has paid for its loss of the CPU.
 TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -179,7 +179,7 @@ TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   EXPECT_EQ(found.at(0), found.at(1));
 }
 
-// A low branch ends last and wakes its high parent. It has ended: that is no pre-emption.
+// A low branch ends last and wakes its high parent. As it has ended, that is no pre-emption.
 TEST(Par, LowBranchOfAHighParentWakesIt) {
   const Model model = make_complete_model();
   for (int low : {1, 2}) {
@@ -222,8 +222,8 @@ double resident_pages() {
   return resident;
 }
 
-// Branches come and go: the most processes there were beside the parent's, those left at the end,
-// and by how many pages of 4 KB the host's memory grew after the first thousand.
+// Branches start and end. Returns the largest number of processes beside the parent, the number
+// left at the end, and the growth of host memory after the first thousand, in 4 KB pages.
 Numbers run_branches(int turns, const std::function<void(Channel<Words>&)>& read) {
   return isolated_numbers([&] {
     Lab lab;
@@ -247,12 +247,12 @@ TEST(Par, LeavesNothingBehind) {
   const auto found = run_branches(100'000, [](Channel<Words>& channel) { channel.in(); });
   EXPECT_EQ(found.at(0), 1);
   EXPECT_EQ(found.at(1), 1);
-#ifndef __SANITIZE_ADDRESS__  // which keeps what was freed
+#ifndef __SANITIZE_ADDRESS__  // it keeps freed memory
   EXPECT_LT(found.at(2), 500);
 #endif
 }
 
-// Each branch leaves a timeout behind that has not fired; it does no harm, and costs little.
+// Each branch leaves an unfired timeout behind, which is harmless and cheap.
 TEST(Par, BranchesMayEndBeforeTheirTimeouts) {
   for (std::int64_t patience : {100, 1'000'000'000}) {
     const auto found = run_branches(50'000, [&](Channel<Words>& channel) {

@@ -1,4 +1,4 @@
-// Processes without a stack do what those with one do, at the same times.
+// Processes without a stack behave like those with one, at the same times.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -87,8 +87,8 @@ void start(Processor& cpu, Priority priority, bool has_stack, auto& body) {
     cpu.start("process", priority, body.without());
 }
 
-// Writers on the reader's processor, its companion and neighbours; messages whole, after a tag or
-// after their size.
+// Writers on the reader's processor, its companion and neighbours. Messages are whole, or follow a
+// tag or their size.
 Numbers run(std::uint64_t seed, Bodies bodies) {
   std::mt19937_64 random(seed);
   return isolated_numbers([&] {
@@ -123,7 +123,7 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
   });
 }
 
-// A function that makes a Proc would make one and drop it.
+// start() refuses a function that returns a Proc: it would create one and drop it.
 template <class Body>
 concept CanStart = requires(Processor& cpu, Body body) {
   cpu.start("", Priority::low, body);
@@ -180,7 +180,7 @@ TEST(Proc, EndsWhenItsOwnTimeHasCome) {
   EXPECT_EQ(cycles, Numbers{700});
 }
 
-// As the manual has it.
+// As in the manual.
 Proc relay(Channel<Words>& from, Channel<Words>& to) {
   for (;;) co_await to.output(co_await from.input());
 }
@@ -204,7 +204,7 @@ TEST(Proc, PassesOnWhatItAwaits) {
   EXPECT_EQ(found, (Numbers{0, 1, 2}));
 }
 
-// What a guard does throws, be the message there already or not.
+// A guard's action throws, whether or not the message was already there.
 TEST(Proc, CatchesWhatIsThrownInAnAlt) {
   const auto found = isolated_numbers([] {
     Numbers caught;
@@ -234,7 +234,7 @@ TEST(Proc, CatchesWhatIsThrownInAnAlt) {
   EXPECT_EQ(found, (Numbers{7, 7}));
 }
 
-// An ALT without an open guard that has had to wait before it finds out.
+// An ALT without an open guard, which it finds out only after a wait.
 TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -254,7 +254,7 @@ TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1}));
 }
 
-// The same with a stack, which then goes on as before.
+// The same with a stack; the body then continues.
 TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -278,14 +278,14 @@ TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1, 7}));
 }
 
-// What it holds is given back when the machine is gone, or when the body has ended.
+// Its objects are destroyed with the machine, or when the body has ended.
 TEST(Proc, IsUnwoundWhereItWaits) {
   const auto found = isolated_numbers([] {
     const auto held = std::make_shared<int>(1);
     double while_it_ran = 0;
     {
       Lab lab;
-      // Its destructor asks for the process.
+      // Its destructor uses the process.
       struct Asks {
         ~Asks() { EXPECT_EQ(this_process().name(), "process"); }
       };

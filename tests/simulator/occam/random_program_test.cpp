@@ -1,5 +1,5 @@
-// Random programs of everything at once: PARs, timeouts, soft and hard channels, computation, both
-// priorities. They end, lose nothing, and every cycle is accounted for.
+// Random programs with PARs, timeouts, soft and hard channels, computation, and both priorities.
+// They end, lose nothing, and account for every cycle.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,8 +9,8 @@
 namespace occam {
 namespace {
 
-// A pair of processes on one channel: the writer computes and outputs, the reader takes each
-// message by an input or by an ALT with a timeout, which it takes again if it came too late.
+// A pair of processes on one channel: the writer computes and outputs. The reader takes each
+// message by an input, or by an ALT with a timeout that it repeats until the message comes.
 struct Rendezvous {
   bool hard, by_alt, in_par;
   Priority writer, reader;
@@ -57,7 +57,7 @@ void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
       bool late = false;
       pri_alt(when(channel, got, [&] { received = true; }), after(deadline, [&] { late = true; }));
       if (late) {
-        patience *= 2;  // lest it leave no time for anybody else
+        patience *= 2;  // leaves time for the others
         ++tally.timeouts;
         if (read_timer() < deadline) tally.wrong += "a timeout came early\n";
       }
@@ -68,7 +68,7 @@ void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
   }
 }
 
-// Optionally as a branch of a PAR, whose parent does nothing else.
+// Optionally as a branch of a PAR whose parent does nothing else.
 void start(Processor& cpu, const Rendezvous& pair, Priority priority, std::function<void()> body) {
   if (!pair.in_par) {
     cpu.start("process", priority, std::move(body));
@@ -89,7 +89,7 @@ std::string run(std::uint64_t seed, const Model& model) {
     std::deque<Tally> tallies;
     int hard = 0;
     for (const Rendezvous& pair : pairs) {
-      const bool forward = pair.hard && hard++ == 0;  // the second the other way
+      const bool forward = pair.hard && hard++ == 0;  // the second in the other direction
       Processor& from = pair.hard ? (forward ? here : there) : here;
       Processor& to = pair.hard ? (forward ? there : here) : here;
       auto& channel = pair.hard ? lab.hard(from, to) : lab.soft();

@@ -1,4 +1,4 @@
-// What each processor does for others, counted over the routes.
+// Each processor's work for others, counted over the routes.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/programs/run_program.hpp"

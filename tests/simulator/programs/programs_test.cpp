@@ -1,4 +1,4 @@
-// Every program at its defaults, on a small network; what each measures is checked by experiments.
+// Every program at its defaults, on a small network; experiments check the measurements.
 #include "simulator/programs/programs.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST(Programs, ProgressiveRefinementTellsItsCyclesSoFar) {
   EXPECT_EQ(told, std::string(told.size(), '+'));
 }
 
-// The sender starts its link; then the bytes, one after the other.
+// The start of the sender's link, then the bytes one after the other.
 TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   const auto model = occam::make_exact_model();
   const auto& message = get_program("message");
@@ -100,7 +100,7 @@ TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   }
 }
 
-// One processor has no link, and its only queue is its own client's.
+// One processor has no link; its only queue is its client's.
 TEST(Programs, ANetworkDeliversToItsSender) {
   const auto model = machine::load_model("t805-25");
   const auto found = occam::isolated_numbers([&] {
@@ -109,10 +109,10 @@ TEST(Programs, ANetworkDeliversToItsSender) {
     return occam::Numbers{get_number(row, "latency_s"), get_number(row, "guards")};
   });
   EXPECT_GT(found.at(0), 0);
-  EXPECT_EQ(found.at(1), 2);  // its queue's: the entry, and the sender that is free again
+  EXPECT_EQ(found.at(1), 2);  // the queue's: the entry, and the sender becoming free
 }
 
-// A user's limit that comes first ends such a program without numbers, and is there afterwards.
+// A user's earlier limit ends such a program without numbers; a later one has no effect.
 TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
   const auto model = machine::load_model("t805-25");
   const auto& program = get_program("random_traffic");
@@ -152,7 +152,7 @@ TEST(Programs, OfRoutersNeedTwoProcessors) {
         << name;
 }
 
-// Two messages are sent within the window of 2 ms. One arrives a moment after the window's end.
+// Two messages are sent within the window of 2 ms. One arrives shortly after its end.
 TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
   const auto found = occam::isolated([] {
     const auto model = machine::load_model("t805-25");

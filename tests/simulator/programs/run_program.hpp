@@ -1,4 +1,4 @@
-// Runs a program by name, with parameters by name, as an experiment file does.
+// Runs a program by name, with parameters by name, like an experiment file.
 #pragma once
 
 #include <map>
@@ -11,12 +11,12 @@ namespace programs {
 
 using Settings = std::map<std::string, base::Scalar>;
 
-inline const Program& get_program(const std::string& name) {
-  if (const Program* program = find_program(name)) return *program;
-  throw std::invalid_argument("no program " + name);
+inline const Program& get_program(std::string_view name) {
+  if (const Program* program = find_program(std::string(name))) return *program;
+  throw std::invalid_argument("no program " + std::string(name));
 }
 
-// Throws std::invalid_argument for what a program has no parameter for, or what one does not allow.
+// Throws std::invalid_argument for an unknown parameter or an invalid value.
 inline Outcome<Row> run_program(const Program& program, const Setup& setup,
                                 const Settings& settings = {}) {
   std::any params = program.defaults;
@@ -33,7 +33,7 @@ inline Outcome<Row> run_program(const std::string& name, const Setup& setup,
   return run_program(get_program(name), setup, settings);
 }
 
-// On a small network, where the program uses one.
+// On a small network, if the program uses one.
 inline Setup make_small_setup(const machine::Model& model, const Program& program) {
   Setup setup{model, topologies::make_topology(program.uses.network ? "tree:4" : "line:1")};
   if (program.uses.routes) setup.routes = topologies::make_routes(setup.topology);

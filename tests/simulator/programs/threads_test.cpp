@@ -1,4 +1,4 @@
-// Programs that run on several threads give the rows that they give on one.
+// Programs give the same rows on several threads as on one.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/programs/run_program.hpp"
@@ -7,7 +7,7 @@
 namespace programs {
 namespace {
 
-// What a small run measures, and its number of events.
+// A small run's rows and number of events.
 std::pair<std::vector<Row>, std::uint64_t> run_in_parts(const Program& program,
                                                         const std::string& topology, int threads) {
   static const auto model = machine::load_model("t805-25");

@@ -1,19 +1,19 @@
-/* Our own router: a receiver for each way in, a sender for each link out, and before the client an
- * inbox and its deliverer. -DINBOX=messages that fit into the inbox.
+/* Our own router: a receiver for each input, a sender for each output link, and before the client an
+ * inbox with its deliverer. -DINBOX=capacity of the inbox in messages.
  *
- * A receiver or a sender takes a message, then outputs it: it is a place for one, and a rendezvous
- * moves a message from a full place to an empty one. As such places they are modelled: the states are
- * those of processes. A wire is crossed as soon as both ends can: nothing else could use either
- * meanwhile, or be kept from anything, so that putting it off would lead to no other end. */
+ * A receiver or a sender takes a message, then outputs it. It is modelled as a place for one message,
+ * with the states of the process; a rendezvous moves a message from a full place to an empty one.
+ * A message crosses a wire as soon as both ends can: nothing else could use either end meanwhile, or
+ * would be held up. A later crossing would therefore lead to no other end. */
 #include "network.pml"
 
-/* 1 + destination; 0: listens */
-byte sender[2 * N];   /* of the wire of that number: at its start */
+/* 1 + destination; 0: empty, listening */
+byte sender[2 * N];   /* by wire: at its start */
 byte receiver[2 * N]; /* at its end */
 byte client_receiver[N];
 byte inbox[N]; /* messages */
 
-#define AT(place) (place - 1) /* the destination of what is there */
+#define AT(place) (place - 1) /* destination of the message there */
 #define MOVE(from, to) to = from; from = 0
 #define CROSS(w) \
   if \
@@ -21,7 +21,7 @@ byte inbox[N]; /* messages */
   :: else \
   fi
 
-/* What is in a place goes to the sender of link k, or into the inbox. */
+/* Moves a message from its place to the sender of link k, or into the inbox. */
 #define TO_LINK(place, k) \
   place != 0 && AT(place) != p && LINK(p, AT(place)) == k && sender[2 * p + k] == 0 -> \
   MOVE(place, sender[2 * p + k]); \

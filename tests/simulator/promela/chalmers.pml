@@ -1,5 +1,5 @@
-/* Chalmers's router (figure 5.11): while a message is sent, all that come are memorised.
- * -DBUFFER=messages that fit, beside the one that is being sent. */
+/* Chalmers's router (figure 5.11): it stores all messages that arrive during a send.
+ * -DBUFFER=capacity in messages, beside the one being sent. */
 #include "network.pml"
 
 chan buffer[N] = [BUFFER] of { byte };
@@ -13,7 +13,7 @@ chan to_handle_input[N] = [0] of { bit };
   :: from_client[p]?d \
   fi
 
-/* The half of the PRI PAR that sends. */
+/* The sending half of the PRI PAR. */
 proctype sending(byte p) {
   byte d;
 end:

@@ -1,11 +1,11 @@
 /* Green's router (figures 5.12 to 5.14): senders towards the client and lower-numbered neighbours,
  * a FIFO before each; the main process outputs to higher-numbered neighbours itself.
- * -DLINK_FIFO, -DCLIENT_FIFO: messages that fit before a link's sender and before the client's.
+ * -DLINK_FIFO, -DCLIENT_FIFO: capacity in messages before a link's sender and before the client's.
  * -DREFUSE: main listens to no input while any FIFO is full.
  * -DHOLD_ALL: main does not listen to its client while any FIFO is full, the client's own too. */
 #include "network.pml"
 
-#define CLIENT 2 /* the client's way out, beside links 0 and 1 */
+#define CLIENT 2 /* the client's output, beside links 0 and 1 */
 #define WAYS 3
 #define WAY(p, d) (d == p -> CLIENT : LINK(p, d))
 #define HAS_SENDER(p, k) ((k) == CLIENT || NEXT(p, k) < p)
@@ -31,7 +31,7 @@ chan to_sender[N * WAYS] = [0] of { byte };
 #define LISTENS_TO_CLIENT(p) true
 #endif
 
-/* The first signal has been given before the start. */
+/* The first signal was given before the start. */
 #define SENDER(k, output) \
   byte d; \
   end: \
@@ -55,7 +55,7 @@ proctype router(byte p) {
   byte d, k;
   bool ready[WAYS] = true;
 end:
-  do /* an ALT without priorities: it can do all that the PRI ALT can, and more */
+  do /* an ALT without priorities: it allows all choices of the PRI ALT, and more */
   :: SERVE_SENDER(0)
   :: SERVE_SENDER(1)
   :: SERVE_SENDER(CLIENT)

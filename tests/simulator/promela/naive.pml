@@ -1,4 +1,4 @@
-/* The naive router: takes a message from anywhere, then outputs it, and does nothing else meanwhile. */
+/* The naive router: takes a message from any input, then outputs it, and does nothing else meanwhile. */
 #include "network.pml"
 
 proctype router(byte p) {

@@ -1,7 +1,7 @@
-/* What the routers' models share: four processors of two links each, the routes, the clients.
+/* Shared by the routers' models: four processors with two links each, the routes, the clients.
  * -DRING or -DMESH; -DW=messages that each client sends; -DRECEPTIVE: clients receive while they send;
- * -DOPPOSITE: to the opposite corner only, else to any other processor; -DUP_DOWN: on the ring, routes
- * go up and then down (root 0), which changes one of them: from 1 to 3 over 0, not over 2.
+ * -DOPPOSITE: only to the opposite corner, else to any other processor; -DUP_DOWN: on the ring, routes
+ * go up and then down (root 0). This changes one route: from 1 to 3 over 0, not over 2.
  *
  * RING  0 - 1     routes go the shorter way,     MESH  0 - 1     routes go along the row,
  *       |   |     clockwise (0 1 2 3) between          |   |     then along the column
@@ -30,11 +30,11 @@
 chan wire[CLOSED + 1] = [0] of { byte };   /* a message is its destination */
 chan from_client[N + 1] = [0] of { byte }; /* from_client[N]: not listened to */
 chan to_client[N] = [0] of { byte };
-byte delivered; /* messages, in all */
+byte delivered; /* messages in total */
 bool failed;    /* a buffer overflowed */
 
-/* Where a full buffer ends: a fault, not a deadlock. The assertion reports it (pan -A: not), and the
- * loop keeps what follows from being taken for a deadlock. */
+/* A full buffer ends here: a fault, not a deadlock. The assertion reports it (except with pan -A), and
+ * the loop keeps the halt from being taken for a deadlock. */
 #define OVERFLOW \
   overflow: \
     failed = true; \
@@ -43,7 +43,7 @@ bool failed;    /* a buffer overflowed */
     :: failed \
     od
 
-/* Clients end when every message has been delivered: nowhere else may they be found waiting. */
+/* Clients end once every message is delivered: waiting anywhere else is a deadlock. */
 #define RECEIVE atomic { to_client[p]?eval(p) -> delivered++; assert(delivered <= N * W) }
 #ifdef OPPOSITE
 #ifdef RING
@@ -77,7 +77,7 @@ proctype client_receives(byte p) {
 }
 #define START_CLIENT(p) run client_sends(p); run client_receives(p)
 #else
-/* Sends or receives, in any order; while it sends, it does not receive. */
+/* Sends or receives, in any order; it does not receive during a send. */
 proctype client(byte p) {
   byte sent;
   do

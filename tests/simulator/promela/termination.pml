@@ -1,34 +1,33 @@
-/* How the end of a phase is detected (docs/manual/termination.md): by credits, which are the pixels.
- * -DW=workers; -DSINGLE, -DDOUBLE=cells of one and of two pixels at the start; -DPHASES=the most phases.
+/* Termination detection of a phase (docs/manual/termination.md) by credits, which are the pixels.
+ * -DW=workers; -DSINGLE, -DDOUBLE=initial cells of one and of two pixels; -DPHASES=largest number.
  * -DREQUESTS: cells move as answers to requests; else any worker sends active ones to any other.
- * What must not be done:
- * -DNO_NUMBERS: reports do not say of which phase they are.
+ * Mistakes that the search must find:
+ * -DNO_NUMBERS: reports do not name their phase.
  * -DSENT_RETURNS: cells that are sent away are counted as returned.
  * -DPARKED_MOVE: a parked cell is sent, once in a run, and stays counted.
- * -DNO_RECOUNT: with new limits, what was reported under the old ones is not counted again.
+ * -DNO_RECOUNT: with new limits, pixels reported under the old ones are not counted again.
  * -DEMPTY: a division can make a daughter without pixels beside the others.
- * -DPATIENT: who has asked listens to nothing but the answer.
- * -DDEAF: who has stopped takes no messages any more.
+ * -DPATIENT: a worker with a request listens only to the answer.
+ * -DDEAF: a stopped worker takes no messages.
  * -DHASTY: workers are stopped before the display has its last answers.
  *
- * Cells of one size differ in nothing here: they are counted, not named. Messages on their way are
- * counted too, so that any overtakes any. Limits stay where they are: a worker can take any that are
- * newer than its own, which is what is left when older ones that come late are ignored. A report of an
- * older phase would be ignored, so that none is kept. Reports arrive pixel by pixel, so that the sums
- * that whole reports make are among those made here. Whether a cell is within the limits is chosen
- * anew whenever that is asked. */
+ * Cells of one size are equal here: they are counted, not named. Messages on their way are counted
+ * too, so that any may overtake any other. Limits are not sent: a worker may take any that are newer
+ * than its own, as if older, late ones were ignored. A report of an older phase would be ignored, so
+ * none is kept. Reports arrive pixel by pixel: the sums of whole reports are among those made here.
+ * Each check of a cell against the limits chooses its result anew. */
 #define AREA (SINGLE + 2 * DOUBLE)
 #define SIZES 3 /* of cells: 0, which only EMPTY makes, 1 and 2 pixels */
 #define AT(w, s) (SIZES * (w) + (s))
 
 /* The coordinator and the display. Phases are counted from 1. */
 byte begun;
-bool limited[PHASES + 1]; /* the last is not */
-byte reported;            /* pixels in reports of the phase begun last that have not arrived */
-byte sum;                 /* pixels in those that have */
-bool over;                /* what the display is told: the last phase is over */
-bool ended;               /* what it answers */
-bool stop;                /* what the workers are told then */
+bool limited[PHASES + 1]; /* not the last */
+byte reported;            /* pixels in reports of the latest phase on their way */
+byte sum;                 /* pixels in reports that have arrived */
+bool over;                /* message to the display: the last phase is over */
+bool ended;               /* the display's answer */
+bool stop;                /* message to the workers after that */
 
 /* The workers. */
 byte entered[W];      /* the phase; 0: no limits have come yet */
@@ -36,17 +35,17 @@ byte returned[W];     /* pixels not yet reported */
 byte finished[W];     /* pixels */
 byte open[SIZES * W]; /* active cells */
 byte parked[SIZES * W];
-byte moving[SIZES * W]; /* towards each */
+byte moving[SIZES * W]; /* on their way to each worker */
 byte stopped;           /* workers */
 #ifdef PARKED_MOVE
 bool parked_moved;
 #endif
 
-/* What a worker waits for: the processor that its request is on the way to, + 1, or one of these. */
+/* State of a worker's request: 1 + the processor it is on its way to, or one of these. */
 #define NOTHING 0
-#define UNHEARD (W + 1) /* the request came to one that had stopped */
+#define UNHEARD (W + 1) /* the request reached a stopped worker */
 #define REFUSAL (W + 2)
-#define TASK(s) (W + 3 + (s)) /* a cell of s pixels, which is in the answer */
+#define TASK(s) (W + 3 + (s)) /* the answer contains a cell of s pixels */
 byte request[W];
 
 /* The display's poll of a worker. */
@@ -105,7 +104,7 @@ inline enter() {
 #endif
 }
 
-/* A microtask: the cell is finished then, or beyond a limit, or divided. */
+/* A microtask: afterwards the cell is finished, beyond a limit, or divided. */
 inline work(s) {
   if
   :: finished[w] = finished[w] + s; returned[w] = returned[w] + s
@@ -129,7 +128,7 @@ inline report() {
   returned[w] = 0
 }
 
-/* Any other worker: the next, or one after it. */
+/* Any other worker: the next one, or one after it. */
 inline choose_other(v) {
   v = (w + 1) % W;
   do
@@ -202,7 +201,7 @@ progress_sent: skip
   od;
 end:
 #ifndef DEAF
-  do /* what comes now is taken and has no effect */
+  do /* messages are taken without effect */
   :: atomic { request[w] == REFUSAL -> request[w] = NOTHING }
   :: atomic { request[(w + 1) % W] == w + 1 -> request[(w + 1) % W] = UNHEARD }
   :: atomic { request[(w + 2) % W] == w + 1 -> request[(w + 2) % W] = UNHEARD }
@@ -211,7 +210,7 @@ end:
 #endif
 }
 
-/* Whether what w has contradicts that the phase is over. */
+/* Whether the state of w contradicts the end of the phase. */
 #define UNDONE(w) \
   (HAS(open, w) || HAS(moving, w) || request[w] > REFUSAL || \
    (entered[w] != begun && (finished[w] > 0 || HAS(parked, w))))
@@ -270,7 +269,7 @@ proctype display() {
 init {
   byte w, cells;
   atomic {
-    do /* the cells go to any workers */
+    do /* cells go to arbitrary workers */
     :: cells < SINGLE + DOUBLE ->
        if
        :: w = 0
@@ -296,6 +295,6 @@ init {
     run coordinator();
     run display()
   }
-  /* Nobody may be left waiting, and no message on its way: only here does a run end. */
+  /* A run ends only here: no process may wait, and no message may be on its way. */
   ended && stopped == W && !ANY(ON_WAY)
 }

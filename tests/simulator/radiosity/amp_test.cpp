@@ -1,4 +1,4 @@
-// Radiosity on a machine: what it computes, whatever the machine, and what it takes.
+// Radiosity on a machine: its results, on any machine, and its times.
 #include "base/errors.hpp"
 #include "simulator/radiosity/radiosity.hpp"
 
@@ -106,7 +106,7 @@ TEST(Amp, EveryFrameIsTheSequentialSolutionAfterItsShots) {
   });
 }
 
-// With one processor nothing is lost but rounds' decisions; with many the shares are of all time.
+// One processor loses only the rounds' decisions; on many the shares are of the total time.
 TEST(Amp, LossesAddUp) {
   const Mesh mesh = make_room(0, 4);
   for (const char* topology : {"line:1", "mesh:3x3"})
@@ -134,7 +134,7 @@ TEST(Amp, LossesAddUp) {
       });
 }
 
-// The machine's time is its kernels' cycles where there is nobody to wait for.
+// Without waiting, the machine's time is its kernels' cycles.
 TEST(Amp, OneProcessorTakesItsKernelsTime) {
   const Mesh mesh = make_room(0, 3);
   const Params params = make_params(5);
@@ -167,7 +167,7 @@ TEST(Amp, SharedGeometryGivesTheSameSolution) {
       });
 }
 
-// All of another model make another machine; some of them compute the same, and the rest wait.
+// Another model on all processors is another machine; on some, the other processors wait.
 TEST(Amp, ProcessorsOfOtherModels) {
   const Mesh mesh = make_room(1, 3);
   for (const double cache_percent : {0., 30.}) {
@@ -180,7 +180,7 @@ TEST(Amp, ProcessorsOfOtherModels) {
     const auto quick_run = run("ring:5", mesh, params);
     const auto slow_run = run("ring:5", mesh, params, "t800-20");
     EXPECT_EQ(run("ring:5", mesh, all).time_s, slow_run.time_s);
-    // One slow processor: at least of the one with most to do the others have to wait.
+    // One slow processor: the others wait, at least if it has the most work.
     double latest = 0, most_unequal = 0;
     for (int id = 0; id < 5; ++id) {
       Params one = params;
@@ -218,7 +218,7 @@ TEST(Amp, RefusesWhatCannotBe) {
             std::string::npos);
 }
 
-// Kernels that are timed are run again, on a state of their own.
+// Timed kernels run again, on a copy of the state.
 TEST(Amp, TimedKernelsComputeTheSame) {
   const Mesh mesh = make_room(1, 2);
   for (const double cache_percent : {0.0, 50.0})
@@ -253,9 +253,8 @@ TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {
             "out of memory");
 }
 
-// The longer a copy takes to begin, by so many cycles longer are processors busy with each colour
-// that goes into a message or out of it. (Routers begin as many copies, whatever the borders'
-// length.)
+// A longer set-up of copies costs processors these cycles for each colour that enters or leaves a
+// message. (The number of the routers' copies does not depend on the borders' length.)
 TEST(Amp, ColoursOfMessagesAreCopied) {
   constexpr int SHOTS = 3, MORE = 1000;
   const auto count_colours_of_borders = [](const Mesh& mesh) {
@@ -292,7 +291,7 @@ TEST(Amp, ColoursOfMessagesAreCopied) {
               1, 0.01);
 }
 
-// A strip is cut across, whichever way it lies.
+// A strip is cut across, whatever its direction.
 TEST(AmpDistribution, TilesAreCutAcrossTheLongerSide) {
   for (const int axis : {0, 1, 2}) {
     const radiosity::Vec axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -344,7 +343,7 @@ TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
     }
 }
 
-// A patch that sends by its corners takes three colours more than one that sends its mean.
+// A patch that sends its corners needs three colours more than one that sends its mean.
 TEST(AmpMessages, AreAsLongAsWhatTheySay) {
   const auto model = machine::load_model("t805-25");
   const auto colour = get_bytes(model, "colour");

@@ -1,4 +1,4 @@
-// Data managers with a processor of their own, beside those that take turns with the application.
+// Data managers with their own processor, compared with managers that share the application's.
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
@@ -20,7 +20,7 @@ machine::Model make_model(const char* access, const char* look_up) {
                                  "tests");
 }
 
-// What the application of a processor did, and when it was through.
+// The data use of a processor's application, and its end.
 struct Done {
   DataUse use;
   double end_s = 0;
@@ -28,7 +28,7 @@ struct Done {
 
 using Application = std::function<void(int id, DataManager&)>;
 
-// A line whose first processor serves; the others' applications have companions if it is double.
+// A line; the first processor serves. With `is_double` the other applications have companions.
 struct Line {
   Line(const machine::Model& model, bool is_double, Scheme scheme, const Application& application)
       : machine(model), catalogue(make_catalogue(ITEMS, ITEM)) {
@@ -81,8 +81,8 @@ void make_accesses(int id, DataManager& manager) {
   }
 }
 
-// The list of a cache is the same before each record comes: so what is found there is, even where
-// the list takes much longer than what is looked up.
+// A cache's list is the same before each record arrives; hence local finds agree. This holds even
+// if the list takes much longer than the lookup.
 TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
   for (const auto scheme : {Scheme::items, Scheme::pages})
     for (const auto& [access, look_up] : {std::pair("8500", "4250"), {"20000", "100"}}) {
@@ -114,7 +114,7 @@ TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
     }
 }
 
-// Accesses are noted faster than the list is put into order: the application waits for room.
+// Accesses arrive faster than the list is ordered: the application waits for room.
 TEST(CompanionManager, TheQueueOfAccessesHasABound) {
   constexpr int ACCESSES = 300, MOST = 65;
   const auto found = occam::isolated_numbers([] {
@@ -123,12 +123,12 @@ TEST(CompanionManager, TheQueueOfAccessesHasABound) {
     });
     return occam::Numbers{run.done[1].end_s, static_cast<double>(run.done[1].use.accesses())};
   });
-  EXPECT_EQ(found.at(1), ACCESSES);  // and one that was asked for
+  EXPECT_EQ(found.at(1), ACCESSES);  // plus one requested
   EXPECT_GT(found.at(0), (ACCESSES - MOST) * 19'900 / 25e6);
 }
 
-// The second processor of the line has the item, and computes for a second. The third, which asks
-// for it, hears from it then, or at once.
+// The second processor of the line has the item, and computes for a second. The third requests it
+// and receives it after that second, or immediately.
 TEST(CompanionManager, ServesWhileTheApplicationComputes) {
   const auto measure = [&](bool is_double) {
     return occam::isolated_numbers([&] {

@@ -1,4 +1,4 @@
-// Virtual shared memory on random networks: every access gets its item, whatever the scheme.
+// Virtual shared memory on random networks: every access gets its item, under any scheme.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +17,7 @@ using shared_memory::Level;
 
 constexpr std::uint64_t ITEM = 40;
 
-// Quick managers that look at once, so that processors meet more often.
+// Fast managers that check immediately, so that requests meet more often.
 const machine::Model& model() {
   static const auto quick = machine::override_model(
       "t805-25", {{"operation.data_access", "1000"}, {"software.idle_period", "0"}}, "tests");
@@ -40,7 +40,7 @@ std::vector<DataPass> run_on(const topologies::Topology& topology, const DataLoa
                   network::make_routing(load.network.method, topology, routes), load);
 }
 
-// All that is counted, by pass.
+// All counts, by pass.
 occam::Numbers numbers_of(const std::vector<DataPass>& passes) {
   occam::Numbers numbers;
   for (const auto& pass : passes) {
@@ -127,8 +127,8 @@ TEST(DataManagers, EveryAccessGetsItsItem) {
   }
 }
 
-// On a line, where all ask the coordinator at its end through each other: for few items, so that
-// several ask for the same at once.
+// A line: all requests to the coordinator at its end pass the others. The items are few, so that
+// several processors request the same one at once.
 TEST(DataManagers, PathAndQueueSpareRequests) {
   const auto line = topologies::make_line(7);
   occam::Numbers with(COLUMNS), without_queue(COLUMNS), direct(COLUMNS);
@@ -158,13 +158,13 @@ TEST(DataManagers, ACacheForAllAsksOnce) {
   auto load = make_load(50, 50, 400);
   load.passes = 2;
   const auto n = measure(topologies::make_topology("mesh:3x3"), load);
-  EXPECT_EQ(n[REQUESTS], 8 * 50);  // each item is drawn in 400 times
+  EXPECT_EQ(n[REQUESTS], 8 * 50);  // 400 draws reach every item
   EXPECT_EQ(n[DISK], 50);
   EXPECT_EQ(n[COLUMNS + REQUESTS], 0);
   EXPECT_EQ(n[COLUMNS + LOCAL], 8 * 400);
 }
 
-// All that a local access takes: a look at the channel, two data instructions' worth, no message.
+// The whole cost of a local access: a look at the channel, two data instructions, no message.
 TEST(DataManagers, ALocalAccessTakesTheCalibratedTime) {
   auto load = make_load(1, 1, 1000);
   load.passes = 2;
@@ -212,7 +212,7 @@ TEST(DataManagers, BadInputIsNamed) {
   EXPECT_EQ(refusal(make_load(10, 1, 1)), "");
 }
 
-// Who looks at a run is told of each processor's cache, and of no other processor.
+// A program that inspects the run sees each processor's own cache, and no other.
 TEST(DataManagers, EachIsShownWithItsNumbers) {
   struct Reader : observe::Onlooker {
     void begin(const machine::Machine&, const observe::View& shown) override { view = shown; }

@@ -1,4 +1,4 @@
-// The cache against a naive one: a list that is searched.
+// The cache, compared with a naive one: a searched list.
 #include "simulator/shared_memory/lru_cache.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What programs that trace rays have in common: their columns, and what is refused.
+// Shared by programs that trace rays: their columns and refusals.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -60,7 +60,7 @@ TEST(Scenes, HaveAtLeastOneObject) {
   EXPECT_NE(objects->assign(scene, std::int64_t{0}), "");
 }
 
-// From the first task, as all times are, and not from the beginning of the set-up.
+// Times count from the first task, like all times, not from the beginning of the set-up.
 TEST(KeyImages, HaveTheirTimesAfterTheSetUp) {
   renderer::Params image;
   image.width = image.height = 1;
@@ -95,7 +95,7 @@ TEST(Models, EachHasItsWorkersBusyShareAndTasks) {
                 "each"}));
 }
 
-// A key image of a stage has a pixel in four that is not black; one at an order does not count.
+// One pixel in four of a stage's key image is lit; key images of orders do not count.
 TEST(Stages, HaveTheShareOfTheirImagesThatIsLit) {
   Rendering r;
   r.key_images = {{{1}, "stage1", {0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0}},
@@ -107,7 +107,7 @@ TEST(Stages, HaveTheShareOfTheirImagesThatIsLit) {
   EXPECT_EQ(lit, (std::vector{0.25, 0.75}));
 }
 
-// Of data: a cell in every column where a key is given, whether or not anything is shared.
+// Data columns: a cell in every column if a key is given, with or without sharing.
 TEST(DataColumns, AreThereWithAKeyAndEmptyWithoutSharing) {
   const auto row_of = [](bool is_given, bool is_shared) {
     DataFigures figures{.is_given = is_given, .use = {}};

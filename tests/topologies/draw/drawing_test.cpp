@@ -1,4 +1,4 @@
-// Drawings of topologies: where things are in them, by an XML parser, and the layouts beneath.
+// Drawings of topologies: positions of their elements, read by an XML parser, and the layouts.
 #include "topologies/draw/drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Place place_of(const Tree& element, const char* x, const char* y) {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// What a drawing has of a processor, and of a link's ends: first the second one's port.
+// Elements of a drawing: circles by processor; ports by link, the second end's port first.
 struct Drawn {
   std::map<std::string, std::vector<Place>> circles;
   std::map<std::string, std::vector<std::pair<std::string, Place>>> ports;
@@ -49,8 +49,8 @@ Drawn read_drawing(const std::string& svg) {
   return drawn;
 }
 
-// The root has a circle around its own; a port is written beside its processor, as far from its
-// middle as six tenths of a unit along the link and 0.16 units across are.
+// The root has a second circle around its own. A port's number stands beside its processor: its
+// distance from the middle is 0.6 units along the link and 0.16 units across.
 TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   if (std::system("dot -V 2> /dev/null") != 0) GTEST_SKIP() << "Graphviz is missing";
   constexpr double UNIT = 36, BASELINE = 2;  // points; from a letter's middle to its foot
@@ -77,7 +77,7 @@ TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   }
 }
 
-// A Bezier curve is half way at (a + 3 b + 3 c + d) / 8.
+// A Bezier curve's midpoint is (a + 3 b + 3 c + d) / 8.
 TEST(Layout, CurvesAreOffTheLineByTheirSwerveHalfWay) {
   std::mt19937 random(1);
   const auto place = [&] {
@@ -103,7 +103,7 @@ TEST(Layout, PlacesEveryProcessorAndLink) {
   }
 }
 
-// Graphviz would look for places of a thousand processors for seconds, of ten thousand for minutes.
+// Graphviz would take seconds to place a thousand processors, and minutes for ten thousand.
 TEST(Layout, OfALargeNetworkIsInRingsAroundItsRoot) {
   auto t = make_mesh(64, 128);
   t.shape = {};
@@ -120,7 +120,7 @@ TEST(Layout, HasALimit) {
             "(formats dot, graphml and csv have no limit)");
 }
 
-// Sixteen in a row, and in as few rows as that needs.
+// Sixteen in a row, in as few rows as possible.
 TEST(Layout, ALineOfMoreThan16HasRows) {
   for (const auto& [processors, rows] : {std::pair(16, 1), {17, 2}, {32, 2}, {33, 3}}) {
     std::set<double> heights;
@@ -130,7 +130,7 @@ TEST(Layout, ALineOfMoreThan16HasRows) {
   }
 }
 
-// However large it is, and however its rows come out.
+// For any size, and any division into rows.
 TEST(Layout, NeighboursInARingStandTogether) {
   for (int n = 3; n <= 300; ++n) {
     const auto t = make_ring(n);

@@ -1,4 +1,4 @@
-// Drawings of load: what is in them, by an XML parser; how they look was judged by eye.
+// Drawings of load: their elements, read by an XML parser; appearance was judged by eye.
 #include "topologies/draw/load_drawing.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ void find_tips(const Tree& tree, const std::string& of_class, std::vector<std::s
 std::vector<std::string> tips_of(const std::string& svg, const std::string& of_class) {
   std::istringstream in(svg);
   Tree tree;
-  read_xml(in, tree);  // throws where it is not well-formed
+  read_xml(in, tree);  // throws if it is not well-formed
   std::vector<std::string> tips;
   find_tips(tree, of_class, tips);
   return tips;
@@ -93,7 +93,7 @@ TEST(LoadDrawing, TakesAnyWiringAndAwkwardNames) {
   }
 }
 
-// Where a processor's name is written: in its middle.
+// Positions of the processors' names: the middles of the processors.
 void find_names(const Tree& tree, std::map<std::string, Place>& names) {
   for (const auto& [name, child] : tree) {
     if (child.get("<xmlattr>.class", "") == "node processor") {

@@ -37,7 +37,7 @@ TEST(TopologyRandomFormats, RoundTripWithPortsRootAndAwkwardLabels) {
   }
 }
 
-// Names that XML or JSON could not hold, or that would be others when they are read again.
+// Names that XML or JSON could not hold, or that would change when read again.
 TEST(TopologyNames, AreUtf8WithoutControlCharactersAndBlanksAtTheirEnds) {
   auto ring = make_topology("ring:3");
   for (const auto* name : {"a b", "a\nb", "\xc3\xa9", "a\x7f"}) {
@@ -126,7 +126,7 @@ TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
   EXPECT_EQ(describe_processor(t, 1), "\"w 10\"");
 }
 
-// As a C preprocessor leaves them: they do not name vertices.
+// Line markers of a C preprocessor: they name no vertices.
 TEST(TopologyDot, LinesThatBeginWithAHashAreComments) {
   const auto t = read_dot("# 1 \"net.dot\"\ngraph {\n# b -- a\na -- b // c\n}\n", "net.dot");
   EXPECT_EQ(t.labels, (std::vector<std::string>{"a", "b"}));
@@ -214,7 +214,7 @@ TEST(TopologySvg, IsDrawnOrSaysThatGraphvizIsMissing) {
       EXPECT_NE(svg.find("<svg"), svg.npos);
       EXPECT_NE(svg.find("</svg>"), svg.npos);
     }
-  // Places come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
+  // Positions come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
   const auto mesh = to_svg(make_topology("mesh:16x16"));
   EXPECT_NE(mesh.find("width=\"9"), mesh.npos) << mesh.substr(0, 800);
   const std::string path = getenv("PATH");

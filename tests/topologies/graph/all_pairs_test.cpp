@@ -11,8 +11,8 @@
 namespace topologies {
 namespace {
 
-// Every message walked, always to the neighbour on the lowest port that is nearer; over several
-// links to it in turn.
+// Walks every message, always to the nearer neighbour on the lowest port. Parallel links to it take
+// turns.
 AllPairs walk_all_pairs(const Topology& t) {
   const auto around = neighbours(t);
   std::map<std::pair<int, int>, std::size_t> sent;
@@ -99,7 +99,7 @@ TEST(TopologyOrbits, AreFoundWhereEachProcessorLooksTheSame) {
   EXPECT_EQ(count("amp:9"), 9);
 }
 
-// More pairs than one thread takes: the searches of 64 ends at once count the same.
+// More pairs than one thread takes; one search covers 64 ends at once.
 TEST(TopologyAllPairsOf, LargeNetworksAgreeWithTheirRoutes) {
   for (const unsigned seed : {1U, 2U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -115,7 +115,7 @@ TEST(TopologyAllPairsOf, LargeNetworksAgreeWithTheirRoutes) {
   }
 }
 
-// Sums of distances of lines and rings have closed forms, and so have those of their products.
+// Sums of distances have closed forms for lines, rings and their products.
 TEST(TopologyAllPairsOf, TheLargestMachinesAreKnown) {
   const std::int64_t n = 65536, side = 256;
   EXPECT_EQ(eval_all_pairs(make_line(65536)).distances.sum, n * (n * n - 1) / 3);

@@ -30,8 +30,8 @@ void expect_metrics(const Topology& t, const Expected& expected) {
   EXPECT_EQ(m.bisection_width, expected.bisection);
 }
 
-// The sum of distances over ordered pairs of a ring is n * floor(n^2 / 4), that of a line
-// n (n^2 - 1) / 3; in a product of graphs, each factor's counts once per pair in the other.
+// Sums of distances over ordered pairs: n * floor(n^2 / 4) for a ring, n (n^2 - 1) / 3 for a line.
+// In a product of graphs, a factor's distances count once per pair in the other factor.
 double ring_sum(double n) { return n * std::floor(n * n / 4); }
 double line_sum(double n) { return n * (n * n - 1) / 3; }
 double product_mean(double sum_r, double r, double sum_c, double c) {
@@ -76,8 +76,8 @@ TEST(TopologyClosedForms, Hypercube) {
   }
 }
 
-// A tree's distances add up over its links: one with s processors below it lies on 2 s (n - s)
-// ordered routes. The deepest level is dealt in turn: two of its nodes are always far apart.
+// Distances in a tree add up over its links: a link above s processors lies on 2 s (n - s) ordered
+// routes. Nodes of the deepest level go to subtrees in turn: two of them are always far apart.
 TEST(TopologyClosedForms, Tree) {
   for (int n = 2; n <= 60; ++n) {
     const auto t = make_tree(n);
@@ -98,7 +98,7 @@ TEST(TopologyClosedForms, Tree) {
   }
 }
 
-// Every way to halve the machine.
+// Tries every way to halve the machine.
 int brute_bisection(const Topology& t) {
   int best = static_cast<int>(t.links.size());
   for (unsigned half = 0; half < 1u << (t.processors - 1); ++half) {
@@ -122,8 +122,8 @@ TEST(TopologyBisection, IsTheLeastOfAllHalvings) {
   }
 }
 
-// Random wirings of up to 16 processors against every way to halve them; of 32 against what is
-// known of grids and cubes.
+// Random networks of up to 16 processors are compared with every way to halve them, grids and trees
+// of up to 32 with known results.
 TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
   const std::uint64_t seed = 20261125;
   std::mt19937_64 random(seed);
@@ -132,7 +132,7 @@ TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
     Topology t{"random", n, 0, {}, {}, {}};
     for (int p = 1; p < n; ++p) {
       const int links = 1 + static_cast<int>(random() % 3);
-      for (int i = 0; i < links; ++i)  // also several between two
+      for (int i = 0; i < links; ++i)  // parallel links occur
         t.links.push_back({{static_cast<int>(random() % static_cast<unsigned>(p)), 0}, {p, 0}});
     }
     EXPECT_EQ(eval_bisection(t), brute_bisection(t)) << "seed " << seed << ", trial " << trial;
@@ -151,7 +151,7 @@ TEST(TopologyBisection, IsUnknownOfManyWhereTheGeneratorDoesNotTellAndThereAreCy
   EXPECT_THROW(eval_bisection(t), base::BadInput);
 }
 
-// All-to-all load, counted by walking every route.
+// All-to-all load, counted along every route.
 TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -174,25 +174,25 @@ TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
   }
 }
 
-// 0 = 1 - 2, with two links between 0 and 1.
+// 0 = 1 - 2: two links between 0 and 1.
 TEST(TopologyTraffic, ParallelLinksShareAllToAllAndTreesTakeOne) {
   Topology t{"parallel", 3, 0, {}, {}, {}};
   t.links = {{{0, 0}, {1, 0}}, {{1, 1}, {2, 0}}, {{0, 1}, {1, 2}}};
   const auto load = eval_all_pairs(t).load;
-  EXPECT_EQ(load[0], (std::array<std::int64_t, 2>{1, 1}));  // of two messages each way
+  EXPECT_EQ(load[0], (std::array<std::int64_t, 2>{1, 1}));  // one of two messages each way
   EXPECT_EQ(load[1], (std::array<std::int64_t, 2>{2, 2}));
   EXPECT_EQ(load[2], (std::array<std::int64_t, 2>{1, 1}));
   EXPECT_EQ(eval_metrics(t).farm.messages, 2);
   t.links.push_back({{0, 2}, {1, 3}});
   const auto thirds = eval_all_pairs(t).load;
   EXPECT_EQ(thirds[0][0] + thirds[2][0] + thirds[3][0], 2);
-  EXPECT_EQ(thirds[0][0], 1);  // the lowest port has what is left over
+  EXPECT_EQ(thirds[0][0], 1);  // the lowest port takes the remainder
   EXPECT_EQ(thirds[3][0], 0);
 }
 
 TEST(TopologyTraffic, KnownLoads) {
   const auto line = eval_metrics(make_line(8));
-  EXPECT_EQ(line.farm.messages, 7);         // all but the root pass the root's link
+  EXPECT_EQ(line.farm.messages, 7);         // every processor but the root uses the root's link
   EXPECT_EQ(line.all_to_all.messages, 16);  // 4 x 4 pairs cross the middle each way
   EXPECT_EQ(eval_metrics(make_tree(7)).farm.messages, 2);
   EXPECT_EQ(eval_metrics(make_hypercube(4)).all_to_all.messages, 8);

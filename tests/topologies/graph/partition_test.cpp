@@ -9,7 +9,7 @@
 namespace topologies {
 namespace {
 
-// All parts are in use and of nearly one size, on whatever is joined.
+// All parts are in use and of nearly equal size, for every kind of network.
 TEST(Partition, MakesPartsOfNearlyOneSize) {
   for (const char* spec :
        {"line:7", "ring:64", "mesh:16x16", "torus:8x8", "hypercube:4", "tree:40"})

@@ -1,4 +1,4 @@
-// The minimum-path network: its links, how near its distances come to the least, the same anywhere.
+// The minimum-path network: its links, its distances compared with the least, reproducibility.
 #include "topologies/make/amp.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/graph/metrics.hpp"
@@ -7,8 +7,8 @@
 namespace topologies {
 namespace {
 
-// No network has shorter distances: from a processor with d links at most d others are one link
-// away, 3 d two links, 9 d three ...; the mean over the processors' links as they are.
+// A lower bound for any network. A processor with d links has at most d others at one link, 3 d at
+// two links, 9 d at three ... The bound is the mean over the processors, with the links they have.
 double least_mean_distance(const Topology& t) {
   double sum = 0;
   for (const auto& around : neighbours(t)) {
@@ -29,8 +29,8 @@ TEST(TopologyAmp, HasEveryLinkItsPortsAllowAndThreeAtTheRoot) {
     EXPECT_EQ(static_cast<int>(t.links.size()), (PORTS * n - 1) / 2) << n;
     EXPECT_EQ(neighbours(t)[0].size(), 3u) << n;
   }
-  for (int n = 2; n <= 4; ++n) EXPECT_EQ(mean_distance(make_amp(n)), 1) << n;  // all pairs
-  EXPECT_EQ(make_amp(5).links.size(), 9u);                                     // all but one
+  for (int n = 2; n <= 4; ++n) EXPECT_EQ(mean_distance(make_amp(n)), 1) << n;  // all pairs linked
+  EXPECT_EQ(make_amp(5).links.size(), 9u);                                     // all but one pair
 }
 
 TEST(TopologyAmp, IsNumberedLevelByLevel) {
@@ -51,7 +51,7 @@ TEST(TopologyAmp, DistancesAreNearTheLeast) {
   }
 }
 
-// The others give up one of four links at the root, as in the farm they do for its coordinator.
+// The other networks give up a link at the root, where the farm attaches its coordinator.
 TEST(TopologyAmp, IsNeverLongerThanARegularNetworkOfTheSameSize) {
   for (const auto* spec : {"torus:3x3", "torus:3x4", "torus:4x4", "torus:8x8", "hypercube:4",
                            "hypercube:3", "mesh:2x3", "mesh:5x5", "mesh:16x16", "ring:7", "tree:40",

@@ -42,7 +42,7 @@ TEST_P(TopologyGenerated, RootKeepsPortZeroWhenItHasAFreePort) {
   EXPECT_EQ(free_port(t, 0), full ? -1 : 0);
 }
 
-// Figure 4.21, from 1 to 7 workers and on: workers go to the parents of a level in turn.
+// Figure 4.21 for 1 to 7 workers, continued: workers go to the parents of a level in turn.
 TEST(TopologyTree, ParentsAreThoseOfFigure421) {
   const std::vector<int> parents{-1, 0, 0, 0, 1, 2, 3, 1, 2, 3, 1, 2, 3, 4, 5, 6};
   for (int n = 1; n <= 16; ++n) {
@@ -57,7 +57,7 @@ TEST(TopologyTree, ParentsAreThoseOfFigure421) {
 class TopologyBalance : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OfArity, TopologyBalance, testing::Values(1, 2, 3));
 
-// A level is dealt to its parents in turn, and so to their ancestors: no subtree gets ahead.
+// Nodes of a level go to parents in turn, and so to ancestors: subtrees stay balanced.
 TEST_P(TopologyBalance, SiblingsDifferByOneProcessorAtMost) {
   for (int n = 1; n <= 40; ++n) {
     const auto around = neighbours(make_tree(n, GetParam()));

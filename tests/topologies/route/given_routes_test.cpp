@@ -12,7 +12,7 @@ namespace {
 
 using Path = std::vector<int>;
 
-// The route of a table, hop by hop; cut off where it is a loop.
+// Follows a route of the table hop by hop; stops if it is a loop.
 Path walk(const Topology& t, const RoutingTable& routes, int from, int to) {
   const auto around = neighbours(t);
   Path path{from};
@@ -63,7 +63,7 @@ TEST(TopologyGivenRoutes, WithoutAnyAreTheShortest) {
   }
 }
 
-// Some paths along one random spanning tree, which cannot contradict each other.
+// Paths along one random spanning tree, which cannot contradict each other.
 TEST(TopologyGivenRoutes, OfRandomPathsAllArrive) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

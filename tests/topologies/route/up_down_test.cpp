@@ -11,7 +11,7 @@
 namespace topologies {
 namespace {
 
-// The part that each processor is in, by its lowest processor: the root's part by the root.
+// Each processor's connected part, named by its lowest processor: the root's part by the root.
 std::vector<int> find_parts(const Topology& t) {
   std::vector<int> part(t.processors, -1);
   const auto fill = [&](int start) {
@@ -25,7 +25,7 @@ std::vector<int> find_parts(const Topology& t) {
   return part;
 }
 
-// A way exactly where there is one, each hop over a link, as many as the table says.
+// A route exists exactly if a path does; each hop is a link, and their number is as the table says.
 void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   for (int to = 0; to < t.processors; ++to) {
@@ -50,7 +50,7 @@ void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   }
 }
 
-// No route has a link up after one down; up is nearer to the root, then the lower number.
+// No route goes up after down. Up is nearer to the root, or at equal distance the lower number.
 void expect_up_then_down(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   const auto part = find_parts(t);
@@ -76,7 +76,7 @@ void expect_valid_up_down(const Topology& t) {
   EXPECT_FALSE(closes_cycle(t, routes, make_tree_links(t)));
 }
 
-// random_topology, which any of its processors is the root of, and up to eight processors more.
+// A random_topology with any processor as its root, plus up to eight more processors.
 Topology random_machine(unsigned seed) {
   auto t = random_topology(seed);
   std::mt19937 random(seed + 1);
@@ -132,8 +132,8 @@ TEST(TopologyClosesCycle, OfShortestRoutesOnRingsAndTori) {
     EXPECT_FALSE(closes(spec)) << spec;
 }
 
-// Waiting links of all routes and of the tree, each walked; then links that wait for none are taken
-// away as long as there are any.
+// Collects all waits between links, of every route and of the tree. Then repeatedly removes links
+// that wait for none; a remainder means a cycle.
 bool closes_cycle_plainly(const Topology& t, const RoutingTable& routes, const TreeLinks& tree) {
   const int n = t.processors;
   const auto peers = make_peers(t);
@@ -200,7 +200,7 @@ TEST(TopologyClosesCycle, OfTheLargest) {
   }
 }
 
-// Messages to all count too: 0, 2, 3, 1 turns from south into the row, as no route does.
+// Messages to all count too: 0, 2, 3, 1 turns from south into the row, which no route does.
 TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
   const auto t = make_topology("mesh:2x2");
   const auto routes = make_routes(t);
@@ -208,7 +208,7 @@ TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
   EXPECT_TRUE(closes_cycle(t, routes, {{0, 2}, {1, 3}, {2, 3}}));
 }
 
-// Between 1 and 3 over the root, not over 2, which is below both: as in promela/network.pml.
+// Routes between 1 and 3 pass the root, not 2, which is below both; compare promela/network.pml.
 TEST(TopologyUpDownRules, RingOfFourTurnsOneRoute) {
   const auto routes = make_up_down_routes(make_topology("ring:4"));
   const std::vector<int> ports_to_3{1, 1, 2, -1};

@@ -1,4 +1,4 @@
-// Dimension order, and what messages between all pairs add up to on given routes.
+// Dimension-order routes, and link loads of all-to-all messages on given routes.
 #include <map>
 #include <numeric>
 
@@ -13,7 +13,7 @@
 namespace topologies {
 namespace {
 
-// Each route: processors from one end to the other.
+// Visits each route: its processors from one end to the other.
 template <typename Visit>
 void for_each_route(const Topology& t, const RoutingTable& routes, Visit visit) {
   const auto peers = make_peers(t);
@@ -52,7 +52,7 @@ TEST(TopologyXyRoutes, GoAlongTheRowFirstAndAreShortest) {
   }
 }
 
-// The fourth dimension is on port 0, the others on ports 1 to 3.
+// Hypercubes: the fourth dimension is on port 0, the others on ports 1 to 3.
 TEST(TopologyXyRoutes, OfHypercubesCorrectDimensionsByAscendingPort) {
   for (int d = 0; d <= 4; ++d) {
     const auto t = make_topology("hypercube:" + std::to_string(d));
@@ -76,7 +76,7 @@ TEST(TopologyXyRoutes, CloseNoCycleOnMeshesAndHypercubes) {
     EXPECT_TRUE(closes(spec)) << spec;
 }
 
-// Half of a row's processors send to the other half of the machine.
+// Half of a row's processors send to the other half of the machine over the row's middle link.
 TEST(TopologyXyRoutes, LoadTheBusiestLinkOfAMeshAsItsBisectionSays) {
   for (const int side : {2, 4, 8, 16}) {
     const auto t = make_mesh(side, side);
@@ -96,7 +96,7 @@ TEST(TopologyXyRoutes, AreOfMeshesToriAndHypercubesOnly) {
 
 TEST(TopologyRouteLoad, IsThatOfEveryMessageWalked) {
   const auto expect_walked = [](const Topology& t, const RoutingTable& routes) {
-    std::map<std::pair<int, int>, std::int64_t> sent;  // over all links between two neighbours
+    std::map<std::pair<int, int>, std::int64_t> sent;  // by pair of neighbours, over all links
     for_each_route(t, routes, [&](const std::vector<int>& path) {
       for (std::size_t i = 0; i + 1 < path.size(); ++i) ++sent[{path[i], path[i + 1]}];
     });

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What Snakemake asks of a job: success, failed or running. A job that Slurm has forgotten failed.
+# Prints a job's status for Snakemake: success, failed or running. A job unknown to Slurm failed.
 state=$(scontrol show job -o "$1" 2>/dev/null | sed -n 's/.* JobState=\([A-Z_]*\).*/\1/p')
 case "$state" in
   COMPLETED) echo success ;;

@@ -1,5 +1,5 @@
-// The page: says hello with the token of its address, asks for a frame when it has drawn the last,
-// and says what the user's hands do.
+// The live page: authenticates with the token in its address, requests the next frame after drawing
+// the last, and sends the user's commands.
 import { Curves, TimeLine, tellTime } from "/charts.js";
 import { Machine } from "/machine.js";
 import { Picture } from "/picture.js";
@@ -7,14 +7,14 @@ import { Picture } from "/picture.js";
 const $ = (id) => document.getElementById(id);
 const SPEEDS = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1, 2, 5, 10, 100, null];
 const WINDOWS = [1e-4, 1e-3, 0.01, 0.1, 1, 10];
-const kept = new URLSearchParams(location.hash.slice(1));  // what the address says
+const kept = new URLSearchParams(location.hash.slice(1));  // settings in the address
 
 let socket, outline, state, picture, machine, line, curves;
 let steers = false, asked = 0;
-let goesTo = NaN;  // the date that the address asked for, until the first state is there
+let goesTo = NaN;  // a requested date in the address, until the first state arrives
 const replies = new Map();
 
-// --- talking to the session -----------------------------------------------------------------------
+// --- connection to the session ------------------------------------------------------------------
 
 function connect() {
   socket = new WebSocket(`ws://${location.host}/live`);
@@ -41,7 +41,7 @@ function want() {
   if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ want: "frame" }));
 }
 
-// Resolves when it was done or refused.
+// Resolves when the command is executed or refused.
 function ask(command) {
   const id = ++asked;
   socket.send(JSON.stringify({ id, ...command }));
@@ -61,12 +61,12 @@ function setSteering(value) {
   document.body.classList.toggle("watches", !steers);
 }
 
-// The first byte says which picture it is: the display's, or the sequential one.
+// The first byte is the kind of picture: the display's, or the sequential one.
 function hearPicture(data) {
   picture?.add(new Uint8Array(data, 0, 1)[0] === 0 ? "shown" : "sequential", data.slice(1));
 }
 
-// --- what is shown ----------------------------------------------------------------------------------
+// --- display ------------------------------------------------------------------------------------
 
 function begin(what) {
   outline = what;
@@ -103,7 +103,7 @@ function begin(what) {
   want();
 }
 
-// What the program counts, and loads; the error once there is a picture to compare with.
+// Curves of the program's gauges and of loads, and of the error if there is a sequential picture.
 function whatGrows() {
   const mean = (all) => all.reduce((sum, load) => sum + load, 0) / all.length / 1000;
   const things = outline.gauges.map(({ name, help }, i) =>
@@ -120,7 +120,7 @@ function whatGrows() {
   return things;
 }
 
-// The window of the time line, which may be none of those to choose from.
+// Shows the window of the time line, even if it is not among the choices.
 function showWindow() {
   const own = $("window").options[WINDOWS.length];
   if (own) own.remove();
@@ -156,7 +156,7 @@ function show(now) {
   requestAnimationFrame(want);
 }
 
-// What most frames do not change. For the browser each line is a change of the page even so.
+// Updates elements that rarely change, and only on a change: each assignment costs browser time.
 let toldLast = "";
 function showSeldom(announced) {
   if ($("announced").textContent !== announced) $("announced").textContent = announced;
@@ -170,14 +170,14 @@ function showSeldom(announced) {
   $("results").textContent = state.results ? `Results: ${state.results}` : "";
 }
 
-// The first line of why the run broke down, and who waits for whom.
+// The first line of the fault, and the cycle of waiting processes.
 function tellFault() {
   if (!state.fault) return "";
   const cycle = (state.deadlock?.processes ?? []).join(" → ");
   return `: ${state.fault.split("\n")[0]}` + (cycle ? ` The cycle: ${cycle}.` : "");
 }
 
-// A date with all its microseconds.
+// A date with microsecond precision.
 const date = (s) => s < 1 ? `${(s * 1e3).toFixed(3)} ms` : `${s.toFixed(6)} s`;
 const percent = (perMille) => `${(perMille / 10).toFixed(1)} %`;
 
@@ -191,7 +191,7 @@ function describe({ processor, link }) {
     `${state.queues[processor]} ready`;
 }
 
-// --- a processor or link that is chosen ---------------------------------------------------------------
+// --- the selected processor or link -------------------------------------------------------------
 
 function choose(found) {
   machine.chosen = found;
@@ -264,7 +264,7 @@ function showLoads() {
   }));
 }
 
-// --- orders ---------------------------------------------------------------------------------------------
+// --- orders -------------------------------------------------------------------------------------
 
 function makeLimits() {
   const form = $("limits"), fields = [];
@@ -296,7 +296,7 @@ function makeLimits() {
   };
 }
 
-// The limits of the form as an order; what is left empty stays as it is by default.
+// The form's limits as an order; empty fields keep their defaults.
 function readLimits() {
   const order = {};
   for (const limit of outline.limits) {
@@ -327,7 +327,7 @@ function markArea(area) {
   setLimits();
 }
 
-// --- hands ------------------------------------------------------------------------------------------------
+// --- controls -----------------------------------------------------------------------------------
 
 function options(select, values, spell) {
   select.replaceChildren(...values.map((value) =>
@@ -398,9 +398,9 @@ document.addEventListener("keydown", (event) => {
   KEYS[event.key]();
 });
 
-// --- the address keeps what is looked at --------------------------------------------------------------
+// --- view settings in the address ---------------------------------------------------------------
 
-// A little later: it costs the browser a lot.
+// Delayed, since updates of the address are expensive.
 let remembering;
 function remember() {
   remembering ??= setTimeout(() => {
@@ -428,5 +428,5 @@ function restoreView(text) {
   picture.move(0, 0);
 }
 
-window.tlabAsk = ask;  // for those who steer by a script
+window.tlabAsk = ask;  // for scripts that steer the run
 connect();

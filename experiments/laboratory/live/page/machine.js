@@ -1,8 +1,8 @@
-// The network: processors and links coloured by their loads, messages that move, what is cut.
+// The network: processors and links coloured by load, messages in transit, and cut parts.
 import { fit, loadColour, style, watchSize, widthOf } from "/colour.js";
 
-// How far each link runs beside the straight line between its ends: 0, or with others -1/2 and 1/2,
-// and so on.
+// Lateral offset of each link from the straight line between its ends: 0 for a single link, -1/2
+// and 1/2 for two, and so on.
 function asides(links) {
   const nth = [], count = new Map();
   for (const [a, b] of links) {
@@ -131,15 +131,15 @@ export class Machine {
     });
   }
 
-  // From one place to another: both, the length, the direction, and how far drawings end before.
+  // The vector between two places: ends, length, direction, and the margin left free at both ends.
   way([ax, ay], [bx, by], radius) {
     const length = Math.hypot(bx - ax, by - ay);
     return { ax, ay, bx, by, length, ux: (bx - ax) / length, uy: (by - ay) / length,
       margin: Math.min(radius, length / 3) };
   }
 
-  // Messages under way: a dot each, on the right of the link as the message goes, where as much of
-  // the way is behind it as of the message has passed.
+  // Draws each message in transit as a dot to the right of its link. The dot's position shows the
+  // share of the message that has passed.
   drawMessages(context, layout, radius, size) {
     const moving = this.state?.moving ?? [];
     context.fillStyle = style("high");
@@ -154,7 +154,7 @@ export class Machine {
     }
   }
 
-  // Who waits for whom, as arrows from processor to processor.
+  // Draws the cycle of waits as arrows from processor to processor.
   drawCycle(context, cycle, place, radius) {
     context.strokeStyle = context.fillStyle = style("warn");
     context.lineWidth = 2.5;

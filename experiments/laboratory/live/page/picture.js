@@ -1,11 +1,11 @@
-// The picture as the display shows it: tiles as they come, zoom, pixels' values, and an area that
-// the user marks. Beside it, on a canvas of its own, what it is compared with.
+// The picture as the display shows it: arriving tiles, zoom, pixel values, and an area marked by
+// the user. A second canvas beside it shows the picture for comparison.
 export class Picture {
   constructor(canvas, beside, { width, height }, onArea, onChange) {
     Object.assign(this, { width, height, onArea, onChange });
     this.views = [{ canvas, layer: "shown" }];
     this.beside = { canvas: beside, layer: "" };
-    this.has = new Set();  // layers of which something has come
+    this.has = new Set();  // layers with data
     this.layers = Object.fromEntries(["shown", "sequential", "error"].map((name) => {
       const canvas = document.createElement("canvas"), image = new ImageData(width, height);
       for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
@@ -19,24 +19,24 @@ export class Picture {
     this.listen(beside);
   }
 
-  // layer: "sequential", "error", or "" for nothing.
+  // layer: "sequential", "error", or "" for none.
   showBeside(layer) {
     this.beside.layer = layer;
     this.views.splice(1, 1, ...(layer ? [this.beside] : []));
     this.draw();
   }
 
-  // The root of the mean square of the differences between display and sequential renderer, a
-  // share of the range; null before that picture is there.
+  // The root mean square difference between display and sequential renderer, as a share of the
+  // range; null until the latter's picture exists.
   error() {
     if (!this.has.has("sequential")) return null;
     const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
     let squares = 0;
-    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;  // alpha is the same
+    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;  // alpha does not differ
     return Math.sqrt(squares / (0.75 * a.length)) / 255;
   }
 
-  // Tiles: x, y, width, height, two bytes each, and three bytes a pixel.
+  // Tiles: x, y, width, height as 16-bit numbers, and three bytes a pixel.
   add(name, buffer) {
     const view = new DataView(buffer), bytes = new Uint8Array(buffer);
     const { canvas, image } = this.layers[name], context = canvas.getContext("2d"), { data } = image;
@@ -58,8 +58,8 @@ export class Picture {
     this.draw();
   }
 
-  // The largest difference of a pixel's three values: none is black, a quarter of the range red,
-  // half of it yellow, all of it white.
+  // Maps the largest difference of a pixel's three values to a colour: none is black, a quarter of
+  // the range red, half of it yellow, all of it white.
   compare(x, y, w, h) {
     const { error } = this.layers, { data } = error.image;
     const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
@@ -80,7 +80,7 @@ export class Picture {
     this.draw();
   }
 
-  // Keeps the point (x, y) of the picture where it is.
+  // Keeps the picture's point (x, y) in place.
   zoomBy(factor, x = this.left + this.width / this.zoom / 2,
     y = this.top + this.height / this.zoom / 2) {
     const zoom = Math.min(64, Math.max(1, this.zoom * factor));
@@ -132,7 +132,7 @@ export class Picture {
         this.height)];
   }
 
-  // The pixel's values in every picture that is shown.
+  // The pixel's values in every visible picture.
   tell(x, y) {
     const at = 4 * (y * this.width + x);
     return this.views.map(({ layer }) => {

@@ -1,4 +1,4 @@
-// Creases lie where what is seen of a light begins to change, and nowhere else.
+// Creases lie where the visible part of a light begins to change, and nowhere else.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace radiosity::test::shadows {
 namespace {
 
-// A polygon's part on the left of a line.
+// The part of a polygon on the left of a line.
 Polygon clip(const Polygon& polygon, const Vec& a, const Vec& b) {
   Polygon part;
   const auto side = [&](const Vec& p) {
@@ -59,7 +59,7 @@ Case make_case(std::uint64_t seed) {
   return c;
 }
 
-// Light and blocker as seen from a point of the floor, in a plane at unit height.
+// Light and blocker seen from a point of the floor, projected onto a plane at unit height.
 Polygon project(const Polygon& polygon, const Vec& from) {
   Polygon image;
   for (const Vec& p : polygon) {
@@ -105,8 +105,8 @@ TEST(Discontinuities, LightChangesOnlyAtCreases) {
   EXPECT_GT(changes, 300);
 }
 
-// What corners of each are within the other, as bits: this changes where, and only where, light
-// seen as a function of place changes its form.
+// Bits for the corners of each polygon within the other. They change exactly where the visible
+// light, as a function of place, changes its form.
 std::uint64_t eval_form(const Case& c, const Vec& from) {
   const Polygon light = project(c.light, from), blocker = project(c.blocker, from);
   std::uint64_t form = 0;
@@ -174,11 +174,11 @@ TEST(Discontinuities, HalvesMakeTheCreasesOfTheWhole) {
           if (distance_to(crease.a + i / 20.0 * (crease.b - crease.a), on_floor(others)) > 1e-2)
             ++missing;
   }
-  // Where the other half begins, an end may be cut off.
+  // At the start of the other half, an end may be cut off.
   EXPECT_LT(missing, points / 500) << "of " << points;
 }
 
-// Whether a face is between two points.
+// True if a face is between two points.
 bool blocks(const Face& face, const Vec& from, const Vec& to) {
   const Vec normal = eval_area_normal(face.corners);
   const double here = dot(normal, from - face.corners[0]),
@@ -192,7 +192,7 @@ bool blocks(const Face& face, const Vec& from, const Vec& to) {
   return true;
 }
 
-// Boxes on a floor, and one in the air: full light and none end at creases.
+// Boxes on a floor, and one in the air: full light and full shadow end at creases.
 TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   int changes = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -210,7 +210,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
     add_face(room, turn(light), LIGHT);
     const auto creases = find_creases(room);
     ASSERT_LT(creases.size(), 300u);
-    // Points on the light's border, and more of them at its corners.
+    // Points on the light's border, more of them at its corners.
     std::vector<Vec> border;
     for (std::size_t i = 0; i < light.size(); ++i)
       for (int k = 0; k < 24; ++k)
@@ -239,7 +239,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   EXPECT_GT(changes, 60);
 }
 
-// Faces that touch and cross in every way: rectangles on a grid of few points, and triangles.
+// Faces that touch and cross in every way: rectangles on a coarse grid, and triangles.
 TEST(Discontinuities, AnyFacesCanBeMeshed) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

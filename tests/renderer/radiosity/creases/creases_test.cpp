@@ -1,4 +1,4 @@
-// Creases where they are known.
+// Creases at known places.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test::shadows {
 namespace {
 
-// Whether all of one is part of the other.
+// Checks that all creases are covered by those in `by`.
 void expect_covered(std::span<const Crease> creases, std::span<const Crease> by, double tolerance) {
   for (const Crease& crease : creases)
     for (int i = 0; i <= 20; ++i) {
@@ -18,7 +18,7 @@ void expect_covered(std::span<const Crease> creases, std::span<const Crease> by,
     }
 }
 
-// A square of side 2 a at height h, one of side 2 b at height g < h, both centred above the floor.
+// A square light of side 2 a at height h, a blocker of side 2 b at height g < h, both centred.
 TEST(Discontinuities, ParallelSquares) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -29,7 +29,7 @@ TEST(Discontinuities, ParallelSquares) {
     add_face(room, turn(make_rectangle(-a, -a, a, a, h)), LIGHT);
     add_face(room, make_rectangle(-b, -b, b, b, g), seed % 2 == 0 ? GREY : MIRROR);
     add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
-    // Similar triangles: from the light's edge at x past the blocker's at y to the floor.
+    // Similar triangles: a line from the light's edge at x past the blocker's at y to the floor.
     const auto floor = [&](double x, double y) { return x + (y - x) * h / (h - g); };
     const double outer = floor(-a, b), inner = std::abs(floor(a, b));
     std::vector<Crease> expected;
@@ -40,7 +40,7 @@ TEST(Discontinuities, ParallelSquares) {
     const std::vector<Crease> found = find_creases(room);
     ASSERT_EQ(found.size(), 8u);
     expect_covered(found, expected, 1e-9);
-    // The penumbra's border whole, and the sides of the square where the blocker hides all it can.
+    // The penumbra's whole border, and the sides of the square of greatest occlusion.
     expected.resize(0);
     for (const double at : {-outer, outer}) {
       expected.push_back({{at, -outer, 0}, {at, outer, 0}});
@@ -54,7 +54,7 @@ TEST(Discontinuities, ParallelSquares) {
   }
 }
 
-// Two lights, which blockers hide from a floor: first come the creases of the one that shines more.
+// Blockers hide two lights from a floor: the creases of the stronger light come first.
 TEST(Discontinuities, OfTheStrongestLightComeFirst) {
   for (const bool first_is_strong : {true, false}) {
     Room room = make_room();
@@ -80,7 +80,7 @@ TEST(Discontinuities, OfTheStrongestLightComeFirst) {
   }
 }
 
-// Figure 3.8's: a window in the left wall, of its size or as a hole, and nothing else.
+// Figure 3.8's room, a window in the left wall: its walls make no creases, a hanging square does.
 TEST(Discontinuities, WallsOfARoomMakeNone) {
   Room room = make_room();
   add_box(room, {0, 0, 0}, {4, 3, 3}, false);
@@ -100,7 +100,7 @@ Room make_floor() {
   return room;
 }
 
-// Whether all of a segment is crease.
+// True if a whole segment is a crease.
 bool is_crease(const Vec& a, const Vec& b, std::span<const Crease> creases) {
   for (int i = 0; i <= 20; ++i)
     if (distance_to(a + i / 20.0 * (b - a), creases) > 1e-3) return false;
@@ -111,13 +111,13 @@ TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
   Room room = make_floor();
   add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
-  // Through the floor, the same.
+  // A blocker through the floor gives the same.
   room.faces.back().corners = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
 }
 
-// The penumbra of an upright edge is a fan, from its foot on: between its borders go lines at which
-// other corners of the lamp come into sight. They come after all borders.
+// The penumbra of an upright edge is a fan from its foot. Lines between its borders mark the
+// appearance of further corners of the lamp. They come after all borders.
 TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   Room room = make_room();
   add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
@@ -126,7 +126,7 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   const auto creases = find_creases(room);
   for (const double foot : {-1.0, 1.0})
     for (const Vec& corner : room.faces[1].corners) {
-      // As long as the shadow of the edge, which is a quarter as high as the lamp.
+      // As long as the edge's shadow; the edge is a quarter as high as the lamp.
       const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
       EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
     }
@@ -136,7 +136,7 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
       return crease.a.z == 0 && crease.b.z == 0 && is_crease({1, 0, 0}, end, std::array{crease});
     });
   };
-  // Seen from the foot the lamp lies between two of its corners.
+  // Seen from the foot, the lamp lies between two of its corners.
   EXPECT_LT(find(-0.3, 1), find(-0.3, 2));
   EXPECT_LT(find(-0.3, 1), find(0.7, 1));
   EXPECT_LT(find(0.7, 2), find(-0.3, 2));
@@ -156,7 +156,7 @@ TEST(Discontinuities, WhereAShelfIsSeenFromItsEdge) {
   add_face(room, {{0, -1, 1}, {0, 1, 1}, {0, 1, 2}, {0, -1, 2}}, LIGHT);
   add_face(room, {{6, -9, -9}, {6, -9, 9}, {6, 9, 9}, {6, 9, -9}}, GREY);
   add_face(room, make_rectangle(2, -1, 3, 1, 1.5), GREY);
-  // Above it the wall sees less of the light, and below it, too.
+  // Above and below it the wall sees less of the light.
   EXPECT_TRUE(is_crease({6, -5, 1.5}, {6, 5, 1.5}, find_creases(room)));
   EXPECT_FALSE(is_crease({6, -5.1, 1.5}, {6, 5.1, 1.5}, find_creases(room)));
 }
@@ -176,7 +176,7 @@ TEST(Discontinuities, WhatIsHiddenOrTakesNoLightHasNone) {
   }
 }
 
-// By hand in the files, by formulas that are written there.
+// The files list their creases, computed by hand from formulas given there.
 TEST(Discontinuities, OfTheThesisFigures) {
   for (const char* name : {"window", "spot-diffuse", "spot-mirror"}) {
     SCOPED_TRACE(name);

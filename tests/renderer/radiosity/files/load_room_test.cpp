@@ -1,4 +1,4 @@
-// Rooms from text: what is read, and what is wrong with files that are wrong.
+// Rooms from text: their content, and messages about errors in files.
 
 #include <gtest/gtest.h>
 

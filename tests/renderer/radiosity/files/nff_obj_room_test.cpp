@@ -1,4 +1,4 @@
-// Rooms from NFF and OBJ: emission, mirrors, normals, and what is wrong.
+// Rooms from NFF and OBJ: emission, mirrors, normals, and errors.
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
   }
 }
 
-// A folder of its own for files, gone at the end.
+// A temporary folder for files.
 class ObjRoom : public testing::Test {
  protected:
   void SetUp() override {

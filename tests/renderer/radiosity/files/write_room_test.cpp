@@ -1,4 +1,4 @@
-// Rooms in other formats, and back.
+// Rooms written in other formats, and read back.
 #include "renderer/radiosity/files/write_room.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using renderer::LeftOut;
 
-// A lamp over boxes with sides at random, a mirror that reflects all, and a screen of two sides.
+// A lamp over boxes with random sides, a perfect mirror, and a two-sided screen.
 std::string make_room_text(std::uint64_t seed) {
   renderer::test::Random random{seed};
   std::string text =
@@ -34,7 +34,7 @@ std::string make_room_text(std::uint64_t seed) {
                             a.y, a.z, a.x + 1, a.y + 1);
 }
 
-// What all formats say of a room.
+// The properties of a room that all formats keep.
 std::string describe(const Room& room) {
   std::string text;
   for (const Face& face : room.faces) {

@@ -1,4 +1,4 @@
-// Where the light of a room has gone, and from which rooms none can go.
+// The light balance of a room, and rooms that lose no light.
 
 #include "renderer/radiosity/light/balance.hpp"
 
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A box of which all sides are grey and one patch in the ceiling, flush with it, shines.
+// A grey box in which one patch, flush with the ceiling, emits.
 Room make_closed() {
   Room room;
   room.materials = {{"grey", grey(0.5), {}}, {"lamp", {}, grey(10)}, {"glass", grey(0.9), {}}};
@@ -57,7 +57,7 @@ TEST(Balance, AHoleAMirrorAndABackOpenARoom) {
   EXPECT_FALSE(is_closed(make_mesh(mirror, {})));
 }
 
-// A wall inside a room does not open it, and what falls on its back is told from what is lost.
+// A wall inside a room does not open it; light on its back is reported separately from lost light.
 TEST(Balance, AWallInsideDoesNotOpenARoom) {
   Room room = make_closed();
   add_quad(room, 0, {1, 0, 0}, {0, 2, 0}, {0, 0, 2}, 2, 2);
@@ -70,8 +70,8 @@ TEST(Balance, AWallInsideDoesNotOpenARoom) {
   EXPECT_EQ(light(room).backs, 0);
 }
 
-// Rooms with lamps that hang, and with blocks that stand in them: only the shell counts, and a
-// hole in it opens them.
+// Rooms with hanging lamps and standing blocks: only the shell counts, and a hole in it opens the
+// room.
 TEST(Balance, FreeStandingFacesDoNotOpenARoom) {
   for (const double below : {0.05, 0.3, 1.0}) {
     SCOPED_TRACE(testing::Message() << "lamp " << below << " m below the ceiling");

@@ -1,6 +1,6 @@
 #pragma once
-// Form factors that are known: J. Howell, "A Catalog of Radiation Heat Transfer Configuration
-// Factors" (B: of a point with a normal, C: mean over a surface); and J. Lambert's of 1760.
+// Known form factors: J. Howell, "A Catalog of Radiation Heat Transfer Configuration Factors" (B:
+// from a point with a normal, C: mean over a surface); and J. Lambert's of 1760.
 
 #include <numbers>
 #include <vector>
@@ -21,7 +21,7 @@ inline double parallel_rectangle(double a, double b, double c) {
   return (x / u * atan(y / u) + y / v * atan(x / v)) / (2 * PI);
 }
 
-/// B-5: `height` along the point's normal, `width` across it; its foot's corner at a distance c.
+/// B-5: `height` along the point's normal, `width` across it; its lower corner at distance c.
 inline double upright_rectangle(double height, double width, double c) {
   const double x = height / width, y = c / width, r = sqrt(x * x + y * y);
   return (atan(1 / y) - y / r * atan(1 / r)) / (2 * PI);
@@ -32,7 +32,7 @@ inline double parallel_disc(double radius, double distance) {
   return radius * radius / (radius * radius + distance * distance);
 }
 
-/// C-11: a x b, from one to its like at a distance c.
+/// C-11: a x b, from one rectangle to an equal one at distance c.
 inline double parallel_rectangles(double a, double b, double c) {
   const double x = a / c, y = b / c, u = sqrt(1 + x * x), v = sqrt(1 + y * y);
   return 2 / (PI * x * y) *
@@ -40,8 +40,8 @@ inline double parallel_rectangles(double a, double b, double c) {
           x * atan(x) - y * atan(y));
 }
 
-/// C-14: from one `width` wide to another `height` high, at right angles, with an edge of
-/// `length` in common.
+/// C-14: from a rectangle of width `width` to one of height `height`, at right angles, with a
+/// common edge of `length`.
 inline double upright_rectangles(double width, double height, double length) {
   const double w = width / length, h = height / length, ww = w * w, hh = h * h, s = ww + hh;
   const double logs = log((1 + ww) * (1 + hh) / (1 + s)) + ww * log(ww * (1 + s) / ((1 + ww) * s)) +
@@ -55,7 +55,7 @@ inline double coaxial_discs(double first, double second, double distance) {
   return (s - sqrt(s * s - 4 * (b / a) * (b / a))) / 2;
 }
 
-/// Lambert: the part of any polygon above the point's horizon.
+/// Lambert: the part of a polygon above the point's horizon.
 inline double polygon(const Vec& at, const Vec& normal, const std::vector<Vec>& corners) {
   std::vector<Vec> above;
   for (std::size_t i = 0; i < corners.size(); ++i) {

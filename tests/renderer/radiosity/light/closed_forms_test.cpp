@@ -1,5 +1,5 @@
-// Form factors against closed forms. Sizes and distances are in units of the first side; the seven
-// numbers that a test prints are errors: with 1, 4, 16, 64, 256 and 1024 samples, and by default.
+// Form factors, compared with closed forms. Sizes and distances are in units of the first side.
+// Each test prints seven errors: with 1, 4, 16, 64, 256 and 1024 samples, and by default.
 
 #include "tests/renderer/radiosity/light/closed_forms.hpp"
 
@@ -42,7 +42,7 @@ struct Errors {
     for (const double e : fixed) line += fmt::format(" {:+.5f}", e);
     fmt::print("{:.6f}:{} {:+.5f}\n", exact, line, adaptive);
   }
-  // At 64 samples, at twice as many a side, and by default.
+  // With 64 samples, with twice as many a side, and by default.
   void expect_small_and_converging() const {
     EXPECT_LT(std::abs(fixed[3]), 0.02);
     EXPECT_LT(std::abs(adaptive), 0.01);
@@ -50,7 +50,7 @@ struct Errors {
       EXPECT_LT(std::abs(fixed[k + 1]), std::max(std::abs(fixed[k]) / 10, 1e-5));
   }
   std::vector<double> fixed;
-  double adaptive = 0, both = 0;  // both: 64 samples, halved where they are wide
+  double adaptive = 0, both = 0;  // both: 64 samples, halved if they are wide
 };
 
 Errors find_errors(const Face& face, double exact) {
@@ -70,7 +70,7 @@ TEST(ClosedForms, OfAPointAndAnUprightRectangle) {
         .expect_small_and_converging();
 }
 
-// Delta areas of any shape, seen from anywhere: halved, their error falls to a sixteenth.
+// Delta areas of any shape, seen from anywhere: halving reduces their error to a sixteenth.
 TEST(ClosedForms, DeltaAreasAreExactToTheSecondOrder) {
   double coarse = 0, fine = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -102,7 +102,7 @@ TEST(ClosedForms, OfAPointAndADisc) {
         .expect_small_and_converging();
 }
 
-// Errors from patch to patch. The mean over 16 x 16 points stands for the patch within 0.3 %.
+// Errors from patch to patch. The mean over 16 x 16 points represents the patch within 0.3 %.
 Errors find_errors(const Face& from, const Face& to, double exact) {
   const Mesh receiver = make_lamp(from), lamp = make_lamp(to);
   return {lamp, exact, [&](const Eye& eye) {
@@ -129,8 +129,8 @@ TEST(ClosedForms, OfParallelRectangles) {
   }
 }
 
-// Near the edge in common a 64th of a patch is wider than its distance: equal delta areas come to
-// within 9 % only, those that are halved there to 0.5 %.
+// Near the common edge a 64th of a patch is wider than its distance. Equal delta areas are accurate
+// only to 9 %, halved ones to 0.5 %.
 TEST(ClosedForms, OfUprightRectanglesWithAnEdgeInCommon) {
   for (const double height : DISTANCES) {
     const auto errors = find_errors(make_quad(ORIGIN, {1, 0, 0}, {0, 1, 0}),

@@ -1,5 +1,5 @@
-// In a closed room everything that a vertex sees is a patch; and the factors between two patches
-// are to each other as their areas.
+// In a closed room a vertex sees only patches, and form factors are reciprocal: two patches'
+// factors are in the ratio of their areas.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct Range {
   }
 };
 
-// The sums of the factors of every vertex, or of every step-th.
+// The factor sums of every vertex, or of every step-th.
 Range sum_all(const Mesh& mesh, const FactorParams& params, std::size_t step = 1) {
   Range sums;
   for (std::size_t v = 0; v < mesh.vertices.size(); v += step)
@@ -41,7 +41,7 @@ TEST(ClosedRoom, FactorsOfAVertexSumToOne) {
   }
 }
 
-// A delta area is seen or not: where things stand in the way some count too much, some too little.
+// A delta area is visible or not: behind obstacles some count too much, some too little.
 TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
   Range all, all_fine;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -67,8 +67,8 @@ TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
              all_fine.lo, all_fine.hi);
 }
 
-// The mean is taken over 6 x 6 points of the receiver. The mean of the vertices alone, four points
-// on the border of the patch, is good for patches that are small for their distance.
+// The mean is over 6 x 6 points of the receiver. The mean of the vertices alone, four points on the
+// border, is accurate for patches that are small for their distance.
 TEST(ClosedRoom, FactorsAreReciprocal) {
   double worst = 0, worst_corners = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -1,6 +1,5 @@
-// Where the energy of a shot goes. A few points of a patch stand for it, so that the books balance
-// within the error of that: Simpson's mean is better than the corners', and both are with
-// refinement.
+// The energy of a shot. A few points represent a patch, so the balance holds within their error.
+// Simpson's mean is more accurate than the corners', and both improve with refinement.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// One shot, and what of its power is reflected and kept to be sent.
+// Performs one shot; returns its reflected power, kept for sending.
 Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& work) {
   const FactorParams factor;
   const Eye eye{mesh, factor};
@@ -25,7 +24,7 @@ Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& wor
   return after + -1.0 * before;
 }
 
-// What the receivers got of a shot, by its power: reflected or absorbed.
+// The receivers' share of a shot's power, reflected or absorbed.
 struct Balance {
   double least = 1e9, most = 0, mean = 0;
 };
@@ -54,8 +53,8 @@ Room make_bare_room() {
   return room;
 }
 
-// One shot alone, near an edge of the room, does not balance at any refinement by corners: the
-// patches across the edge are as near to it as they are wide.
+// A single shot near an edge of the room does not balance by corners at any refinement: patches
+// across the edge are as near to it as they are wide.
 TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   for (const auto mean : {Mean::corners, Mean::simpson}) {
     std::vector<double> errors;
@@ -74,13 +73,13 @@ TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   }
 }
 
-// Vertices in the room's edges, not inside of them, see nothing of the wall they touch.
+// Vertices lit exactly in the room's edges see nothing of the wall they touch.
 TEST(Energy, IsLostIfVerticesAreLitInTheEdges) {
   const Mesh mesh = make_mesh(make_bare_room(), {.refine = 4, .inset = 0});
   EXPECT_LT(shoot_each(mesh, 1, Mean::corners).mean, 0.8);
 }
 
-// All that was emitted is absorbed in the end, or still to be sent.
+// All emitted light is finally absorbed, or still unsent.
 TEST(Energy, EmittedIsAbsorbed) {
   for (const int n : {1, 2, 4}) {
     Random random{7};

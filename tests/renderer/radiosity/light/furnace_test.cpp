@@ -1,4 +1,4 @@
-// A room of which every face emits E and reflects rho has B = E / (1 - rho) everywhere.
+// If every face emits E and reflects rho, B = E / (1 - rho) everywhere.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ void expect_furnace(Room room, double reflectance, const SolveParams& params, do
              lost);
 }
 
-// By default, with the estimate of what is unsent. An error of the factors' sum grows by
-// rho / (1 - rho): for 0.5 % at 0.9 it must be below 0.05 %.
+// Default parameters, with the estimate of the unsent light. An error of the factor sum grows by
+// rho / (1 - rho): 0.5 % at 0.9 requires less than 0.05 %.
 TEST(Furnace, IsAsBrightAsTheFormulaSays) {
   const auto make = [](int n) {
     Room room;

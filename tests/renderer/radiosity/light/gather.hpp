@@ -6,8 +6,7 @@
 
 namespace radiosity::test {
 
-// The radiosity of a vertex that gets light of all patches (Eq 1.8), all of which `patches` has as
-// unsent.
+// The radiosity of a vertex lit by all patches (Eq 1.8); `patches` holds all their light as unsent.
 inline Rgb collect(const Eye& eye, const Vertex& vertex, const State& patches, Work& work) {
   const Mesh& mesh = eye.mesh;
   const Material& material = mesh.materials[vertex.material];
@@ -47,11 +46,11 @@ class PatchLight {
   double of_corner_;
 };
 
-// The largest change in a sweep, and the brightest point.
+// The largest change in a sweep, and the largest radiosity.
 struct Sweep {
   double change = 0, brightest = 0;
 
-  // Sets `value`, and returns by how much it changed.
+  // Sets `value`, and returns the change.
   Rgb set(Rgb& value, const Rgb& now) {
     const Rgb more{now.r - value.r, now.g - value.g, now.b - value.b};
     value = now;
@@ -61,9 +60,9 @@ struct Sweep {
   }
 };
 
-/// The equations of solve() by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the order
-/// of vertices, until none changes by more than `tolerance` of the brightest. Every factor is
-/// found again in every sweep, `shots` of them; for small rooms.
+/// Solves the equations of solve() by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the
+/// order of vertices, until no change exceeds `tolerance` of the brightest. Computes every factor
+/// again in every sweep, `shots` of them; for small rooms.
 inline Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6) {
   check(params.factor);
   const Eye eye{mesh, params.factor};

@@ -1,4 +1,4 @@
-// Patches that do not glow evenly.
+// Patches with uneven glow.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A quad without a right angle in a plane, looking down.
+// A planar quad without a right angle, looking down.
 Face make_random_face(Random& random) {
   const auto shake = [&](double x, double y) {
     return Vec{x + random.range(-0.4, 0.4), y + random.range(-0.4, 0.4), 2};
@@ -20,7 +20,7 @@ Face make_random_face(Random& random) {
   return face;
 }
 
-// That face over a floor, and, if asked for, a mirror beside them.
+// That face over a floor, and on request a mirror beside them.
 Mesh make_lamp_and_floor(Random& random, bool mirror) {
   Room room;
   room.materials = {{"lamp", grey(0.5), grey(1)}, {"mirror", {0.9, 0.8, 0.7}, {}, true}};
@@ -34,7 +34,7 @@ std::array<Rgb, 4> make_colours(Random& random) {
   return {random.colour(), random.colour(), random.colour(), random.colour()};
 }
 
-// The light of a patch cut into n x n, each of which glows evenly.
+// The light of a patch cut into n x n pieces, each with an even glow.
 Rgb add_pieces(const Eye& eye, const Vertex& vertex, const Patch& patch, const Glow& glow, int n) {
   const Quad quad(patch);
   Work work;
@@ -66,7 +66,7 @@ TEST(Glow, OfCornersIsTheirsThere) {
   }
 }
 
-// Near and far, over mirrors too. An even glow is the form factor times it.
+// Near and far, and over mirrors. An even glow gives the form factor times its value.
 TEST(Glow, IsWhatManyEvenPiecesGive) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -91,8 +91,7 @@ TEST(Glow, IsWhatManyEvenPiecesGive) {
   }
 }
 
-// Whatever its corners and its centre got: a patch sends the power that it has, and nowhere less
-// than nothing.
+// For any light at its corners and its centre, a patch sends its own power, and no negative light.
 TEST(Glow, OfAShotHasThePatchsPower) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -120,8 +119,8 @@ TEST(Glow, OfAShotHasThePatchsPower) {
   }
 }
 
-// Where wall and ceiling meet, each is dark, or bright, as the other is there and not as its
-// patches are in the mean.
+// In the edge between wall and ceiling, each is lit by the other's light there, not by the mean of
+// its patches.
 TEST(Glow, OfCornersIsRightInTheRoomsEdges) {
   Room room;
   room.materials = {{"wall", grey(0.7), {}}, {"lamp", grey(0), grey(1)}};

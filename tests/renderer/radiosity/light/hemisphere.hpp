@@ -1,6 +1,6 @@
 #pragma once
-// A second calculator of form factors, that shares nothing with the first but the walk through the
-// scene: what a vertex sees in directions spread over its hemisphere by their cosine (N. Malley).
+// A second calculator of form factors, which shares only the walk through the scene with the first.
+// It counts hits in cosine-distributed directions over a vertex's hemisphere (N. Malley).
 
 #include <map>
 
@@ -9,11 +9,11 @@
 
 namespace radiosity::test {
 
-/// A face, and whether its front is meant.
+/// A side of a face: the face, and true for its front.
 using Side = std::pair<std::uint32_t, bool>;
 
-/// The share of n x n directions, one at random in each stratum, in which a side of a face is met
-/// first. The blockers' objects are the faces, in their order.
+/// The share of n x n directions, a random one in each stratum, that first hit a side of a face.
+/// The blockers' objects are the faces, in order.
 inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& vertex, int n,
                                               Random& random) {
   const auto [u, v] = renderer::test::make_plane(vertex.normal);
@@ -35,7 +35,7 @@ inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& ve
   return shares;
 }
 
-/// The shares of the sides of faces by eval_factor.
+/// The shares of the sides of faces, by eval_factor.
 inline std::map<Side, double> eval_sides(const Eye& eye, const Vertex& vertex, const Room& room) {
   std::map<Side, double> shares;
   Work work;

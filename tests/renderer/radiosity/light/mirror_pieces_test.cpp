@@ -1,4 +1,4 @@
-// Mirrors cut into equal pieces, Eq 3.17 and 3.18, against what the mirror shows.
+// Mirrors cut into equal pieces, Eq 3.17 and 3.18, compared with the view in the mirror.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// Points in the middle of the cube that look anywhere, for its patches over the mirror at high x.
+// Points in the middle of the cube with random normals, for its patches over the mirror at high x.
 class Pieces : public testing::Test {
  protected:
   static Mesh make(int n) {
@@ -33,8 +33,8 @@ class Pieces : public testing::Test {
   }
 };
 
-// A receiver, a mirror of any size in its way to a delta area: until the mirror shows all of it,
-// Eq 3.16, with h = omega_S / omega; from then on Eq 3.12.
+// A receiver sees a delta area over a mirror of varying size. Until the mirror shows all of it, Eq
+// 3.16 holds, with h = omega_S / omega; from then on Eq 3.12.
 TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   constexpr double SIDE = 0.2, AREA = SIDE * SIDE;
   const Vec emitter{0.5, 1, 0}, image{3.5, 1, 0};
@@ -60,8 +60,8 @@ TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   }
 }
 
-// However a mirror is shaped and wherever it shows the delta area, h is never above 1: all that
-// arrives is at most what Eq 3.12 says.
+// For any shape of the mirror and any place of the delta area in it, h is at most 1. The light is
+// at most that of Eq 3.12.
 TEST_F(Pieces, NeverShowMoreThanThereIs) {
   Random random{3};
   int lit = 0;
@@ -86,7 +86,7 @@ TEST_F(Pieces, NeverShowMoreThanThereIs) {
   EXPECT_GT(lit, 100);
 }
 
-// One piece that shows more than every delta area: Eq 3.12 from the image, but for the difference
+// One piece shows more than every delta area: Eq 3.12 from the image, except for the difference
 // between Eq 3.8's disc and the delta area.
 TEST_F(Pieces, OneLargeOneIsTheImage) {
   const Mesh mesh = make(2);
@@ -103,7 +103,7 @@ TEST_F(Pieces, OneLargeOneIsTheImage) {
   EXPECT_GT(lit, 100);
 }
 
-// Whether there are one or four makes no difference then.
+// One piece and four give equal results then.
 TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
   const Mesh mesh = make(2);
   for (const Vertex& point : make_points(4))
@@ -112,7 +112,7 @@ TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
                 eval(mesh, point, patch, {.samples = 8, .reflections = 1, .mirror_pieces = 1}));
 }
 
-// Smaller ones, each with its share h, come to what is seen: of every patch, and of all together.
+// Smaller pieces, each with its share h, converge to the view: for every patch, and in total.
 TEST_F(Pieces, SmallOnesConverge) {
   const Mesh mesh = make(1);
   const auto points = make_points(10);
@@ -139,7 +139,7 @@ TEST_F(Pieces, SmallOnesConverge) {
   EXPECT_LT(last, 0.03);
 }
 
-// Over two mirrors the least of two angles counts, each seen from the vertex along the whole way.
+// Over two mirrors the smaller angle counts, each seen from the vertex along the whole path.
 TEST_F(Pieces, OfTwoMirrorsConverge) {
   Room room = make_cube("xyzZ", false, 1);
   add_walls(room, "XY", 1, 2);

@@ -1,4 +1,4 @@
-// What holds for all mirrors: sides, colours, and that they lose no light.
+// Properties of all mirrors: sides, colours, and no loss of light.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Mirrors, ReflectAtTheirFrontOnly) {
   EXPECT_LT(normal.x, 0);
 }
 
-// Light that has met one mirror has its colour once, two mirrors twice.
+// Light reflected by one mirror has its colour once, by two mirrors twice.
 TEST(Mirrors, ColourWhatTheyReflect) {
   Room room = make_cube("xyzZ", true, 1);
   add_walls(room, "XY", 1, 2);
@@ -66,7 +66,7 @@ TEST(Mirrors, ColourWhatTheyReflect) {
   EXPECT_GT(twice, 0.1);
 }
 
-// A vertex still sees patches all around if a perfect mirror takes the place of a wall.
+// A vertex still sees patches all around if a perfect mirror replaces a wall.
 TEST(Mirrors, LoseNoLight) {
   for (const std::string mirrors : {"X", "XY"}) {
     Room room = make_cube(mirrors == "X" ? "xyYzZ" : "xyzZ", false, 2);
@@ -82,7 +82,7 @@ TEST(Mirrors, LoseNoLight) {
   }
 }
 
-// The walls of a furnace may be mirrors: they are as bright as what they show.
+// The walls of a furnace may be mirrors: they are as bright as their images.
 TEST(Mirrors, DoNotChangeAFurnace) {
   Room room = make_cube("xyYzZ", false, 2);
   add_walls(room, "X", 1, 2);
@@ -91,9 +91,9 @@ TEST(Mirrors, DoNotChangeAFurnace) {
   for (const Rgb& b : solve(mesh, make_params(1e-4)).vertices) EXPECT_NEAR(b.r, 2, 0.02);
 }
 
-// A parabolic gutter of flat mirrors: at its focal line, z = 1, a point that looks down sees much
-// more of a distant lamp than over a flat mirror, but all around no more than all. (Delta
-// areas that are wider than a facet shows would be seen whole or not at all: mirror_share.)
+// A parabolic trough of flat mirrors. At its focal line, z = 1, a point looking down sees far more
+// of a distant lamp than over a flat mirror, but its total is not larger.
+// Delta areas wider than a facet's view would count whole or not at all: mirror_share.
 TEST(Mirrors, BentOnesFocusLight) {
   constexpr int FACETS = 16;
   Room room;

@@ -1,4 +1,4 @@
-// Patches send, elements receive.
+// Relighting: patches send light, the elements of a finer mesh receive it.
 #include "renderer/radiosity/light/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Relight, OfTheSameMeshIsSolve) {
   EXPECT_EQ(again.shots, solved.shots);
 }
 
-// A vertex that both meshes have, lit at the same place, gets the same.
+// A vertex in both meshes, lit at the same place, receives the same light.
 TEST(Relight, VerticesOfBothMeshesAgree) {
   MeshParams fine;
   fine.refine = 3;
@@ -41,7 +41,7 @@ TEST(Relight, VerticesOfBothMeshesAgree) {
     const auto solved = solve(one, params), lit = solve(one, params, {}, &three);
     std::size_t missing = 0;
     for (std::size_t i = 0; i < one.vertices.size(); ++i) {
-      // Strips beside what hangs over a face depend on the width of patches.
+      // Strips beside objects hanging over a face depend on the width of patches.
       bool found = std::ranges::any_of(contacts, [&](const std::vector<Contacts>& some) {
         return !some[one.vertices[i].object].folds.empty();
       });

@@ -1,4 +1,4 @@
-// Form factors that are kept from one shot of a patch to its next.
+// Form factors kept from one shot of a patch to its next.
 
 #include "renderer/radiosity/light/rows.hpp"
 
@@ -10,7 +10,7 @@
 namespace radiosity::test {
 namespace {
 
-// A room in which light meets up to three mirrors on its way.
+// A room in which light meets up to three mirrors on its path.
 Mesh make_mirrored(Random& random, std::uint64_t seed) {
   Room room = make_furnished(random, 2, 1 + static_cast<int>(seed % 3));
   if (seed % 4) {
@@ -23,8 +23,8 @@ Mesh make_mirrored(Random& random, std::uint64_t seed) {
   return make_mesh(room, {});
 }
 
-// A patch's later shots, of another glow, are to the bit what they would be without what was kept;
-// also where there is room for some patches only.
+// Later shots of a patch, with another glow, equal those without kept factors bit for bit; also if
+// there is room for some patches only.
 TEST(Rows, GiveWhatRaysGive) {
   std::size_t over_mirrors = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {

@@ -1,4 +1,4 @@
-// Shooting against gathering; the ambient term; the parts of solve() on their own.
+// Shooting compared with gathering; the ambient term; the parts of solve() alone.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A furnished room in colours with a lamp in the ceiling and, if asked for, a mirror hanging in it.
+// A furnished room in colours, with a lamp in the ceiling and, on request, a hanging mirror.
 Room make_room(std::uint64_t seed, bool mirror, int n) {
   Random random{seed};
   Room room = make_furnished(random, 2, n);
@@ -51,7 +51,7 @@ TEST(Shooting, AgreesWithGathering) {
   }
 }
 
-// The mean of the radiosity of all patches, by area.
+// The mean radiosity of all patches, weighted by area.
 double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   double total = 0;
   for (const Patch& patch : mesh.patches)
@@ -59,8 +59,8 @@ double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   return total / mesh.area;
 }
 
-// Without the ambient term the unsent light is missing; with it the mean is nearer to the end after
-// any number of shots, and right within 5 %.
+// Without the ambient term the unsent light is missing. With it the mean is nearer to the final one
+// after any number of shots, and right within 5 %.
 TEST(Shooting, AmbientLightStandsForWhatIsUnsent) {
   const Mesh mesh = make_mesh(make_room(5, false, 2), {});
   const auto mean_after = [&](int shots, bool ambient) {
@@ -136,8 +136,8 @@ TEST(Shooting, GoesOnAsIfItHadNotBeenLeft) {
   EXPECT_EQ(halves.work, whole.work);
 }
 
-// The brightest patch shoots first, of equals the first; it has nothing left (but what mirrors
-// return).
+// The brightest patch shoots first, among equals the first. Afterwards it has no unsent light
+// (except what mirrors return).
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
   State state = make_state(mesh, Sends::mean);
@@ -156,7 +156,7 @@ TEST(Shooting, TheBrightestShoots) {
   EXPECT_FALSE(find_shot(mesh, state, patches, work));
 }
 
-// All colours count, the patches by their area, and only those of materials that both meshes have.
+// All colours count, patches by their area; only materials in both meshes are compared.
 TEST(MeanRadiosity, IsOfAllColoursByArea) {
   LitRoom lit{make_mesh(make_room(3, false, 2), {}), {}};
   const auto is_wall = [&](const Patch& patch) {

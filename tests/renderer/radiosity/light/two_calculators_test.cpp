@@ -1,4 +1,4 @@
-// Form factors by eval_factor and by two calculators that know nothing of it.
+// Form factors by eval_factor and by two independent calculators.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// Polygons lie anywhere, partly below the horizon; nothing is in between.
+// Polygons lie anywhere, partly below the horizon; nothing occludes them.
 TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   double worst = 0, worst_fine = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -34,7 +34,7 @@ TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   fmt::print("largest error {:.5f}, with delta areas of 0.05 {:.5f}\n", worst, worst_fine);
 }
 
-// Factors of every side of every face, for vertices of all, in rooms where things are in the way.
+// Factors of both sides of every face, for all vertices, in rooms with occluders.
 TEST(TwoCalculators, AgreeWithHemispheresInFurnishedRooms) {
   double worst = 0, worst_fine = 0, sum = 0, sum_fine = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -1,12 +1,12 @@
 #pragma once
-// Rooms with mirrors, and the rooms that the mirrors show: these have images of all faces instead
-// of mirrors, where the mirrors' images would be.
+// Rooms with mirrors, and their unfolded rooms: these have images of all faces at the places that
+// the mirrors show.
 
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
 
-/// A plane through a point; what lies in front of it has an image behind it.
+/// A plane through a point; objects in front of it have images behind it.
 struct MirrorPlane {
   Vec at, normal;
   Vec reflect(const Vec& p) const { return p - 2 * dot(normal, p - at) * normal; }
@@ -20,9 +20,9 @@ inline Face reflect(Face face, const MirrorPlane& plane) {
   return face;
 }
 
-/// The room's faces, and after them for each chain of planes their images: reflected by the last
-/// plane first. Mirrors must be the last faces of the room; they are left out. Face f has its
-/// images at f + k * (number of faces without mirrors).
+/// The room's faces, followed by their images for each chain of planes: reflected by the last plane
+/// first. Mirrors must be the last faces of the room; they are left out. Face f has its images at f
+/// + k * (number of faces without mirrors).
 inline Room unfold(const Room& room, const std::vector<std::vector<MirrorPlane>>& chains) {
   Room unfolded = room;
   std::erase_if(unfolded.faces, [&](const Face& f) { return room.materials[f.material].mirror; });
@@ -36,7 +36,7 @@ inline Room unfold(const Room& room, const std::vector<std::vector<MirrorPlane>>
   return unfolded;
 }
 
-/// The light of each face of the room at a vertex, directly and by mirrors.
+/// The light of each face of the room at a vertex, directly and over mirrors.
 inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
                                            std::size_t faces) {
   std::vector<double> shares(faces);
@@ -54,8 +54,8 @@ inline std::vector<double> eval_by_images(const Eye& eye, const Vertex& vertex, 
   return shares;
 }
 
-/// Adds the walls of [0, 2] x [0, 2] x [0, 2] that `walls` names ("xXyYzZ": low x, high x, ...),
-/// n x n patches each.
+/// Adds the walls of [0, 2] x [0, 2] x [0, 2] named in `walls` ("xXyYzZ": low x, high x, ...), n x
+/// n patches each.
 inline void add_walls(Room& room, const std::string& walls, int n, std::uint32_t material = 0) {
   constexpr Vec O{0, 0, 0}, X{2, 0, 0}, Y{0, 2, 0}, Z{0, 0, 2};
   constexpr struct {
@@ -68,7 +68,7 @@ inline void add_walls(Room& room, const std::string& walls, int n, std::uint32_t
       if (wall.name == name) add_quad(room, material, wall.corner, wall.along, wall.across, n, n);
 }
 
-/// White walls, a lamp, a perfect mirror; a table and a screen that throw shadows.
+/// White walls, a lamp, a perfect mirror; a table and a screen that cast shadows.
 inline Room make_cube(const std::string& walls, bool things, int n) {
   Room room;
   room.materials = {

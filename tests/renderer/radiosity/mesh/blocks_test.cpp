@@ -1,5 +1,5 @@
-// Rooms in which blocks stand, hang and lean: every one can be cut into patches along its creases
-// and contacts, and light does not pass under what stands on a floor.
+// Rooms with standing, hanging and leaning blocks: faces can be cut along all creases and contacts,
+// and no light passes under blocks on a floor.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ double measure_patch_width(const Face& face, int refine) {
   return least;
 }
 
-// No quad has a part of a crease further inside than the margin.
+// Checks that no quad has a part of a crease inside by more than the margin.
 void check_not_crossed(const Face& face, const Division& division, std::span<const Crease> creases,
                        double margin) {
   const Vec normal = normalize(eval_area_normal(face.corners));
@@ -40,8 +40,7 @@ void check_not_crossed(const Face& face, const Division& division, std::span<con
   }
 }
 
-// Where two patches of a face have an edge in common they have its vertices in common, but for
-// creases and contacts.
+// Two patches of a face with a common edge share its vertices, except at creases and contacts.
 void check_shared(const Mesh& mesh, std::span<const Crease> creases, double margin) {
   using Point = std::array<double, 3>;
   std::map<std::tuple<std::uint32_t, Point, Point>, std::vector<std::array<std::uint32_t, 2>>>
@@ -117,7 +116,7 @@ TEST(Blocks, AnyRoomIsCutAlongItsCreases) {
   EXPECT_LT(count.left_out, count.creases / 100);
 }
 
-// Where creases would make too many patches some are left out, and the budget is used.
+// If creases would make too many patches, some are left out, and the budget is used.
 TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   std::size_t limited = 0;
   double emptiest = 1;
@@ -144,7 +143,7 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
         continue;
       }
       ++limited;
-      // Strips below what floats are fewer first: creases may all find room then.
+      // Strips below floating objects are reduced first: then all creases may fit.
       const double full = double(some.patches.size()) / double(allowed);
       EXPECT_GT(full, 0.5);
       if (some.left_out > all.left_out) emptiest = std::min(emptiest, full);
@@ -156,7 +155,7 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   EXPECT_GT(emptiest, 0.8);
 }
 
-// Vertices at a foot lie on one side of it, and those inside are dark.
+// Vertices at a foot lie on one side of it; those inside are dark.
 TEST(Blocks, NoLightPassesUnderThem) {
   std::size_t inside = 0, doubled = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -1,4 +1,4 @@
-// Where things touch a face, or hang little above it, and the light there.
+// Objects that touch a face or hang just above it, and the light there.
 
 #include "renderer/radiosity/mesh/contacts.hpp"
 
@@ -25,7 +25,7 @@ TEST(Contacts, FeetLeaningAndStacked) {
   EXPECT_EQ(contacts[1].lines.size(), 0u);
   EXPECT_EQ(contacts[2].lines.size(), 6u);
   for (std::size_t f = 6; f < room.faces.size(); ++f) EXPECT_TRUE(contacts[f].lines.empty()) << f;
-  // What stands on the block cuts its top, what goes through a wall cuts this.
+  // A block on another cuts its top; a face through a wall cuts the wall.
   room.faces.resize(6);
   add_block(room, 0, {1, 1, 0}, {2, 2, 1});
   add_block(room, 0, {1.25, 1.25, 1}, {1.75, 1.75, 2});
@@ -35,7 +35,7 @@ TEST(Contacts, FeetLeaningAndStacked) {
   EXPECT_EQ(find_contacts(room, 1)[2].lines.size(), 1u);
 }
 
-// A floor of patches one unit wide, with something a little above it.
+// A floor of patches one unit wide, for objects just above it.
 Room make_floor() {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(0)}, {"lamp", grey(0), grey(1)}};
@@ -55,7 +55,7 @@ TEST(Contacts, WhatHangsAboveMakesFoldsAndStrips) {
     }
     EXPECT_EQ(contacts.lines.size(), contacts.hanging.size());
     for (const Crease& fold : contacts.folds) EXPECT_NEAR(fold.a.z, 0, 1e-12);
-    // Each strip ends at 0.5, 1, 2, ... heights beside a fold.
+    // Beside each fold, strips end at 0.5, 1, 2, ... heights.
     for (const Crease& strip : contacts.strips) {
       double nearest = 1e300;
       for (const Crease& fold : contacts.folds)
@@ -94,9 +94,9 @@ TEST(Contacts, WithoutStripsWhatHangsWithinHalfAPatchTouches) {
   }
 }
 
-// What stands on the floor and is low touches it by its feet only; a bottom in two parts, and a
-// plate, by the outline of what is below; what hangs behind a face does not touch it, unless that
-// has two sides.
+// A low block on the floor touches it only by its feet. A bottom in two parts, and a plate, touch
+// it by the outline of the lower side. An object behind a face does not touch it, unless the face
+// is two-sided.
 TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   Room low = make_floor();
   add_block(low, {4.2, 4.1, 0, 0.1, 1.5, 1.5, 0.3}, false, 1, 1);
@@ -152,7 +152,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   EXPECT_EQ(find_contacts(behind, 1)[0].folds.size(), 4u);
 }
 
-// A cylinder of narrow facets that lies on the floor touches it where it does.
+// A cylinder of narrow facets on the floor touches it only at its contact line.
 TEST(Contacts, FacetsAboveTheFloorHaveNone) {
   constexpr int FACETS = 32;
   constexpr double RADIUS = 0.5;
@@ -165,8 +165,8 @@ TEST(Contacts, FacetsAboveTheFloorHaveNone) {
   EXPECT_EQ(find_contacts(room, 1)[0].lines.size(), 2u);
 }
 
-// Dark does not leak out from under a block that hangs above the floor, nor light in: what the
-// corners of a patch receive tells what its middle does.
+// Neither darkness nor light leaks through the gap under a block that hangs above the floor: a
+// patch's corners and its middle receive consistent light.
 TEST(Contacts, LightUnderWhatHangsIsFollowed) {
   for (const double gap : {0.004, 0.02, 0.1, 0.3, 0.7, 0.95}) {
     Room room = make_floor();
@@ -195,7 +195,7 @@ TEST(Contacts, LightUnderWhatHangsIsFollowed) {
   }
 }
 
-// At the foot of an edge light is found apart between creases that go out from there.
+// Around the foot of an edge, light is computed separately in each sector between creases.
 TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
@@ -206,7 +206,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   const Surroundings around = find_surroundings(mesh);
   std::size_t most = 0;
   for (const Vec& foot : block.ring(0)) {
-    std::size_t ways = 0;  // from the foot along a crease, and off the block
+    std::size_t ways = 0;  // from the foot along a crease, and outside the block
     for (const Crease& crease : room.creases) {
       if (crease.a.z != 0 || crease.b.z != 0 || eval_distance(foot, crease.a, crease.b) > 1e-9)
         continue;
@@ -231,7 +231,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
     most = std::max(most, sides);
   }
   EXPECT_EQ(most, 4u);
-  // Elsewhere creases do not move what is lit.
+  // Elsewhere creases do not move the lit points.
   for (const Vertex& vertex : mesh.vertices) {
     if (vertex.object != 0 || vertex.at.x == 0 || vertex.at.x == 8 || vertex.at.y == 0 ||
         vertex.at.y == 8)
@@ -246,7 +246,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   }
 }
 
-// At the end of a screen light is found apart on its sides, and between creases that go out there.
+// At the end of a screen, light is computed separately for its sides and between creases.
 TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
   for (const double turn : {0.0, 0.3}) {
     Room room = make_floor();
@@ -269,7 +269,7 @@ TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
   }
 }
 
-// A shadow along a foot that is narrower than patches keep is not spread over a whole patch.
+// A shadow along a foot, too narrow for the patches, does not spread over a whole patch.
 TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
@@ -298,7 +298,7 @@ TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
     EXPECT_GT(lit, 0.05);
     EXPECT_LT(lit, 0.07);
   }
-  // A crease across the foot, and one that patches keep, change nothing.
+  // A crease across the foot, and one that the patches follow, have no effect.
   const Vec middle = 0.5 * (foot[0] + foot[1]);
   for (const double lit : find_lit({{middle, middle + outward}})) EXPECT_LT(lit, 0.02);
   for (const double lit : find_lit({beside(0.3)})) EXPECT_LT(lit, 0.02);

@@ -1,5 +1,5 @@
-// Faces cut along creases: whatever the creases, the quads fill the face, meet edge to edge, and
-// the creases are among their edges.
+// Faces cut along creases: for any creases, the quads fill the face, meet edge to edge, and have
+// the creases among their edges.
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@ namespace {
 
 using renderer::test::Random;
 
-constexpr double TOUCH = 0.1;  // of a patch's width: as far may a crease be moved
+constexpr double TOUCH = 0.1;  // of a patch's width: largest shift of a crease
 
 struct Flat {
   Face face;
-  Vec u, v;  // across each other, in its plane
+  Vec u, v;  // at right angles, in its plane
   double width = 0;
   Vec at(double x, double y) const { return x * u + y * v; }
 };
@@ -61,8 +61,7 @@ std::vector<Crease> make_creases(Random& random, const Flat& flat, int count) {
   return creases;
 }
 
-// Points of the creases that are inside the face lie on edges that are listed; these lie on
-// creases.
+// Points of the creases inside the face lie on listed edges, and listed edges lie on creases.
 void check_creases(const Flat& flat, const Division& division, std::span<const Crease> creases) {
   const Vec normal = normalize(eval_area_normal(flat.face.corners));
   const auto& c = flat.face.corners;
@@ -81,7 +80,7 @@ void check_creases(const Flat& flat, const Division& division, std::span<const C
       double nearest = 1e9;
       for (const auto& [a, b] : division.creases)
         nearest = std::min(nearest, eval_distance(p, division.points[a], division.points[b]));
-      // A crease's end may run through a corner of a cell for up to a touch.
+      // A crease's end may run through a corner of a cell for up to one touch.
       ASSERT_LE(nearest, 1.5 * touch) << "crease not covered";
     }
   for (const auto& [a, b] : division.creases)
@@ -125,7 +124,7 @@ double find_step(const std::vector<double>& lines, double middle) {
   return *after - *std::prev(after);
 }
 
-// Rows that are halved stay narrow where creases run across them.
+// Halved rows stay narrow if creases run across them.
 TEST(DivideCreases, NarrowRowsStayNarrow) {
   double widest = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -206,7 +205,7 @@ TEST(DivideCreases, AlongTheSidesItStaysAGrid) {
 }
 
 TEST(DivideCreases, LinesOfTheGridGiveWay) {
-  // At a third of a patch and nearer the line moves, further it stays.
+  // Within a third of a patch the line moves to the crease; beyond it stays.
   for (const auto& [x, columns] :
        {std::pair{2.0, 4u}, {2.3, 4u}, {1.7, 4u}, {2.4, 5u}, {3.95, 4u}}) {
     const std::vector<Crease> creases{{{x, 0, 0}, {x, 1.2, 0}}};
@@ -228,7 +227,7 @@ TEST(DivideCreases, ThoseElsewhereChangeNothing) {
   EXPECT_EQ(division.points, plain.points);
   EXPECT_EQ(division.quads, plain.quads);
   EXPECT_TRUE(division.creases.empty());
-  // On the border it is listed.
+  // A crease on the border is listed.
   const std::vector<Crease> border{{{0, 0, 0}, {4, 0, 0}}};
   EXPECT_EQ(divide_face(wall, 2, {.creases = border}).quads, plain.quads);
   EXPECT_EQ(divide_face(wall, 2, {.creases = border}).creases.size(), 8u);

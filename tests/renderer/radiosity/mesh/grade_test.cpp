@@ -13,7 +13,7 @@
 namespace radiosity::test {
 namespace {
 
-// A box with a lamp that looks down from under its ceiling, near the wall at low x.
+// A box with a lamp that shines down from under its ceiling, near the wall at low x.
 Room make_lamp_room(double away) {
   Room room;
   room.materials = {{"wall", grey(0.5), {}}, {"lamp", grey(0), grey(1)}};
@@ -22,7 +22,7 @@ Room make_lamp_room(double away) {
   return room;
 }
 
-// The number of steps of length 1/even, and of its halves and quarters; there are no others.
+// The number of steps of length 1/even, and of its halves and quarters; no others exist.
 std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int even) {
   std::array<std::size_t, 3> count{};
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -35,8 +35,8 @@ std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int eve
   return count;
 }
 
-// The error of the lamp's light in the middles of the patches of the wall beside it, root mean
-// square over the light's.
+// The error of the lamp's light at the centres of the patches on the nearby wall: root mean square,
+// relative to the light.
 double find_error(const Room& room) {
   const Mesh mesh = make_mesh(room, {});
   const auto find_light = [&](const Vertex& vertex) {
@@ -75,7 +75,7 @@ TEST(Grade, ShowsTheLightOfALampBesideAWall) {
   }
 }
 
-// Rows are halved where the light varies, and only there.
+// Rows are halved if the light varies, and only then.
 TEST(Grade, HalvesRowsBesideTheLamp) {
   const Room room = make_lamp_room(0.3);
   const Room graded = make_graded(room, 1);
@@ -92,7 +92,7 @@ TEST(Grade, HalvesRowsBesideTheLamp) {
   EXPECT_LE(count_patches(graded, 1), 2 * count_patches(room, 1));
 }
 
-// Rows are not halved again where the room had more than twice as many patches.
+// Rows are not halved again if the room would have more than twice as many patches.
 TEST(Grade, KeepsWithinTwiceAsManyPatches) {
   Room room = make_lamp_room(0.3);
   for (Face& face : room.faces) face.along = face.across = 1;
@@ -109,8 +109,8 @@ TEST(Grade, KeepsWithinTwiceAsManyPatches) {
   EXPECT_GT(halved, 2u);
 }
 
-// Rooms of any shape, in any place: what is halved is halved twice at most, and no more than a
-// room of twice as many patches comes of it; a turned room has the same grids.
+// Rooms of any shape, at any place: steps are halved at most twice, and the number of patches at
+// most doubles. A turned room has the same grids.
 TEST(Grade, IsTheSameHoweverTheRoomIsTurned) {
   std::size_t halved = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -11,7 +11,7 @@ namespace radiosity::grids {
 
 using renderer::test::Random;
 
-/// Bicubic surfaces, unlimited.
+/// Parameters for bicubic surfaces without limits.
 
 inline constexpr ReconstructionParams make_unlimited(Twist twist) {
   return {Reconstruction::bicubic, twist, false};
@@ -35,11 +35,11 @@ inline void add_patch(Mesh& mesh, const std::array<std::uint32_t, 4>& corners) {
   mesh.patches.push_back(patch);
 }
 
-/// Where lines u and v meet.
+/// The vertex where lines u and v meet.
 using Surface = std::function<Vertex(double u, double v)>;
 
-/// A patch between any two lines u and any two lines v. With `turns` every patch begins at a corner
-/// of its own.
+/// A patch between any two neighbouring lines u and v. With `turns`, patches begin at random
+/// corners.
 inline Mesh make_grid(const std::vector<double>& u, const std::vector<double>& v,
                       const Surface& surface, Random* turns = nullptr) {
   Mesh mesh;
@@ -56,7 +56,7 @@ inline Mesh make_grid(const std::vector<double>& u, const std::vector<double>& v
   return mesh;
 }
 
-/// 0, ..., 1; steps between equal ones and, if uneven, three times as far.
+/// Lines 0, ..., 1. Steps are equal or, with `uneven`, random up to a factor of three.
 inline std::vector<double> make_lines(int patches, Random* uneven = nullptr) {
   std::vector<double> lines{0};
   for (int i = 0; i < patches; ++i)
@@ -65,7 +65,7 @@ inline std::vector<double> make_lines(int patches, Random* uneven = nullptr) {
   return lines;
 }
 
-/// A plane with axes u and v that are neither unit nor, unless `square`, at right angles.
+/// A plane with axes u and v of any length, not at right angles unless `square`.
 inline Surface make_plane(Random& random, bool square = false) {
   const Vec normal = random.direction(), from = random.point(3);
   const auto [a, b] = renderer::test::make_plane(normal);
@@ -83,7 +83,7 @@ inline std::vector<Rgb> make_colours(Random& random, std::size_t count) {
   return colours;
 }
 
-/// A function of points, at the vertices.
+/// The values of a function of points, at the vertices.
 template <class F>
 std::vector<Rgb> take(const Mesh& mesh, const F& function) {
   std::vector<Rgb> values;
@@ -101,7 +101,7 @@ inline double eval_distance(const Rgb& a, const Rgb& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// The largest distance from a function, at n x n points of every patch that `counts`.
+/// The largest deviation from a function, at n x n points of every patch that `counts`.
 template <class F>
 double find_error(const Mesh& mesh, const Illumination& illumination, const F& function,
                   const std::function<bool(const Patch&)>& counts = {}, int n = 5) {
@@ -118,7 +118,7 @@ double find_error(const Mesh& mesh, const Illumination& illumination, const F& f
   return error;
 }
 
-/// The change of the illumination by s and by t, from inside the patch.
+/// The derivatives of the illumination by s and by t, from inside the patch.
 struct Derivatives {
   Rgb by_s, by_t;
 };

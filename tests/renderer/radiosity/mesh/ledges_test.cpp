@@ -10,7 +10,7 @@ namespace {
 
 constexpr double LONG = 60, HEIGHT = 1;
 
-// A face one patch high on a bright one that goes on for `width` before it.
+// A face one patch high, standing on a bright one that extends `width` in front of it.
 Room make_room(double width) {
   Room room;
   room.materials = {{"face", grey(0.5), {}}, {"ledge", grey(0), grey(1)}};
@@ -19,7 +19,7 @@ Room make_room(double width) {
   return room;
 }
 
-// What the ledge gives a vertex.
+// The light of the ledge at a vertex.
 double eval_share(const Mesh& mesh, const Vertex& vertex) {
   return sum_factors({mesh, {}}, vertex, [](const Patch& patch) { return patch.material == 1; });
 }
@@ -34,14 +34,14 @@ TEST(Ledges, AreFoundWithTheirWidths) {
     for (const double x : {1.0, 20.0, LONG - 1})
       EXPECT_NEAR(eval_width(ledge, {x, 0, 0}), width, 1e-9);
   }
-  // A wall does not stand on the floor that it ends at.
+  // A wall does not stand on a floor that ends at the wall.
   Room box;
   box.materials = {{"wall", grey(0.5), grey(1)}};
   add_box(box, 0, {0, 0, 0}, {3, 2, 1});
   for (const auto& contacts : find_contacts(box, 1)) EXPECT_TRUE(contacts.ledges.empty());
 }
 
-// The front of a face stands on the surface, which may go on in another face.
+// The front of a face stands on a surface, which may continue in another face.
 TEST(Ledges, EndWhereTheSurfaceDoes) {
   Room room = make_room(0.2);
   add_quad(room, 1, {0, -5, 0}, {LONG, 0, 0}, {0, 4.8, 0});
@@ -53,7 +53,7 @@ TEST(Ledges, EndWhereTheSurfaceDoes) {
   EXPECT_TRUE(find_contacts(under, 1)[1].ledges.empty());
 }
 
-// Whatever the angle between foot and edge, also where they meet and however the room is turned.
+// Any angle between foot and edge, even where they meet, in a room turned by any angle.
 TEST(Ledges, MayNarrowToAPoint) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -73,9 +73,9 @@ TEST(Ledges, MayNarrowToAPoint) {
   }
 }
 
-// The light of a ledge is found where it makes the mean of the patch right; of one wider than
-// four times the patch, at the foot. (There the test's ledge, a single patch, is too near for its
-// factor.)
+// The light of a ledge is evaluated where it makes the mean of the patch right. For a ledge wider
+// than four times the patch that is at its foot. (There the test's ledge, a single patch, is too
+// near for its factor.)
 TEST(Ledges, GiveAPatchItsMeanLight) {
   for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 1.1, 3.0, 5.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);
@@ -99,8 +99,8 @@ TEST(Ledges, GiveAPatchItsMeanLight) {
   }
 }
 
-// Beside the edge of something that hangs a little above a floor, level or sloping along the edge,
-// patches have the right means of the light that falls in under it.
+// An object hangs just above a floor, level or sloping along its edge. Patches beside its edge have
+// the right means of the light that falls in under it.
 TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
   const auto check = [](double gap, double slope) {
     SCOPED_TRACE(testing::Message() << "gap " << gap << ", slope " << slope);

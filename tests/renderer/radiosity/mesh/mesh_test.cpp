@@ -1,4 +1,4 @@
-// What a mesh keeps of its room: areas, sides, powers, and which vertices are one.
+// Properties that a mesh keeps from its room: areas, sides, powers, and shared vertices.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Mesh, KeepsAreasAndPowers) {
   }
 }
 
-// A patch's corners run counter-clockwise about its normal, which is its vertices'.
+// A patch's corners run counter-clockwise about its normal, which is also its vertices' normal.
 std::string refusal_of(const Room& room) {
   try {
     make_mesh(room, {});
@@ -45,7 +45,7 @@ std::string refusal_of(const Room& room) {
   return {};
 }
 
-// The second face alone would have patches that are smaller than is allowed: nothing is made of it.
+// The second face alone would have patches below the size limit: no mesh is made.
 TEST(Mesh, TheSumOfPatchesIsCheckedBeforeAnyIsMade) {
   Room room = make_small_room();
   room.faces[0].along = 3000;
@@ -98,7 +98,7 @@ TEST(Mesh, PatchesLookWhereTheirFaceDoes) {
   }
 }
 
-// The back is divided as the front is, patch behind patch.
+// The back is divided like the front, patch behind patch.
 TEST(Mesh, BothSidesAreDividedAlike) {
   Room room;
   room.materials = {{"lamp", grey(0), grey(1)}};
@@ -114,7 +114,7 @@ TEST(Mesh, BothSidesAreDividedAlike) {
               1);
 }
 
-// Walls of a room are surfaces of their own; a wall of two faces is one, if it is of one material.
+// Walls of a room are separate surfaces; a wall of two faces is one if it has one material.
 TEST(Mesh, VerticesAreSharedWithinASurface) {
   for (const bool same : {true, false}) {
     Room room;
@@ -128,7 +128,7 @@ TEST(Mesh, VerticesAreSharedWithinASurface) {
   }
 }
 
-// On a border a little inside, elsewhere in place; in no case off the face.
+// Vertices on a border are lit slightly inside, others in place; none off the face.
 TEST(Mesh, BordersAreLitInside) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};

@@ -1,4 +1,4 @@
-// The reference itself: against closed forms, within its own standard error, which must be honest.
+// The reference: agrees with closed forms within its own standard error, which is tested too.
 
 #include "tests/reference/path_tracer.hpp"
 
@@ -28,9 +28,9 @@ void look(Room& room, const Vec& from, const Vec& at, const Vec& up, double angl
   room.view = {from, at, up, angle};
 }
 
-// Compares pictures of many seeds with what is expected at each pixel: their mean must be right,
-// and so must the standard error that each pixel is given. A pixel's error over its standard error,
-// which is found from n rounds, has a variance of (n - 1) / (n - 3) then (Student's distribution).
+// Compares pictures of many seeds with the expected value of each pixel: their mean must be right,
+// and so must each pixel's standard error. The error over its standard error, which comes from n
+// rounds, then has a variance of (n - 1) / (n - 3) (Student's distribution).
 void expect_within_noise(const Room& room, TracerParams params, const std::vector<double>& expected,
                          const std::string& what) {
   constexpr int SEEDS = 16;
@@ -62,7 +62,7 @@ void expect_within_noise(const Room& room, TracerParams params, const std::vecto
 }
 
 TEST(PathTracer, FurnaceHasItsClosedForm) {
-  // Where every face emits E and reflects rho, all is as bright as E / (1 - rho).
+  // If every face emits E and reflects rho, everything is as bright as E / (1 - rho).
   for (const double rho : {0.3, 0.9}) {
     test::Random random{7};
     Room room = test::make_furnished(random, 3, 1);
@@ -73,7 +73,7 @@ TEST(PathTracer, FurnaceHasItsClosedForm) {
   }
 }
 
-// A floor and what is above it, seen from above.
+// A floor and objects above it, seen from above.
 Room make_floor(double size) {
   Room room;
   room.materials = {
@@ -97,7 +97,7 @@ std::vector<double> eval_floor(const Room& room, const TracerParams& params, con
 }
 
 TEST(PathTracer, DirectLightHasItsClosedForm) {
-  // B = rho E F; one lamp is far, and one stands on the floor, where F goes to 1/2.
+  // B = rho E F; one lamp is distant, and one stands on the floor: there F approaches 1/2.
   Room room = make_floor(1);
   add_quad(room, 1, {0.1, -1.5, 2}, {0, 1, 0.3}, {1, 0, 0});
   add_quad(room, 1, {-0.02, 0, 0}, {0, 1, 0}, {0, 0, 0.5});
@@ -112,7 +112,7 @@ TEST(PathTracer, DirectLightHasItsClosedForm) {
 }
 
 TEST(PathTracer, MirrorShowsALampTwice) {
-  // B = rho E (F + m F'), F' of the lamp behind a mirror that is larger than what it shows.
+  // B = rho E (F + m F'); F' is that of the lamp behind a mirror larger than the lamp's image.
   Room room = make_floor(1);
   add_quad(room, 1, {1, -1, 0.5}, {0, 3, 0}, {0, 0, 2});
   std::ranges::reverse(room.faces.back().corners);  // shines towards the mirror, and the floor

@@ -1,4 +1,4 @@
-// Pictures of radiosity against the path tracer's; tests/reference/run does so at large.
+// Pictures of radiosity, compared with the path tracer's; tests/reference/run does more.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ Deviation compare_room(const Room& room, int refine, Reconstruction kind, const 
   return found;
 }
 
-// A box in a box, nothing turned.
+// A box in a box, both axis-aligned.
 constexpr const char* UPRIGHT = R"(
 material wall reflect 0.7 0.6 0.5
 material lamp reflect 0 0 0  emit 17 15 12
@@ -68,7 +68,7 @@ TEST(RadiosityAgainstPathTracer, UprightBox) {
   EXPECT_LT(found.group, 12);
 }
 
-// A lamp 2 cm below a ceiling, seen from below and from a corner: no dark halo around it.
+// A lamp 2 cm below a ceiling, seen from below and from a corner: it has no dark halo.
 TEST(RadiosityAgainstPathTracer, LampBelowACeiling) {
   Room room = test::read(R"(
 material wall reflect 0.75 0.75 0.75
@@ -128,7 +128,7 @@ TEST(RandomRooms, AreClosedAndSeenFromInside) {
   }
 }
 
-// The rays of the middle column meet the border of a face, or pass it a thousandth aside.
+// The rays of the middle column meet the border of a face, or pass it at 0.001.
 TEST(Deviation, LeavesOutRaysThatPassAnEdge) {
   constexpr int W = 5, H = 3;
   for (const double aside : {0.0, 1e-6, 1e-3}) {
@@ -151,7 +151,7 @@ TEST(Deviation, LeavesOutRaysThatPassAnEdge) {
 }
 
 TEST(Deviation, FindsGroupsBiasAndEdges) {
-  // A reference of two faces, and a picture that is 10 % too bright and has a group that is dark.
+  // A reference of two faces, and a picture 10 % too bright with a dark group.
   Reference reference;
   constexpr int W = 10, H = 8;
   reference.picture = {W, H, std::vector<Rgb>(W * H, {2, 2, 2})};
@@ -167,7 +167,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_EQ(even.group, 0);
 
   for (const std::size_t i : {0, 11, 22, 33}) picture.pixels[i] = {1, 1, 1};  // a diagonal
-  picture.pixels[29] = {1, 1, 1};  // not the neighbour of 30, in the next row
+  picture.pixels[29] = {1, 1, 1};  // not a neighbour of 30, which is in the next row
   picture.pixels[30] = {1, 1, 1};
   const Deviation spots = compare(picture, reference);
   EXPECT_EQ(spots.group, 4);
@@ -176,7 +176,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   picture.pixels[4] = {4, 4, 4};  // at the border between the faces
   EXPECT_NEAR(compare(picture, reference).edges, 1, 1e-12);
   EXPECT_NEAR(compare(picture, reference).worst, 0.5, 1e-12);
-  // Noise of a quarter of the radiosity explains them.
+  // Noise of a quarter of the radiosity explains the errors.
   reference.error.assign(W * H, 0.5);
   picture.pixels[4] = {2, 2, 2};
   EXPECT_EQ(compare(picture, reference).group, 0);

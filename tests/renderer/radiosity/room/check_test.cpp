@@ -1,4 +1,4 @@
-// What is no room, with the reason.
+// Rejected rooms, with the reason.
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                   },
                   "a.room:7: found a face that goes around more than once before corner"},
         WrongRoom{"Spiral",
-                  [](Room& r) {  // around the first corner by more than once, always to the left
+                  [](Room& r) {  // winds around more than once, always to the left
                     corners(r) = {{0, 0, 0}};
                     for (int i = 0; i < 11; ++i)
                       corners(r).push_back({std::cos(0.7 * i), std::sin(0.7 * i), 0});
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on "
                   "the side"},
         WrongRoom{
-            "NormalWithoutLength",  // the square of which is 0
+            "NormalWithoutLength",  // its square is 0
             [](Room& r) {
               r.faces[0].normals.resize(4, Vec{0, 0, 1});
               r.faces[0].normals[1] = {0, 0, 1e-320};
@@ -177,7 +177,7 @@ TEST(RoomCheck, SmallestRoomsPass) {
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
 }
 
-// Flat and convex stays so wherever it stands and however large it is.
+// A flat, convex face remains valid at any place and size.
 TEST(RoomCheck, ConvexFacesPassAndDentedOnesDoNot) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -209,7 +209,7 @@ TEST(RoomCheck, ConvexFacesPassAndDentedOnesDoNot) {
   }
 }
 
-// Newell's: the sum over the triangles of any fan, from whichever corner it starts.
+// Newell's normal: the sum over the triangles of any fan, from any corner.
 TEST(RoomCheck, AreaNormalsAreTheSameFromEveryCorner) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// Patches are small where the illumination varies.
+// Patches are small if the illumination varies.
 
 #include "renderer/radiosity/show/adapt.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr ReconstructionParams BILINEAR{Reconstruction::bilinear};
 
-// A floor as wide as told, and a lamp of 2 x 2 that is 3 above its middle, seen from above: all of
-// the floor, but no more than 40 x 40.
+// A floor of the given width, and a lamp of 2 x 2 at height 3 above its middle. Seen from above:
+// the whole floor, up to 40 x 40.
 Room make_floor(double width) {
   Room room;
   room.materials = {{"floor", grey(0.5), {}}, {"lamp", grey(0), grey(10)}};
@@ -26,8 +26,8 @@ Room make_floor(double width) {
   return room;
 }
 
-// The root mean square of what the mesh's surfaces are off, by points of a grid around the origin,
-// over that of the light there.
+// Root mean square error of the mesh's surfaces on a grid of points around the origin, relative to
+// that of the light there.
 double find_error(const Mesh& mesh, double width) {
   const Solution solution = solve(mesh, {});
   const auto shown = reconstruct(mesh, solution.vertices, BILINEAR);
@@ -71,7 +71,7 @@ TEST(Adapt, TheErrorIsWhatIsAskedFor) {
   }
 }
 
-// Rows are halved where the solution needs it: they do not begin with those near lights halved.
+// Rows are halved as the solution requires: they start even, not halved near lights.
 TEST(Adapt, BeginsWithEvenRows) {
   Room room = make_floor(10);
   for (Vec& corner : room.faces[1].corners) corner.z = 1;
@@ -85,8 +85,8 @@ TEST(Adapt, BeginsWithEvenRows) {
   EXPECT_EQ(adapted.mesh.patches.size(), even.patches.size());
 }
 
-// Patches of a face meet at their corners: the face's area is theirs, and no edge is in two patches
-// on the same side, or in one only unless it is on the border.
+// Patches of a face meet at their corners: their areas sum to the face's. Every edge is in two
+// patches on opposite sides, or in one if it is on the border.
 TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   const Mesh mesh = adapt_mesh(make_floor(10), {}, BILINEAR, {0.05}).mesh;
   double area = 0;
@@ -105,7 +105,7 @@ TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   }
 }
 
-// A block stands on the floor, which is cut at its foot at any fineness.
+// A block stands on the floor: the floor is cut at its foot at any fineness.
 TEST(Adapt, FeetStayContacts) {
   for (const double width : {4.0, 400.0}) {
     Room room = make_floor(width);
@@ -129,7 +129,7 @@ TEST(Adapt, FeetStayContacts) {
   }
 }
 
-// The same light is far off, and no patch is halved for what the view does not show.
+// With the light out of view, no patch is halved.
 TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   Room room = make_floor(10);
   const std::size_t seen = adapt_mesh(room, {}, BILINEAR, {0.02}).mesh.patches.size();
@@ -139,7 +139,7 @@ TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   EXPECT_GT(seen, 20 * turned.mesh.patches.size());
 }
 
-// By a mirror that leaves a half of each colour, a quarter of the square.
+// Over a mirror that reflects half of each colour, hence a quarter of the square.
 TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   Room room = make_floor(10);
   room.materials.push_back({"glass", grey(0.5), {}});
@@ -171,7 +171,7 @@ TEST(Adapt, EndsWhereNothingButLampsIsLit) {
   EXPECT_EQ(adapt_mesh(room, {}, BILINEAR, {0.01}).rounds, 0);
 }
 
-// What else a room may hold: a mirror, a crease, a triangle, a face of two sides.
+// Other content of a room: a mirror, a crease, a triangle, a two-sided face.
 TEST(Adapt, TakesAnyRoom) {
   for (const Reconstruction kind : {Reconstruction::bilinear, Reconstruction::bicubic}) {
     Room room = make_floor(6);
@@ -191,7 +191,7 @@ TEST(Adapt, TakesAnyRoom) {
     EXPECT_EQ(mesh.mirrors.size(), 1u);
     // The patches of each side cover it once: floor, lamp, the leaning face twice, the triangle.
     EXPECT_NEAR(mesh.area, 36 + 4 + 2 * std::sqrt(4.25) + 1, 1e-9);
-    // None crosses the crease.
+    // No patch crosses the crease.
     for (const Patch& patch : mesh.patches) {
       if (patch.face != 0) continue;
       double least = 0, most = 0;

@@ -1,4 +1,4 @@
-// Radiosity becomes bytes and files.
+// Radiosity converted to bytes and files.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>

@@ -1,4 +1,4 @@
-// Bicubic surfaces stay near the illumination around them.
+// Bicubic surfaces stay near the surrounding illumination.
 
 #include "renderer/radiosity/show/limit.hpp"
 
@@ -13,7 +13,7 @@ using namespace grids;
 
 constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated};
 
-// Bright and dark vertices as they come.
+// Bright and dark vertices in random order.
 std::vector<Rgb> make_contrasts(Random& random, std::size_t count) {
   std::vector<Rgb> values;
   for (std::size_t i = 0; i < count; ++i)
@@ -21,7 +21,7 @@ std::vector<Rgb> make_contrasts(Random& random, std::size_t count) {
   return values;
 }
 
-// The range of all patches that have a corner in common with a patch.
+// The range of all patches that share a corner with a patch.
 Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& patch) {
   Limits range{values[patch.corners[0]], values[patch.corners[0]]};
   for (const Patch& other : mesh.patches) {
@@ -35,7 +35,7 @@ Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& pa
   return range;
 }
 
-// Whether limit_change() keeps a change: its three rules, of a tolerance.
+// True if limit_change() keeps a change: its three rules, within a tolerance.
 bool is_kept(double change, double value, double whole, double there) {
   constexpr double TINY = 1e-9;
   const double bend = whole - change, other_bend = there - whole;
@@ -97,8 +97,8 @@ TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
   EXPECT_GT(beyond_without, 0);
 }
 
-// Light on one side of a line of vertices, shadow on the other: a surface that only follows the
-// slopes dips below the one and swings above the other.
+// Light on one side of a line of vertices, shadow on the other. A surface that follows only the
+// slopes dips below the shadow and overshoots the light.
 TEST(Limit, NothingSwingsBesideALeap) {
   double swung = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -144,7 +144,7 @@ TEST(Limit, LeavesSmoothSurfacesAlone) {
   }
 }
 
-// A vertex that is two corners of a patch lights both of them.
+// A vertex used for two corners of a patch lights both of them.
 TEST(Limit, PatchesWithTheSameVertexTwiceAreWhollyLit) {
   for (std::size_t corner = 0; corner < 4; ++corner) {
     Mesh mesh;

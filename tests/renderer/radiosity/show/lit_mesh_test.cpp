@@ -1,4 +1,4 @@
-// Patches and penumbrae are fine where light is concentrated: make_lit_mesh(), Room::fine_shadows.
+// Patches and penumbrae are fine near concentrated light: make_lit_mesh(), Room::fine_shadows.
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace radiosity::test {
 namespace {
 
-// A lamp hangs below a ceiling and beside a wall: this is bright in a narrow strip, which lights
-// the border of the ceiling.
+// A lamp hangs below a ceiling and beside a wall. The wall is bright in a narrow strip, which
+// lights the border of the ceiling.
 constexpr const char* LAMP_BESIDE_A_WALL = R"(
 material wall reflect 0.7 0.7 0.7
 material lamp reflect 0 0 0  emit 15 15 15
@@ -19,7 +19,7 @@ quad lamp  1 0.1 2.3  1 0.6 2.3  1.6 0.6 2.3  1.6 0.1 2.3
 view from 1.5 2.9 1.2 at 1.5 0 1.2 up 0 0 1 angle 70 size 40 30
 )";
 
-// A wall with a slit of 8 cm is between a lamp and the other half of the room.
+// A wall with a slit of 8 cm stands between a lamp and the other half of the room.
 constexpr const char* SLIT = R"(
 material wall reflect 0.5 0.5 0.5
 material lamp reflect 0 0 0  emit 60 60 60
@@ -64,7 +64,7 @@ TEST(LitMesh, IsFinerWhereLightIsConcentrated) {
   EXPECT_GT(ceiling, count(even)[0]);
   EXPECT_EQ(floor, count(even)[1]);
 
-  // The view has no effect, and what comes out is as if the mesh had been given.
+  // The view has no effect, and the result equals that for a given mesh.
   Room turned = room;
   turned.view.from = {0.3, 0.3, 0.1};
   AdaptedMesh other = make_lit_mesh(turned, light);
@@ -91,7 +91,7 @@ TEST(LitMesh, IsMakeMeshsUnlessAsked) {
   check_plain();
 }
 
-// Behind a slit a vertex sees a part of the lamp, of which single rays do not tell the size.
+// Behind a slit a vertex sees a part of the lamp; single rays do not measure its size.
 TEST(FineShadows, LightBehindASlitHasNoStreaks) {
   Room room = make_room(SLIT);
   const Mesh mesh = make_mesh(room, {});

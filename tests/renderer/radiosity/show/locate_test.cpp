@@ -1,4 +1,4 @@
-// A point of a face finds its patch.
+// The patch at a point of a face.
 #include "renderer/radiosity/show/locate.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(Locate, EveryPointOfEverySideIsOnItsPatch) {
         const auto& side = get_side(sides, object, back);
         ASSERT_EQ(side.kind == radiosity::Side::Kind::nothing, back && !face.two_sided);
         for (int i = 0; i < 200 && side.kind == radiosity::Side::Kind::patches; ++i) {
-          // Some of them on the corners and edges.
+          // Some of them lie on the corners and edges.
           Vec point;
           double sum = 0;
           for (const Vec& corner : face.corners) {
@@ -92,7 +92,7 @@ TEST(Locate, EveryPointOfEverySideIsOnItsPatch) {
               << "face " << object << " point " << i;
         }
       }
-    // The grid: a patch or a few, not all of them.
+    // The grid tests one or a few patches, not all of them.
     EXPECT_LT(work[renderer::Op::polygon_edges], 200 * 12 * 6u);
   }
 }

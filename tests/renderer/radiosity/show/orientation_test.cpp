@@ -1,4 +1,4 @@
-// Warnings about faces that look the wrong way.
+// Warnings about faces with the wrong orientation.
 #include "renderer/radiosity/show/orientation.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #pragma once
-// A room for pictures, and illumination that is known everywhere.
+// A room for pictures, with illumination known everywhere.
 
 #include "renderer/radiosity/show/picture.hpp"
 #include "tests/renderer/support.hpp"
@@ -16,7 +16,7 @@ inline Face make_face(std::vector<Vec> corners, int along = 1, int across = 1) {
   return face;
 }
 
-/// Materials 0 (diffuse, emits) and 1 (a mirror of another reflectance for each colour).
+/// Materials 0 (diffuse, emits) and 1 (a mirror with a different reflectance for each colour).
 inline Room make_empty_room() {
   Room room;
   room.materials = {{"wall", {0.5, 0.5, 0.5}, {1, 1, 1}, false},
@@ -59,7 +59,7 @@ inline Room make_furnished_cube(int divide) {
   return room;
 }
 
-/// A radiosity that is linear in space, so that any patch reproduces it; positive in the unit cube.
+/// A radiosity linear in space, so that any patch reproduces it; positive in the unit cube.
 inline Rgb eval_linear(const Vec& p) {
   return {1 + p.x, 2 + p.y - 0.5 * p.z, 1.5 - 0.3 * p.x + p.z};
 }
@@ -79,7 +79,7 @@ inline double distance(const Rgb& a, const Rgb& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// The way of the ray through a pixel's centre.
+/// The direction of the ray through a pixel's centre.
 inline Vec eval_way(const renderer::View& view, const PictureParams& params, int x, int y) {
   const Vec ahead = normalize(view.at - view.from), right = normalize(cross(ahead, view.up));
   const double half = std::tan(view.angle * std::numbers::pi / 360),

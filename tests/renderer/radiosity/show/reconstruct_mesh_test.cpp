@@ -1,4 +1,4 @@
-// The illumination between vertices on meshes that are no grids: polygons, several faces, curved
+// The illumination between vertices on meshes other than grids: polygons, several faces, curved
 // surfaces, creases.
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Mesh mesh_of(const std::vector<Face>& faces) {
   return make_mesh(room, {});
 }
 
-// The largest gap between patches that meet in an edge, by place.
+// The largest gap between patches with a common edge, by place.
 double find_largest_gap(const Mesh& mesh, const Illumination& b, Random& random) {
   using Key = std::array<double, 3>;
   const auto key = [&](std::uint32_t v) {
@@ -103,7 +103,7 @@ TEST(ReconstructMesh, PolygonsAreNearSmoothFunctionsAndDoNotOvershoot) {
   }
 }
 
-// Where faces of one plane and material touch, the surface goes on.
+// The surface continues across faces with a common plane and material.
 TEST(ReconstructMesh, FacesThatShareVerticesAreOneSurface) {
   Random random{1};
   const auto plane = make_plane(random);
@@ -121,7 +121,7 @@ TEST(ReconstructMesh, FacesThatShareVerticesAreOneSurface) {
   EXPECT_LT(find_error(mesh, smooth, quadratic), 1e-9);
 }
 
-// Anything, but the same at the same place.
+// Random values, equal at equal places.
 std::vector<Rgb> make_values(const Mesh& mesh, Random& random) {
   std::map<std::array<double, 3>, Rgb> by_place;
   return take(mesh, [&](const Vec& at) {
@@ -149,7 +149,7 @@ TEST(ReconstructMesh, CreasesLeaveNoGapsWhereverTheyCrossTurnAndEnd) {
   }
 }
 
-// A roof with its ridge on a line; other creases do not matter.
+// A roof with its ridge on a line; other creases have no effect.
 TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   for (const bool creased : {true, false}) {
     Random random{3};
@@ -177,7 +177,7 @@ TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   }
 }
 
-// Facets with the normals of a cylinder: the same as if it were rolled out.
+// Facets with the normals of a cylinder: equal to the unrolled plane.
 TEST(ReconstructMesh, ACylinderIsAsGoodAsItsPlane) {
   Random random{2};
   const auto u = make_lines(6), v = make_lines(3, &random);

@@ -1,4 +1,4 @@
-// The illumination between vertices: what it reproduces, how smooth it is and how near.
+// The illumination between vertices: functions it reproduces, its smoothness and accuracy.
 
 #include "renderer/radiosity/show/reconstruct.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using namespace grids;
 
 constexpr Twist TWISTS[] = {Twist::zero, Twist::diagonal, Twist::estimated};
-// Eq 3.1 as it stands there, matrix by matrix.
+// Eq 3.1 literally, matrix by matrix.
 TEST(Hermite, IsTheProductOfEq31) {
   constexpr double M[4][4] = {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
   Random random{1};
@@ -94,8 +94,8 @@ TEST(Reconstruct, QuadraticFunctionsAreExactOnParallelLines) {
   }
 }
 
-// The largest gaps of value and slope between two patches, at random points of their common edges:
-// grid of nu x nv patches whose corners all begin at the same place.
+// The largest gaps of value and slope between two patches, at random points of their common edges.
+// The corners of the nu x nv patches of the grid all begin at the same place.
 struct Gaps {
   double value = 0, slope = 0;
 };
@@ -137,7 +137,7 @@ TEST(Reconstruct, IsC1AcrossInnerBorders) {
   }
 }
 
-// The thesis's mixed derivatives are alike on both sides only where the steps are.
+// The thesis's mixed derivatives agree on both sides only if the steps do.
 TEST(Reconstruct, WithDiagonalTwistsIsC1OnEvenGridsOnly) {
   Random random{4};
   const auto lines = make_lines(4), uneven = make_lines(4, &random);
@@ -152,7 +152,7 @@ TEST(Reconstruct, WithDiagonalTwistsIsC1OnEvenGridsOnly) {
   EXPECT_LT(find(uneven).value, 1e-12);
 }
 
-// Two grids that share no vertex meet in a line: same values there, other slopes across.
+// Two grids without common vertices meet in a line: equal values there, different slopes across.
 TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -179,8 +179,8 @@ TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   }
 }
 
-// Lines that nearly coincide, as creases make them: a slope across the narrow strip says nothing
-// about the wide ones.
+// Nearly coincident lines, as creases make them: the slope across the narrow strip must not affect
+// the wide patches.
 TEST(Reconstruct, SmallErrorsOnNarrowPatchesStaySmall) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

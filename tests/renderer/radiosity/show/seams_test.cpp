@@ -1,4 +1,4 @@
-// Two faces of one plane that are divided unlike have one surface where they meet.
+// Two coplanar faces with different divisions have one surface at their common edge.
 
 #include "renderer/radiosity/show/seams.hpp"
 
@@ -14,7 +14,7 @@ using namespace grids;
 
 constexpr ReconstructionParams BOUNDED{Reconstruction::bicubic, Twist::estimated};
 
-// A square of 2 x 2 in some plane, cut along u = 1; its halves have so many patches along the cut.
+// A square of 2 x 2 in some plane, cut along u = 1; the halves have different divisions there.
 struct Halves {
   Surface plane;
   Room room;
@@ -34,7 +34,7 @@ struct Halves {
   }
 };
 
-// The illumination on the cut at v, from the patches of a face.
+// The illumination on the cut at v, from the patches of one face.
 Rgb eval_at_cut(const Halves& halves, const Mesh& mesh, const Illumination& lit, std::uint32_t face,
                 double v) {
   constexpr double S[] = {0, 1, 1, 0, 0}, T[] = {0, 0, 1, 1, 0};
@@ -89,7 +89,7 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
     }
 }
 
-// Three faces of one plane, whose seams meet in a T: the shorter one holds an end of the longer.
+// Three coplanar faces whose seams meet in a T: the shorter seam contains an end of the longer.
 TEST(Seams, ThatMeetInATHaveNoGaps) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

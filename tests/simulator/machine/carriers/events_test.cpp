@@ -1,4 +1,4 @@
-// In which order events come.
+// The order of events.
 #include "simulator/machine/carriers/events.hpp"
 
 #include <gtest/gtest.h>
@@ -10,14 +10,14 @@
 namespace machine {
 namespace {
 
-// By date; of those of one date first those asked for as first, each kind as it was asked for.
+// By date; at equal dates `first` events come first; within each kind in order of scheduling.
 TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random{seed};
     struct Asked {
       double date;
-      bool is_other;  // not asked for as first
+      bool is_other;  // not scheduled as first
       int number;
       auto operator<=>(const Asked&) const = default;
     };
@@ -38,8 +38,8 @@ TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   }
 }
 
-// What is asked for soon comes after the event, in order, also what is asked for meanwhile; and
-// nothing comes after a stop.
+// Actions scheduled as soon run after the event, in order, including those scheduled meanwhile.
+// None runs after a stop.
 TEST(Events, WhatIsAskedForSoonComesUntilAStop) {
   struct Trial {
     Events events;

@@ -1,4 +1,4 @@
-// When messages on a link can end: bytes over rates, and the rates change when another comes.
+// Possible end dates of messages on a link: the rate changes when another message comes.
 #include "simulator/machine/carriers/forecast.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST(Forecast, TellsTheBoundsOfAMessageThatEnds) {
   }
 }
 
-// In a second a double resolves 10^-16 s, after ten days 10^-10 s.
+// Near one second a double resolves 10^-16 s, near ten days 10^-10 s.
 TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   for (const double start_s : {0., 1e3, 1e6}) {
     Forecast forecast;
@@ -100,8 +100,8 @@ TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   }
 }
 
-// SimGrid's own factor of all bandwidths, changed behind the machine's back: a message of 100 bytes
-// at 2^20 bytes/s, of which SimGrid moves half, or a tenth more.
+// Changes SimGrid's factor for all bandwidths behind the machine's back. SimGrid then moves
+// a message of 100 bytes at half of 2^20 bytes/s, or at a tenth more.
 TEST(Forecast, SimGridMustKeepIt) {
   if (occam::engine_under_test().links == Links::direct) GTEST_SKIP() << "there is no SimGrid";
   for (const double factor : {0.5, 1.1}) {

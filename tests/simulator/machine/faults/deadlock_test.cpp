@@ -1,4 +1,4 @@
-// The report of a deadlock: what each process waits for and from which processes, and the cycle.
+// The report of a deadlock: each process's wait, the processes it waits for, and the cycle.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {
@@ -10,7 +10,7 @@ std::string deadlock_at(Cycles cycle) {
 
 TEST(Deadlock, NamesProcessesAndChannels) {
   const Model costs = make_exact_model();
-  // Two processes each wait for the other to input first.
+  // Each of two processes waits for the other's input.
   for (auto priority : BOTH_PRIORITIES)
     expect_failure(deadlock_at(2 * costs.channel.blocked),
                    {"deadlock at 0.000002 s", "\n  Alice on cpu 0 waits for out on soft 0",
@@ -53,8 +53,8 @@ TEST(Deadlock, OfALinkNamesItsEnds) {
                  });
 }
 
-// Processes on processors joined in a ring pass a token round, each taking it from the one before;
-// then all wait for it again.
+// Processes on a ring of processors pass a token round, each taking it from its predecessor; then
+// all wait for it again.
 void deadlock_ring(Lab& lab, int n) {
   std::vector<Processor*> cpus{&lab.cpu()};
   for (int i = 1; i < n; ++i) cpus.push_back(&lab.neighbour(*cpus.back()));
@@ -88,7 +88,7 @@ TEST(Deadlock, NamesTheCycleAcrossProcessors) {
   EXPECT_TRUE(five.ends_with("\n  the cycle: P0 -> P4 -> P3 -> P2 -> P1 -> P0")) << five;
 }
 
-// A process outside of the cycle waits too: it is named, but not in the cycle.
+// A process outside the cycle waits too: the report names it, but not in the cycle.
 TEST(Deadlock, CycleLeavesOutWhoOnlyWaitsForIt) {
   const auto report = failure_of([](Lab& lab) {
     Processor& cpu = lab.cpu();
@@ -137,8 +137,8 @@ TEST(Deadlock, SaysThatThePartnerHasEnded) {
                  });
 }
 
-// A PAR waits for its branches; a branch that has ended is nobody's partner, and nor is a later one
-// that happens to lie where it was.
+// A PAR waits for its branches. An ended branch is no partner, and neither is a later one at the
+// same address.
 TEST(Deadlock, OfAPar) {
   const auto report = failure_of([](Lab& lab) {
     auto& channel = lab.soft();
@@ -163,7 +163,7 @@ TEST(Deadlock, OfAPar) {
   EXPECT_EQ(report.find("the cycle"), std::string::npos) << report;
 }
 
-// A branch waits for its own parent, which waits for the branch.
+// A branch waits for its parent, which waits for the branch.
 TEST(Deadlock, OfABranchAndItsParent) {
   const auto report = failure_of([](Lab& lab) {
     auto& channel = lab.soft();
@@ -175,7 +175,7 @@ TEST(Deadlock, OfABranchAndItsParent) {
   EXPECT_TRUE(report.ends_with("\n  the cycle: parent -> branch -> parent")) << report;
 }
 
-// Timers that nobody waits for any more do not put off the date.
+// Abandoned timers do not postpone the date.
 TEST(Deadlock, IsFoundAtTheLastThingThatHappened) {
   const auto alt = make_exact_model().alternative;
   const auto report = failure_of([&](Lab& lab) {

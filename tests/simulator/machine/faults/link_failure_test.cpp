@@ -1,4 +1,4 @@
-// Links that are cut: which processes are told, when, and what is counted.
+// Cut links: which processes learn of it and when, and what is counted.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/failing_links.hpp"
@@ -19,7 +19,7 @@ struct Try {
 };
 
 // Cuts the link at `cycle` while these processes output and input. Returns for each whether its
-// message was moved and when it was told, in cycles; then the end of the run and what is counted.
+// message was moved, and the cycle when it learned of it; then the end of the run and the counts.
 Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   return isolated_numbers([&] {
     CutPair pair(cycle, make_exact_model(), switches);
@@ -49,7 +49,7 @@ Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   });
 }
 
-// The process is told at that instant, in either direction and at either end.
+// The process is woken at that instant, for either direction and either end.
 TEST(LinkFailure, EndsAWaitForThePartner) {
   for (auto priority : BOTH_PRIORITIES)
     for (bool forward : {true, false})
@@ -81,7 +81,7 @@ TEST(LinkFailure, EndsTransfersOfBothDirections) {
   EXPECT_EQ(found.at(8), CUT);
 }
 
-// Nothing moves yet while a link switch delays the first byte.
+// Nothing moves while a link switch delays the first byte.
 TEST(LinkFailure, EndsAMessageInALinkSwitch) {
   const double just_begun = blocked() + 1;
   const auto found = try_all(
@@ -100,7 +100,7 @@ TEST(LinkFailure, ComesTooLateForWhatHasArrived) {
             (Numbers{0, end - 1, 0, end - 1, end - 1, 0, 0, 100, 100, 0, 0, 1599}));
 }
 
-// It is told at once: `blocked` is all it costs, whether the cut was at the start or later.
+// Failure is immediate and costs only `blocked`, whether the cut was at the start or later.
 TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
   for (auto priority : BOTH_PRIORITIES)
     for (auto side : {Side::writer, Side::reader})
@@ -112,8 +112,8 @@ TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
       }
 }
 
-// A high-priority process is ahead of the clock: its partner, which waits, is told at the cut, and
-// the process itself when it comes.
+// A high-priority process is ahead of the clock. Its waiting partner fails at the cut, and the
+// process itself when it comes.
 TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   for (auto first : {Side::writer, Side::reader}) {
     const Side second = first == Side::writer ? Side::reader : Side::writer;
@@ -124,7 +124,7 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// The first is ahead of the clock at the cut, and the second comes in between: each is told at its
+// The first is ahead of the clock at the cut, and the second comes in between: each fails at its
 // own time.
 TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
   for (auto first : {Side::writer, Side::reader})
@@ -183,7 +183,7 @@ TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
                 ROUNDING);
 }
 
-// Nothing happens after the end of the run or its limit, and a second cut has no effect.
+// Nothing happens after the end of the run or its limit; a second cut has no effect.
 TEST(LinkFailure, IsToldOnceAndNotAfterTheEnd) {
   const auto run = [](double cut, double end, double limit) {
     return isolated_numbers([=] {

@@ -30,7 +30,7 @@ auto computing(std::int64_t cycles, double& end) {
   };
 }
 
-// The processor is busy up to then and idle after; the others go on as long as they have to.
+// The processor is busy before and idle after; the others continue to their end.
 TEST(ProcessorStop, EndsWhatItComputes) {
   for (auto priority : BOTH_PRIORITIES)
     for (std::int64_t elsewhere : {0, 20'000}) {
@@ -43,14 +43,14 @@ TEST(ProcessorStop, EndsWhatItComputes) {
         EXPECT_EQ(pair.lab.machine.run(), machine::End::done);
         EXPECT_TRUE(pair.b.stopped());
         EXPECT_FALSE(pair.a.stopped());
-        observe::collect(pair.lab.machine);  // checks
+        observe::collect(pair.lab.machine);  // checks invariants
         return Numbers{end, never, pair.lab.busy_cycles(pair.b), pair.lab.cycles()};
       });
       EXPECT_EQ(found, (Numbers{-1, -1, STOP, elsewhere > 0 ? 20'000 : STOP}));
     }
 }
 
-// A high-priority process keeps the other from its CPU, or the way back to that one is under way.
+// A high-priority process pre-empts the low one, or the return to the low one is in progress.
 TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   const auto& s = make_exact_model().scheduler;
   const auto there = s.preemption.value, back = s.return_to_low.value;
@@ -72,7 +72,7 @@ TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   }
 }
 
-// Its timers do not ring, and do not put off the end of the run.
+// Its timers neither fire nor postpone the end of the run.
 TEST(ProcessorStop, ForgetsItsTimers) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -89,8 +89,8 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Neighbours that wait or communicate are told at that instant, those that try later at once. No
-// process of the stopped processor is told.
+// Neighbours fail at that instant if they wait or communicate, and at once if they try later.
+// Processes of the stopped processor receive no failure.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   for (auto priority : BOTH_PRIORITIES)
@@ -99,7 +99,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         for (std::int64_t computes : {100, 9000}) {
           const auto found = isolated_numbers([&] {
             StoppedPair pair;
-            Processor& c = pair.lab.neighbour(pair.a);  // is not concerned
+            Processor& c = pair.lab.neighbour(pair.a);  // not affected
             auto& channel = side == Side::writer ? pair.lab.hard(pair.a, pair.b)
                                                  : pair.lab.hard(pair.b, pair.a);
             const Side other = side == Side::writer ? Side::reader : Side::writer;
@@ -117,7 +117,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         }
 }
 
-// Nothing happens any more on its soft channels and in its PARs, and that is no deadlock.
+// Its soft channels and PARs stand still, and that is not a deadlock.
 TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   const auto found = isolated_numbers([] {
     StoppedPair pair;
@@ -136,7 +136,7 @@ TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   EXPECT_EQ(found, (Numbers{20'000, 20'000}));
 }
 
-// A process elsewhere may wait for it for ever.
+// A process elsewhere may wait for the stopped processor for ever.
 TEST(ProcessorStop, LeavesADeadlockElsewhere) {
   const auto report = failure_of([](Lab& lab) {
     Processor& a = lab.cpu();
@@ -153,8 +153,8 @@ TEST(ProcessorStop, LeavesADeadlockElsewhere) {
       << report;
 }
 
-// Observers are told before anything else happens at that instant, even what was asked for before;
-// they are told once for the processor and all its links, and may ask for more failures.
+// Observers are notified before any other event of that instant, even one scheduled earlier. They
+// are notified once for the processor and all its links, and may schedule more failures.
 TEST(ProcessorStop, IsToldBeforeAnythingElseHappens) {
   const auto log = isolated([] {
     StoppedPair pair;

@@ -1,5 +1,5 @@
-// Random machines under random cuts and stops: no message is received twice, each is received or
-// its sender is told that it was not, the run ends, and does so again to the last bit.
+// Random machines with random cuts and stops. No message is received twice; each is received, or
+// its sender learns of the failure. The run ends, and repeats to the last bit.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,7 +11,7 @@
 namespace occam {
 namespace {
 
-// What went over a link's direction, by message: what its sender was told, and how often it came.
+// Messages on a link's direction: the sender's result, and the number of receptions, of each.
 struct Record {
   int from, to;
   std::unique_ptr<Channel<Words>> channel;
@@ -110,7 +110,7 @@ struct Chaos {
   }
 };
 
-// What is wrong, then what happened.
+// Errors, then the log.
 std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, bool stops) {
   const auto text = isolated([&] {
     Chaos chaos(seed, model);
@@ -122,7 +122,7 @@ std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, 
       wrong += chaos.check(record);
       lost += static_cast<int>(std::ranges::count(record.sent, 0));
     }
-    const auto use = observe::collect(chaos.lab.machine);  // checks
+    const auto use = observe::collect(chaos.lab.machine);  // checks invariants
     for (const auto& cpu : use.cpus) log += fmt::format("{:a} ", cpu.busy_s);
     for (const auto& link : use.links) log += fmt::format("{:a} {} ", link.busy_s, link.bytes);
     return fmt::format("{}|{}|{} {:a}", wrong, lost, log, use.time_s);

@@ -1,0 +1,13 @@
+// read_mesh() of a build without Assimp.
+#include "base/errors.hpp"
+#include "renderer/meshes/read_mesh.hpp"
+
+namespace renderer {
+
+void read_mesh(const std::string& path, ObjTarget& /*target*/, LeftOut& /*left_out*/) {
+  throw base::BadInput(path +
+                       ": found a mesh, but this tlab was built without Assimp; expected a build "
+                       "with Debian's libassimp-dev installed");
+}
+
+}  // namespace renderer

@@ -1,0 +1,68 @@
+#pragma once
+// Queries of single rays, in Embree 3 and in Embree 4.
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#define TLAB_HAS_EMBREE4 1
+#else
+#include <embree3/rtcore.h>
+#define TLAB_HAS_EMBREE4 0
+#endif
+
+namespace embree {
+
+#if TLAB_HAS_EMBREE4
+
+using Context = RTCRayQueryContext;
+/// For scenes whose queries have a filter.
+inline constexpr RTCSceneFlags FILTERED = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+
+inline void init(Context& context) { rtcInitRayQueryContext(&context); }
+
+/// What rtcIntersect1 and rtcOccluded1 are told beside the ray. `filter` may be null.
+template <class Arguments>
+Arguments make_arguments(void (*init)(Arguments*), Context& context, RTCFilterFunctionN filter) {
+  Arguments arguments;
+  init(&arguments);
+  arguments.context = &context;
+  arguments.filter = filter;
+  if (filter) arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  return arguments;
+}
+
+inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray,
+                      RTCFilterFunctionN filter = nullptr) {
+  auto arguments =
+      make_arguments<RTCIntersectArguments>(rtcInitIntersectArguments, context, filter);
+  rtcIntersect1(scene, &ray, &arguments);
+}
+
+inline void find_occlusion(RTCScene scene, Context& context, RTCRay& ray,
+                           RTCFilterFunctionN filter = nullptr) {
+  auto arguments = make_arguments<RTCOccludedArguments>(rtcInitOccludedArguments, context, filter);
+  rtcOccluded1(scene, &ray, &arguments);
+}
+
+#else
+
+using Context = RTCIntersectContext;
+/// For scenes whose queries have a filter.
+inline constexpr RTCSceneFlags FILTERED = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+
+inline void init(Context& context) { rtcInitIntersectContext(&context); }
+
+/// `filter` may be null.
+inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray,
+                      RTCFilterFunctionN filter = nullptr) {
+  context.filter = filter;
+  rtcIntersect1(scene, &context, &ray);
+}
+
+inline void find_occlusion(RTCScene scene, Context& context, RTCRay& ray,
+                           RTCFilterFunctionN filter = nullptr) {
+  context.filter = filter;
+  rtcOccluded1(scene, &context, &ray);
+}
+
+#endif
+
+}  // namespace embree
