@@ -74,8 +74,8 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// Every worker on the way can serve it. The coordinator finally forwards the request to the workers
-// in turns, and the chosen worker remembers it.
+// Every worker on the way may serve the request. Otherwise the coordinator forwards it to the
+// workers in turns, and the chosen worker remembers it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
