@@ -24,7 +24,7 @@ struct Params {
   int max_cell = 16;           ///< side of the largest image cell, pixels; a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
-  tracing::PixelOrder pixels = tracing::PixelOrder::cells;  ///< else in place of cells and `order`
+  tracing::PixelOrder pixels = tracing::PixelOrder::cells;  ///< others replace cells, `order`
   /// Picture that the display draws itself before the first ray (thesis, 4.1); none: black.
   std::optional<renderer::PreviewStep> preview;
   Weights weights;             ///< for stages and orders without weights of their own

@@ -69,7 +69,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   for (int id = 1; id <= workers; ++id)
     machine[id].start("worker", Priority::low, [&, id] { farm.work(id); });
   run_machine(setup, machine);
-  // In the middle, when every worker has tasks; in whole rounds, as results may come in bursts.
+  // Measures the middle, when all workers have tasks; whole rounds, as results come in bursts.
   const auto round = static_cast<std::size_t>(workers);
   const std::size_t rounds = results.size() / round, a = rounds / 4 * round,
                     b = a + rounds / 2 * round;
